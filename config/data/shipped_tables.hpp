@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace config {
+
+/// Text of a shipped parameter table, such as "tree_resistance.csv", as it stood in config/data at build time.
+/// Throws std::out_of_range for a name that is not shipped.
+std::string_view shipped_table(std::string_view name);
+
+}  // namespace config

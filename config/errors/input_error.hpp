@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace config {
+
+/// What the program's exit code tells a script.
+enum class ExitCode : int {
+    done = 0,
+    internal = 1,      ///< a fault of ours
+    settings = 2,      ///< usage or settings
+    file = 3,          ///< a file is missing, unreadable or cannot be written
+    data = 4,          ///< the data are not plausible
+    validation = 5,    ///< a validation case lies outside its bounds
+    interrupted = 75,  ///< stopped by the user: run again to go on
+};
+
+/// Where in the user's input something stands. Line and column count from 1; 0 means "the whole file".
+struct Place {
+    std::string file;
+    std::size_t line = 0;
+    std::size_t column = 0;
+};
+
+/// One thing that is wrong with an input: where, what was found, what was expected.
+struct Problem {
+    ExitCode code = ExitCode::data;
+    Place place;
+    std::string found;
+    std::string expected;  ///< may be empty where `found` says it all
+};
+
+/// "dem.asc:3:7: found 'abc', expected a number"; leaves out what is not known.
+std::string to_string(const Problem& problem);
+
+/// All that is wrong with the input, thrown once per file.
+class InputError : public std::runtime_error {
+public:
+    /// Requires at least one problem. The exit code is that of the first.
+    explicit InputError(std::vector<Problem> problems);
+    [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
+    [[nodiscard]] ExitCode code() const { return problems_.front().code; }
+
+private:
+    std::vector<Problem> problems_;
+};
+
+/// Throws an InputError of one problem.
+[[noreturn]] void fail(ExitCode code, Place place, std::string found, std::string expected = "");
+
+/// Collects the problems of a file so that the user sees all of them at once.
+class Problems {
+public:
+    void add(ExitCode code, Place place, std::string found, std::string expected = "");
+    void add(const InputError& error);
+    [[nodiscard]] bool empty() const { return problems_.empty(); }
+    [[nodiscard]] const std::vector<Problem>& list() const { return problems_; }
+    void throw_if_any() const;
+
+private:
+    std::vector<Problem> problems_;
+};
+
+/// The legal word nearest to what the user wrote (edit distance up to a third of its length), or "".
+std::string nearest_word(std::string_view word, const std::vector<std::string>& legal);
+
+}  // namespace config

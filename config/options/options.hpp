@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+
+namespace config {
+
+/// The value that a named set of settings gives to a parameter: {"strict", "0"}.
+struct Preset {
+    std::string name;
+    std::string value;
+};
+
+/// All that is said about a parameter, once: it feeds reader, check, help, example file and manual.
+struct ParameterInfo {
+    std::string unit = "-";
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    std::string meaning;
+    std::string source;             ///< paper and equation, or "choice"
+    std::vector<Preset> presets{};  ///< values in named sets other than the default one
+};
+
+/// A declared parameter as text, for listings.
+struct ParameterRow {
+    std::string key;  ///< section.name
+    std::string kind; ///< number, whole number, yes/no, text, list of numbers, one of a|b|c
+    std::string unit;
+    std::string range;  ///< "[0, 2]", empty if free
+    std::string default_text;
+    std::string value_text;
+    std::string meaning;
+    std::string source;
+    std::vector<Preset> presets;
+    bool changed = false;  ///< value differs from the default
+};
+
+/// The settings of a run: INI files and `section.key=value` pairs through Boost.Program_options, behind a
+/// front that names file and line, finds all problems at once, suggests the nearest key and reads numbers
+/// strictly (no nan, no -1 for a count, no 1,5, no 3abc).
+class Options {
+public:
+    void number(std::string key, double& target, ParameterInfo info);
+    void count(std::string key, std::uint64_t& target, ParameterInfo info);
+    void flag(std::string key, bool& target, ParameterInfo info);  ///< yes/no, true/false, on/off, 1/0
+    void text(std::string key, std::string& target, ParameterInfo info);
+    void numbers(std::string key, std::vector<double>& target, ParameterInfo info);  ///< "0.5, 1.0 1.5"
+
+    template <class Enum>
+    void choice(std::string key, Enum& target, std::vector<std::pair<std::string, Enum>> names, ParameterInfo info) {
+        std::vector<std::string> words;
+        for (const auto& [word, value] : names) {
+            words.push_back(word);
+        }
+        declare_choice(
+            std::move(key), std::move(words),
+            [&target, names](std::size_t index) { target = names[index].second; },
+            [&target, names] {
+                for (const auto& [word, value] : names) {
+                    if (value == target) {
+                        return word;
+                    }
+                }
+                return std::string{};
+            },
+            std::move(info));
+    }
+
+    /// Reads an INI file, then the overrides ("section.key=value", later ones win), then sets the targets.
+    ///
+    /// The key `preset_key` (such as "rockfall.preset", a declared text) is looked at first: the values of the
+    /// preset it names replace the defaults before anything else is set. Every problem of the file and of the
+    /// overrides is thrown at once as InputError (settings). Sections whose name is in `free_sections` are
+    /// handed over unread through free_entries().
+    void read(std::istream& in, const std::string& file, const std::vector<std::string>& overrides,
+              const std::string& preset_key = "");
+
+    /// Where a key was set (file and line), the file alone if it was left at its default.
+    [[nodiscard]] Place place_of(const std::string& key) const;
+    [[nodiscard]] bool was_set(const std::string& key) const;
+
+    [[nodiscard]] std::vector<ParameterRow> rows() const;
+    [[nodiscard]] std::vector<std::string> preset_names() const;
+
+    /// The present values as a commented INI file that `read` takes back.
+    void write_ini(std::ostream& out, bool with_comments) const;
+    /// A table for people: key, default, unit, range, meaning, grouped by section; 100 columns wide.
+    void write_help(std::ostream& out, const std::string& section_filter = "") const;
+
+private:
+    struct Parameter;
+    void declare_choice(std::string key, std::vector<std::string> words, std::function<void(std::size_t)> set,
+                        std::function<std::string()> get, ParameterInfo info);
+    // The helper who writes options.cpp completes this part.
+};
+
+}  // namespace config
