@@ -1,12 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "config/grid/raster.hpp"
 
@@ -27,7 +26,7 @@ struct Vertex {
 struct Triangle {
     std::uint32_t corners[3];
     std::uint32_t neighbours[3];
-    float normal_z;  ///< z component of the upward unit normal: cosine of the slope [-], (0, 1]
+    float normal_z = 0.0F;  ///< z component of the upward unit normal: cosine of the slope [-], (0, 1]
     std::uint32_t unused = 0;
 };
 static_assert(sizeof(Triangle) == 32);
@@ -46,10 +45,11 @@ struct Plane {
 
 /// A triangulated slope as flat arrays, triangles and vertices along a Hilbert curve.
 ///
-/// All coordinates are relative to `origin_m` (easting, northing), which keeps national grid offsets out of the
-/// arithmetic. Heights are absolute. Built by mesh.cpp; this class only walks.
+/// All coordinates are relative to `origin_m` (easting, northing), which keeps national grid offsets out of
+/// the arithmetic. Heights are absolute. Built by mesh.cpp; this class only walks.
 class Terrain {
 public:
+    /// Requires corners and neighbours as Triangle describes them. Computes normal_z where it is not above 0.
     Terrain(Eigen::Vector2d origin_m, std::vector<Vertex> vertices, std::vector<Triangle> triangles);
 
     [[nodiscard]] Eigen::Vector2d origin_m() const { return origin_m_; }
@@ -68,20 +68,27 @@ public:
     }
 
     /// The triangle under a point (relative coordinates), found by walking from `hint`; nothing outside the
-    /// terrain or in a hole.
+    /// terrain or in a hole. A point on an edge or a corner belongs to any one of the triangles there.
+    /// Fast where the hint is a few triangles away; any hint gives an answer, `no_triangle` too.
     [[nodiscard]] std::optional<std::uint32_t> locate(double x_m, double y_m, std::uint32_t hint) const;
-    /// The same from a coarse grid of start triangles: for release points and trees, not for the inner loop.
+    /// The same without a hint, from lists of triangles on a coarse grid: for release points and trees, not
+    /// for the inner loop.
     [[nodiscard]] std::optional<std::uint32_t> locate(double x_m, double y_m) const;
 
     /// Height of the terrain under a point; nothing outside.
     [[nodiscard]] std::optional<double> height_m(double x_m, double y_m) const;
 
 private:
+    void fill_start_grid();
+
     Eigen::Vector2d origin_m_;
     std::vector<Vertex> vertices_;
     std::vector<Triangle> triangles_;
-    config::GridFrame start_frame_;             ///< coarse grid over the extent
-    std::vector<std::uint32_t> start_triangle_;  ///< a triangle in or near each of its cells
+    config::GridFrame start_frame_;  ///< coarse grid over the extent
+    std::vector<std::uint32_t>
+        start_offsets_;  ///< where the list of each of its cells begins; one more at the end
+    std::vector<std::uint32_t>
+        start_triangles_;  ///< every triangle that reaches into a cell, cell after cell
 };
 
 }  // namespace rockfall
