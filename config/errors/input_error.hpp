@@ -66,7 +66,15 @@ private:
     std::vector<Problem> problems_;
 };
 
-/// The legal word nearest to what the user wrote (edit distance up to a third of its length), or "".
+/// The legal word nearest to what the user wrote, or "": edit distance up to a third of its length, case
+/// ignored.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& legal);
+
+/// What the user wrote, as a message shows it: 'in quotes', one line, cut off after 60 bytes.
+std::string in_quotes(std::string_view text);
+
+/// Where byte `offset` of a text stands. Columns count characters of UTF-8, as an editor does. `start` is the
+/// place of the first byte, for a text that is itself part of a file.
+Place place_in(std::string_view text, std::size_t offset, const Place& start);
 
 }  // namespace config

@@ -33,7 +33,9 @@ struct GridFrame {
 
     friend bool operator==(const GridFrame&, const GridFrame&) = default;
 
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+    [[nodiscard]] std::size_t size() const {
+        return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    }
     [[nodiscard]] double x_east_m() const { return x_west_m + columns * cell_width_m; }
     [[nodiscard]] double y_north_m() const { return y_south_m + rows * cell_height_m; }
     [[nodiscard]] double cell_area_m2() const { return cell_width_m * cell_height_m; }
@@ -67,7 +69,8 @@ struct GridFrame {
     const double slack_x_m = 0.01 * a.cell_width_m;
     const double slack_y_m = 0.01 * a.cell_height_m;
     return a.columns == b.columns && a.rows == b.rows && std::abs(a.x_west_m - b.x_west_m) <= slack_x_m &&
-           std::abs(a.y_south_m - b.y_south_m) <= slack_y_m && std::abs(a.x_east_m() - b.x_east_m()) <= slack_x_m &&
+           std::abs(a.y_south_m - b.y_south_m) <= slack_y_m &&
+           std::abs(a.x_east_m() - b.x_east_m()) <= slack_x_m &&
            std::abs(a.y_north_m() - b.y_north_m()) <= slack_y_m;
 }
 
@@ -78,7 +81,8 @@ struct Raster {
     std::vector<T> values;
 
     Raster() = default;
-    explicit Raster(const GridFrame& frame_in, T fill = T{}) : frame{frame_in}, values(frame_in.size(), fill) {}
+    explicit Raster(const GridFrame& frame_in, T fill = T{})
+        : frame{frame_in}, values(frame_in.size(), fill) {}
 
     [[nodiscard]] T& at(Cell cell) { return values[frame.index(cell)]; }
     [[nodiscard]] const T& at(Cell cell) const { return values[frame.index(cell)]; }

@@ -32,8 +32,8 @@ struct ParameterInfo {
 
 /// A declared parameter as text, for listings.
 struct ParameterRow {
-    std::string key;  ///< section.name
-    std::string kind; ///< number, whole number, yes/no, text, list of numbers, one of a|b|c
+    std::string key;   ///< section.name
+    std::string kind;  ///< number, whole number, yes/no, text, list of numbers, one of a|b|c
     std::string unit;
     std::string range;  ///< "[0, 2]", empty if free
     std::string default_text;
@@ -56,7 +56,8 @@ public:
     void numbers(std::string key, std::vector<double>& target, ParameterInfo info);  ///< "0.5, 1.0 1.5"
 
     template <class Enum>
-    void choice(std::string key, Enum& target, std::vector<std::pair<std::string, Enum>> names, ParameterInfo info) {
+    void choice(std::string key, Enum& target, std::vector<std::pair<std::string, Enum>> names,
+                ParameterInfo info) {
         std::vector<std::string> words;
         for (const auto& [word, value] : names) {
             words.push_back(word);
@@ -77,10 +78,10 @@ public:
 
     /// Reads an INI file, then the overrides ("section.key=value", later ones win), then sets the targets.
     ///
-    /// The key `preset_key` (such as "rockfall.preset", a declared text) is looked at first: the values of the
-    /// preset it names replace the defaults before anything else is set. Every problem of the file and of the
-    /// overrides is thrown at once as InputError (settings). Sections whose name is in `free_sections` are
-    /// handed over unread through free_entries().
+    /// The key `preset_key` (such as "rockfall.preset", a declared text) is looked at first: the values of
+    /// the preset it names replace the defaults before anything else is set. Every problem of the file and of
+    /// the overrides is thrown at once as InputError (settings). Sections whose name is in `free_sections`
+    /// are handed over unread through free_entries().
     void read(std::istream& in, const std::string& file, const std::vector<std::string>& overrides,
               const std::string& preset_key = "");
 

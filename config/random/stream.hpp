@@ -1,21 +1,21 @@
 #pragma once
 
+#include <Random123/philox.h>
+
 #include <array>
 #include <cstdint>
-
-#include <Random123/philox.h>
 
 namespace config {
 
 /// What a random number is for. Each purpose of each rock or tree has numbers of its own, so that
 /// one more draw here moves nothing there.
 enum class Purpose : std::uint8_t {
-    release = 1,       ///< start point, size and direction of a rock
-    ground_impact = 2, ///< noise, jump angle, deviation and stop at one ground contact
-    tree_impact = 3,   ///< deviation at one tree hit
-    rolling = 4,       ///< stop and deviation on one stretch of rolling
-    stand = 5,         ///< positions of artificial trees
-    sampling = 6,      ///< which rocks a sample shows
+    release = 1,        ///< start point, size and direction of a rock
+    ground_impact = 2,  ///< noise, jump angle, deviation and stop at one ground contact
+    tree_impact = 3,    ///< deviation at one tree hit
+    rolling = 4,        ///< stop and deviation on one stretch of rolling
+    stand = 5,          ///< positions of artificial trees
+    sampling = 6,       ///< which rocks a sample shows
     test = 255,
 };
 

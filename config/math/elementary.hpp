@@ -1,0 +1,80 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace config {
+
+// Elementary functions whose bits depend on nothing but IEEE 754 addition, multiplication and division.
+// Those of the C library pick other code on processors with fused multiply-add and may differ in the last bit
+// from machine to machine; a rockfall run must not. Branch-free and short enough to inline.
+
+/// Base-2 logarithm of a positive normal number, absolute error below 1e-13.
+inline double log2_of(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    // Take the exponent such that the mantissa lies in [sqrt(1/2), sqrt(2)): the series is short there.
+    constexpr std::uint64_t sqrt_half_bits = 0x3FE6A09E667F3BCDULL;
+    const auto exponent = static_cast<std::int64_t>(bits - sqrt_half_bits) >> 52;
+    const auto mantissa = std::bit_cast<double>(bits - (static_cast<std::uint64_t>(exponent) << 52));
+    const double s = (mantissa - 1.0) / (mantissa + 1.0);
+    const double q = s * s;
+    // 2 / ln 2 * atanh(s), atanh as its odd power series; |s| < 0.1716
+    const double series =
+        1.0 + q * (1.0 / 3 +
+                   q * (1.0 / 5 + q * (1.0 / 7 + q * (1.0 / 9 + q * (1.0 / 11 + q * (1.0 / 13 + q / 15))))));
+    return static_cast<double>(exponent) + 2.885390081777926814719849362 * s * series;
+}
+
+/// 2 to the power y for |y| < 1000, relative error below 1e-12.
+inline double exp2_of(double y) {
+    constexpr double to_nearest = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to a whole number
+    const double shifted = y + to_nearest;
+    const double whole = shifted - to_nearest;
+    const double f = (y - whole) * 0.693147180559945309417232121;  // |f| < 0.3466
+    const double series =
+        1.0 +
+        f * (1.0 + f * (1.0 / 2 +
+                        f * (1.0 / 6 +
+                             f * (1.0 / 24 +
+                                  f * (1.0 / 120 + f * (1.0 / 720 + f * (1.0 / 5040 + f * (1.0 / 40320 +
+                                                                                           f / 362880))))))));
+    const auto exponent = static_cast<std::int64_t>(whole);
+    return series * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+inline double ln_of(double x) {
+    return 0.693147180559945309417232121 * log2_of(x);
+}
+inline double exp_of(double x) {
+    return exp2_of(1.442695040888963407359924681 * x);
+}
+/// x to the power p for positive x.
+inline double pow_of(double x, double p) {
+    return exp2_of(p * log2_of(x));
+}
+
+struct SinCos {
+    double sin;
+    double cos;
+};
+
+/// Sine and cosine of an angle of at most a right angle either way, absolute error below 1e-11.
+inline SinCos sin_cos_of(double angle_rad) {
+    const double q = angle_rad * angle_rad;
+    const double s =
+        1.0 +
+        q * (-1.0 / 6 +
+             q * (1.0 / 120 + q * (-1.0 / 5040 +
+                                   q * (1.0 / 362880 + q * (-1.0 / 39916800 + q * (1.0 / 6227020800.0 -
+                                                                                   q / 1307674368000.0))))));
+    const double c =
+        1.0 + q * (-1.0 / 2 +
+                   q * (1.0 / 24 +
+                        q * (-1.0 / 720 +
+                             q * (1.0 / 40320 + q * (-1.0 / 3628800 +
+                                                     q * (1.0 / 479001600 + q * (-1.0 / 87178291200.0 +
+                                                                                 q / 20922789888000.0)))))));
+    return {angle_rad * s, c};
+}
+
+}  // namespace config

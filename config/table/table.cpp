@@ -1,0 +1,308 @@
+#include "config/table/table.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <utility>
+
+#include "config/text/reading.hpp"
+
+namespace config {
+
+namespace {
+
+struct Field {
+    std::string text;
+    Place place;
+};
+using Record = std::vector<Field>;
+
+/// Cuts the text of a table into records of fields; knows nothing about columns.
+class Records {
+public:
+    Records(std::string_view text, const std::string& file, Problems& problems)
+        : text_{text}, problems_{problems}, place_{file, 1, 1}, separator_{separator_of_header()} {}
+
+    /// The next record that holds anything; empty at the end.
+    Record next() {
+        while (!at_end()) {
+            if (text_[at_] == '#') {
+                skip_line();
+                continue;
+            }
+            Record record = read_record();
+            if (std::any_of(record.begin(), record.end(),
+                            [](const Field& field) { return !field.text.empty(); })) {
+                return record;
+            }
+        }
+        return {};
+    }
+
+    [[nodiscard]] const Place& place() const { return place_; }
+
+private:
+    [[nodiscard]] bool at_end() const { return at_ == text_.size(); }
+
+    /// A semicolon where the first line has one outside quotes and no comma: Excel's in much of Europe.
+    [[nodiscard]] char separator_of_header() const {
+        std::string_view rest = text_;
+        while (!rest.empty()) {
+            const std::size_t end = std::min(rest.find('\n'), rest.size() - 1);
+            const std::string_view line = trimmed(rest.substr(0, end + 1));
+            rest.remove_prefix(end + 1);
+            if (line.empty() || line.front() == '#') {
+                continue;
+            }
+            bool quoted = false;
+            char separator = ',';
+            for (const char c : line) {
+                quoted = quoted != (c == '"');
+                if (!quoted && c == ',') {
+                    return ',';
+                }
+                separator = !quoted && c == ';' ? ';' : separator;
+            }
+            return separator;
+        }
+        return ',';
+    }
+
+    void advance() {
+        const char c = text_[at_++];
+        if (c == '\n') {
+            ++place_.line;
+            place_.column = 1;
+        } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
+            ++place_.column;
+        }
+    }
+
+    void skip_line() {
+        while (!at_end() && text_[at_] != '\n') {
+            advance();
+        }
+        if (!at_end()) {
+            advance();
+        }
+    }
+
+    Record read_record() {
+        Record record;
+        while (true) {
+            record.push_back(read_field());
+            if (at_end() || text_[at_] == '\n') {
+                skip_line();
+                return record;
+            }
+            advance();  // the separator
+        }
+    }
+
+    Field read_field() {
+        while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t') && text_[at_] != separator_) {
+            advance();
+        }
+        const Place start = place_;
+        const bool quoted = !at_end() && text_[at_] == '"';
+        std::string text = quoted ? read_quoted() : std::string{};
+        const std::size_t plain_start = at_;
+        while (!at_end() && text_[at_] != separator_ && text_[at_] != '\n') {
+            advance();
+        }
+        const std::string_view plain = trimmed(text_.substr(plain_start, at_ - plain_start));
+        if (quoted && !plain.empty()) {
+            problems_.add(ExitCode::data, start, in_quotes(plain) + " after a closing quote",
+                          "quotes around the whole field");
+        }
+        text += plain;
+        return {std::move(text), start};
+    }
+
+    std::string read_quoted() {
+        const Place start = place_;
+        std::string text;
+        advance();
+        while (!at_end()) {
+            if (text_[at_] == '"') {
+                advance();
+                if (at_end() || text_[at_] != '"') {
+                    return text;
+                }
+            }
+            text += text_[at_];
+            advance();
+        }
+        problems_.add(ExitCode::data, start, "a quote that is never closed");
+        return text;
+    }
+
+    std::string_view text_;
+    Problems& problems_;
+    std::size_t at_ = 0;
+    Place place_;
+    char separator_;
+};
+
+bool is_unit_row(const Record& record) {
+    std::string first = record.front().text;
+    std::transform(first.begin(), first.end(), first.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return first == "unit" || first == "units";
+}
+
+std::vector<std::string> texts_of(Record record) {
+    std::vector<std::string> texts;
+    texts.reserve(record.size());
+    for (Field& field : record) {
+        texts.push_back(std::move(field.text));
+    }
+    return texts;
+}
+
+void check_header(const Record& header, const Place& end, Problems& problems) {
+    if (header.empty()) {
+        problems.add(ExitCode::data, end, "no header line", "a line of column names");
+    }
+    for (auto field = header.begin(); field != header.end(); ++field) {
+        if (field->text.empty()) {
+            problems.add(ExitCode::data, field->place, "a column without a name", "a name");
+        } else if (std::any_of(header.begin(), field,
+                               [&](const Field& f) { return f.text == field->text; })) {
+            problems.add(ExitCode::data, field->place, "column " + in_quotes(field->text) + " a second time",
+                         "each column once");
+        }
+    }
+}
+
+/// Whether a record fits the header; empty fields past the last column are cut off.
+bool fits(Record& record, std::size_t columns, Problems& problems) {
+    while (record.size() > columns && record.back().text.empty()) {
+        record.pop_back();
+    }
+    if (record.size() == columns) {
+        return true;
+    }
+    const Place& place = record.size() > columns ? record[columns].place : record.back().place;
+    problems.add(ExitCode::data, place, std::to_string(record.size()) + " fields",
+                 std::to_string(columns) + " as in the header");
+    return false;
+}
+
+}  // namespace
+
+Table Table::read(std::istream& in, std::string file) {
+    const std::string text = read_text(in, file);
+    Problems problems;
+    Records records{text, file, problems};
+
+    Table table;
+    table.file_ = file;
+    Record header = records.next();
+    while (!header.empty() && header.back().text.empty()) {
+        header.pop_back();  // a separator at the end of the line names no column
+    }
+    check_header(header, records.place(), problems);
+    table.columns_ = texts_of(std::move(header));
+
+    bool first = true;
+    for (Record record = records.next(); !record.empty(); record = records.next()) {
+        const bool unit_row = std::exchange(first, false) && is_unit_row(record);
+        if (!fits(record, table.columns_.size(), problems)) {
+            continue;
+        }
+        if (unit_row) {
+            table.units_ = texts_of(std::move(record));
+            continue;
+        }
+        std::vector<TextPlace> places;
+        places.reserve(record.size());
+        for (const Field& field : record) {
+            places.push_back({static_cast<std::uint32_t>(field.place.line),
+                              static_cast<std::uint32_t>(field.place.column)});
+        }
+        table.places_.push_back(std::move(places));
+        table.cells_.push_back(texts_of(std::move(record)));
+    }
+    problems.throw_if_any();
+    return table;
+}
+
+bool Table::has(std::string_view column) const {
+    return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+}
+
+std::size_t Table::index_of(std::string_view column) const {
+    const auto found = std::find(columns_.begin(), columns_.end(), column);
+    assert(found != columns_.end());
+    return static_cast<std::size_t>(found - columns_.begin());
+}
+
+Place Table::place(std::size_t row, std::string_view column) const {
+    const TextPlace& place = places_[row][index_of(column)];
+    return {file_, place.line, place.column};
+}
+
+bool Table::require(const std::vector<std::string>& wanted, Problems& problems) const {
+    bool complete = true;
+    for (const std::string& name : wanted) {
+        if (has(name)) {
+            continue;
+        }
+        complete = false;
+        const std::string nearest = nearest_word(name, columns_);
+        problems.add(ExitCode::data, {file_},
+                     "no column " + in_quotes(name) +
+                         (nearest.empty() ? "" : " (is " + in_quotes(nearest) + " meant to be it?)"));
+    }
+    return complete;
+}
+
+const std::string& Table::text(std::size_t row, std::string_view column) const {
+    return cells_[row][index_of(column)];
+}
+
+void Table::add_problem(std::size_t row, std::string_view column, std::string_view kind,
+                        const NumberRange& range, Problems& problems) const {
+    const std::string& field = text(row, column);
+    std::string expected = describe(kind, range);
+    if (field.find(',') != std::string::npos) {
+        expected += ", with a decimal point";
+    }
+    problems.add(ExitCode::data, place(row, column),
+                 std::string{column} + " " + (field.empty() ? "empty" : in_quotes(field)), expected);
+}
+
+std::optional<double> Table::number(std::size_t row, std::string_view column, NumberRange range,
+                                    Problems& problems) const {
+    const std::optional<double> value = parse_number(text(row, column));
+    if (value && range.contains(*value)) {
+        return value;
+    }
+    add_problem(row, column, "a number", range, problems);
+    return std::nullopt;
+}
+
+std::optional<long long> Table::whole(std::size_t row, std::string_view column, NumberRange range,
+                                      Problems& problems) const {
+    const std::optional<long long> value = parse_whole(text(row, column));
+    if (value && range.contains(static_cast<double>(*value))) {
+        return value;
+    }
+    add_problem(row, column, "a whole number", range, problems);
+    return std::nullopt;
+}
+
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",;\"\n\r") == std::string_view::npos && trimmed(text) == text &&
+        !text.starts_with('#')) {
+        return std::string{text};
+    }
+    std::string quoted{"\""};
+    for (const char c : text) {
+        quoted += c == '"' ? "\"\"" : std::string{c};
+    }
+    return quoted + '"';
+}
+
+}  // namespace config

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace config {
+
+/// What a number in a table or a setting may be.
+struct NumberRange {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_excluded = false;  ///< (low, high] instead of [low, high]
+
+    [[nodiscard]] bool contains(double value) const {
+        return (low_excluded ? value > low : value >= low) && value <= high;
+    }
+};
+
+/// "[0, 2]", "(0, 2]", ">= 0", "> 0", "<= 2", or "" for any number.
+std::string to_string(const NumberRange& range);
+/// "a number in [0, 2]", "a number >= 0", "a number": `kind` and the range in words.
+std::string describe(std::string_view kind, const NumberRange& range);
+
+/// The whole text as a finite number: no `nan`, no `inf`, no `1,5`, no `3abc`; a leading plus is fine.
+std::optional<double> parse_number(std::string_view text);
+/// The whole text as a whole number; `12.0` and `1e6` are whole too (up to 2^53).
+std::optional<long long> parse_whole(std::string_view text);
+
+/// The shortest text that reads back as the same number.
+std::string to_text(double value);
+std::string to_text(float value);
+
+}  // namespace config

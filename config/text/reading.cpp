@@ -1,0 +1,34 @@
+#include "config/text/reading.hpp"
+
+#include <iterator>
+
+#include "config/errors/input_error.hpp"
+
+namespace config {
+
+std::string read_text(std::istream& in, const std::string& file) {
+    std::string text{std::istreambuf_iterator<char>{in}, {}};
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        fail(ExitCode::data, {file}, "UTF-16 text", "UTF-8 text: save the file as UTF-8");
+    }
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+        fail(ExitCode::data, place_in(text, zero, {file}), "a byte of zero", "a text file");
+    }
+    return std::string{without_byte_order_mark(text)};
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+}  // namespace config

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <istream>
+#include <string>
+#include <string_view>
+
+namespace config {
+
+/// All of a text file: UTF-8 without its byte-order mark. Throws InputError (data) for UTF-16, as some
+/// programs save "Unicode text", and for bytes of zero, which no text holds.
+std::string read_text(std::istream& in, const std::string& file);
+
+/// The text without the byte-order mark that Windows programs put before UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
+
+/// The text without blanks, tabs, carriage returns and line feeds at both ends.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace config

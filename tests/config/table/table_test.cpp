@@ -1,0 +1,130 @@
+#include "config/table/table.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <sstream>
+
+namespace config {
+namespace {
+
+Table table_of(const std::string& text) {
+    std::istringstream in{text};
+    return Table::read(in, "trees.csv");
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        table_of(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Table, ReadsNamesUnitsAndFields) {
+    const Table table = table_of("species,dbh,height\nunit,cm,m\nabal,32.5,25\nfasy,18,\n");
+    ASSERT_EQ(table.rows(), 2U);
+    EXPECT_EQ(table.units(), (std::vector<std::string>{"unit", "cm", "m"}));
+    EXPECT_EQ(table.text(0, "species"), "abal");
+    EXPECT_EQ(table.text(1, "height"), "");
+    EXPECT_TRUE(table.has("dbh"));
+    EXPECT_FALSE(table.has("DBH"));
+}
+
+TEST(Table, ReadsTheSameFromAnySpreadsheet) {
+    for (const std::string text :
+         {"a,b\n1,2\n",
+          "\xEF\xBB\xBF"
+          "a,b\r\n1,2\r\n",
+          "a;b\n1;2", "# note; with\na , b\n\n 1 ,\t2\n,\n", "\"a\",\"b\"\n\"1\",2\n", "a,b,\n1,2,\n"}) {
+        const Table table = table_of(text);
+        ASSERT_EQ(table.columns(), (std::vector<std::string>{"a", "b"})) << text;
+        ASSERT_EQ(table.rows(), 1U) << text;
+        EXPECT_EQ(table.text(0, "a") + table.text(0, "b"), "12") << text;
+    }
+}
+
+TEST(Table, KeepsCommasQuotesAndLineBreaksInsideQuotes) {
+    const Table table = table_of("name,wkt\n\"a \"\"b\"\"\nc\",\"LINESTRING (0 0, 1 1)\"\nd,e\n");
+    EXPECT_EQ(table.text(0, "name"), "a \"b\"\nc");
+    EXPECT_EQ(table.text(0, "wkt"), "LINESTRING (0 0, 1 1)");
+    EXPECT_EQ(table.place(1, "wkt").line, 4U);
+}
+
+TEST(Table, KnowsWhereAFieldStands) {
+    const Place place = table_of("a,b\n# note\n\n10, x\n").place(0, "b");
+    EXPECT_EQ(place.file, "trees.csv");
+    EXPECT_EQ(place.line, 4U);
+    EXPECT_EQ(place.column, 5U);
+}
+
+TEST(Table, NamesAllFaultsOfItsFormAtOnce) {
+    EXPECT_EQ(message_of("a,b,a,\n1,2\n1,2,3,4\n1,2,3\n"),
+              "trees.csv:1:5: found column 'a' a second time, expected each column once\n"
+              "trees.csv:2:3: found 2 fields, expected 3 as in the header\n"
+              "trees.csv:3:7: found 4 fields, expected 3 as in the header");
+    EXPECT_EQ(message_of("a,,c\n"), "trees.csv:1:3: found a column without a name, expected a name");
+    EXPECT_EQ(message_of("# only a note\n"),
+              "trees.csv:2:1: found no header line, expected a line of column names");
+    EXPECT_EQ(message_of("a,b\n1,\"x\n"), "trees.csv:2:3: a quote that is never closed");
+    EXPECT_EQ(message_of("a,b\n1,\"x\"y\n"),
+              "trees.csv:2:3: found 'y' after a closing quote, expected quotes around the whole field");
+}
+
+TEST(Table, NamesMissingColumnsWithTheNearestOne) {
+    const Table table = table_of("tree_id,x_m,dbh\n");
+    Problems problems;
+    EXPECT_TRUE(table.require({"x_m"}, problems));
+    EXPECT_FALSE(table.require({"x_m", "dbh_", "species"}, problems));
+    ASSERT_EQ(problems.list().size(), 2U);
+    EXPECT_EQ(to_string(problems.list()[0]), "trees.csv: no column 'dbh_' (is 'dbh' meant to be it?)");
+    EXPECT_EQ(to_string(problems.list()[1]), "trees.csv: no column 'species'");
+}
+
+TEST(Table, ReadsNumbersInTheirRange) {
+    const Table table = table_of("id,dbh_cm\n7,32.5\n");
+    Problems problems;
+    EXPECT_EQ(table.number(0, "dbh_cm", {.low = 0.0}, problems), 32.5);
+    EXPECT_EQ(table.whole(0, "id", {}, problems), 7);
+    EXPECT_TRUE(problems.empty());
+}
+
+TEST(Table, CollectsWhatIsNotANumberInItsRange) {
+    const Table table = table_of("id;dbh_cm\n1;1,5\n2.5;-3\n3;\n4;nan\n");
+    Problems problems;
+    const NumberRange positive{0.0, 300.0, true};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        EXPECT_FALSE(table.number(row, "dbh_cm", positive, problems));
+    }
+    EXPECT_FALSE(table.whole(1, "id", {.low = 1.0}, problems));
+    ASSERT_EQ(problems.list().size(), 5U);
+    EXPECT_EQ(to_string(problems.list()[0]),
+              "trees.csv:2:3: found dbh_cm '1,5', expected a number in (0, 300], with a decimal point");
+    EXPECT_EQ(to_string(problems.list()[1]),
+              "trees.csv:3:5: found dbh_cm '-3', expected a number in (0, 300]");
+    EXPECT_EQ(to_string(problems.list()[2]),
+              "trees.csv:4:3: found dbh_cm empty, expected a number in (0, 300]");
+    EXPECT_EQ(to_string(problems.list()[3]),
+              "trees.csv:5:3: found dbh_cm 'nan', expected a number in (0, 300]");
+    EXPECT_EQ(to_string(problems.list()[4]), "trees.csv:3:1: found id '2.5', expected a whole number >= 1");
+}
+
+RC_GTEST_PROP(CsvField, ReadsBackAsWritten, (const std::vector<std::string>& fields)) {
+    std::ostringstream header;
+    std::ostringstream row;
+    header << "first";
+    row << "x";
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        RC_PRE(fields[i].find('\0') == std::string::npos);
+        header << ",c" << i;
+        row << ',' << csv_field(fields[i]);
+    }
+    const Table table = table_of(header.str().append("\n").append(row.str()));
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        RC_ASSERT(table.text(0, table.columns()[i + 1]) == fields[i]);
+    }
+}
+
+}  // namespace
+}  // namespace config

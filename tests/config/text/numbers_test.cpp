@@ -1,0 +1,63 @@
+#include "config/text/numbers.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+namespace config {
+namespace {
+
+TEST(ParseNumber, TakesDecimalAndScientificNotation) {
+    EXPECT_EQ(parse_number("1.5"), 1.5);
+    EXPECT_EQ(parse_number("+1.5"), 1.5);
+    EXPECT_EQ(parse_number("-.5e3"), -500.0);
+    EXPECT_EQ(parse_number("2."), 2.0);
+}
+
+TEST(ParseNumber, RefusesWhatIsNotWhollyAFiniteNumber) {
+    for (const char* text : {"", "+", "-", "nan", "NaN", "inf", "-inf", "1,5", "3abc", "1.5 ", " 1", "+-1",
+                             "++1", "0x10", "1e999"}) {
+        EXPECT_FALSE(parse_number(text)) << text;
+    }
+}
+
+TEST(ParseWhole, TakesAnyNotationWithoutAFraction) {
+    EXPECT_EQ(parse_whole("-12"), -12);
+    EXPECT_EQ(parse_whole("+12"), 12);
+    EXPECT_EQ(parse_whole("12.0"), 12);
+    EXPECT_EQ(parse_whole("1e6"), 1'000'000);
+    EXPECT_EQ(parse_whole("9223372036854775807"), 9223372036854775807LL);
+    for (const char* text : {"", "1.5", "1e-3", "nan", "1,5", "9223372036854775808"}) {
+        EXPECT_FALSE(parse_whole(text)) << text;
+    }
+}
+
+RC_GTEST_PROP(ToText, ReadsBackAsTheSameNumber, (double value)) {
+    RC_PRE(std::isfinite(value));
+    RC_ASSERT(parse_number(to_text(value)) == value);
+}
+
+TEST(ToText, IsAsShortAsItCanBe) {
+    EXPECT_EQ(to_text(0.3), "0.3");
+    EXPECT_EQ(to_text(0.3F), "0.3");
+    EXPECT_EQ(to_text(10.0), "10");
+}
+
+TEST(NumberRange, IsDescribedInWords) {
+    EXPECT_EQ(describe("a number", {0.0, 2.0}), "a number in [0, 2]");
+    EXPECT_EQ(describe("a number", {0.0, 2.0, true}), "a number in (0, 2]");
+    EXPECT_EQ(describe("a number", {.low = 0.0}), "a number >= 0");
+    EXPECT_EQ(describe("a number", {.low = 0.0, .low_excluded = true}), "a number > 0");
+    EXPECT_EQ(describe("a number", {.high = 1.0}), "a number <= 1");
+    EXPECT_EQ(describe("a number", {}), "a number");
+}
+
+TEST(NumberRange, KnowsWhetherItsLowerEndBelongsToIt) {
+    EXPECT_TRUE((NumberRange{0.0, 2.0}.contains(0.0)));
+    EXPECT_FALSE((NumberRange{0.0, 2.0, true}.contains(0.0)));
+    EXPECT_TRUE((NumberRange{0.0, 2.0, true}.contains(2.0)));
+}
+
+}  // namespace
+}  // namespace config
