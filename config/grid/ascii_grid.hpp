@@ -9,14 +9,20 @@
 
 namespace config {
 
-/// Reads an ESRI ASCII grid from its text; NODATA cells become NaN.
+/// Reads an ESRI ASCII grid from its text; NODATA cells become NaN. The first row is the northern one.
 ///
 /// Takes xllcorner/yllcorner or xllcenter/yllcenter, keys in any case and order, cellsize or dx and dy, LF or
-/// CRLF, tabs, rows broken over lines, a missing NODATA line, a leading plus. Throws InputError (data) with
-/// line and column for a missing or doubled key, `nan`, `1,5`, too few or too many values, sizes below 1.
+/// CRLF, tabs, rows broken over lines, a byte-order mark, a leading plus. NODATA is compared as a number;
+/// without a NODATA line it is -9999, as ESRI defines the format. `nan` is a value only where the header says
+/// `NODATA_value nan`, as GDAL writes it.
+///
+/// Throws one InputError (data) with line and column for all faults of the header (unknown, doubled or
+/// missing keys, sizes that are no numbers or not above 0), else for up to 20 values that are no numbers
+/// (`nan`, `1,5`) and for too few or too many of them, with how many were found and expected.
 Raster<double> read_ascii_grid(std::string_view text, const std::string& file);
 
-/// Writes a grid; NaN becomes -9999. Numbers are the shortest text that reads back the same.
+/// Writes a grid; NaN becomes -9999. Numbers are the shortest text that reads back the same. Cell size is
+/// written as cellsize where cells are square, else as dx and dy. Requires no infinite value.
 void write_ascii_grid(std::ostream& out, const Raster<double>& raster);
 /// Shortest text of the value as a float: for derived maps, about 7 digits.
 void write_ascii_grid(std::ostream& out, const Raster<float>& raster);

@@ -1,0 +1,327 @@
+#include "config/grid/ascii_grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
+
+namespace config {
+
+namespace {
+
+constexpr double conventional_nodata = -9999.0;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_bad_values = 20;  // a file of another kind would fill the screen
+
+const std::vector<std::string> header_keys{"ncols",     "nrows",    "xllcorner", "xllcenter", "yllcorner",
+                                           "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
+std::string lower_case(std::string_view word) {
+    std::string lower{word};
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+/// A grid's text on its way through the reader.
+struct Reading {
+    std::string_view text;
+    const std::string& file;
+    Problems problems{};
+    std::size_t at = 0;
+
+    [[nodiscard]] std::size_t offset_of(std::string_view token) const {
+        return static_cast<std::size_t>(token.data() - text.data());
+    }
+    [[nodiscard]] Place place(std::string_view token) const {
+        return place_in(text, offset_of(token), {file});
+    }
+
+    void skip_blanks() {
+        while (at < text.size() && is_blank(text[at])) {
+            ++at;
+        }
+    }
+    /// The next word, which is empty at the end of the text.
+    std::string_view next_token() {
+        skip_blanks();
+        const std::size_t start = at;
+        while (at < text.size() && !is_blank(text[at])) {
+            ++at;
+        }
+        return text.substr(start, at - start);
+    }
+    void refuse(std::string_view token, std::string found, std::string expected) {
+        problems.add(ExitCode::data, place(token), std::move(found), std::move(expected));
+    }
+};
+
+struct HeaderEntry {
+    std::string key;
+    std::string_view value;
+};
+using HeaderEntries = std::vector<HeaderEntry>;
+
+std::optional<std::string_view> value_of(const HeaderEntries& entries, std::string_view key) {
+    for (const HeaderEntry& entry : entries) {
+        if (entry.key == key) {
+            return entry.value;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Whether a word belongs to the header: `nan` and `inf` are letters too, but stand for values.
+bool is_key(std::string_view token) {
+    const std::string word = lower_case(token);
+    return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) != 0 && word != "nan" &&
+           word != "inf" && word != "infinity";
+}
+
+std::string canonical_key(std::string_view token) {
+    const std::string key = lower_case(token);
+    if (key == "xllcentre" || key == "yllcentre") {
+        return key.substr(0, 4) + "enter";
+    }
+    return key == "nodata" ? "nodata_value" : key;
+}
+
+HeaderEntries read_header_entries(Reading& reading) {
+    HeaderEntries entries;
+    while (true) {
+        reading.skip_blanks();
+        const std::size_t start = reading.at;
+        const std::string_view token = reading.next_token();
+        if (!is_key(token)) {
+            reading.at = start;
+            return entries;
+        }
+        const std::string key = canonical_key(token);
+        const std::string_view value = reading.next_token();
+        if (std::find(header_keys.begin(), header_keys.end(), key) == header_keys.end()) {
+            const std::string nearest = nearest_word(key, header_keys);
+            reading.refuse(token, in_quotes(token),
+                           nearest.empty() ? "a header key or a number" : in_quotes(nearest));
+        } else if (value_of(entries, key)) {
+            reading.refuse(token, in_quotes(token).append(" a second time"), "each header key once");
+        } else {
+            entries.push_back({key, value});
+        }
+    }
+}
+
+/// The numbers of a header, each checked where it is taken.
+class Header {
+public:
+    Header(HeaderEntries entries, Reading& reading) : entries_{std::move(entries)}, reading_{reading} {}
+
+    [[nodiscard]] bool has(std::string_view key) const { return value_of(entries_, key).has_value(); }
+
+    int count(std::string_view key) {
+        const NumberRange range{1.0, std::numeric_limits<int>::max()};
+        const std::optional<std::string_view> text = required(key);
+        const std::optional<long long> value = text ? parse_whole(*text) : 1;
+        if (value && range.contains(static_cast<double>(*value))) {
+            return static_cast<int>(*value);
+        }
+        refuse_value(key, *text, describe("a whole number", range));
+        return 1;
+    }
+
+    double number(std::string_view key, const NumberRange& range = {}) {
+        const std::optional<std::string_view> text = required(key);
+        const std::optional<double> value = text ? parse_number(*text) : 1.0;
+        if (value && (!text || range.contains(*value))) {
+            return *value;
+        }
+        refuse_value(key, *text, describe("a number", range));
+        return 1.0;
+    }
+
+    /// What stands for "no value here": -9999 if the header does not tell, as ESRI defines the format.
+    double nodata() {
+        const std::optional<std::string_view> text = value_of(entries_, "nodata_value");
+        if (!text) {
+            return conventional_nodata;
+        }
+        return lower_case(*text) == "nan" ? not_a_number : number("nodata_value");
+    }
+
+    void refuse_both(std::string_view key, std::string_view other) {
+        if (has(key) && has(other)) {
+            reading_.refuse(*value_of(entries_, other),
+                            std::string{key}.append(" and ").append(other).append(" in one header"),
+                            "one of them");
+        }
+    }
+
+private:
+    std::optional<std::string_view> required(std::string_view key) {
+        const std::optional<std::string_view> text = value_of(entries_, key);
+        if (!text) {
+            reading_.refuse(
+                reading_.text.substr(reading_.at, 0), std::string{"a header without "}.append(in_quotes(key)),
+                "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize or dx and dy");
+        }
+        return text;
+    }
+    void refuse_value(std::string_view key, std::string_view text, std::string expected) {
+        reading_.refuse(text, std::string{key}.append(" ").append(text.empty() ? "empty" : in_quotes(text)),
+                        std::move(expected));
+    }
+
+    HeaderEntries entries_;
+    Reading& reading_;
+};
+
+GridFrame frame_of(Header& header) {
+    header.refuse_both("xllcorner", "xllcenter");
+    header.refuse_both("yllcorner", "yllcenter");
+    header.refuse_both("cellsize", "dx");
+    header.refuse_both("cellsize", "dy");
+
+    GridFrame frame;
+    frame.columns = header.count("ncols");
+    frame.rows = header.count("nrows");
+    const NumberRange positive{.low = 0.0, .low_excluded = true};
+    const bool oblong = header.has("dx") || header.has("dy");
+    frame.cell_width_m = header.number(oblong ? "dx" : "cellsize", positive);
+    frame.cell_height_m = oblong ? header.number("dy", positive) : frame.cell_width_m;
+    frame.x_west_m = header.has("xllcenter") ? header.number("xllcenter") - 0.5 * frame.cell_width_m
+                                             : header.number("xllcorner");
+    frame.y_south_m = header.has("yllcenter") ? header.number("yllcenter") - 0.5 * frame.cell_height_m
+                                              : header.number("yllcorner");
+    return frame;
+}
+
+/// The value of a word that from_chars alone did not take; NaN with a problem noted where it is none.
+double careful_value(Reading& reading, std::string_view token, double nodata) {
+    const std::optional<double> value = parse_number(token);
+    if (!value && !(std::isnan(nodata) && lower_case(token) == "nan")) {
+        const bool decimal_comma = token.find(',') != std::string_view::npos;
+        reading.refuse(token, in_quotes(token), decimal_comma ? "a number with a decimal point" : "a number");
+    }
+    return value && *value != nodata ? *value : not_a_number;
+}
+
+/// Reads up to `expected` values; fewer come back where the text ends early.
+std::vector<double> read_values(Reading& reading, std::size_t expected, double nodata) {
+    const std::size_t most = (reading.text.size() - reading.at) / 2 + 1;  // a digit and a blank each
+    std::vector<double> values(std::min(expected, most));
+    const char* const end = reading.text.data() + reading.text.size();
+    std::size_t count = 0;
+    while (count < values.size() && reading.problems.list().size() < most_bad_values) {
+        reading.skip_blanks();
+        const char* const start = reading.text.data() + reading.at;
+        double value = 0.0;
+        const auto [stop, error] = std::from_chars(start, end, value);
+        if (error == std::errc{} && (stop == end || is_blank(*stop)) && std::isfinite(value)) {
+            reading.at += static_cast<std::size_t>(stop - start);
+            values[count++] = value == nodata ? not_a_number : value;
+            continue;
+        }
+        const std::string_view token = reading.next_token();
+        if (token.empty()) {
+            break;
+        }
+        values[count++] = careful_value(reading, token, nodata);
+    }
+    values.resize(count);
+    return values;
+}
+
+std::string counted(std::size_t found) {
+    return std::to_string(found).append(found == 1 ? " value" : " values");
+}
+
+void check_count(Reading& reading, std::size_t found, const GridFrame& frame) {
+    const std::string expected = std::to_string(frame.size())
+                                     .append(" (ncols ")
+                                     .append(std::to_string(frame.columns))
+                                     .append(" x nrows ")
+                                     .append(std::to_string(frame.rows))
+                                     .append(")");
+    if (found < frame.size()) {
+        reading.refuse(reading.text.substr(reading.text.size()),
+                       counted(found).append(" where the file ends"), expected);
+        return;
+    }
+    const std::string_view surplus = reading.next_token();
+    if (!surplus.empty()) {
+        std::size_t all = found + 1;
+        while (!reading.next_token().empty()) {
+            ++all;
+        }
+        reading.refuse(surplus, counted(all).append(", the first too many is ").append(in_quotes(surplus)),
+                       expected);
+    }
+}
+
+template <class Number>
+void write(std::ostream& out, const Raster<Number>& raster) {
+    const GridFrame& frame = raster.frame;
+    out << "ncols " << frame.columns << "\nnrows " << frame.rows;
+    out << "\nxllcorner " << to_text(frame.x_west_m) << "\nyllcorner " << to_text(frame.y_south_m);
+    if (frame.cell_width_m == frame.cell_height_m) {
+        out << "\ncellsize " << to_text(frame.cell_width_m);
+    } else {
+        out << "\ndx " << to_text(frame.cell_width_m) << "\ndy " << to_text(frame.cell_height_m);
+    }
+    out << "\nNODATA_value " << to_text(conventional_nodata) << '\n';
+
+    constexpr std::size_t longest = 32;  // of one number and its separator
+    const auto columns = static_cast<std::size_t>(frame.columns);
+    std::vector<char> line(columns * longest);
+    for (auto row = raster.values.begin(); row != raster.values.end(); row += frame.columns) {
+        char* next = line.data();
+        for (std::size_t column = 0; column < columns; ++column) {
+            const Number value = row[static_cast<std::ptrdiff_t>(column)];
+            assert(!std::isinf(value));
+            const Number shown = std::isnan(value) ? static_cast<Number>(conventional_nodata) : value;
+            next = std::to_chars(next, next + longest, shown).ptr;
+            *next++ = column + 1 == columns ? '\n' : ' ';
+        }
+        out.write(line.data(), next - line.data());
+    }
+}
+
+}  // namespace
+
+Raster<double> read_ascii_grid(std::string_view text, const std::string& file) {
+    Reading reading{.text = without_byte_order_mark(text), .file = file};
+    Header header{read_header_entries(reading), reading};
+
+    Raster<double> raster;
+    raster.frame = frame_of(header);
+    const double nodata = header.nodata();
+    reading.problems.throw_if_any();
+
+    raster.values = read_values(reading, raster.frame.size(), nodata);
+    if (reading.problems.list().size() < most_bad_values) {
+        check_count(reading, raster.values.size(), raster.frame);
+    }
+    reading.problems.throw_if_any();
+    return raster;
+}
+
+void write_ascii_grid(std::ostream& out, const Raster<double>& raster) {
+    write(out, raster);
+}
+void write_ascii_grid(std::ostream& out, const Raster<float>& raster) {
+    write(out, raster);
+}
+
+}  // namespace config

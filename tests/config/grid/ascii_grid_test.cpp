@@ -1,0 +1,244 @@
+#include "config/grid/ascii_grid.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "config/errors/input_error.hpp"
+
+namespace config {
+namespace {
+
+const std::string header =
+    "ncols 3\n"
+    "nrows 2\n"
+    "xllcorner 100\n"
+    "yllcorner 200.5\n"
+    "cellsize 10\n"
+    "NODATA_value -9999\n";
+const std::string two_rows = "1 2 3\n4 5 6\n";
+const GridFrame frame{.columns = 3,
+                      .rows = 2,
+                      .x_west_m = 100.0,
+                      .y_south_m = 200.5,
+                      .cell_width_m = 10.0,
+                      .cell_height_m = 10.0};
+
+Raster<double> grid_of(const std::string& text) {
+    return read_ascii_grid(text, "dem.asc");
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        grid_of(text);
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), ExitCode::data);
+        return error.what();
+    }
+    return "";
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    return text.replace(text.find(what), what.size(), with);
+}
+
+TEST(ReadAsciiGrid, PutsTheFirstRowInTheNorth) {
+    const Raster<double> grid = grid_of(header + two_rows);
+    EXPECT_EQ(grid.frame, frame);
+    EXPECT_EQ(grid.values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(grid.at(grid.frame.cell_at(105.0, 219.0)), 1.0);
+    EXPECT_EQ(grid.at(grid.frame.cell_at(125.0, 201.0)), 6.0);
+}
+
+TEST(ReadAsciiGrid, ReadsTheSameFromAnyLayout) {
+    const std::vector<std::string> texts{
+        "\xEF\xBB\xBFncols 3\r\nnrows 2\r\nxllcorner 100\r\nyllcorner 200.5\r\ncellsize 10\r\n1 2 3\r\n4 5 "
+        "6\r\n",
+        "NCOLS\t3\nNROWS\t2\nXLLCORNER\t100\nYLLCORNER\t200.5\nCELLSIZE\t10\nnodata_value\t-"
+        "1\n1\t2\t3\n4\t5\t6",
+        "cellsize 10\nyllcorner 200.5\nxllcorner 100\nnrows 2\nncols 3\n1 2\n3 4\n5\n\n6\n",
+        "ncols 3\nnrows 2\nxllcenter 105\nyllcenter 205.5\ncellsize 10\n 1 2 3 4 5 6 ",
+        "ncols 3\nnrows 2\nxllcentre 105\nyllcorner 200.5\ndx 10\ndy 10\n+1 2.0 3e0 40e-1 0.5e1 6.\n",
+    };
+    for (const std::string& text : texts) {
+        const Raster<double> grid = grid_of(text);
+        EXPECT_EQ(grid.frame, frame) << text;
+        EXPECT_EQ(grid.values, (std::vector<double>{1, 2, 3, 4, 5, 6})) << text;
+    }
+}
+
+TEST(ReadAsciiGrid, TakesCellsThatAreNotSquare) {
+    const Raster<double> grid = grid_of("ncols 2 nrows 1 xllcenter 0 yllcenter 0 dx 2 dy 5\n1 2\n");
+    EXPECT_EQ(grid.frame.cell_width_m, 2.0);
+    EXPECT_EQ(grid.frame.cell_height_m, 5.0);
+    EXPECT_EQ(grid.frame.x_west_m, -1.0);
+    EXPECT_EQ(grid.frame.y_south_m, -2.5);
+}
+
+TEST(ReadAsciiGrid, ComparesNodataAsANumber) {
+    const Raster<double> grid = grid_of(header + "-9999.0 2 -9999\n-9.999e3 5 -9998\n");
+    for (const std::size_t index : {0U, 2U, 3U}) {
+        EXPECT_TRUE(std::isnan(grid.values[index])) << index;
+    }
+    EXPECT_EQ(grid.values[5], -9998.0);
+}
+
+TEST(ReadAsciiGrid, TakesTheConventionalNodataWhereTheHeaderHasNone) {
+    const Raster<double> grid = grid_of(replaced(header, "NODATA_value -9999\n", "") + "-9999 2 3\n4 5 6\n");
+    EXPECT_TRUE(std::isnan(grid.values[0]));
+}
+
+TEST(ReadAsciiGrid, KeepsTheConventionalNumberWhereAnotherOneIsNodata) {
+    const Raster<double> grid = grid_of(replaced(header, "-9999", "0") + "-9999 0 3\n4 5 6\n");
+    EXPECT_EQ(grid.values[0], -9999.0);
+    EXPECT_TRUE(std::isnan(grid.values[1]));
+}
+
+TEST(ReadAsciiGrid, TakesNanOnlyWhereTheHeaderNamesIt) {
+    const Raster<double> grid = grid_of(replaced(header, "-9999", "nan") + "nan 2 NaN\n4 5 -9999\n");
+    EXPECT_TRUE(std::isnan(grid.values[0]));
+    EXPECT_TRUE(std::isnan(grid.values[2]));
+    EXPECT_EQ(grid.values[5], -9999.0);
+    EXPECT_EQ(message_of(header + "1 2 3\n4 nan 6\n"), "dem.asc:8:3: found 'nan', expected a number");
+}
+
+TEST(ReadAsciiGrid, NamesTheValueThatIsNoNumber) {
+    EXPECT_EQ(message_of(header + "1 2 3\n4 1,5 6\n"),
+              "dem.asc:8:3: found '1,5', expected a number with a decimal point");
+    EXPECT_EQ(message_of(header + "1 2 abc\n4 inf 3abc\n"),
+              "dem.asc:7:5: found 'abc', expected a number\n"
+              "dem.asc:8:3: found 'inf', expected a number\n"
+              "dem.asc:8:7: found '3abc', expected a number");
+    EXPECT_EQ(message_of(header + "nan 2 3\n4 5 6\n"), "dem.asc:7:1: found 'nan', expected a number");
+}
+
+TEST(ReadAsciiGrid, StopsAfterTwentyBadValues) {
+    std::string text = "ncols 100 nrows 1 xllcorner 0 yllcorner 0 cellsize 1\n1 ";
+    for (int i = 1; i < 100; ++i) {
+        text += "x ";
+    }
+    try {
+        grid_of(text);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problems().size(), 20U);
+    }
+}
+
+TEST(ReadAsciiGrid, CountsValuesThatAreTooFewOrTooMany) {
+    EXPECT_EQ(message_of(header + "1 2 3\n4 5"),
+              "dem.asc:8:4: found 5 values where the file ends, expected 6 (ncols 3 x nrows 2)");
+    EXPECT_EQ(message_of(header),
+              "dem.asc:7:1: found 0 values where the file ends, expected 6 (ncols 3 x nrows 2)");
+    EXPECT_EQ(message_of(header + two_rows + "7 8\n"),
+              "dem.asc:9:1: found 8 values, the first too many is '7', expected 6 (ncols 3 x nrows 2)");
+}
+
+TEST(ReadAsciiGrid, RefusesAHugeGridWithoutAskingForItsMemory) {
+    EXPECT_EQ(
+        message_of(replaced(replaced(header, "ncols 3", "ncols 2000000000"), "nrows 2", "nrows 2000000000") +
+                   two_rows),
+        "dem.asc:9:1: found 6 values where the file ends, expected 4000000000000000000 (ncols 2000000000 x "
+        "nrows 2000000000)");
+    EXPECT_EQ(message_of(replaced(header, "ncols 3", "ncols 3000000000") + two_rows),
+              "dem.asc:1:7: found ncols '3000000000', expected a whole number in [1, 2147483647]");
+}
+
+TEST(ReadAsciiGrid, RefusesSizesBelowOne) {
+    for (const std::string count : {"0", "-3", "2.5", "x", "1,5"}) {
+        EXPECT_EQ(message_of(replaced(header, "ncols 3", "ncols " + count) + two_rows),
+                  "dem.asc:1:7: found ncols '" + count + "', expected a whole number in [1, 2147483647]");
+    }
+    for (const std::string size : {"0", "-10", "nan", "1,5", "inf"}) {
+        EXPECT_EQ(message_of(replaced(header, "cellsize 10", "cellsize " + size) + two_rows),
+                  "dem.asc:5:10: found cellsize '" + size + "', expected a number > 0");
+    }
+}
+
+TEST(ReadAsciiGrid, NamesAKeyThatIsMissing) {
+    EXPECT_EQ(message_of(replaced(header, "nrows 2\n", "") + two_rows),
+              "dem.asc:6:1: found a header without 'nrows', expected ncols, nrows, xllcorner or xllcenter, "
+              "yllcorner or yllcenter, cellsize or dx and dy");
+    for (const std::string key : {"ncols", "xllcorner", "yllcorner", "cellsize"}) {
+        const std::size_t start = header.find(key);
+        const std::string without = std::string{header}.erase(start, header.find('\n', start) - start);
+        EXPECT_NE(message_of(without + two_rows).find("found a header without '" + key + "'"),
+                  std::string::npos);
+    }
+}
+
+TEST(ReadAsciiGrid, NamesAKeyThatIsUnknownOrStandsTwice) {
+    EXPECT_EQ(message_of("north 3\n" + header + two_rows),
+              "dem.asc:1:1: found 'north', expected a header key or a number");
+    EXPECT_EQ(message_of("ncols 3\n" + header + two_rows),
+              "dem.asc:2:1: found 'ncols' a second time, expected each header key once");
+    EXPECT_EQ(message_of("xllcenter 3\n" + header + two_rows),
+              "dem.asc:1:11: found xllcorner and xllcenter in one header, expected one of them");
+    EXPECT_NE(message_of(replaced(header, "cellsize", "celsize") + two_rows)
+                  .find("5:1: found 'celsize', expected 'cellsize'"),
+              std::string::npos);
+}
+
+TEST(ReadAsciiGrid, NamesAllFaultsOfAHeaderAtOnce) {
+    try {
+        grid_of("ncols 0\nnrows x\nxllcorner 1,5\nyllcorner\ncellsize -1\n1\n");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problems().size(), 5U) << error.what();
+    }
+}
+
+TEST(ReadAsciiGrid, RefusesOtherFiles) {
+    for (const std::string& text : {std::string{}, std::string{"\n"}, std::string{"II*\0\x08\x01", 6},
+                                   std::string{"<html>"}, std::string{"ncols"}}) {
+        EXPECT_NE(message_of(text), "") << text;
+    }
+}
+
+/// A number as grids hold it: any double that is finite and not the writer's NODATA.
+rc::Gen<double> cell_value() {
+    return rc::gen::oneOf(
+        rc::gen::suchThat(rc::gen::arbitrary<double>(),
+                          [](double v) { return std::isfinite(v) && v != -9999.0; }),
+        rc::gen::map(rc::gen::inRange(-99'990'000, 40'000'000), [](int v) { return 1e-3 * v; }),
+        rc::gen::just(std::numeric_limits<double>::quiet_NaN()));
+}
+
+RC_GTEST_PROP(WriteAsciiGrid, ReadsBackBitForBit, ()) {
+    GridFrame random_frame;
+    random_frame.columns = *rc::gen::inRange(1, 9);
+    random_frame.rows = *rc::gen::inRange(1, 9);
+    random_frame.x_west_m = *rc::gen::inRange(-900'000, 900'000) * 0.1;
+    random_frame.y_south_m = *rc::gen::inRange(-900'000, 900'000) / 7.0;
+    random_frame.cell_width_m = *rc::gen::inRange(1, 1000) / 3.0;
+    random_frame.cell_height_m = *rc::gen::arbitrary<bool>() ? random_frame.cell_width_m : 5.0;
+    Raster<double> raster{random_frame};
+    for (double& value : raster.values) {
+        value = *cell_value();
+    }
+
+    std::ostringstream out;
+    write_ascii_grid(out, raster);
+    const Raster<double> again = grid_of(out.str());
+
+    RC_ASSERT(again.frame == raster.frame);
+    for (std::size_t i = 0; i < raster.values.size(); ++i) {
+        RC_ASSERT(again.values[i] == raster.values[i] ||
+                  (std::isnan(again.values[i]) && std::isnan(raster.values[i])));
+    }
+}
+
+TEST(WriteAsciiGrid, WritesFloatsAsShortAsTheyCanBe) {
+    Raster<float> raster{frame, 0.1F};
+    raster.values[1] = std::numeric_limits<float>::quiet_NaN();
+    std::ostringstream out;
+    write_ascii_grid(out, raster);
+    EXPECT_EQ(out.str(), header + "0.1 -9999 0.1\n0.1 0.1 0.1\n");
+}
+
+}  // namespace
+}  // namespace config
