@@ -37,7 +37,7 @@ std::vector<Neighbour> neighbours_within(const config::GridFrame& frame, double 
         for (int column = -columns; column <= columns; ++column) {
             const double x_m = column * frame.cell_width_m;
             const double y_m = -row * frame.cell_height_m;
-            const double weight = tricube(std::hypot(x_m, y_m), radius_m);
+            const double weight = tricube(std::sqrt(x_m * x_m + y_m * y_m), radius_m);
             if (weight > 0.0 && (column != 0 || row != 0)) {
                 const std::ptrdiff_t index = static_cast<std::ptrdiff_t>(row) * frame.columns + column;
                 neighbours.push_back({column, row, index, x_m, y_m, weight});
@@ -193,7 +193,7 @@ std::vector<Eigen::Vector3d> contact_zone(std::span<const Eigen::Vector3d> point
         LocalPlane plane;
         buckets.for_each_around(points[i], [&](std::uint32_t other) {
             const Eigen::Vector3d apart_m = points[other] - points[i];
-            const double weight = tricube(std::hypot(apart_m.x(), apart_m.y()), support_radius_m);
+            const double weight = tricube(apart_m.head<2>().norm(), support_radius_m);
             if (weight > 0.0) {
                 plane.add(apart_m.x(), apart_m.y(), apart_m.z(), weight);
             }

@@ -199,11 +199,13 @@ std::vector<std::uint32_t> distinct_in_plan(std::span<const Eigen::Vector3d> poi
 /// Neither with an edge that is too long nor thinner than a billionth of its longest edge.
 bool is_plausible(const std::array<Vertex, 3>& corners, double longest_edge_m) {
     const auto [a, b, c] = corners;
-    const double longest_m =
-        std::max({std::hypot(b.x_m - a.x_m, b.y_m - a.y_m), std::hypot(c.x_m - b.x_m, c.y_m - b.y_m),
-                  std::hypot(a.x_m - c.x_m, a.y_m - c.y_m)});
-    const double area2_m2 = (b.x_m - a.x_m) * (c.y_m - a.y_m) - (b.y_m - a.y_m) * (c.x_m - a.x_m);
-    return area2_m2 > 1e-9 * longest_m * longest_m && (longest_edge_m <= 0.0 || longest_m <= longest_edge_m);
+    const Eigen::Vector2d ab{b.x_m - a.x_m, b.y_m - a.y_m};
+    const Eigen::Vector2d bc{c.x_m - b.x_m, c.y_m - b.y_m};
+    const Eigen::Vector2d ca{a.x_m - c.x_m, a.y_m - c.y_m};
+    const double longest_m2 = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
+    const double area2_m2 = ca.x() * ab.y() - ca.y() * ab.x();
+    return area2_m2 > 1e-9 * longest_m2 &&
+           (longest_edge_m <= 0.0 || longest_m2 <= longest_edge_m * longest_edge_m);
 }
 
 }  // namespace

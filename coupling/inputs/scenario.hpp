@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/options/options.hpp"
+#include "rockfall/parameters.hpp"
+#include "rockfall/release/release.hpp"
+
+namespace coupling {
+
+/// Which law rock sizes follow.
+enum class DiameterKind : std::uint8_t { fixed, classes, uniform, lognormal };
+
+/// The settings of a run as the user wrote them: texts, numbers and file names, not yet opened.
+struct Scenario {
+    // [run]
+    std::uint64_t seed = 1;
+    std::uint64_t years = 0;          ///< 0: static assessment of the given stand
+    bool strict_inputs = false;       ///< what is only doubtful becomes an error
+
+    // [terrain]
+    std::string dem;                  ///< ESRI ASCII grid, or
+    std::string points;               ///< XYZ text
+    double longest_edge_m = 0.0;      ///< for points: longer edges are no terrain; 0 keeps all
+    std::string surface;              ///< grid of surface codes, or
+    std::string surface_polygons;     ///< CSV with WKT polygons and codes
+    std::string surface_types;        ///< CSV: code, label, r_n, r_t, p_stop
+    std::string stopping;             ///< CSV: code, diameter_m, p_stop; optional
+    std::string ground;               ///< name of a shipped surface type for all the terrain; instead of a grid
+
+    // [trees]
+    std::string trees;                ///< CSV; empty: bare slope only
+
+    // [release]
+    std::string source;               ///< grid: 0 no source, k > 0 release zone k, or
+    std::string source_shapes;        ///< CSV with WKT points, lines or polygons
+    std::uint64_t rocks = 0;          ///< in all; 0: rocks_per_source times the number of sources
+    std::uint64_t rocks_per_source = 10;
+    DiameterKind diameter_kind = DiameterKind::fixed;
+    double diameter_m = 1.0;          ///< fixed, or mean of the log-normal law
+    double diameter_deviation_m = 0.0;
+    double diameter_low_m = 0.0;
+    double diameter_high_m = 0.0;
+    std::vector<double> diameter_classes_m;
+    std::vector<double> diameter_shares;
+    double density_kgpm3 = 2700.0;
+    double start_height_m = 1.5;
+    double start_speed_mps = 3.0;
+    double start_dip_deg = 30.0;
+    double start_scatter_deg = 0.0;
+    double fall_height_m = 0.0;       ///< > 0: dropped from this height at rest instead
+    bool random_place = true;
+
+    // [targets]
+    std::string targets;              ///< CSV with WKT lines and polygons: target_id, name, wkt
+
+    // [output]
+    double cell_size_m = 0.0;         ///< of the maps; 0: that of the DEM
+    bool percentiles = true;          ///< percentile maps
+    bool rock_table = true;
+    bool tree_hit_table = true;
+    std::uint64_t sample_paths = 500;
+
+    // [rockfall], [tree_impact]
+    std::string preset = "default";
+    rockfall::Parameters rockfall;
+
+    std::filesystem::path file;       ///< the scenario file itself
+    std::shared_ptr<config::Options> options;  ///< all of the above as declared, for listings and messages
+
+    /// A file name of the scenario, relative to the scenario file.
+    [[nodiscard]] std::filesystem::path resolve(const std::string& name) const;
+};
+
+/// Declares every setting of a scenario. The options keep references into it: it must not move after.
+void declare(config::Options& options, Scenario& scenario);
+
+/// Reads a scenario file and `section.key=value` overrides. Throws InputError with every problem found.
+std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// Start of the rocks as the rockfall room wants it.
+rockfall::StartLaw start_law(const Scenario& scenario);
+
+}  // namespace coupling

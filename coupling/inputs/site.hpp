@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "config/errors/warnings.hpp"
+#include "config/grid/raster.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "rockfall/obstacles/stem.hpp"
+#include "rockfall/release/release.hpp"
+#include "rockfall/slope.hpp"
+#include "rockfall/tally/target.hpp"
+
+namespace coupling {
+
+/// A tree of the user's list.
+struct TreeRecord {
+    std::string id;
+    std::string species;      ///< code in capitals, as the tables know it
+    rockfall::Stem stem;
+};
+
+/// A file that a run read, with a hash of its bytes.
+struct InputFile {
+    std::string role;         ///< dem, surface, trees, ...
+    std::string name;         ///< as the scenario names it
+    std::string hash;         ///< 16 hexadecimal digits
+    std::uint64_t bytes = 0;
+};
+
+/// A slope with everything on it, read, checked and valid.
+struct Site {
+    rockfall::Slope slope;                 ///< the ground that rocks feel
+    config::Raster<double> heights;        ///< heights on the map frame for pictures, absolute; NaN: none
+    config::Raster<std::uint8_t> surface;  ///< index into slope.types on the map frame; 255: none
+    std::string projection;                ///< ESRI text of the .prj file, empty without one
+    config::GridFrame map_frame;           ///< of the results, absolute coordinates
+    std::vector<TreeRecord> trees;         ///< on the terrain, in file order
+    std::vector<rockfall::ReleaseSource> sources;  ///< allotted, coordinates of the terrain
+    std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
+    std::vector<InputFile> inputs;
+
+    [[nodiscard]] Eigen::Vector2d origin_m() const { return slope.terrain.origin_m(); }
+    /// The map frame in coordinates of the terrain.
+    [[nodiscard]] config::GridFrame map_frame_on_terrain() const;
+    [[nodiscard]] std::vector<rockfall::Stem> stems() const;
+};
+
+/// Opens, reads and checks every file of a scenario. Throws InputError with all problems that can be found at once;
+/// what is only doubtful becomes a warning (or an error with strict_inputs).
+Site open_site(const Scenario& scenario, config::Warnings& warnings);
+
+}  // namespace coupling

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "rockfall/ensemble.hpp"
+
+namespace coupling {
+
+/// A finished static assessment, ready to be written: everything counted, and what it was counted on.
+struct RunResults {
+    const Scenario& scenario;
+    const Site& site;
+    const rockfall::EnsembleTally& tally;
+    /// Per-cell distributions by cover; null where no percentiles are wanted (or no forest is given).
+    std::array<const rockfall::CellHistograms*, rockfall::covers> histograms;
+    const std::vector<rockfall::PathRecord>& paths;  ///< sampled, in rock order
+    const config::Warnings& warnings;
+    std::uint64_t rocks = 0;
+    bool with_forest = false;   ///< false: trees missing, only the bare slope was assessed
+    std::string version;
+};
+
+}  // namespace coupling

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rockfall/release/release.hpp"
+#include "rockfall/tally/cell_histograms.hpp"
+#include "rockfall/tally/ensemble_tally.hpp"
+#include "rockfall/tally/footprint.hpp"
+#include "rockfall/trajectory.hpp"
+
+namespace rockfall {
+
+/// Everything that the falls of an ensemble share and none of them changes.
+struct Assessment {
+    const Slope& slope;
+    const StemIndex& stems;                   ///< empty: only the bare slope is assessed
+    std::span<const ReleaseSource> sources;   ///< allotted
+    std::span<const Target> targets;
+    StartLaw start;
+    FallLaw law;
+    config::GridFrame map_frame;              ///< in coordinates of the terrain
+    std::uint64_t seed = 0;
+    std::uint32_t replicate = 0;
+    std::uint16_t year = 0;
+    std::uint64_t path_every = 0;             ///< each rock whose number this divides keeps its path; 0: none
+};
+
+/// A run of rocks that one worker falls without being interrupted.
+struct Chunk {
+    std::uint32_t first_source;
+    std::uint32_t last_source;      ///< one past
+    std::uint64_t first_rock;
+    std::uint64_t last_rock;        ///< one past
+    bool whole_sources;             ///< false: a piece of one source with many rocks
+    bool last_piece;                ///< of such a source
+};
+
+/// Cuts the rocks into chunks of whole sources; a source with more rocks than `most_rocks` is cut into pieces.
+/// The cut depends on the sources alone.
+std::vector<Chunk> plan_chunks(std::span<const ReleaseSource> sources, std::uint32_t most_rocks = 1024);
+
+/// A sampled path.
+struct PathRecord {
+    std::uint64_t rock;
+    Cover cover;
+    std::vector<PathPoint> points;
+};
+
+/// What a chunk hands over rock by rock, in rock order; everything else goes into the tallies.
+struct ChunkRows {
+    std::array<std::vector<RockRecord>, covers> rocks;    ///< forest is empty without stems
+    std::array<std::vector<Arrival>, covers> arrivals;    ///< rock by rock, target by target
+    std::vector<std::pair<std::uint64_t, TreeHitRecord>> tree_hits;  ///< (rock, hit)
+    std::vector<PathRecord> paths;
+    std::uint64_t not_started = 0;  ///< rocks whose place lies outside the terrain
+
+    void clear();
+};
+
+/// Cells that any piece of a source with many rocks has fed so far.
+class FedCells {
+public:
+    explicit FedCells(std::size_t cells);
+    void mark(Cover cover, std::size_t cell) { touched_[index(cover, cell)].store(1, std::memory_order_relaxed); }
+    /// Adds the source's rocks to each cell it feeds. After its last piece only.
+    void add_to(EnsembleTally& tally, std::uint32_t rocks) const;
+
+private:
+    [[nodiscard]] std::size_t index(Cover cover, std::size_t cell) const {
+        return static_cast<std::size_t>(cover) * cells_ + cell;
+    }
+    std::size_t cells_;
+    std::vector<std::atomic<std::uint8_t>> touched_;
+};
+
+/// Lets rocks fall, one after the other, each over the slope with forest and over the bare slope with the same
+/// random numbers. One worker per thread; workers share only the assessment and the histograms.
+class Worker {
+public:
+    /// `histograms` may hold null pointers: then no percentiles are kept.
+    Worker(const Assessment& assessment, std::array<CellHistograms*, covers> histograms);
+
+    /// Falls the rocks of a chunk. `fed` is needed for pieces of a source, and only then. `gone` marks fallen stems
+    /// (empty: none falls).
+    void run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone);
+
+    [[nodiscard]] const EnsembleTally& tally() const { return tally_; }
+
+private:
+    void fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone);
+    void count(Cover cover, ChunkRows& rows, FedCells* fed, const RockStart& start);
+
+    const Assessment& assessment_;
+    std::array<CellHistograms*, covers> histograms_;
+    EnsembleTally tally_;
+    std::array<std::unique_ptr<Footprint>, covers> footprints_;
+    FallScratch scratch_;
+};
+
+}  // namespace rockfall

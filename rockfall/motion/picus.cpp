@@ -1,0 +1,107 @@
+#include "rockfall/motion/picus.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "config/math/elementary.hpp"
+#include "config/random/distributions.hpp"
+#include "config/units/constants.hpp"
+
+namespace rockfall {
+namespace {
+
+/// Spin after a contact: that of rolling along the ground, as far as energy allows.
+double spin_after(const Rock& rock, double energy_before_j, double squared_speed_after, double along_slope_mps) {
+    const double left_j = energy_before_j - 0.5 * rock.mass_kg * squared_speed_after;
+    const double affordable_radps = std::sqrt(2.0 * std::max(0.0, left_j) / rock.inertia_kgm2);
+    return std::min(along_slope_mps / rock.radius_m, affordable_radps);
+}
+
+/// Goes over to rolling with the tangential part of the impact.
+Contact begin_rolling(const Impact& impact, const Eigen::Vector3d& direction, double tangential_restitution,
+                      double energy_before_j, const Rock& rock) {
+    // A rolling sphere holds 0.7 m v^2; the impact may not have brought that much if the rock did not spin.
+    const double affordable_mps = std::sqrt(energy_before_j / (0.7 * rock.mass_kg));
+    const double speed_mps = std::min(tangential_restitution * impact.along_slope_mps, affordable_mps);
+    return {Onward::rolls, speed_mps * direction, speed_mps / rock.radius_m};
+}
+
+Eigen::Vector3d velocity_off_ground(const Impact& impact, Restitution restitution, double speed_mps,
+                                    const Eigen::Vector3d& direction, const Eigen::Vector3d& normal,
+                                    const PicusLaw& law, double angle_draw) {
+    if (law.angle == ReboundAngle::geometric) {
+        return restitution.tangential * impact.along_slope_mps * direction +
+               restitution.normal * impact.into_ground_mps * normal;
+    }
+    const config::Angle angle = jump_angle(speed_mps * speed_mps, law.jump_angle, angle_draw);
+    const double steep_share = law.blend_steep_impacts ? steepness_share(impact) : 0.0;
+    if (steep_share > 0.0) {
+        const Eigen::Vector2d blend = blended_direction(angle, impact, restitution, steep_share);
+        return speed_mps * (blend.x() * direction + blend.y() * normal);
+    }
+    return rebound(speed_mps, angle, direction, normal);
+}
+
+}  // namespace
+
+ContactDraws contact_draws(const config::FourUniforms& uniforms) {
+    static const config::TruncatedNormal within_two_deviations{2.0};
+    return {2.0 * uniforms[0] - 1.0, 2.0 * uniforms[1] - 1.0, uniforms[2], within_two_deviations(uniforms[3])};
+}
+
+double rolling_speed_scale_mps(double normal_z, double radius_m) {
+    return std::sqrt(config::gravity_mps2 * radius_m * normal_z);
+}
+
+double hop_length_m(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal) {
+    const double rising_mps = velocity_mps.dot(normal);
+    const double time_s = 2.0 * rising_mps / (config::gravity_mps2 * normal.z());
+    const Eigen::Vector3d along_mps = velocity_mps - rising_mps * normal;
+    const Eigen::Vector3d gravity_along = -config::gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
+    return (time_s * along_mps + 0.5 * time_s * time_s * gravity_along).norm();
+}
+
+Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
+                    Restitution published, double stop_probability, const Rock& rock, const PicusLaw& law,
+                    const ContactDraws& draws) {
+    if (law.stopping.by_chance && draws.stop < stop_probability) {
+        return {Onward::caught, Eigen::Vector3d::Zero(), 0.0};
+    }
+    const double squared_speed = velocity_mps.squaredNorm();
+    const double energy_before_j = kinetic_energy_j(rock, squared_speed, spin_radps);
+    const Impact impact = split(velocity_mps, normal);
+    const double noise = law.noise == NoiseScope::off ? 0.0 : law.restitution.tangential_noise;
+    const Restitution noisy = with_noise(published, noise, draws.noise);
+    const Restitution restitution = law.restitution.damping ? at_impact_speed(noisy, squared_speed) : noisy;
+    const double speed_mps = speed_after(impact, restitution);
+    const config::Angle deviation =
+        config::Angle::from_radians(draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
+    const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
+
+    const double steepness_squared = (1.0 - normal.z() * normal.z()) / (normal.z() * normal.z());
+    const bool holds_rocks = steepness_squared < law.rolling.friction * law.rolling.friction;
+    if (speed_mps < law.stopping.slow_mps && holds_rocks) {
+        return {Onward::rests, Eigen::Vector3d::Zero(), 0.0};
+    }
+    if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(normal.z(), rock.radius_m)) {
+        return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
+    }
+    const Eigen::Vector3d leaving_mps =
+        velocity_off_ground(impact, restitution, speed_mps, direction, normal, law, draws.angle);
+    if (hop_length_m(leaving_mps, normal) < rock.radius_m) {
+        return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
+    }
+    return {Onward::flies, leaving_mps,
+            spin_after(rock, energy_before_j, speed_mps * speed_mps,
+                       restitution.tangential * impact.along_slope_mps)};
+}
+
+Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, const PicusLaw& law,
+                         const ContactDraws& draws) {
+    const double speed_mps = velocity_mps.norm();
+    return rebound(speed_mps, jump_angle(speed_mps * speed_mps, law.jump_angle, draws.angle),
+                   velocity_mps / speed_mps, normal);
+}
+
+}  // namespace rockfall

@@ -1,0 +1,138 @@
+#include "rockfall/motion/rolling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "config/units/constants.hpp"
+
+namespace rockfall {
+namespace {
+
+using config::gravity_mps2;
+
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double standing_mps = 1e-3;
+constexpr double largest_turn_rad = 0.03;
+constexpr double shortest_piece_s = 1e-3;
+constexpr double longest_curved_piece_s = 0.25;
+
+/// Gravity along the plane.
+Eigen::Vector3d gravity_along(const Eigen::Vector3d& normal) {
+    return -gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
+}
+
+/// First time at which c0 + c1 t + c2 t^2 falls through zero; a start at or below zero counts as zero.
+double time_of_leaving(double c0, double c1, double c2) {
+    c0 = std::max(c0, 0.0);
+    if (c0 == 0.0 && c1 < 0.0) {
+        return 0.0;
+    }
+    const double discriminant = c1 * c1 - 4.0 * c2 * c0;
+    if (discriminant < 0.0) {
+        return never;
+    }
+    const double root = std::sqrt(discriminant);
+    if (c1 < 0.0) {
+        return 2.0 * c0 / (root - c1);  // falling from the start: the nearer root
+    }
+    return c2 < 0.0 ? (-c1 - root) / (2.0 * c2) : never;  // rises first, comes back only if it bends down
+}
+
+/// Time until the piece leaves the triangle in plan, and over which edge.
+struct Leaving {
+    double time_s;
+    int edge;
+};
+
+Leaving leaving(const Terrain& terrain, const Triangle& triangle, const RollingPiece& piece) {
+    Leaving first{never, 0};
+    for (int i = 0; i < 3; ++i) {
+        const Vertex& a = terrain.vertices()[triangle.corners[i]];
+        const Vertex& b = terrain.vertices()[triangle.corners[i == 2 ? 0 : i + 1]];
+        // Inward normal of a counter-clockwise edge, not normalised: only signs and times matter.
+        const double nx = a.y_m - b.y_m;
+        const double ny = b.x_m - a.x_m;
+        const double time_s =
+            time_of_leaving(nx * (piece.start_m.x() - a.x_m) + ny * (piece.start_m.y() - a.y_m),
+                            nx * piece.velocity_mps.x() + ny * piece.velocity_mps.y(),
+                            0.5 * (nx * piece.acceleration_mps2.x() + ny * piece.acceleration_mps2.y()));
+        if (time_s < first.time_s) {
+            first = {time_s, i};
+        }
+    }
+    return first;
+}
+
+/// First time at which |v + a t| rises to a speed.
+double time_to_speed(const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration, double speed) {
+    const double a = acceleration.squaredNorm();
+    const double b = 2.0 * velocity.dot(acceleration);
+    const double c = velocity.squaredNorm() - speed * speed;
+    if (c >= 0.0 || a == 0.0) {
+        return c >= 0.0 ? 0.0 : never;
+    }
+    const double root = std::sqrt(b * b - 4.0 * a * c);
+    return b >= 0.0 ? -2.0 * c / (b + root) : (root - b) / (2.0 * a);
+}
+
+/// Longest time over which one acceleration describes the motion.
+double longest_piece_s(const Eigen::Vector3d& velocity, double speed_mps, const Eigen::Vector3d& direction,
+                       const Eigen::Vector3d& acceleration) {
+    const double along = acceleration.dot(direction);
+    const double across = (acceleration - along * direction).norm();
+    const bool straight = across < 1e-9 * gravity_mps2;
+    if (straight) {
+        return along < 0.0 ? speed_mps / -along : never;
+    }
+    double longest_s = std::min(longest_curved_piece_s, largest_turn_rad * velocity.norm() / across);
+    if (along < 0.0) {
+        longest_s = std::min(longest_s, 0.5 * speed_mps / -along);
+    }
+    return std::max(longest_s, shortest_piece_s);
+}
+
+}  // namespace
+
+Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction,
+                                     double friction) {
+    return rolling_mass_factor * (gravity_along(normal) - friction * gravity_mps2 * normal.z() * direction);
+}
+
+RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& plane, const Eigen::Vector3d& start_m,
+                  const Eigen::Vector3d& velocity_mps, double friction, double launch_speed_mps) {
+    const Eigen::Vector3d normal = plane.normal();
+    const bool starts_by_itself = plane.gradient.norm() > friction;
+    const double speed_mps = velocity_mps.norm();
+    RollingPiece piece{start_m, velocity_mps, Eigen::Vector3d::Zero(), 0.0, RollingEnd::standstill, triangle};
+    if (speed_mps < standing_mps && !starts_by_itself) {
+        return piece;
+    }
+    const Eigen::Vector3d direction =
+        speed_mps < standing_mps ? Eigen::Vector3d{gravity_along(normal).normalized()} : Eigen::Vector3d{velocity_mps / speed_mps};
+    piece.acceleration_mps2 = rolling_acceleration(normal, direction, friction);
+    piece.duration_s = longest_piece_s(velocity_mps, speed_mps, direction, piece.acceleration_mps2);
+    piece.end = RollingEnd::piece;
+    if (std::isfinite(piece.duration_s)) {
+        const Eigen::Vector3d middle = velocity_mps + 0.5 * piece.duration_s * piece.acceleration_mps2;
+        const double middle_mps = middle.norm();
+        if (middle_mps > standing_mps) {
+            piece.acceleration_mps2 = rolling_acceleration(normal, middle / middle_mps, friction);
+        }
+    }
+    const double launch_s = time_to_speed(velocity_mps, piece.acceleration_mps2, launch_speed_mps);
+    if (launch_s < piece.duration_s) {
+        piece.duration_s = launch_s;
+        piece.end = RollingEnd::launch_speed;
+    }
+    const Triangle& t = terrain.triangles()[triangle];
+    const Leaving out = leaving(terrain, t, piece);
+    if (out.time_s <= piece.duration_s) {
+        piece.duration_s = out.time_s;
+        piece.end = RollingEnd::edge;
+        piece.next_triangle = t.neighbours[out.edge];
+    }
+    return piece;
+}
+
+}  // namespace rockfall

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "rockfall/terrain/terrain.hpp"
+
+namespace rockfall {
+
+/// A rolling sphere moves like a sliding point of 7/5 its mass: m / (m + I / R^2).
+inline constexpr double rolling_mass_factor = 5.0 / 7.0;
+
+/// When rocks roll.
+struct RollingLaw {
+    double friction = 0.5;          ///< rolling friction coefficient of every ground type [-] (Azzoni et al. 1995)
+    double edge_angle_tangent = 0.0699;  ///< tan of the angle at an edge above which a rolling rock takes off or hits
+    double start_factor = 0.7;      ///< a rock slower than this times sqrt(g R cos b) after an impact rolls [-]
+    double launch_factor = 1.0;     ///< a rolling rock faster than this times sqrt(g R cos b) jumps [-]
+};
+
+enum class RollingEnd : std::uint8_t { edge, standstill, launch_speed, piece };
+
+/// A piece of rolling with constant acceleration on one triangle.
+struct RollingPiece {
+    Eigen::Vector3d start_m;
+    Eigen::Vector3d velocity_mps;
+    Eigen::Vector3d acceleration_mps2;
+    double duration_s;
+    RollingEnd end;
+    std::uint32_t next_triangle;  ///< beyond the edge that ends the piece
+
+    [[nodiscard]] Eigen::Vector3d position_m(double time_s) const {
+        return start_m + time_s * velocity_mps + 0.5 * time_s * time_s * acceleration_mps2;
+    }
+    [[nodiscard]] Eigen::Vector3d velocity_at(double time_s) const { return velocity_mps + time_s * acceleration_mps2; }
+};
+
+/// Acceleration of a sphere that rolls on a plane: 5/7 (g_t - mu g n_z v/|v|) (Azzoni et al. 1995, in vector form).
+/// `direction` is the unit vector of the motion.
+Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction, double friction);
+
+/// The next piece of rolling from a point on a triangle.
+///
+/// Along the fall line a piece is exact and runs to the edge or to standstill; across it pieces are so short that the
+/// direction turns by less than 2 degrees, with friction taken at mid-piece. Ends at the edge of the triangle,
+/// at standstill on ground too flat to start again, or on reaching `launch_speed_mps`.
+/// Requires a velocity in the plane of the triangle.
+RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& plane, const Eigen::Vector3d& start_m,
+                  const Eigen::Vector3d& velocity_mps, double friction, double launch_speed_mps);
+
+}  // namespace rockfall

@@ -1,0 +1,34 @@
+#include "rockfall/motion/stopping.hpp"
+
+#include <cassert>
+
+#include "config/math/elementary.hpp"
+
+namespace rockfall {
+
+StopCurve::StopCurve(std::vector<std::pair<double, double>> knots) : knots_{std::move(knots)} {
+    for (auto& [diameter_m, probability] : knots_) {
+        assert(diameter_m > 0.0 && probability >= 0.0 && probability <= 1.0);
+        diameter_m = config::ln_of(diameter_m);
+    }
+}
+
+double StopCurve::at(double diameter_m) const {
+    if (knots_.empty()) {
+        return 0.0;
+    }
+    const double ln_diameter = config::ln_of(diameter_m);
+    if (ln_diameter <= knots_.front().first) {
+        return knots_.front().second;
+    }
+    for (std::size_t i = 1; i < knots_.size(); ++i) {
+        const auto& [x0, p0] = knots_[i - 1];
+        const auto& [x1, p1] = knots_[i];
+        if (ln_diameter <= x1) {
+            return p0 + (p1 - p0) * (ln_diameter - x0) / (x1 - x0);
+        }
+    }
+    return knots_.back().second;
+}
+
+}  // namespace rockfall

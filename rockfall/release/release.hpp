@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "config/random/stream.hpp"
+#include "config/units/angle.hpp"
+#include "rockfall/slope.hpp"
+#include "rockfall/trajectory.hpp"
+
+namespace rockfall {
+
+/// Where rocks break off: a grid cell, a point or a piece of a line, in coordinates of the terrain.
+struct ReleaseSource {
+    enum class Kind : std::uint8_t { cell, line };  ///< a point is a line without length
+    Kind kind = Kind::cell;
+    Eigen::Vector2d first_m = Eigen::Vector2d::Zero();  ///< south-western corner, or one end
+    Eigen::Vector2d last_m = Eigen::Vector2d::Zero();   ///< north-eastern corner, or the other end
+    std::uint32_t zone = 0;       ///< number that the user gave the release zone
+    double weight = 1.0;          ///< share of the rocks: true surface area, length or 1
+    std::uint64_t first_rock = 0; ///< number of its first rock; set by `allot`
+    std::uint32_t rocks = 0;      ///< set by `allot`
+};
+
+/// Shares `total` rocks among the sources by weight (largest remainder) and numbers the rocks in order of the
+/// sources. Requires weights > 0.
+void allot(std::vector<ReleaseSource>& sources, std::uint64_t total);
+
+/// How large the rocks are.
+class DiameterLaw {
+public:
+    static DiameterLaw fixed(double diameter_m);
+    /// Requires as many positive diameters as positive shares.
+    static DiameterLaw classes(std::vector<double> diameters_m, const std::vector<double>& shares);
+    static DiameterLaw uniform(double low_m, double high_m);
+    /// Log-normal by the mean and standard deviation of the diameter itself, cut off to [low_m, high_m].
+    static DiameterLaw lognormal(double mean_m, double deviation_m, double low_m, double high_m);
+
+    /// The diameter at a uniform draw on [0, 1).
+    [[nodiscard]] double at(double u) const;
+    [[nodiscard]] double largest_m() const;
+    [[nodiscard]] double mean_m() const;
+
+private:
+    /// All kinds as one table of quantiles: knots (share, diameter), straight between (steps for classes).
+    std::vector<std::pair<double, double>> knots_;
+    bool steps_ = false;
+};
+
+/// How rocks begin to move.
+struct StartLaw {
+    DiameterLaw diameter = DiameterLaw::fixed(1.0);
+    double density_kgpm3 = 2700.0;
+    double height_m = 1.5;       ///< of the underside above ground; 0 starts rolling
+    double speed_mps = 3.0;      ///< 0 lets the rock drop
+    config::Angle dip = config::Angle::from_degrees(30.0);  ///< of the velocity below the horizon
+    config::Angle heading_scatter;  ///< largest turn away from the fall line, uniform both ways
+    bool random_place = true;    ///< anywhere in the source cell; off: at its centre
+};
+
+/// The start of a rock of a source; nothing if its place lies outside the terrain.
+///
+/// Direction: down the fall line of the ground there, turned by the scatter. Drawn from the rock's own stream.
+std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source, std::uint32_t source_number,
+                                  const StartLaw& law, config::StreamKey key);
+
+}  // namespace rockfall

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <numbers>
+
+namespace rockfall {
+
+/// A spherical rock.
+struct Rock {
+    double diameter_m = 1.0;
+    double radius_m = 0.5;
+    double mass_kg = 0.0;
+    double inertia_kgm2 = 0.0;  ///< about any axis through the centre
+
+    static constexpr Rock sphere(double diameter_m, double density_kgpm3) {
+        const double mass_kg = density_kgpm3 * std::numbers::pi / 6.0 * diameter_m * diameter_m * diameter_m;
+        const double radius_m = 0.5 * diameter_m;
+        return {diameter_m, radius_m, mass_kg, 0.4 * mass_kg * radius_m * radius_m};
+    }
+};
+
+}  // namespace rockfall

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rockfall/motion/restitution.hpp"
+#include "rockfall/motion/stopping.hpp"
+#include "rockfall/terrain/surface.hpp"
+#include "rockfall/terrain/terrain.hpp"
+
+namespace rockfall {
+
+/// What sets one ground type apart.
+struct SurfaceType {
+    int code = 0;                 ///< in the user's surface grid
+    std::string label;
+    Restitution restitution;      ///< published coefficients, below the reference speed
+    StopCurve stopping;           ///< by rock diameter, per ground impact
+    double rolling_stops_per_m = 0.0;  ///< rate at which a rolling rock is caught [1/m]
+};
+
+/// The ground that rocks fall on.
+struct Slope {
+    Terrain terrain;
+    SurfaceMap surface;
+    std::vector<SurfaceType> types;
+
+    [[nodiscard]] const SurfaceType& type_at(double x_m, double y_m) const {
+        return types[static_cast<std::size_t>(surface.at(x_m, y_m))];
+    }
+};
+
+}  // namespace rockfall

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "config/grid/raster.hpp"
+#include "rockfall/tally/cell_tally.hpp"
+#include "rockfall/tally/footprint.hpp"
+#include "rockfall/tally/log_bins.hpp"
+#include "rockfall/tally/target.hpp"
+
+namespace rockfall {
+
+/// The two slopes on which every rock falls: with its forest and without.
+enum class Cover : std::uint8_t { forest, bare };
+inline constexpr std::size_t covers = 2;
+inline constexpr std::size_t stop_reasons = 5;
+
+/// What arrived at a target on one slope.
+struct ArrivalTally {
+    std::uint64_t reached = 0;
+    std::vector<std::uint64_t> energy;  ///< counts in fine_energy_bins
+    std::vector<std::uint64_t> speed;   ///< counts in fine_speed_bins
+    std::vector<std::uint64_t> height;  ///< counts in fine_height_bins
+    double energy_max_j = 0.0;
+    double speed_max_mps = 0.0;
+    double height_max_m = 0.0;
+    std::uint64_t energy_sum_j = 0;
+    std::uint64_t speed_sum_mmps = 0;
+    std::uint64_t height_sum_mm = 0;
+
+    ArrivalTally();
+    void add(const Arrival& arrival);
+    void add(const ArrivalTally& other);
+};
+
+/// Arrivals at one target, counted on the same rocks with and without forest.
+struct TargetTally {
+    std::array<ArrivalTally, covers> by_cover;
+    std::uint64_t reached_both = 0;
+
+    void add(const TargetTally& other);
+};
+
+/// The rocks of an ensemble on one slope. Sums are whole numbers.
+struct RunTally {
+    static constexpr double run_out_bin_m = 10.0;
+    static constexpr std::size_t run_out_bins = 500;  ///< the last takes everything further
+    static constexpr std::size_t hit_bins = 41;       ///< 0, 1, ... 39, 40 and more tree hits
+
+    std::uint64_t rocks = 0;
+    std::array<std::uint64_t, stop_reasons> by_reason{};
+    std::array<std::uint64_t, run_out_bins> run_out{};  ///< plan distance from release to end
+    std::array<std::uint64_t, hit_bins> tree_hits{};
+    std::uint64_t run_out_sum_mm = 0;
+    std::uint64_t max_speed_sum_mmps = 0;
+    std::uint64_t mean_speed_sum_mmps = 0;
+    std::uint64_t max_energy_sum_j = 0;
+    std::uint64_t max_height_sum_mm = 0;
+    std::uint64_t jump_height_sum_mm = 0;  ///< over all jumps of all rocks
+    std::uint64_t jumps = 0;
+    std::uint64_t ground_impacts = 0;
+    std::uint64_t hits = 0;
+    std::uint64_t trees_broken = 0;
+    std::uint64_t tree_energy_sum_j = 0;
+    double max_speed_mps = 0.0;
+    double max_energy_j = 0.0;
+    double max_height_m = 0.0;
+    double max_run_out_m = 0.0;
+    std::vector<std::uint64_t> max_speed;   ///< per-rock maxima in fine_speed_bins
+    std::vector<std::uint64_t> max_energy;  ///< per-rock maxima in fine_energy_bins
+    std::vector<std::uint64_t> max_height;  ///< per-rock maxima in fine_height_bins
+
+    RunTally();
+    void add(const RockRecord& record);
+    void add(const RunTally& other);
+};
+
+/// What one stem took.
+struct StemTally {
+    std::uint32_t hits = 0;
+    std::uint32_t broken = 0;    ///< hits that would break it
+    std::uint64_t energy_j = 0;
+
+    void add(const StemTally& other) {
+        hits += other.hits;
+        broken += other.broken;
+        energy_j += other.energy_j;
+    }
+};
+
+/// Everything counted over an ensemble, in an order that does not matter.
+struct EnsembleTally {
+    std::array<CellTally, covers> cells;
+    std::array<RunTally, covers> runs;
+    std::vector<TargetTally> targets;
+    std::vector<StemTally> stems;
+
+    EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in);
+    void add(const EnsembleTally& other);
+};
+
+}  // namespace rockfall

@@ -1,0 +1,341 @@
+#include "rockfall/tally/footprint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rockfall {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Length of a parabola between two times, by Simpson's rule on the speed (error below 0.1 % for a jump).
+double path_length_m(const Flight& flight, double until_s) {
+    const double begin = std::sqrt(flight.squared_speed_at(0.0));
+    const double middle = std::sqrt(flight.squared_speed_at(0.5 * until_s));
+    const double end = std::sqrt(flight.squared_speed_at(until_s));
+    return until_s / 6.0 * (begin + 4.0 * middle + end);
+}
+
+/// The straight plan view of a path as it goes from grid cell to grid cell.
+class CellSteps {
+public:
+    CellSteps(const config::GridFrame& frame, double x_m, double y_m, double vx, double vy)
+        : cell_{frame.cell_at(x_m, y_m)}, step_column_{vx >= 0.0 ? 1 : -1}, step_row_{vy >= 0.0 ? -1 : 1} {
+        if (vx != 0.0) {
+            const double border_m = frame.x_west_m + (cell_.column + (vx > 0.0 ? 1 : 0)) * frame.cell_width_m;
+            to_column_ = (border_m - x_m) / vx;
+            per_column_ = frame.cell_width_m / std::abs(vx);
+        }
+        if (vy != 0.0) {
+            const double border_m = frame.y_north_m() - (cell_.row + (vy > 0.0 ? 0 : 1)) * frame.cell_height_m;
+            to_row_ = (border_m - y_m) / vy;
+            per_row_ = frame.cell_height_m / std::abs(vy);
+        }
+    }
+    [[nodiscard]] const config::Cell& cell() const { return cell_; }
+    [[nodiscard]] double end() const { return std::min(to_column_, to_row_); }
+    void next() {
+        if (to_column_ <= to_row_) {
+            cell_.column += step_column_;
+            to_column_ += per_column_;
+        } else {
+            cell_.row += step_row_;
+            to_row_ += per_row_;
+        }
+    }
+
+private:
+    config::Cell cell_;
+    int step_column_;
+    int step_row_;
+    double to_column_ = never;
+    double to_row_ = never;
+    double per_column_ = never;
+    double per_row_ = never;
+};
+
+/// The ground under a flight: a straight line in time over each stretch.
+class GroundBelow {
+public:
+    GroundBelow(std::span<const Stretch> stretches, double ground_start_m)
+        : stretches_{stretches}, begin_m_{ground_start_m} {
+        take_slope();
+    }
+    [[nodiscard]] double end_s() const { return stretches_[k_].end_s; }
+    [[nodiscard]] std::uint32_t triangle() const { return stretches_[k_].triangle; }
+    [[nodiscard]] double at(double time_s) const { return begin_m_ + rise_ * (time_s - begin_s_); }
+    [[nodiscard]] double rise_mps() const { return rise_; }
+    [[nodiscard]] bool last() const { return k_ + 1 >= stretches_.size(); }
+    void next() {
+        begin_s_ = stretches_[k_].end_s;
+        begin_m_ = stretches_[k_].ground_end_m;
+        ++k_;
+        take_slope();
+    }
+
+private:
+    void take_slope() {
+        const double duration_s = stretches_[k_].end_s - begin_s_;
+        rise_ = duration_s > 0.0 ? (stretches_[k_].ground_end_m - begin_m_) / duration_s : 0.0;
+    }
+    std::span<const Stretch> stretches_;
+    std::size_t k_ = 0;
+    double begin_s_ = 0.0;
+    double begin_m_;
+    double rise_ = 0.0;
+};
+
+/// Largest height of a flight above one stretch of ground between two times; concave, so one candidate suffices.
+double highest_m(const Flight& flight, const GroundBelow& ground, double from_s, double to_s) {
+    const double apex_s = (flight.velocity_mps.z() - ground.rise_mps()) / config::gravity_mps2;
+    const double time_s = std::clamp(apex_s, from_s, to_s);
+    return std::max(0.0, flight.height_m(time_s) - ground.at(time_s));
+}
+
+}  // namespace
+
+Footprint::Footprint(const Terrain& terrain, const config::GridFrame& frame, std::span<const Target> targets)
+    : terrain_{terrain},
+      frame_{frame},
+      targets_{targets},
+      slot_of_cell_(frame.size()),
+      rock_of_cell_(frame.size(), 0),
+      arrivals_(targets.size()) {}
+
+void Footprint::begin(const RockStart& start, bool with_path) {
+    if (++present_rock_ == 0) {  // the counter came round: old marks would look new
+        std::fill(rock_of_cell_.begin(), rock_of_cell_.end(), 0);
+        present_rock_ = 1;
+    }
+    visits_.clear();
+    tree_hits_.clear();
+    path_.clear();
+    with_path_ = with_path;
+    deposit_cell_ = frame_.size();
+    record_ = {};
+    record_.rock = start.id;
+    record_.source = start.source;
+    record_.diameter_m = static_cast<float>(start.rock.diameter_m);
+    record_.start_m = start.position_m;
+    const double energy_j = kinetic_energy_j(start.rock, start.velocity_mps.squaredNorm(), 0.0);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        arrivals_[i] = {};
+        if (targets_[i].is_area && is_inside(targets_[i], start.position_m.head<2>())) {
+            arrive(i, start.position_m.head<2>(), energy_j, energy_j, start.velocity_mps.norm(), 0.0);
+        }
+    }
+}
+
+void Footprint::finish(const FallEnd& end) {
+    record_.reason = end.reason;
+    record_.end_m = end.position_m;
+    record_.ground_impacts = end.ground_impacts;
+    record_.tree_hits = end.tree_hits;
+    const bool deposited = end.reason == StopReason::at_rest || end.reason == StopReason::caught ||
+                           end.reason == StopReason::tree;
+    const config::Cell cell = frame_.cell_at(end.position_m.x(), end.position_m.y());
+    if (deposited && frame_.contains(cell)) {
+        deposit_cell_ = frame_.index(cell);
+    }
+}
+
+CellVisit& Footprint::visit(std::size_t cell) {
+    if (rock_of_cell_[cell] != present_rock_) {
+        rock_of_cell_[cell] = present_rock_;
+        slot_of_cell_[cell] = static_cast<std::uint32_t>(visits_.size());
+        visits_.push_back({static_cast<std::uint32_t>(cell), 0.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity(), 0});
+    }
+    return visits_[slot_of_cell_[cell]];
+}
+
+void Footprint::raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,
+                      double y_m, double ground_m) {
+    CellVisit& v = visit(cell);
+    v.energy_j = std::max(v.energy_j, static_cast<float>(energy_j));
+    v.speed_mps = std::max(v.speed_mps, static_cast<float>(std::sqrt(squared_speed)));
+    v.height_m = std::max(v.height_m, static_cast<float>(height_m));
+    const double dx = x_m - record_.start_m.x();
+    const double dy = y_m - record_.start_m.y();
+    const double squared_distance = dx * dx + dy * dy;
+    if (squared_distance > 0.0) {
+        const double slope = (record_.start_m.z() - ground_m) / std::sqrt(squared_distance);
+        v.energy_line_slope = std::min(v.energy_line_slope, static_cast<float>(slope));
+    }
+}
+
+double Footprint::walk_cells(const Rock& rock, const Flight& flight, double until_s,
+                             std::span<const Stretch> stretches, double rotation_j) {
+    GroundBelow ground{stretches, terrain_.plane_of(stretches.front().triangle)
+                                      .height_m(flight.start_m.x(), flight.start_m.y())};
+    CellSteps steps{frame_, flight.start_m.x(), flight.start_m.y(), flight.velocity_mps.x(), flight.velocity_mps.y()};
+    double time_s = 0.0;
+    double squared_speed = flight.squared_speed_at(0.0);
+    double highest_of_flight_m = 0.0;
+    while (true) {
+        const double cell_end_s = std::min(steps.end(), until_s);
+        double highest_normal_m = 0.0;
+        while (true) {
+            const double piece_end_s = ground.last() ? cell_end_s : std::min(ground.end_s(), cell_end_s);
+            const double height_m = highest_m(flight, ground, std::min(time_s, piece_end_s), piece_end_s);
+            highest_of_flight_m = std::max(highest_of_flight_m, height_m);
+            highest_normal_m = std::max(
+                highest_normal_m, height_m * static_cast<double>(terrain_.triangles()[ground.triangle()].normal_z));
+            time_s = piece_end_s;
+            if (piece_end_s >= cell_end_s) {
+                break;
+            }
+            ground.next();
+        }
+        const double squared_speed_end = flight.squared_speed_at(cell_end_s);
+        if (frame_.contains(steps.cell())) {
+            // The square of the speed is convex in time: its maximum lies at an end.
+            const double largest = std::max(squared_speed, squared_speed_end);
+            raise(frame_.index(steps.cell()), 0.5 * rock.mass_kg * largest + rotation_j, largest, highest_normal_m,
+                  flight.start_m.x() + cell_end_s * flight.velocity_mps.x(),
+                  flight.start_m.y() + cell_end_s * flight.velocity_mps.y(), ground.at(cell_end_s));
+        }
+        if (cell_end_s >= until_s) {
+            return highest_of_flight_m;
+        }
+        squared_speed = squared_speed_end;
+        steps.next();
+    }
+}
+
+void Footprint::flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
+                     double spin_radps) {
+    if (stretches.empty()) {
+        return;
+    }
+    const double rotation_j = 0.5 * rock.inertia_kgm2 * spin_radps * spin_radps;
+    const double highest_m = walk_cells(rock, flight, until_s, stretches, rotation_j);
+    const double squared_speed =
+        std::max(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
+    record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(squared_speed));
+    record_.max_energy_j = std::max(record_.max_energy_j, 0.5 * rock.mass_kg * squared_speed + rotation_j);
+    record_.max_height_m = std::max(record_.max_height_m, highest_m);
+    record_.jump_height_sum_m += highest_m;
+    ++record_.jumps;
+    record_.path_m += path_length_m(flight, until_s);
+    record_.time_s += until_s;
+    watch_targets(rock, flight, until_s, stretches, rotation_j);
+    if (with_path_) {
+        draw(flight, until_s, stretches, rock, rotation_j);
+    }
+}
+
+void Footprint::watch_targets(const Rock& rock, const Flight& flight, double until_s,
+                              std::span<const Stretch> stretches, double rotation_j) {
+    if (targets_.empty()) {
+        return;
+    }
+    const Eigen::Vector2d from = flight.start_m.head<2>();
+    const Eigen::Vector2d to = flight.position_m(until_s).head<2>();
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        if (arrivals_[i].reached) {
+            continue;
+        }
+        const std::optional<double> share = first_crossing(targets_[i], from, to);
+        if (!share) {
+            continue;
+        }
+        const double time_s = *share * until_s;
+        const Eigen::Vector3d place = flight.position_m(time_s);
+        std::size_t k = 0;
+        while (k + 1 < stretches.size() && stretches[k].end_s < time_s) {
+            ++k;
+        }
+        const double ground_m = terrain_.plane_of(stretches[k].triangle).height_m(place.x(), place.y());
+        const double squared_speed = flight.squared_speed_at(time_s);
+        const double translational_j = 0.5 * rock.mass_kg * squared_speed;
+        arrive(i, place.head<2>(), translational_j + rotation_j, translational_j, std::sqrt(squared_speed),
+               std::max(0.0, place.z() - ground_m));
+    }
+}
+
+void Footprint::arrive(std::size_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
+                       double speed_mps, double height_m) {
+    arrivals_[target] = {true,
+                         static_cast<float>(place_m.x()),
+                         static_cast<float>(place_m.y()),
+                         static_cast<float>(energy_j),
+                         static_cast<float>(translational_j),
+                         static_cast<float>(speed_mps),
+                         static_cast<float>(height_m)};
+}
+
+void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t) {
+    const Eigen::Vector3d end = piece.position_m(piece.duration_s);
+    const Eigen::Vector3d move = end - piece.start_m;
+    const double begin2 = piece.velocity_mps.squaredNorm();
+    const double end2 = piece.velocity_at(piece.duration_s).squaredNorm();
+    const double spin_factor = 0.5 * rock.inertia_kgm2 / (rock.radius_m * rock.radius_m);
+    const auto energy_j = [&](double squared_speed) { return (0.5 * rock.mass_kg + spin_factor) * squared_speed; };
+
+    // Share of the way takes the place of time; the squared speed changes evenly along the way.
+    CellSteps steps{frame_, piece.start_m.x(), piece.start_m.y(), move.x(), move.y()};
+    double share = 0.0;
+    while (true) {
+        const double cell_end = std::min(steps.end(), 1.0);
+        if (frame_.contains(steps.cell())) {
+            const double largest = begin2 + (end2 - begin2) * (end2 > begin2 ? cell_end : share);
+            const Eigen::Vector3d at = piece.start_m + cell_end * move;
+            raise(frame_.index(steps.cell()), energy_j(largest), largest, 0.0, at.x(), at.y(), at.z());
+        }
+        if (cell_end >= 1.0) {
+            break;
+        }
+        share = cell_end;
+        steps.next();
+    }
+    const double largest2 = std::max(begin2, end2);
+    record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(largest2));
+    record_.max_energy_j = std::max(record_.max_energy_j, energy_j(largest2));
+    record_.path_m += move.norm();
+    record_.time_s += piece.duration_s;
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        if (!arrivals_[i].reached) {
+            const auto at = first_crossing(targets_[i], piece.start_m.head<2>(), end.head<2>());
+            if (at) {
+                const double squared_speed = begin2 + *at * (end2 - begin2);
+                arrive(i, (piece.start_m + *at * move).head<2>(), energy_j(squared_speed),
+                       0.5 * rock.mass_kg * squared_speed, std::sqrt(squared_speed), 0.0);
+            }
+        }
+    }
+    if (with_path_) {
+        path_.push_back({piece.start_m, static_cast<float>(energy_j(begin2)), 0.0F});
+        path_.push_back({end, static_cast<float>(energy_j(end2)), 0.0F});
+    }
+}
+
+void Footprint::met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
+                         double energy_j) {
+    tree_hits_.push_back({hit.stem, position_m, static_cast<float>(hit.height_m), static_cast<float>(energy_j),
+                          static_cast<float>(impact.loss_j), impact.type, impact.broken, impact.stopped});
+    record_.tree_energy_j += impact.loss_j;
+    record_.trees_broken += impact.broken ? 1 : 0;
+    const config::Cell cell = frame_.cell_at(position_m.x(), position_m.y());
+    if (frame_.contains(cell)) {
+        ++visit(frame_.index(cell)).tree_impacts;
+    }
+}
+
+void Footprint::draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
+                     double rotation_j) {
+    constexpr int pieces = 8;
+    GroundBelow ground{stretches, terrain_.plane_of(stretches.front().triangle)
+                                      .height_m(flight.start_m.x(), flight.start_m.y())};
+    for (int i = 0; i <= pieces; ++i) {
+        const double time_s = until_s * i / pieces;
+        while (!ground.last() && ground.end_s() < time_s) {
+            ground.next();
+        }
+        const double energy_j = 0.5 * rock.mass_kg * flight.squared_speed_at(time_s) + rotation_j;
+        const double height_m = std::max(0.0, flight.height_m(time_s) - ground.at(time_s));
+        path_.push_back({flight.position_m(time_s), static_cast<float>(energy_j), static_cast<float>(height_m)});
+    }
+}
+
+}  // namespace rockfall

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "config/grid/raster.hpp"
+#include "rockfall/tally/cell_tally.hpp"
+#include "rockfall/tally/target.hpp"
+#include "rockfall/trajectory.hpp"
+
+namespace rockfall {
+
+/// One fall in numbers: a row of the table of rocks.
+struct RockRecord {
+    std::uint64_t rock = 0;
+    std::uint32_t source = 0;
+    StopReason reason = StopReason::at_rest;
+    float diameter_m = 0.0F;
+    Eigen::Vector3d start_m = Eigen::Vector3d::Zero();  ///< in coordinates of the terrain
+    Eigen::Vector3d end_m = Eigen::Vector3d::Zero();
+    double path_m = 0.0;            ///< length of the path in space
+    double time_s = 0.0;
+    double max_speed_mps = 0.0;
+    double max_energy_j = 0.0;      ///< translation and rotation
+    double max_height_m = 0.0;      ///< of the underside above the ground, vertical
+    double jump_height_sum_m = 0.0; ///< sum over the flights of their largest heights
+    std::uint32_t jumps = 0;
+    std::uint32_t ground_impacts = 0;
+    std::uint32_t tree_hits = 0;
+    std::uint32_t trees_broken = 0;
+    double tree_energy_j = 0.0;     ///< taken by trees
+
+    [[nodiscard]] double run_out_m() const { return (end_m - start_m).head<2>().norm(); }
+    [[nodiscard]] double mean_speed_mps() const { return time_s > 0.0 ? path_m / time_s : 0.0; }
+    [[nodiscard]] double mean_jump_height_m() const { return jumps > 0 ? jump_height_sum_m / jumps : 0.0; }
+};
+
+/// A corner of a drawn path.
+struct PathPoint {
+    Eigen::Vector3d position_m;
+    float energy_j;
+    float height_m;
+};
+
+/// A tree hit as the tables show it.
+struct TreeHitRecord {
+    std::uint32_t stem;
+    Eigen::Vector3d position_m;  ///< underside of the rock
+    float height_m;              ///< of the rock's centre above the ground at the stem
+    float energy_j;              ///< of the rock before the hit
+    float loss_j;
+    HitType type;
+    bool broken;
+    bool stopped;
+};
+
+/// Watches one rock: the cells it passes with its exact largest values there, its record, its arrivals at
+/// targets, its hits, and its path if wanted. Reused from rock to rock without allocating.
+class Footprint {
+public:
+    /// `frame` in coordinates of the terrain.
+    Footprint(const Terrain& terrain, const config::GridFrame& frame, std::span<const Target> targets);
+
+    void begin(const RockStart& start, bool with_path);
+    void finish(const FallEnd& end);
+
+    // The observer's part.
+    void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
+              double spin_radps);
+    void rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle);
+    void impacted(const Eigen::Vector3d&) {}
+    void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact, double energy_j);
+
+    [[nodiscard]] std::span<const CellVisit> visits() const { return visits_; }
+    [[nodiscard]] const RockRecord& record() const { return record_; }
+    [[nodiscard]] std::span<const Arrival> arrivals() const { return arrivals_; }
+    [[nodiscard]] std::span<const TreeHitRecord> tree_hits() const { return tree_hits_; }
+    [[nodiscard]] std::span<const PathPoint> path() const { return path_; }
+    /// Cell in which the rock came to rest; frame.size() if it did not stop inside the frame.
+    [[nodiscard]] std::size_t deposit_cell() const { return deposit_cell_; }
+
+private:
+    CellVisit& visit(std::size_t cell);
+    void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m, double y_m,
+               double ground_m);
+    void arrive(std::size_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
+                double speed_mps, double height_m);
+    void watch_targets(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
+                       double rotation_j);
+    double walk_cells(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
+                      double rotation_j);
+    void draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
+              double rotation_j);
+
+    const Terrain& terrain_;
+    config::GridFrame frame_;
+    std::span<const Target> targets_;
+
+    std::vector<CellVisit> visits_;
+    std::vector<std::uint32_t> slot_of_cell_;  ///< place in visits_ where `rock_of_cell_` is the present rock
+    std::vector<std::uint32_t> rock_of_cell_;
+    std::uint32_t present_rock_ = 0;
+
+    RockRecord record_;
+    std::vector<Arrival> arrivals_;
+    std::vector<TreeHitRecord> tree_hits_;
+    std::vector<PathPoint> path_;
+    bool with_path_ = false;
+    std::size_t deposit_cell_ = 0;
+};
+
+}  // namespace rockfall

@@ -1,0 +1,432 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "config/random/stream.hpp"
+#include "rockfall/motion/flight.hpp"
+#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/rolling.hpp"
+#include "rockfall/obstacles/stem_index.hpp"
+#include "rockfall/obstacles/tree_impact.hpp"
+#include "rockfall/rock.hpp"
+#include "rockfall/slope.hpp"
+
+namespace rockfall {
+
+/// All settings of the fall of a rock.
+struct FallLaw {
+    PicusLaw ground;
+    TreeImpactLaw tree;
+};
+
+/// A rock at the moment of its release, in coordinates of the terrain.
+struct RockStart {
+    std::uint64_t id = 0;         ///< key of its random numbers
+    std::uint32_t source = 0;     ///< which release source
+    Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< underside
+    Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+    std::uint32_t triangle = 0;
+    bool rolling = false;         ///< begins on the ground
+    Rock rock;
+};
+
+/// Why a rock no longer moves.
+enum class StopReason : std::uint8_t {
+    at_rest,       ///< kinetic energy used up on the ground
+    caught,        ///< stopped by an obstacle of the surface (stopping probability)
+    tree,          ///< stopped by a stem
+    left_terrain,  ///< ran over the border or into a hole: not stopped
+    gave_up,       ///< more impacts than the limit: not stopped
+};
+
+/// How a fall ended.
+struct FallEnd {
+    StopReason reason = StopReason::at_rest;
+    Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+    std::uint32_t ground_impacts = 0;
+    std::uint32_t tree_hits = 0;
+    std::uint32_t crossings = 0;  ///< triangle stretches flown over, for benchmarks
+};
+
+/// What stands in the way. `gone` marks stems that no longer stand (empty: all stand).
+struct Obstacles {
+    const StemIndex* stems = nullptr;  ///< nullptr: bare slope
+    std::span<std::uint8_t> gone{};
+};
+
+/// Memory that falls reuse.
+struct FallScratch {
+    std::vector<Stretch> stretches;
+};
+
+/// Watches nothing: for falls of which only the end counts.
+struct NoObserver {
+    void flew(const Rock&, const Flight&, double, std::span<const Stretch>, double) {}
+    void rolled(const Rock&, const RollingPiece&, std::uint32_t) {}
+    void impacted(const Eigen::Vector3d&) {}
+    void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
+};
+
+/// One rock from release to rest: a loop of named events.
+///
+/// Chance comes from streams keyed by the rock and counted by its contacts, so a fall depends on nothing but the key, the
+/// start, the slope and the obstacles. The observer is told of each flight, roll, impact and hit; it cannot
+/// influence the fall.
+template <class Observer>
+class Fall {
+public:
+    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, const config::StreamKey& key,
+         const RockStart& start, FallScratch& scratch, Observer& observer)
+        : slope_{slope},
+          obstacles_{obstacles},
+          law_{law},
+          ground_draws_{key, config::Purpose::ground_impact},
+          tree_draws_{key, config::Purpose::tree_impact},
+          rolling_draws_{key, config::Purpose::rolling},
+          rock_{start.rock},
+          scratch_{scratch},
+          observer_{observer},
+          position_m_{start.position_m},
+          velocity_mps_{start.velocity_mps},
+          triangle_{start.triangle},
+          rolling_{start.rolling} {
+        if (law.ground.noise == NoiseScope::rock) {
+            constexpr std::uint32_t once_per_rock = 0xFFFFFF;
+            noise_of_rock_ = 2.0 * ground_draws_.uniforms_of(once_per_rock)[0] - 1.0;
+        }
+        if (rolling_) {
+            begin_rolling();
+        }
+    }
+
+    FallEnd run() {
+        while (!stopped_) {
+            rolling_ ? roll_on() : fly_on();
+        }
+        end_.position_m = position_m_;
+        return end_;
+    }
+
+private:
+    void stop(StopReason reason) {
+        stopped_ = true;
+        end_.reason = reason;
+    }
+
+    void fly_on() {
+        const Flight flight{position_m_, velocity_mps_};
+        const Landing landing = fly(slope_.terrain, flight, triangle_, scratch_.stretches);
+        end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
+        if (obstacles_.stems != nullptr) {
+            forget_stem_left_behind();
+            const auto hit = obstacles_.stems->first_hit(flight, landing.time_s, rock_.radius_m, last_stem_,
+                                                         obstacles_.gone);
+            if (hit) {
+                end_flight_at(flight, hit->time_s);
+                meet(*hit);
+                return;
+            }
+        }
+        observer_.flew(rock_, flight, landing.time_s, scratch_.stretches, spin_radps_);
+        position_m_ = flight.position_m(landing.time_s);
+        velocity_mps_ = flight.velocity_at(landing.time_s);
+        triangle_ = landing.triangle;
+        if (landing.end == FlightEnd::left_terrain) {
+            stop(StopReason::left_terrain);
+            return;
+        }
+        position_m_.z() = scratch_.stretches.back().ground_end_m;
+        touch_ground(slope_.terrain.plane_of(triangle_));
+    }
+
+    /// Cuts the flight and the profile below it at a time.
+    void end_flight_at(const Flight& flight, double time_s) {
+        std::vector<Stretch>& stretches = scratch_.stretches;
+        std::size_t k = 0;
+        while (k + 1 < stretches.size() && stretches[k].end_s < time_s) {
+            ++k;
+        }
+        position_m_ = flight.position_m(time_s);
+        velocity_mps_ = flight.velocity_at(time_s);
+        triangle_ = stretches[k].triangle;
+        const Plane plane = slope_.terrain.plane_of(triangle_);
+        stretches.resize(k + 1);
+        stretches[k] = {time_s, plane.height_m(position_m_.x(), position_m_.y()), triangle_};
+        observer_.flew(rock_, flight, time_s, stretches, spin_radps_);
+    }
+
+    void touch_ground(const Plane& plane) {
+        const Eigen::Vector3d normal = plane.normal();
+        if (end_.ground_impacts >= law_.ground.stopping.most_impacts) {
+            stop(StopReason::gave_up);
+            return;
+        }
+        const SurfaceType& surface = slope_.type_at(position_m_.x(), position_m_.y());
+        ContactDraws draws = next_draws();
+        ++end_.ground_impacts;
+        observer_.impacted(position_m_);
+        if (velocity_mps_.dot(normal) >= 0.0) {
+            return;  // grazes along a facet it does not press on: flies on
+        }
+        const Contact contact = meet_ground(velocity_mps_, spin_radps_, normal, surface.restitution,
+                                            stop_probability(surface), rock_, law_.ground, draws);
+        velocity_mps_ = contact.velocity_mps;
+        spin_radps_ = contact.spin_radps;
+        switch (contact.onward) {
+            case Onward::flies:
+                rolling_ = false;
+                break;
+            case Onward::rolls:
+                begin_rolling();
+                break;
+            case Onward::rests:
+                stop(StopReason::at_rest);
+                break;
+            case Onward::caught:
+                stop(StopReason::caught);
+                break;
+        }
+    }
+
+    ContactDraws next_draws() {
+        ContactDraws draws = contact_draws(ground_draws_.uniforms_of(contacts_++));
+        if (law_.ground.noise == NoiseScope::rock) {
+            draws.noise = noise_of_rock_;
+        }
+        return draws;
+    }
+
+    /// The stop probability changes only with the surface: a rock keeps its size.
+    double stop_probability(const SurfaceType& surface) {
+        if (&surface != probability_of_) {
+            probability_of_ = &surface;
+            probability_ = surface.stopping.at(rock_.diameter_m);
+        }
+        return probability_;
+    }
+
+    void begin_rolling() {
+        rolling_ = true;
+        spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
+        const double u = rolling_draws_.uniforms_of(rolls_++)[0];
+        rolling_until_caught_ = -config::ln_of(1.0 - u);  // unit exponential: used up at the surface's rate
+    }
+
+    void roll_on() {
+        if (++rolling_pieces_ > most_rolling_pieces) {
+            stop(StopReason::gave_up);
+            return;
+        }
+        const Plane plane = slope_.terrain.plane_of(triangle_);
+        const Eigen::Vector3d normal = plane.normal();
+        const double launch_mps = law_.ground.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
+        if (velocity_mps_.norm() >= launch_mps * (1.0 - 1e-9) && lifts_off(normal)) {
+            return;
+        }
+        // Past the launch speed but with hops too short to matter: rolls on in pieces.
+        const double next_launch_mps = std::max(launch_mps, velocity_mps_.norm() * 1.1);
+        RollingPiece piece = roll(slope_.terrain, triangle_, plane, position_m_, velocity_mps_,
+                                  law_.ground.rolling.friction, next_launch_mps);
+        if (meets_stem_rolling(piece) || is_caught_rolling(piece)) {
+            return;
+        }
+        observer_.rolled(rock_, piece, triangle_);
+        position_m_ = piece.position_m(piece.duration_s);
+        velocity_mps_ = piece.velocity_at(piece.duration_s);
+        position_m_.z() = plane.height_m(position_m_.x(), position_m_.y());
+        spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
+        if (piece.end == RollingEnd::standstill) {
+            stop(StopReason::at_rest);
+        } else if (piece.end == RollingEnd::edge) {
+            roll_over_edge(piece);
+        }
+    }
+
+    bool lifts_off(const Eigen::Vector3d& normal) {
+        if (law_.ground.angle == ReboundAngle::geometric) {
+            return false;  // without a law for the angle nothing lifts a rolling rock off even ground
+        }
+        const Eigen::Vector3d leaving_mps = lift_off(velocity_mps_, normal, law_.ground, next_draws());
+        if (hop_length_m(leaving_mps, normal) < rock_.radius_m) {
+            return false;
+        }
+        velocity_mps_ = leaving_mps;
+        rolling_ = false;
+        return true;
+    }
+
+    void roll_over_edge(const RollingPiece& piece) {
+        if (piece.next_triangle == no_triangle) {
+            stop(StopReason::left_terrain);
+            return;
+        }
+        const std::uint32_t from = triangle_;
+        triangle_ = piece.next_triangle;
+        const Plane next = slope_.terrain.plane_of(triangle_);
+        const Eigen::Vector3d normal = next.normal();
+        const double off_mps = velocity_mps_.dot(normal);
+        const double speed_mps = velocity_mps_.norm();
+        const double edge_tangent = law_.ground.rolling.edge_angle_tangent;
+        const double along_mps = std::sqrt(std::max(0.0, speed_mps * speed_mps - off_mps * off_mps));
+        if (std::abs(off_mps) > edge_tangent * along_mps) {
+            if (off_mps > 0.0) {
+                rolling_ = false;  // convex: the ground falls away, no loss
+            } else {
+                touch_ground(next);  // concave: runs into the next face
+            }
+            return;
+        }
+        const Eigen::Vector3d along = velocity_mps_ - off_mps * normal;
+        velocity_mps_ = along_mps > 0.0 ? Eigen::Vector3d{speed_mps / along.norm() * along} : Eigen::Vector3d::Zero();
+        if (piece.duration_s == 0.0 && from == came_from_) {
+            step_inside(triangle_);  // pushed to and fro across one edge without moving
+        }
+        came_from_ = triangle_;
+    }
+
+    /// Moves the rock a millimetre towards the middle of a triangle: both faces press it into the edge.
+    void step_inside(std::uint32_t triangle) {
+        const Triangle& t = slope_.terrain.triangles()[triangle];
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        for (const std::uint32_t corner : t.corners) {
+            const Vertex& v = slope_.terrain.vertices()[corner];
+            middle += Eigen::Vector3d{v.x_m, v.y_m, v.z_m} / 3.0;
+        }
+        const Eigen::Vector3d inward = middle - position_m_;
+        position_m_ += 1e-3 / std::max(1e-3, inward.norm()) * inward;
+    }
+
+    bool is_caught_rolling(RollingPiece& piece) {
+        const double rate = slope_.type_at(position_m_.x(), position_m_.y()).rolling_stops_per_m;
+        if (rate <= 0.0 || !law_.ground.stopping.by_chance) {
+            return false;
+        }
+        const double length_m = (piece.position_m(piece.duration_s) - piece.start_m).norm();
+        if (length_m * rate < rolling_until_caught_) {
+            rolling_until_caught_ -= length_m * rate;
+            return false;
+        }
+        piece.duration_s *= rolling_until_caught_ / (length_m * rate);
+        observer_.rolled(rock_, piece, triangle_);
+        position_m_ = piece.position_m(piece.duration_s);
+        stop(StopReason::caught);
+        return true;
+    }
+
+    bool meets_stem_rolling(RollingPiece& piece) {
+        if (obstacles_.stems == nullptr || piece.duration_s <= 0.0) {
+            return false;
+        }
+        forget_stem_left_behind();
+        const Eigen::Vector3d mean_mps = (piece.position_m(piece.duration_s) - piece.start_m) / piece.duration_s;
+        const auto hit = obstacles_.stems->first_hit_rolling(piece.start_m, mean_mps, piece.duration_s, rock_.radius_m,
+                                                             last_stem_, obstacles_.gone);
+        if (!hit) {
+            return false;
+        }
+        piece.duration_s = hit->time_s;
+        observer_.rolled(rock_, piece, triangle_);
+        position_m_ = piece.position_m(hit->time_s);
+        velocity_mps_ = piece.velocity_at(hit->time_s);
+        spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
+        meet(*hit);
+        return true;
+    }
+
+    void meet(const StemHit& hit) {
+        const PlacedStem& stem = obstacles_.stems->placed()[hit.stem];
+        const double energy_j = kinetic_energy_j(rock_, velocity_mps_.squaredNorm(), spin_radps_);
+        if (energy_j <= 0.0) {
+            stop(StopReason::tree);  // leans on the stem
+            return;
+        }
+        const TreeImpact impact = meet_stem(energy_j, hit, stem, law_.tree, tree_draws_.uniforms_of(end_.tree_hits));
+        ++end_.tree_hits;
+        last_stem_ = hit.stem;
+        observer_.met_stem(position_m_, hit, impact, energy_j);
+        if (impact.broken && law_.tree.remove_broken && !obstacles_.gone.empty()) {
+            obstacles_.gone[hit.stem] = 1;
+        }
+        if (impact.stopped) {
+            // It drops to the ground at the uphill foot of the tree.
+            position_m_.z() = slope_.terrain.plane_of(triangle_).height_m(position_m_.x(), position_m_.y());
+            velocity_mps_.setZero();
+            stop(StopReason::tree);
+            return;
+        }
+        turn_and_slow(impact);
+    }
+
+    void turn_and_slow(const TreeImpact& impact) {
+        const double vx = velocity_mps_.x();
+        const double vy = velocity_mps_.y();
+        velocity_mps_.x() = impact.turn.cos * vx - impact.turn.sin * vy;
+        velocity_mps_.y() = impact.turn.sin * vx + impact.turn.cos * vy;
+        velocity_mps_ *= impact.speed_factor;
+        spin_radps_ *= impact.speed_factor;
+        if (rolling_) {
+            // Stays in the face: the speed is kept, the rise follows the plane.
+            const Plane plane = slope_.terrain.plane_of(triangle_);
+            const double speed_mps = velocity_mps_.norm();
+            velocity_mps_.z() = plane.gradient.x() * velocity_mps_.x() + plane.gradient.y() * velocity_mps_.y();
+            const double tilted_mps = velocity_mps_.norm();
+            velocity_mps_ *= tilted_mps > 0.0 ? speed_mps / tilted_mps : 0.0;
+        }
+    }
+
+    /// A stem counts again once the rock has left it by a centimetre.
+    void forget_stem_left_behind() {
+        if (last_stem_ == no_stem) {
+            return;
+        }
+        const PlacedStem& stem = obstacles_.stems->placed()[last_stem_];
+        const double dx = position_m_.x() - stem.x_m;
+        const double dy = position_m_.y() - stem.y_m;
+        const double clear_m = rock_.radius_m + taper_at_ground * stem.breast_radius_m + 0.01;
+        if (dx * dx + dy * dy > clear_m * clear_m) {
+            last_stem_ = no_stem;
+        }
+    }
+
+    static constexpr std::uint32_t most_rolling_pieces = 200'000;
+
+    const Slope& slope_;
+    const Obstacles& obstacles_;
+    const FallLaw& law_;
+    config::RandomStream ground_draws_;
+    config::RandomStream tree_draws_;
+    config::RandomStream rolling_draws_;
+    Rock rock_;
+    FallScratch& scratch_;
+    Observer& observer_;
+
+    Eigen::Vector3d position_m_;
+    Eigen::Vector3d velocity_mps_;
+    double spin_radps_ = 0.0;
+    std::uint32_t triangle_;
+    bool rolling_;
+    bool stopped_ = false;
+    FallEnd end_;
+
+    std::uint32_t contacts_ = 0;
+    std::uint32_t rolls_ = 0;
+    std::uint32_t rolling_pieces_ = 0;
+    std::uint32_t last_stem_ = no_stem;
+    std::uint32_t came_from_ = no_triangle;
+    double noise_of_rock_ = 0.0;
+    double rolling_until_caught_ = 0.0;
+    const SurfaceType* probability_of_ = nullptr;
+    double probability_ = 0.0;
+};
+
+template <class Observer>
+FallEnd fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, const config::StreamKey& key,
+             const RockStart& start, FallScratch& scratch, Observer& observer) {
+    return Fall<Observer>{slope, obstacles, law, key, start, scratch, observer}.run();
+}
+
+}  // namespace rockfall
