@@ -22,7 +22,7 @@ enum class ExitCode : int {
 
 /// Where in the user's input something stands. Line and column count from 1; 0 means "the whole file".
 struct Place {
-    std::string file;
+    std::string file{};
     std::size_t line = 0;
     std::size_t column = 0;
 };
@@ -30,9 +30,9 @@ struct Place {
 /// One thing that is wrong with an input: where, what was found, what was expected.
 struct Problem {
     ExitCode code = ExitCode::data;
-    Place place;
-    std::string found;
-    std::string expected;  ///< may be empty where `found` says it all
+    Place place{};
+    std::string found{};
+    std::string expected{};  ///< may be empty where `found` says it all
 };
 
 /// "dem.asc:3:7: found 'abc', expected a number"; leaves out what is not known.

@@ -25,8 +25,8 @@ struct ParameterInfo {
     std::string unit = "-";
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
-    std::string meaning;
-    std::string source;             ///< paper and equation, or "choice"
+    std::string meaning{};
+    std::string source{};           ///< paper and equation, or "choice"
     std::vector<Preset> presets{};  ///< values in named sets other than the default one
 };
 
@@ -44,11 +44,31 @@ struct ParameterRow {
     bool changed = false;  ///< value differs from the default
 };
 
+/// An assignment in a section that is left free.
+struct FreeEntry {
+    std::string section;
+    std::string key;
+    std::string value;
+    Place place;
+};
+
+struct IniEntry;
+
 /// The settings of a run: INI files and `section.key=value` pairs through Boost.Program_options, behind a
 /// front that names file and line, finds all problems at once, suggests the nearest key and reads numbers
 /// strictly (no nan, no -1 for a count, no 1,5, no 3abc).
+///
+/// Holds references to the targets: they must outlive it. Moved, never copied.
 class Options {
 public:
+    Options();
+    ~Options();
+    Options(Options&& other) noexcept;
+    Options& operator=(Options&& other) noexcept;
+    Options(const Options&) = delete;
+    Options& operator=(const Options&) = delete;
+
+    /// Each declares a key once, with what its target holds as default.
     void number(std::string key, double& target, ParameterInfo info);
     void count(std::string key, std::uint64_t& target, ParameterInfo info);
     void flag(std::string key, bool& target, ParameterInfo info);  ///< yes/no, true/false, on/off, 1/0
@@ -76,23 +96,31 @@ public:
             std::move(info));
     }
 
+    /// Leaves a section unread for free_entries(). A name that ends in ':' stands for all sections that begin
+    /// with it: "regime:" for [regime:no_management].
+    void free_section(std::string name);
+
     /// Reads an INI file, then the overrides ("section.key=value", later ones win), then sets the targets.
     ///
     /// The key `preset_key` (such as "rockfall.preset", a declared text) is looked at first: the values of
-    /// the preset it names replace the defaults before anything else is set. Every problem of the file and of
-    /// the overrides is thrown at once as InputError (settings). Sections whose name is in `free_sections`
-    /// are handed over unread through free_entries().
+    /// the preset it names replace the defaults before anything else is set; its own default names no preset.
+    /// Every problem of the file and of the overrides is thrown at once as InputError (settings), and then no
+    /// target is changed. A second read begins with the defaults again.
     void read(std::istream& in, const std::string& file, const std::vector<std::string>& overrides,
               const std::string& preset_key = "");
 
-    /// Where a key was set (file and line), the file alone if it was left at its default.
+    /// What stood in the sections left free, in the order of the file.
+    [[nodiscard]] const std::vector<FreeEntry>& free_entries() const { return free_entries_; }
+
+    /// Where a key was set (file and line, or the override), the file alone if it was left at its default.
     [[nodiscard]] Place place_of(const std::string& key) const;
     [[nodiscard]] bool was_set(const std::string& key) const;
 
     [[nodiscard]] std::vector<ParameterRow> rows() const;
+    /// Names of all presets that any parameter knows, in the order of declaration.
     [[nodiscard]] std::vector<std::string> preset_names() const;
 
-    /// The present values as a commented INI file that `read` takes back.
+    /// The present values, those of free sections too, as a commented INI file that `read` takes back.
     void write_ini(std::ostream& out, bool with_comments) const;
     /// A table for people: key, default, unit, range, meaning, grouped by section; 100 columns wide.
     void write_help(std::ostream& out, const std::string& section_filter = "") const;
@@ -101,7 +129,21 @@ private:
     struct Parameter;
     void declare_choice(std::string key, std::vector<std::string> words, std::function<void(std::size_t)> set,
                         std::function<std::string()> get, ParameterInfo info);
-    // The helper who writes options.cpp completes this part.
+    void declare(Parameter parameter);
+    [[nodiscard]] const Parameter* find(const std::string& key) const;
+    [[nodiscard]] bool is_free(const std::string& section) const;
+    [[nodiscard]] std::vector<std::string> section_names() const;
+    [[nodiscard]] std::string legal_keys_near(const IniEntry& entry) const;
+    void check(const IniEntry& entry, Problems& problems) const;
+    [[nodiscard]] std::string preset_asked_for(const std::string& preset_key,
+                                               const std::vector<IniEntry>& entries,
+                                               Problems& problems) const;
+    void apply(const std::string& file, const std::string& preset, const std::vector<IniEntry>& entries);
+
+    std::vector<Parameter> parameters_;
+    std::vector<std::string> free_sections_;
+    std::vector<FreeEntry> free_entries_;
+    std::string file_;
 };
 
 }  // namespace config

@@ -2,17 +2,15 @@
 
 #include <iterator>
 
-#include "config/errors/input_error.hpp"
-
 namespace config {
 
-std::string read_text(std::istream& in, const std::string& file) {
+std::string read_text(std::istream& in, const std::string& file, ExitCode code) {
     std::string text{std::istreambuf_iterator<char>{in}, {}};
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        fail(ExitCode::data, {file}, "UTF-16 text", "UTF-8 text: save the file as UTF-8");
+        fail(code, {file}, "UTF-16 text", "UTF-8 text: save the file as UTF-8");
     }
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
-        fail(ExitCode::data, place_in(text, zero, {file}), "a byte of zero", "a text file");
+        fail(code, place_in(text, zero, {file}), "a byte of zero", "a text file");
     }
     return std::string{without_byte_order_mark(text)};
 }

@@ -4,11 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "config/errors/input_error.hpp"
+
 namespace config {
 
-/// All of a text file: UTF-8 without its byte-order mark. Throws InputError (data) for UTF-16, as some
+/// All of a text file: UTF-8 without its byte-order mark. Throws InputError (`code`) for UTF-16, as some
 /// programs save "Unicode text", and for bytes of zero, which no text holds.
-std::string read_text(std::istream& in, const std::string& file);
+std::string read_text(std::istream& in, const std::string& file, ExitCode code = ExitCode::data);
 
 /// The text without the byte-order mark that Windows programs put before UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);

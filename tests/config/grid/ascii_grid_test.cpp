@@ -194,7 +194,7 @@ TEST(ReadAsciiGrid, NamesAllFaultsOfAHeaderAtOnce) {
 
 TEST(ReadAsciiGrid, RefusesOtherFiles) {
     for (const std::string& text : {std::string{}, std::string{"\n"}, std::string{"II*\0\x08\x01", 6},
-                                   std::string{"<html>"}, std::string{"ncols"}}) {
+                                    std::string{"<html>"}, std::string{"ncols"}}) {
         EXPECT_NE(message_of(text), "") << text;
     }
 }

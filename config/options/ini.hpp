@@ -1,0 +1,36 @@
+#pragma once
+
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+
+namespace config {
+
+/// One assignment of a settings file or of a command line.
+struct IniEntry {
+    std::string section;  ///< "" before the first section
+    std::string name;
+    std::string value;  ///< without quotes and comment
+    Place key_place;
+    Place value_place;
+
+    [[nodiscard]] std::string key() const { return section.empty() ? name : section + '.' + name; }
+};
+
+/// The assignments of an INI file, in their order. Lines that are none become problems (settings).
+///
+/// Takes UTF-8 with or without byte-order mark, LF or CRLF. `#` and `;` begin a comment at the start of a
+/// line or after a blank. A value in "double quotes" keeps its blanks and comment signs; a quote in it is
+/// doubled.
+std::vector<IniEntry> read_ini(std::istream& in, const std::string& file, Problems& problems);
+
+/// The assignment of a command line, "section.key=value"; its place is the text itself.
+std::vector<IniEntry> read_override(const std::string& text, Problems& problems);
+
+/// A value as `read_ini` takes it back: in quotes where it needs them. Requires one line.
+std::string ini_value(std::string_view value);
+
+}  // namespace config

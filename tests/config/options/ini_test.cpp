@@ -1,0 +1,93 @@
+#include "config/options/ini.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace config {
+namespace {
+
+std::vector<IniEntry> entries_of(const std::string& text, Problems& problems) {
+    std::istringstream in{text};
+    return read_ini(in, "run.ini", problems);
+}
+
+std::string only_value_of(const std::string& text) {
+    Problems problems;
+    const std::vector<IniEntry> entries = entries_of(text, problems);
+    return entries.size() == 1 && problems.empty() ? entries[0].value : "not one assignment";
+}
+
+TEST(ReadIni, KnowsSectionNameValueAndPlaces) {
+    Problems problems;
+    const std::vector<IniEntry> entries =
+        entries_of("\xEF\xBB\xBFyears = 3\r\n[run]\r\n\r\n  seed=7 ; why not\r\n", problems);
+    EXPECT_TRUE(problems.empty());
+    ASSERT_EQ(entries.size(), 2U);
+    EXPECT_EQ(entries[0].key(), "years");
+    EXPECT_EQ(entries[1].key(), "run.seed");
+    EXPECT_EQ(entries[1].value, "7");
+    EXPECT_EQ(entries[1].key_place.line, 4U);
+    EXPECT_EQ(entries[1].key_place.column, 3U);
+    EXPECT_EQ(entries[1].value_place.column, 8U);
+}
+
+TEST(ReadIni, TakesCommentsOffAfterABlank) {
+    EXPECT_EQ(only_value_of("# a = 1\n; b = 2\na = 50 # years\n"), "50");
+    EXPECT_EQ(only_value_of("a = 50 ;years\n"), "50");
+    EXPECT_EQ(only_value_of("a = dem#2;b.asc\n"), "dem#2;b.asc");
+    EXPECT_EQ(only_value_of("a = # nothing\n"), "");
+}
+
+TEST(ReadIni, KeepsWhatStandsInQuotes) {
+    EXPECT_EQ(only_value_of("a = \" x # y ; z \" # note\n"), " x # y ; z ");
+    EXPECT_EQ(only_value_of("a = \"5\"\" pipe\"\n"), "5\" pipe");
+    EXPECT_EQ(only_value_of("a = 5\" pipe ; note\n"), "5\" pipe");
+    EXPECT_EQ(only_value_of("a = \"\"\n"), "");
+    EXPECT_EQ(only_value_of("a = b = c\n"), "b = c");
+}
+
+TEST(ReadIni, NamesEachLineThatIsNoAssignment) {
+    Problems problems;
+    entries_of("years 50\n[run\n[]\n= 3\na = \"x\nb = \"x\" y\n", problems);
+    ASSERT_EQ(problems.list().size(), 6U);
+    EXPECT_EQ(to_string(problems.list()[0]),
+              "run.ini:1:1: found 'years 50', expected [section] or key = value");
+    EXPECT_EQ(to_string(problems.list()[1]),
+              "run.ini:2:1: found '[run', expected a section name between [ and ]");
+    EXPECT_EQ(problems.list()[2].place.line, 3U);
+    EXPECT_EQ(problems.list()[3].place.line, 4U);
+    EXPECT_EQ(to_string(problems.list()[4]),
+              "run.ini:5:5: found '\"x', expected quotes around the whole value");
+    EXPECT_EQ(problems.list()[5].place.line, 6U);
+}
+
+TEST(ReadIni, RefusesUtf16) {
+    Problems problems;
+    try {
+        entries_of("\xFF\xFEx", problems);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), ExitCode::settings);
+    }
+}
+
+TEST(ReadOverride, CutsAtTheLastDotBeforeTheFirstEqualsSign) {
+    Problems problems;
+    const std::vector<IniEntry> entries = read_override("regime:a.b.name=x=y", problems);
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].section, "regime:a.b");
+    EXPECT_EQ(entries[0].name, "name");
+    EXPECT_EQ(entries[0].value, "x=y");
+}
+
+TEST(ReadOverride, RefusesWhatIsNoAssignment) {
+    for (const std::string text : {"run.seed", "seed=1", ".seed=1", "run.=1", "=1", ""}) {
+        Problems problems;
+        EXPECT_TRUE(read_override(text, problems).empty()) << text;
+        EXPECT_EQ(problems.list().size(), 1U) << text;
+    }
+}
+
+}  // namespace
+}  // namespace config

@@ -1,0 +1,286 @@
+#include "config/options/options.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <sstream>
+
+namespace config {
+namespace {
+
+enum class Motion { picus, pir3d };
+
+/// What a run might be told; declared as a room would.
+struct Settings {
+    double friction = 0.5;
+    std::uint64_t seed = 1;
+    std::uint64_t years = 0;
+    bool feedback = false;
+    std::string dem = "dem.asc";
+    std::vector<double> diameters_m{0.5, 1.0};
+    Motion motion = Motion::picus;
+    std::string preset = "default";
+};
+
+Options declared(Settings& settings) {
+    Options options;
+    options.count("run.seed", settings.seed, {.meaning = "seed of all random numbers"});
+    options.count("run.years", settings.years,
+                  {.unit = "years", .high = 500.0, .meaning = "length of the run"});
+    options.text("run.dem", settings.dem, {.meaning = "terrain, ESRI ASCII grid"});
+    options.text("rockfall.preset", settings.preset, {.meaning = "named set of settings"});
+    options.number("rockfall.rolling_friction", settings.friction,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 2.0,
+                    .meaning = "rolling friction coefficient of every ground type",
+                    .source = "Azzoni et al. 1995",
+                    .presets = {{"strict", "0.4"}, {"final", "0.3"}}});
+    options.flag("rockfall.feedback", settings.feedback, {.meaning = "rocks wound trees"});
+    options.numbers("rockfall.diameters_m", settings.diameters_m,
+                    {.unit = "m", .low = 0.0, .high = 20.0, .meaning = "rock diameters"});
+    options.choice("rockfall.motion", settings.motion, {{"picus", Motion::picus}, {"pir3d", Motion::pir3d}},
+                   {.meaning = "law of motion"});
+    options.free_section("regime:");
+    return options;
+}
+
+void read(Options& options, const std::string& text, const std::vector<std::string>& overrides = {}) {
+    std::istringstream in{text};
+    options.read(in, "run.ini", overrides, "rockfall.preset");
+}
+
+std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    Settings settings;
+    Options options = declared(settings);
+    try {
+        read(options, text, overrides);
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), ExitCode::settings);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Options, SetWhatTheFileSays) {
+    Settings settings;
+    Options options = declared(settings);
+    read(options,
+         "[run]\nseed = 18446744073709551615\ndem = \"my dem#1.asc\"\n[rockfall]\nrolling_friction = 0.35 ; "
+         "low\n"
+         "feedback = On\ndiameters_m = 0.5, 1.0 1.5\nmotion = pir3d\n");
+    EXPECT_EQ(settings.seed, 18446744073709551615ULL);
+    EXPECT_EQ(settings.dem, "my dem#1.asc");
+    EXPECT_EQ(settings.friction, 0.35);
+    EXPECT_TRUE(settings.feedback);
+    EXPECT_EQ(settings.diameters_m, (std::vector<double>{0.5, 1.0, 1.5}));
+    EXPECT_EQ(settings.motion, Motion::pir3d);
+    EXPECT_EQ(settings.years, 0U);
+}
+
+TEST(Options, LetLaterOverridesWin) {
+    Settings settings;
+    Options options = declared(settings);
+    read(options, "[run]\nseed = 2\n", {"run.seed=3", "run.seed=4", "run.dem= a b.asc "});
+    EXPECT_EQ(settings.seed, 4U);
+    EXPECT_EQ(settings.dem, "a b.asc");
+    EXPECT_EQ(options.place_of("run.seed").file, "--set run.seed=4");
+}
+
+TEST(Options, KnowWhereAKeyWasSet) {
+    Settings settings;
+    Options options = declared(settings);
+    read(options, "[run]\n\nseed = 2\n");
+    EXPECT_TRUE(options.was_set("run.seed"));
+    EXPECT_EQ(options.place_of("run.seed").line, 3U);
+    EXPECT_FALSE(options.was_set("run.years"));
+    EXPECT_EQ(options.place_of("run.years").file, "run.ini");
+    EXPECT_EQ(options.place_of("run.years").line, 0U);
+}
+
+TEST(Options, SuggestTheNearestKey) {
+    EXPECT_EQ(message_of("[run]\nsede = 1\n"), "run.ini:2:1: found key 'run.sede', expected 'run.seed'");
+    EXPECT_EQ(message_of("[run]\nrolling_friction = 1\n"),
+              "run.ini:2:1: found key 'run.rolling_friction', expected 'rockfall.rolling_friction'");
+    EXPECT_EQ(message_of("[run]\nwalrus = 1\n"),
+              "run.ini:2:1: found key 'run.walrus', expected a key of [run]: seed, years, dem");
+    EXPECT_EQ(message_of("[sea]\nwalrus = 1\n"),
+              "run.ini:2:1: found key 'sea.walrus', expected a key of one of the sections run, rockfall");
+}
+
+TEST(Options, DoNotGuessAKeyFromItsBeginning) {
+    EXPECT_NE(message_of("[run]\nye = 1\n"), "");
+    EXPECT_NE(message_of("", {"run.ye=1"}), "");
+}
+
+TEST(Options, ReadNumbersStrictly) {
+    EXPECT_EQ(message_of("[rockfall]\nrolling_friction = 0,35\n"),
+              "run.ini:2:20: found rockfall.rolling_friction = '0,35', expected a number in [0, 2]");
+    EXPECT_EQ(message_of("[run]\nyears = -1\n"),
+              "run.ini:2:9: found run.years = '-1', expected a whole number in [0, 500] years");
+    EXPECT_EQ(message_of("[run]\nseed = -1\n"),
+              "run.ini:2:8: found run.seed = '-1', expected a whole number >= 0");
+    for (const std::string value : {"nan", "inf", "1,5", "3abc", "2.5", ""}) {
+        EXPECT_NE(message_of("[rockfall]\nrolling_friction = " + value + "\n"), "") << value;
+        EXPECT_NE(message_of("[run]\nyears = " + value + "\n"), "") << value;
+    }
+}
+
+TEST(Options, NameTheUnitAndTheLegalWords) {
+    EXPECT_EQ(
+        message_of("[rockfall]\ndiameters_m = 0.5, 30\n"),
+        "run.ini:2:15: found rockfall.diameters_m = '0.5, 30', expected numbers in [0, 20] m, with decimal "
+        "points and a blank after each comma");
+    EXPECT_EQ(message_of("[rockfall]\nmotion = picsu\n"),
+              "run.ini:2:10: found rockfall.motion = 'picsu', expected one of picus, pir3d");
+    EXPECT_EQ(
+        message_of("[rockfall]\nmotion = pir3\n"),
+        "run.ini:2:10: found rockfall.motion = 'pir3', expected one of picus, pir3d (is 'pir3d' meant?)");
+    EXPECT_EQ(message_of("[rockfall]\nfeedback = maybe\n"),
+              "run.ini:2:12: found rockfall.feedback = 'maybe', expected yes or no");
+}
+
+TEST(Options, RefuseAKeyThatStandsTwice) {
+    EXPECT_EQ(message_of("[run]\nseed = 1\n[rockfall]\n[run]\nseed = 1\n"),
+              "run.ini:5:1: found 'run.seed' a second time (first on line 2), expected each key once");
+}
+
+TEST(Options, NameAllProblemsAtOnceAndThenSetNothing) {
+    Settings settings;
+    Options options = declared(settings);
+    try {
+        read(options, "[run]\nseed = 9\nyears = fifty\nsede = 1\nnonsense\n",
+             {"run.years=-1", "run.what=1", "run", "rockfall.preset=strikt"});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problems().size(), 7U) << error.what();
+    }
+    EXPECT_EQ(settings.seed, 1U);
+}
+
+TEST(Options, PutAPresetBetweenDefaultsAndSettings) {
+    Settings settings;
+    Options options = declared(settings);
+    read(options, "[rockfall]\npreset = strict\n");
+    EXPECT_EQ(settings.friction, 0.4);
+    EXPECT_FALSE(options.was_set("rockfall.rolling_friction"));
+    read(options, "[rockfall]\nrolling_friction = 0.7\npreset = strict\n");
+    EXPECT_EQ(settings.friction, 0.7);
+    read(options, "", {"rockfall.preset=final"});
+    EXPECT_EQ(settings.friction, 0.3);
+    read(options, "");
+    EXPECT_EQ(settings.friction, 0.5);
+    EXPECT_EQ(options.preset_names(), (std::vector<std::string>{"strict", "final"}));
+}
+
+TEST(Options, RefuseAPresetThatNobodyKnows) {
+    EXPECT_EQ(message_of("[rockfall]\npreset = strikt\n"),
+              "run.ini:2:10: found rockfall.preset = 'strikt', expected one of default, strict, final");
+}
+
+TEST(Options, HandOverFreeSectionsUnread) {
+    Settings settings;
+    Options options = declared(settings);
+    read(options, "[regime:no management]\nthin = 20, 40\n[run]\nseed = 2\n",
+         {"regime:no management.thin=30"});
+    ASSERT_EQ(options.free_entries().size(), 1U);
+    const FreeEntry& entry = options.free_entries()[0];
+    EXPECT_EQ(entry.section + "/" + entry.key + "/" + entry.value, "regime:no management/thin/30");
+    EXPECT_NE(message_of("[regimes]\nthin = 20\n"), "");
+}
+
+TEST(Options, ListWhatIsDeclared) {
+    Settings settings;
+    Options options = declared(settings);
+    read(options, "[rockfall]\nrolling_friction = 0.7\n");
+    const std::vector<ParameterRow> rows = options.rows();
+    ASSERT_EQ(rows.size(), 8U);
+    EXPECT_EQ(rows[4].key, "rockfall.rolling_friction");
+    EXPECT_EQ(rows[4].kind, "number");
+    EXPECT_EQ(rows[4].range, "[0, 2]");
+    EXPECT_EQ(rows[4].default_text, "0.5");
+    EXPECT_EQ(rows[4].value_text, "0.7");
+    EXPECT_TRUE(rows[4].changed);
+    EXPECT_FALSE(rows[0].changed);
+    EXPECT_EQ(rows[0].range, ">= 0");
+    EXPECT_EQ(rows[7].kind, "one of picus|pir3d");
+}
+
+TEST(WriteHelp, IsATableByTheSectionsOfAtMostAHundredColumns) {
+    Settings settings;
+    settings.dem = "a/very/long/path/to/the/terrain/of/the/slope.asc";
+    std::ostringstream out;
+    declared(settings).write_help(out);
+    std::istringstream lines{out.str()};
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 100U) << line;
+    }
+    std::ostringstream rockfall_only;
+    declared(settings).write_help(rockfall_only, "rockfall");
+    EXPECT_EQ(rockfall_only.str().find("[run]"), std::string::npos);
+    EXPECT_NE(rockfall_only.str().find("  rolling_friction  0.5"), std::string::npos) << rockfall_only.str();
+}
+
+TEST(WriteIni, SaysWhatEachKeyMeans) {
+    Settings settings;
+    std::ostringstream out;
+    declared(settings).write_ini(out, true);
+    EXPECT_NE(
+        out.str().find("# rolling friction coefficient of every ground type; strict: 0.4; final: 0.3 (Azzoni "
+                       "et al. 1995) in\n# [0, 2], default 0.5\nrolling_friction = 0.5\n"),
+        std::string::npos)
+        << out.str();
+}
+
+/// A text of one line, with what is awkward in INI files more often than chance would have it.
+rc::Gen<std::string> one_line() {
+    const auto awkward =
+        rc::gen::element<char>('"', '#', ';', '=', ' ', '\t', '[', ']', '.', ',', '\\', '\'');
+    const auto printable =
+        rc::gen::map(rc::gen::inRange(0x20, 0x7F), [](int c) { return static_cast<char>(c); });
+    return rc::gen::container<std::string>(rc::gen::oneOf(awkward, printable));
+}
+
+RC_GTEST_PROP(WriteIni, ReadsBackAsWritten, (bool feedback, bool with_comments, std::uint64_t seed)) {
+    Settings settings;
+    settings.seed = seed;
+    settings.years = *rc::gen::inRange<std::uint64_t>(0, 501);
+    settings.feedback = feedback;
+    settings.dem = *one_line();
+    settings.friction = *rc::gen::inRange(0, 2001) / 1000.0;
+    settings.diameters_m = *rc::gen::container<std::vector<double>>(
+        rc::gen::map(rc::gen::inRange(0, 7001), [](int v) { return v / 350.1; }));
+    settings.motion = feedback ? Motion::pir3d : Motion::picus;
+    settings.preset = *rc::gen::element<std::string>("default", "strict", "final");
+    std::ostringstream out;
+    declared(settings).write_ini(out, with_comments);
+
+    Settings again;
+    Options options = declared(again);
+    read(options, out.str());
+
+    RC_ASSERT(again.seed == settings.seed);
+    RC_ASSERT(again.years == settings.years);
+    RC_ASSERT(again.feedback == settings.feedback);
+    RC_ASSERT(again.dem == settings.dem);
+    RC_ASSERT(again.friction == settings.friction);
+    RC_ASSERT(again.diameters_m == settings.diameters_m);
+    RC_ASSERT(again.motion == settings.motion);
+    RC_ASSERT(again.preset == settings.preset);
+}
+
+TEST(WriteIni, KeepsFreeSections) {
+    Settings settings;
+    Options options = declared(settings);
+    read(options, "[regime:a]\nthin = \" # 20\"\n");
+    std::ostringstream out;
+    options.write_ini(out, false);
+    Settings again;
+    Options reader = declared(again);
+    read(reader, out.str());
+    ASSERT_EQ(reader.free_entries().size(), 1U);
+    EXPECT_EQ(reader.free_entries()[0].value, " # 20");
+}
+
+}  // namespace
+}  // namespace config
