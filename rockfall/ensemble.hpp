@@ -18,30 +18,30 @@ namespace rockfall {
 /// Everything that the falls of an ensemble share and none of them changes.
 struct Assessment {
     const Slope& slope;
-    const StemIndex& stems;                   ///< empty: only the bare slope is assessed
-    std::span<const ReleaseSource> sources;   ///< allotted
+    const StemIndex& stems;                  ///< empty: only the bare slope is assessed
+    std::span<const ReleaseSource> sources;  ///< allotted
     std::span<const Target> targets;
     StartLaw start;
     FallLaw law;
-    config::GridFrame map_frame;              ///< in coordinates of the terrain
+    config::GridFrame map_frame;  ///< in coordinates of the terrain
     std::uint64_t seed = 0;
     std::uint32_t replicate = 0;
     std::uint16_t year = 0;
-    std::uint64_t path_every = 0;             ///< each rock whose number this divides keeps its path; 0: none
+    std::uint64_t path_every = 0;  ///< each rock whose number this divides keeps its path; 0: none
 };
 
 /// A run of rocks that one worker falls without being interrupted.
 struct Chunk {
     std::uint32_t first_source;
-    std::uint32_t last_source;      ///< one past
+    std::uint32_t last_source;  ///< one past
     std::uint64_t first_rock;
-    std::uint64_t last_rock;        ///< one past
-    bool whole_sources;             ///< false: a piece of one source with many rocks
-    bool last_piece;                ///< of such a source
+    std::uint64_t last_rock;  ///< one past
+    bool whole_sources;       ///< false: a piece of one source with many rocks
+    bool last_piece;          ///< of such a source
 };
 
-/// Cuts the rocks into chunks of whole sources; a source with more rocks than `most_rocks` is cut into pieces.
-/// The cut depends on the sources alone.
+/// Cuts the rocks into chunks of whole sources; a source with more rocks than `most_rocks` is cut into
+/// pieces. The cut depends on the sources alone.
 std::vector<Chunk> plan_chunks(std::span<const ReleaseSource> sources, std::uint32_t most_rocks = 1024);
 
 /// A sampled path.
@@ -53,8 +53,8 @@ struct PathRecord {
 
 /// What a chunk hands over rock by rock, in rock order; everything else goes into the tallies.
 struct ChunkRows {
-    std::array<std::vector<RockRecord>, covers> rocks;    ///< forest is empty without stems
-    std::array<std::vector<Arrival>, covers> arrivals;    ///< rock by rock, target by target
+    std::array<std::vector<RockRecord>, covers> rocks;               ///< forest is empty without stems
+    std::array<std::vector<Arrival>, covers> arrivals;               ///< rock by rock, target by target
     std::vector<std::pair<std::uint64_t, TreeHitRecord>> tree_hits;  ///< (rock, hit)
     std::vector<PathRecord> paths;
     std::uint64_t not_started = 0;  ///< rocks whose place lies outside the terrain
@@ -66,7 +66,9 @@ struct ChunkRows {
 class FedCells {
 public:
     explicit FedCells(std::size_t cells);
-    void mark(Cover cover, std::size_t cell) { touched_[index(cover, cell)].store(1, std::memory_order_relaxed); }
+    void mark(Cover cover, std::size_t cell) {
+        touched_[index(cover, cell)].store(1, std::memory_order_relaxed);
+    }
     /// Adds the source's rocks to each cell it feeds. After its last piece only.
     void add_to(EnsembleTally& tally, std::uint32_t rocks) const;
 
@@ -78,21 +80,22 @@ private:
     std::vector<std::atomic<std::uint8_t>> touched_;
 };
 
-/// Lets rocks fall, one after the other, each over the slope with forest and over the bare slope with the same
-/// random numbers. One worker per thread; workers share only the assessment and the histograms.
+/// Lets rocks fall, one after the other, each over the slope with forest and over the bare slope with the
+/// same random numbers. One worker per thread; workers share only the assessment and the histograms.
 class Worker {
 public:
     /// `histograms` may hold null pointers: then no percentiles are kept.
     Worker(const Assessment& assessment, std::array<CellHistograms*, covers> histograms);
 
-    /// Falls the rocks of a chunk. `fed` is needed for pieces of a source, and only then. `gone` marks fallen stems
-    /// (empty: none falls).
+    /// Falls the rocks of a chunk. `fed` is needed for pieces of a source, and only then. `gone` marks fallen
+    /// stems (empty: none falls).
     void run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone);
 
     [[nodiscard]] const EnsembleTally& tally() const { return tally_; }
 
 private:
-    void fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone);
+    void fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed,
+                   std::span<std::uint8_t> gone);
     void count(Cover cover, ChunkRows& rows, FedCells* fed, const RockStart& start);
 
     const Assessment& assessment_;

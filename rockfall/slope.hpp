@@ -12,10 +12,10 @@ namespace rockfall {
 
 /// What sets one ground type apart.
 struct SurfaceType {
-    int code = 0;                 ///< in the user's surface grid
+    int code = 0;  ///< in the user's surface grid
     std::string label;
-    Restitution restitution;      ///< published coefficients, below the reference speed
-    StopCurve stopping;           ///< by rock diameter, per ground impact
+    Restitution restitution;           ///< published coefficients, below the reference speed
+    StopCurve stopping;                ///< by rock diameter, per ground impact
     double rolling_stops_per_m = 0.0;  ///< rate at which a rolling rock is caught [1/m]
 };
 

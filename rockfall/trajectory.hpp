@@ -25,12 +25,12 @@ struct FallLaw {
 
 /// A rock at the moment of its release, in coordinates of the terrain.
 struct RockStart {
-    std::uint64_t id = 0;         ///< key of its random numbers
-    std::uint32_t source = 0;     ///< which release source
+    std::uint64_t id = 0;                                  ///< key of its random numbers
+    std::uint32_t source = 0;                              ///< which release source
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< underside
     Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
     std::uint32_t triangle = 0;
-    bool rolling = false;         ///< begins on the ground
+    bool rolling = false;  ///< begins on the ground
     Rock rock;
 };
 
@@ -73,9 +73,9 @@ struct NoObserver {
 
 /// One rock from release to rest: a loop of named events.
 ///
-/// Chance comes from streams keyed by the rock and counted by its contacts, so a fall depends on nothing but the key, the
-/// start, the slope and the obstacles. The observer is told of each flight, roll, impact and hit; it cannot
-/// influence the fall.
+/// Chance comes from streams keyed by the rock and counted by its contacts, so a fall depends on nothing but
+/// the key, the start, the slope and the obstacles. The observer is told of each flight, roll, impact and
+/// hit; it cannot influence the fall.
 template <class Observer>
 class Fall {
 public:
@@ -223,7 +223,8 @@ private:
         }
         const Plane plane = slope_.terrain.plane_of(triangle_);
         const Eigen::Vector3d normal = plane.normal();
-        const double launch_mps = law_.ground.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
+        const double launch_mps =
+            law_.ground.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
         if (velocity_mps_.norm() >= launch_mps * (1.0 - 1e-9) && lifts_off(normal)) {
             return;
         }
@@ -281,7 +282,8 @@ private:
             return;
         }
         const Eigen::Vector3d along = velocity_mps_ - off_mps * normal;
-        velocity_mps_ = along_mps > 0.0 ? Eigen::Vector3d{speed_mps / along.norm() * along} : Eigen::Vector3d::Zero();
+        velocity_mps_ =
+            along_mps > 0.0 ? Eigen::Vector3d{speed_mps / along.norm() * along} : Eigen::Vector3d::Zero();
         if (piece.duration_s == 0.0 && from == came_from_) {
             step_inside(triangle_);  // pushed to and fro across one edge without moving
         }
@@ -322,9 +324,10 @@ private:
             return false;
         }
         forget_stem_left_behind();
-        const Eigen::Vector3d mean_mps = (piece.position_m(piece.duration_s) - piece.start_m) / piece.duration_s;
-        const auto hit = obstacles_.stems->first_hit_rolling(piece.start_m, mean_mps, piece.duration_s, rock_.radius_m,
-                                                             last_stem_, obstacles_.gone);
+        const Eigen::Vector3d mean_mps =
+            (piece.position_m(piece.duration_s) - piece.start_m) / piece.duration_s;
+        const auto hit = obstacles_.stems->first_hit_rolling(piece.start_m, mean_mps, piece.duration_s,
+                                                             rock_.radius_m, last_stem_, obstacles_.gone);
         if (!hit) {
             return false;
         }
@@ -344,7 +347,8 @@ private:
             stop(StopReason::tree);  // leans on the stem
             return;
         }
-        const TreeImpact impact = meet_stem(energy_j, hit, stem, law_.tree, tree_draws_.uniforms_of(end_.tree_hits));
+        const TreeImpact impact =
+            meet_stem(energy_j, hit, stem, law_.tree, tree_draws_.uniforms_of(end_.tree_hits));
         ++end_.tree_hits;
         last_stem_ = hit.stem;
         observer_.met_stem(position_m_, hit, impact, energy_j);
@@ -372,7 +376,8 @@ private:
             // Stays in the face: the speed is kept, the rise follows the plane.
             const Plane plane = slope_.terrain.plane_of(triangle_);
             const double speed_mps = velocity_mps_.norm();
-            velocity_mps_.z() = plane.gradient.x() * velocity_mps_.x() + plane.gradient.y() * velocity_mps_.y();
+            velocity_mps_.z() =
+                plane.gradient.x() * velocity_mps_.x() + plane.gradient.y() * velocity_mps_.y();
             const double tilted_mps = velocity_mps_.norm();
             velocity_mps_ *= tilted_mps > 0.0 ? speed_mps / tilted_mps : 0.0;
         }

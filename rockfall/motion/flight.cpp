@@ -92,7 +92,8 @@ Landing fall_straight_down(const Terrain& terrain, const Flight& flight, std::ui
     return {time_s, triangle, FlightEnd::ground};
 }
 
-/// The first gate when the start lies a rounding error outside its triangle: looks from a hair further along the path.
+/// The first gate when the start lies a rounding error outside its triangle: looks from a hair further along
+/// the path.
 bool first_gate_nearby(const Terrain& terrain, const Flight& flight, std::uint32_t& triangle, Gate& gate) {
     const double plan_speed_mps = flight.velocity_mps.head<2>().norm();
     for (const double ahead_m : {1e-9, 1e-7, 1e-5}) {
@@ -109,7 +110,8 @@ bool first_gate_nearby(const Terrain& terrain, const Flight& flight, std::uint32
 
 }  // namespace
 
-Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle, std::vector<Stretch>& stretches) {
+Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle,
+            std::vector<Stretch>& stretches) {
     stretches.clear();
     const double squared_plan_speed = flight.velocity_mps.head<2>().squaredNorm();
     if (squared_plan_speed < vertical_flight_mps * vertical_flight_mps) {

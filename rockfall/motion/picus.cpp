@@ -12,7 +12,8 @@ namespace rockfall {
 namespace {
 
 /// Spin after a contact: that of rolling along the ground, as far as energy allows.
-double spin_after(const Rock& rock, double energy_before_j, double squared_speed_after, double along_slope_mps) {
+double spin_after(const Rock& rock, double energy_before_j, double squared_speed_after,
+                  double along_slope_mps) {
     const double left_j = energy_before_j - 0.5 * rock.mass_kg * squared_speed_after;
     const double affordable_radps = std::sqrt(2.0 * std::max(0.0, left_j) / rock.inertia_kgm2);
     return std::min(along_slope_mps / rock.radius_m, affordable_radps);
@@ -47,7 +48,8 @@ Eigen::Vector3d velocity_off_ground(const Impact& impact, Restitution restitutio
 
 ContactDraws contact_draws(const config::FourUniforms& uniforms) {
     static const config::TruncatedNormal within_two_deviations{2.0};
-    return {2.0 * uniforms[0] - 1.0, 2.0 * uniforms[1] - 1.0, uniforms[2], within_two_deviations(uniforms[3])};
+    return {2.0 * uniforms[0] - 1.0, 2.0 * uniforms[1] - 1.0, uniforms[2],
+            within_two_deviations(uniforms[3])};
 }
 
 double rolling_speed_scale_mps(double normal_z, double radius_m) {
@@ -58,7 +60,8 @@ double hop_length_m(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& 
     const double rising_mps = velocity_mps.dot(normal);
     const double time_s = 2.0 * rising_mps / (config::gravity_mps2 * normal.z());
     const Eigen::Vector3d along_mps = velocity_mps - rising_mps * normal;
-    const Eigen::Vector3d gravity_along = -config::gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
+    const Eigen::Vector3d gravity_along =
+        -config::gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
     return (time_s * along_mps + 0.5 * time_s * time_s * gravity_along).norm();
 }
 
@@ -75,8 +78,8 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
     const Restitution noisy = with_noise(published, noise, draws.noise);
     const Restitution restitution = law.restitution.damping ? at_impact_speed(noisy, squared_speed) : noisy;
     const double speed_mps = speed_after(impact, restitution);
-    const config::Angle deviation =
-        config::Angle::from_radians(draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
+    const config::Angle deviation = config::Angle::from_radians(
+        draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
     const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
 
     const double steepness_squared = (1.0 - normal.z() * normal.z()) / (normal.z() * normal.z());
@@ -97,8 +100,8 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
                        restitution.tangential * impact.along_slope_mps)};
 }
 
-Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, const PicusLaw& law,
-                         const ContactDraws& draws) {
+Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,
+                         const PicusLaw& law, const ContactDraws& draws) {
     const double speed_mps = velocity_mps.norm();
     return rebound(speed_mps, jump_angle(speed_mps * speed_mps, law.jump_angle, draws.angle),
                    velocity_mps / speed_mps, normal);

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstdint>
-
 #include <Eigen/Core>
+#include <cstdint>
 
 #include "config/random/stream.hpp"
 #include "rockfall/motion/jump_angle.hpp"
@@ -41,16 +40,17 @@ struct Contact {
 
 /// What is drawn at one ground contact.
 struct ContactDraws {
-    double noise = 0.0;      ///< on [-1, 1)
-    double lateral = 0.0;    ///< on [-1, 1)
-    double stop = 1.0;       ///< on [0, 1)
-    double angle = 0.0;      ///< standard normal, cut at two deviations
+    double noise = 0.0;    ///< on [-1, 1)
+    double lateral = 0.0;  ///< on [-1, 1)
+    double stop = 1.0;     ///< on [0, 1)
+    double angle = 0.0;    ///< standard normal, cut at two deviations
 };
 
 /// The draws of a contact from four uniforms.
 ContactDraws contact_draws(const config::FourUniforms& uniforms);
 
-/// Meets the ground with a velocity into it: restitution, jump angle, deviation, chance to stop, change to rolling.
+/// Meets the ground with a velocity into it: restitution, jump angle, deviation, chance to stop, change to
+/// rolling.
 ///
 /// Kinetic energy never rises; the spin takes what the speed leaves of it, at most that of rolling.
 /// Requires velocity . normal < 0 and a unit normal.
@@ -59,8 +59,8 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
                     const ContactDraws& draws);
 
 /// Velocity of a rolling rock that lifts off by itself, at the angle of the jump-angle law.
-Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, const PicusLaw& law,
-                         const ContactDraws& draws);
+Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,
+                         const PicusLaw& law, const ContactDraws& draws);
 
 /// Length along the plane of the jump that a velocity leads to, if the plane went on for ever.
 double hop_length_m(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal);

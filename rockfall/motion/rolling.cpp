@@ -99,8 +99,9 @@ Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen:
     return rolling_mass_factor * (gravity_along(normal) - friction * gravity_mps2 * normal.z() * direction);
 }
 
-RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& plane, const Eigen::Vector3d& start_m,
-                  const Eigen::Vector3d& velocity_mps, double friction, double launch_speed_mps) {
+RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+                  const Eigen::Vector3d& start_m, const Eigen::Vector3d& velocity_mps, double friction,
+                  double launch_speed_mps) {
     const Eigen::Vector3d normal = plane.normal();
     const bool starts_by_itself = plane.gradient.norm() > friction;
     const double speed_mps = velocity_mps.norm();
@@ -108,8 +109,9 @@ RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& p
     if (speed_mps < standing_mps && !starts_by_itself) {
         return piece;
     }
-    const Eigen::Vector3d direction =
-        speed_mps < standing_mps ? Eigen::Vector3d{gravity_along(normal).normalized()} : Eigen::Vector3d{velocity_mps / speed_mps};
+    const Eigen::Vector3d direction = speed_mps < standing_mps
+                                          ? Eigen::Vector3d{gravity_along(normal).normalized()}
+                                          : Eigen::Vector3d{velocity_mps / speed_mps};
     piece.acceleration_mps2 = rolling_acceleration(normal, direction, friction);
     piece.duration_s = longest_piece_s(velocity_mps, speed_mps, direction, piece.acceleration_mps2);
     piece.end = RollingEnd::piece;

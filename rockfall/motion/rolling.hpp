@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstdint>
-
 #include <Eigen/Core>
+#include <cstdint>
 
 #include "rockfall/terrain/terrain.hpp"
 
@@ -13,10 +12,11 @@ inline constexpr double rolling_mass_factor = 5.0 / 7.0;
 
 /// When rocks roll.
 struct RollingLaw {
-    double friction = 0.5;          ///< rolling friction coefficient of every ground type [-] (Azzoni et al. 1995)
-    double edge_angle_tangent = 0.0699;  ///< tan of the angle at an edge above which a rolling rock takes off or hits
-    double start_factor = 0.7;      ///< a rock slower than this times sqrt(g R cos b) after an impact rolls [-]
-    double launch_factor = 1.0;     ///< a rolling rock faster than this times sqrt(g R cos b) jumps [-]
+    double friction = 0.5;  ///< rolling friction coefficient of every ground type [-] (Azzoni et al. 1995)
+    double edge_angle_tangent =
+        0.0699;                  ///< tan of the angle at an edge above which a rolling rock takes off or hits
+    double start_factor = 0.7;   ///< a rock slower than this times sqrt(g R cos b) after an impact rolls [-]
+    double launch_factor = 1.0;  ///< a rolling rock faster than this times sqrt(g R cos b) jumps [-]
 };
 
 enum class RollingEnd : std::uint8_t { edge, standstill, launch_speed, piece };
@@ -33,20 +33,24 @@ struct RollingPiece {
     [[nodiscard]] Eigen::Vector3d position_m(double time_s) const {
         return start_m + time_s * velocity_mps + 0.5 * time_s * time_s * acceleration_mps2;
     }
-    [[nodiscard]] Eigen::Vector3d velocity_at(double time_s) const { return velocity_mps + time_s * acceleration_mps2; }
+    [[nodiscard]] Eigen::Vector3d velocity_at(double time_s) const {
+        return velocity_mps + time_s * acceleration_mps2;
+    }
 };
 
-/// Acceleration of a sphere that rolls on a plane: 5/7 (g_t - mu g n_z v/|v|) (Azzoni et al. 1995, in vector form).
-/// `direction` is the unit vector of the motion.
-Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction, double friction);
+/// Acceleration of a sphere that rolls on a plane: 5/7 (g_t - mu g n_z v/|v|) (Azzoni et al. 1995, in vector
+/// form). `direction` is the unit vector of the motion.
+Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction,
+                                     double friction);
 
 /// The next piece of rolling from a point on a triangle.
 ///
-/// Along the fall line a piece is exact and runs to the edge or to standstill; across it pieces are so short that the
-/// direction turns by less than 2 degrees, with friction taken at mid-piece. Ends at the edge of the triangle,
-/// at standstill on ground too flat to start again, or on reaching `launch_speed_mps`.
-/// Requires a velocity in the plane of the triangle.
-RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& plane, const Eigen::Vector3d& start_m,
-                  const Eigen::Vector3d& velocity_mps, double friction, double launch_speed_mps);
+/// Along the fall line a piece is exact and runs to the edge or to standstill; across it pieces are so short
+/// that the direction turns by less than 2 degrees, with friction taken at mid-piece. Ends at the edge of the
+/// triangle, at standstill on ground too flat to start again, or on reaching `launch_speed_mps`. Requires a
+/// velocity in the plane of the triangle.
+RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+                  const Eigen::Vector3d& start_m, const Eigen::Vector3d& velocity_mps, double friction,
+                  double launch_speed_mps);
 
 }  // namespace rockfall

@@ -8,12 +8,13 @@ namespace rockfall {
 
 /// Probability that a ground impact stops a rock, by its diameter.
 ///
-/// Straight between the knots in ln D, constant beyond them (Rammer et al. 2010, section 3.2.2: one probability for each
-/// surface and rock size, from virtual surfaces).
+/// Straight between the knots in ln D, constant beyond them (Rammer et al. 2010, section 3.2.2: one
+/// probability for each surface and rock size, from virtual surfaces).
 class StopCurve {
 public:
     StopCurve() = default;  ///< never stops
-    /// Knots as (diameter_m, probability). Requires diameters > 0 that rise strictly and probabilities in [0, 1].
+    /// Knots as (diameter_m, probability). Requires diameters > 0 that rise strictly and probabilities in [0,
+    /// 1].
     explicit StopCurve(std::vector<std::pair<double, double>> knots);
     [[nodiscard]] double at(double diameter_m) const;
 
@@ -23,8 +24,9 @@ private:
 
 /// When a rock stops beside chance and trees.
 struct StoppingLaw {
-    bool by_chance = true;        ///< use the probabilities of the surfaces
-    double slow_mps = 0.5;        ///< after an impact on ground flatter than the friction angle, a slower rock rests
+    bool by_chance = true;  ///< use the probabilities of the surfaces
+    double slow_mps =
+        0.5;  ///< after an impact on ground flatter than the friction angle, a slower rock rests
     std::uint32_t most_impacts = 20'000;  ///< a rock that jumps for ever is ended and counted as such
 };
 

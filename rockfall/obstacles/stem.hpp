@@ -10,9 +10,9 @@ namespace rockfall {
 struct Stem {
     double x_m = 0.0;
     double y_m = 0.0;
-    double dbh_cm = 0.0;            ///< diameter 1.3 m above ground, (0, 500]
-    double height_m = 0.0;          ///< (0, 150]
-    double fracture_energy = 1.0;   ///< relative to Abies alba [-]
+    double dbh_cm = 0.0;           ///< diameter 1.3 m above ground, (0, 500]
+    double height_m = 0.0;         ///< (0, 150]
+    double fracture_energy = 1.0;  ///< relative to Abies alba [-]
 };
 
 /// Height above ground at which the DBH is taken.
@@ -20,8 +20,8 @@ inline constexpr double breast_height_m = 1.3;
 
 /// Energy a stem can take from a central hit at breast height, in joules.
 ///
-/// E_max = FE * 38.7 * DBH^2.31 with DBH in cm (Rammer et al. 2010, Eq. 1; Dorren & Berger 2006). The paper prints
-/// kilojoules; only joules agree with its own rocks and with its own number of hits.
+/// E_max = FE * 38.7 * DBH^2.31 with DBH in cm (Rammer et al. 2010, Eq. 1; Dorren & Berger 2006). The paper
+/// prints kilojoules; only joules agree with its own rocks and with its own number of hits.
 inline double largest_energy_j(double dbh_cm, double fracture_energy) {
     return fracture_energy * 38.7 * config::pow_of(dbh_cm, 2.31);
 }

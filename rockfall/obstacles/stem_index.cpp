@@ -33,8 +33,12 @@ config::GridFrame bins_over(std::span<const PlacedStem> stems, double reach_m) {
         south = std::min(south, stem.y_m - reach_m);
         north = std::max(north, stem.y_m + reach_m);
     }
-    return {static_cast<int>((east - west) / bin_size_m) + 1, static_cast<int>((north - south) / bin_size_m) + 1,
-            west, south, bin_size_m, bin_size_m};
+    return {static_cast<int>((east - west) / bin_size_m) + 1,
+            static_cast<int>((north - south) / bin_size_m) + 1,
+            west,
+            south,
+            bin_size_m,
+            bin_size_m};
 }
 
 }  // namespace
@@ -97,7 +101,7 @@ struct StemIndex::Path {
     double plan_speed_mps;
     double until_s;
     double rock_radius_m;
-    double z_m;                       // height of the underside at the start
+    double z_m;  // height of the underside at the start
     double rising_mps;
     double falling_mps2;
     std::uint32_t ignored;
@@ -125,17 +129,19 @@ void StemIndex::look_into(std::size_t bin, const Path& path, StemHit& first) con
         if (abeam_m <= 0.0 || i == path.ignored || (!path.gone.empty() && path.gone[i] != 0)) {
             continue;  // the axis lies behind: the rock moves away
         }
-        // The radius depends on the height of the hit and the height on where the circle begins: begin with the widest circle
-        // and shrink once to the radius at that height.
+        // The radius depends on the height of the hit and the height on where the circle begins: begin with
+        // the widest circle and shrink once to the radius at that height.
         double reach_m = widest_reach_m;
-        double time_s = std::max(0.0, abeam_m - std::sqrt(reach_m * reach_m - squared_offset)) / path.plan_speed_mps;
+        double time_s =
+            std::max(0.0, abeam_m - std::sqrt(reach_m * reach_m - squared_offset)) / path.plan_speed_mps;
         double height_m = path.underside_m(time_s) + path.rock_radius_m - stem.ground_m;
         if (with_taper_) {
             reach_m = path.rock_radius_m + stem.breast_radius_m * taper(height_m, stem.height_m);
             if (squared_offset >= reach_m * reach_m) {
                 continue;
             }
-            time_s = std::max(0.0, abeam_m - std::sqrt(reach_m * reach_m - squared_offset)) / path.plan_speed_mps;
+            time_s =
+                std::max(0.0, abeam_m - std::sqrt(reach_m * reach_m - squared_offset)) / path.plan_speed_mps;
             height_m = path.underside_m(time_s) + path.rock_radius_m - stem.ground_m;
         }
         const bool below_top = height_m - path.rock_radius_m < stem.height_m;
@@ -194,8 +200,8 @@ std::optional<StemHit> StemIndex::first_hit(const Flight& flight, double until_s
         return std::nullopt;
     }
     return search({flight.start_m.x(), flight.start_m.y(), flight.velocity_mps.x() / plan_speed_mps,
-                   flight.velocity_mps.y() / plan_speed_mps, plan_speed_mps, until_s, rock_radius_m, flight.start_m.z(),
-                   flight.velocity_mps.z(), config::gravity_mps2, ignored, gone});
+                   flight.velocity_mps.y() / plan_speed_mps, plan_speed_mps, until_s, rock_radius_m,
+                   flight.start_m.z(), flight.velocity_mps.z(), config::gravity_mps2, ignored, gone});
 }
 
 std::optional<StemHit> StemIndex::first_hit_rolling(const Eigen::Vector3d& start_m,
@@ -207,8 +213,9 @@ std::optional<StemHit> StemIndex::first_hit_rolling(const Eigen::Vector3d& start
     if (stems_.empty() || plan_speed_mps < standing_mps) {
         return std::nullopt;
     }
-    return search({start_m.x(), start_m.y(), velocity_mps.x() / plan_speed_mps, velocity_mps.y() / plan_speed_mps,
-                   plan_speed_mps, until_s, rock_radius_m, start_m.z(), velocity_mps.z(), 0.0, ignored, gone});
+    return search({start_m.x(), start_m.y(), velocity_mps.x() / plan_speed_mps,
+                   velocity_mps.y() / plan_speed_mps, plan_speed_mps, until_s, rock_radius_m, start_m.z(),
+                   velocity_mps.z(), 0.0, ignored, gone});
 }
 
 }  // namespace rockfall

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "config/grid/raster.hpp"
 #include "rockfall/motion/flight.hpp"
@@ -21,9 +20,9 @@ inline constexpr std::uint32_t no_stem = 0xFFFFFFFFU;
 struct PlacedStem {
     double x_m;
     double y_m;
-    double ground_m;        ///< height of the terrain at the stem
+    double ground_m;  ///< height of the terrain at the stem
     double height_m;
-    double breast_radius_m; ///< DBH / 2
+    double breast_radius_m;  ///< DBH / 2
     double largest_energy_j;
 };
 
@@ -31,9 +30,9 @@ struct PlacedStem {
 struct StemHit {
     std::uint32_t stem;
     double time_s;
-    double offset_m;        ///< signed distance of the path from the stem's axis, > 0: axis left of the path
-    double reach_m;         ///< rock radius + stem radius at the hit
-    double height_m;        ///< of the rock's centre above the ground at the stem
+    double offset_m;  ///< signed distance of the path from the stem's axis, > 0: axis left of the path
+    double reach_m;   ///< rock radius + stem radius at the hit
+    double height_m;  ///< of the rock's centre above the ground at the stem
 };
 
 /// All stems of a slope, found by place.
@@ -46,7 +45,8 @@ public:
     StemIndex() = default;
     /// Stems outside the terrain are not placed; `placed()` keeps the order and number of the input, and
     /// `outside()` lists those without ground below.
-    StemIndex(std::span<const Stem> stems, const Terrain& terrain, double largest_rock_radius_m, bool with_taper);
+    StemIndex(std::span<const Stem> stems, const Terrain& terrain, double largest_rock_radius_m,
+              bool with_taper);
 
     [[nodiscard]] bool empty() const { return stems_.empty(); }
     [[nodiscard]] std::span<const PlacedStem> placed() const { return stems_; }
@@ -54,16 +54,19 @@ public:
 
     /// The first stem that a rock meets between the start of a flight and `until_s`.
     ///
-    /// A hit is where the rock's centre comes as near to the axis as rock radius + stem radius at that height, the rock's
-    /// underside below the tree top. `ignored` (the stem hit last) is passed over, as are stems marked in `gone`
-    /// (empty: none). A rock that starts within reach of a stem meets it at once if it moves towards the axis.
+    /// A hit is where the rock's centre comes as near to the axis as rock radius + stem radius at that
+    /// height, the rock's underside below the tree top. `ignored` (the stem hit last) is passed over, as are
+    /// stems marked in `gone` (empty: none). A rock that starts within reach of a stem meets it at once if it
+    /// moves towards the axis.
     [[nodiscard]] std::optional<StemHit> first_hit(const Flight& flight, double until_s, double rock_radius_m,
-                                                   std::uint32_t ignored, std::span<const std::uint8_t> gone) const;
+                                                   std::uint32_t ignored,
+                                                   std::span<const std::uint8_t> gone) const;
 
     /// The same for a rock that rolls on the ground along a straight piece, `velocity_mps` constant.
     [[nodiscard]] std::optional<StemHit> first_hit_rolling(const Eigen::Vector3d& start_m,
-                                                           const Eigen::Vector3d& velocity_mps, double until_s,
-                                                           double rock_radius_m, std::uint32_t ignored,
+                                                           const Eigen::Vector3d& velocity_mps,
+                                                           double until_s, double rock_radius_m,
+                                                           std::uint32_t ignored,
                                                            std::span<const std::uint8_t> gone) const;
 
 private:

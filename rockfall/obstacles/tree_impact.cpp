@@ -6,10 +6,12 @@
 namespace rockfall {
 namespace {
 
-/// Even a scratch turns the path a little: the limit on the angle sees at least this share of the stem's energy.
+/// Even a scratch turns the path a little: the limit on the angle sees at least this share of the stem's
+/// energy.
 constexpr double least_share_for_turning = 0.02;
 
-config::Angle drawn_deviation(HitType type, const DeviationMatrix& matrix, double class_draw, double angle_draw) {
+config::Angle drawn_deviation(HitType type, const DeviationMatrix& matrix, double class_draw,
+                              double angle_draw) {
     const std::array<double, 3>& shares = matrix.shares[static_cast<std::size_t>(type)];
     std::size_t k = 0;
     while (k < 2 && class_draw >= shares[k]) {
@@ -43,8 +45,8 @@ TreeImpact meet_stem(double energy_j, const StemHit& hit, const PlacedStem& stem
     const double loss_j = std::min(energy_j, available_j);
     const double kept_share = (energy_j - loss_j) / energy_j;
 
-    config::SinCos turn = config::sin_cos_of(
-        drawn_deviation(type, law.deviation, draws[0], draws[1]).in_radians());
+    config::SinCos turn =
+        config::sin_cos_of(drawn_deviation(type, law.deviation, draws[0], draws[1]).in_radians());
     const double largest_squared_sine =
         std::min(1.0, std::max(available_j, least_share_for_turning * strength_j) / energy_j);
     if (turn.sin * turn.sin > largest_squared_sine) {
@@ -55,8 +57,12 @@ TreeImpact meet_stem(double energy_j, const StemHit& hit, const PlacedStem& stem
         turn.sin = -turn.sin;
     }
     const bool stopped = kept_share < law.stop_share;
-    return {type, stopped ? energy_j : loss_j, stopped ? 0.0 : std::sqrt(kept_share), turn,
-            type == HitType::frontal && energy_j > strength_j, stopped};
+    return {type,
+            stopped ? energy_j : loss_j,
+            stopped ? 0.0 : std::sqrt(kept_share),
+            turn,
+            type == HitType::frontal && energy_j > strength_j,
+            stopped};
 }
 
 }  // namespace rockfall

@@ -35,7 +35,8 @@ struct TreeImpactLaw {
 
 /// Share of a stem's energy that a hit can use, by relative hit position e (0 central, 1 edge) [-].
 ///
-/// Sigmoid of Dorren & Berger (2006) in the form of the Rockyfor3D manual; 0.98 at the centre, zero from 0.746.
+/// Sigmoid of Dorren & Berger (2006) in the form of the Rockyfor3D manual; 0.98 at the centre, zero from
+/// 0.746.
 inline double usable_share(double relative_position) {
     constexpr double log2_of_10 = 3.321928094887362;
     const double power = config::exp2_of(log2_of_10 * (relative_position - 0.58) * 8.007);
@@ -48,9 +49,9 @@ HitType hit_type(double relative_position, const TreeImpactLaw& law);
 /// What a hit does to rock and tree.
 struct TreeImpact {
     HitType type;
-    double loss_j;          ///< energy taken by the tree
-    double speed_factor;    ///< speed and spin after the hit divided by those before [-]
-    config::SinCos turn;    ///< deviation in plan, counter-clockwise
+    double loss_j;        ///< energy taken by the tree
+    double speed_factor;  ///< speed and spin after the hit divided by those before [-]
+    config::SinCos turn;  ///< deviation in plan, counter-clockwise
     bool broken;
     bool stopped;
 };
@@ -59,8 +60,8 @@ struct TreeImpact {
 ///
 /// The tree takes what its position and height on the stem allow; a frontal hit beyond the stem's strength
 /// breaks it (Rammer et al. 2010). The path turns away from the axis by an angle from the matrix, at most by
-/// asin(sqrt(E_available / E)): a plastic contact that turns the path by d takes E sin^2 d (derived, no published formula).
-/// `draws`: class, angle within it, side of an exactly central hit.
+/// asin(sqrt(E_available / E)): a plastic contact that turns the path by d takes E sin^2 d (derived, no
+/// published formula). `draws`: class, angle within it, side of an exactly central hit.
 TreeImpact meet_stem(double energy_j, const StemHit& hit, const PlacedStem& stem, const TreeImpactLaw& law,
                      const config::FourUniforms& draws);
 

@@ -1,12 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "config/random/stream.hpp"
 #include "config/units/angle.hpp"
@@ -21,10 +20,10 @@ struct ReleaseSource {
     Kind kind = Kind::cell;
     Eigen::Vector2d first_m = Eigen::Vector2d::Zero();  ///< south-western corner, or one end
     Eigen::Vector2d last_m = Eigen::Vector2d::Zero();   ///< north-eastern corner, or the other end
-    std::uint32_t zone = 0;       ///< number that the user gave the release zone
-    double weight = 1.0;          ///< share of the rocks: true surface area, length or 1
-    std::uint64_t first_rock = 0; ///< number of its first rock; set by `allot`
-    std::uint32_t rocks = 0;      ///< set by `allot`
+    std::uint32_t zone = 0;                             ///< number that the user gave the release zone
+    double weight = 1.0;           ///< share of the rocks: true surface area, length or 1
+    std::uint64_t first_rock = 0;  ///< number of its first rock; set by `allot`
+    std::uint32_t rocks = 0;       ///< set by `allot`
 };
 
 /// Shares `total` rocks among the sources by weight (largest remainder) and numbers the rocks in order of the
@@ -56,17 +55,18 @@ private:
 struct StartLaw {
     DiameterLaw diameter = DiameterLaw::fixed(1.0);
     double density_kgpm3 = 2700.0;
-    double height_m = 1.5;       ///< of the underside above ground; 0 starts rolling
-    double speed_mps = 3.0;      ///< 0 lets the rock drop
+    double height_m = 1.5;   ///< of the underside above ground; 0 starts rolling
+    double speed_mps = 3.0;  ///< 0 lets the rock drop
     config::Angle dip = config::Angle::from_degrees(30.0);  ///< of the velocity below the horizon
     config::Angle heading_scatter;  ///< largest turn away from the fall line, uniform both ways
-    bool random_place = true;    ///< anywhere in the source cell; off: at its centre
+    bool random_place = true;       ///< anywhere in the source cell; off: at its centre
 };
 
 /// The start of a rock of a source; nothing if its place lies outside the terrain.
 ///
-/// Direction: down the fall line of the ground there, turned by the scatter. Drawn from the rock's own stream.
-std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source, std::uint32_t source_number,
-                                  const StartLaw& law, config::StreamKey key);
+/// Direction: down the fall line of the ground there, turned by the scatter. Drawn from the rock's own
+/// stream.
+std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
+                                  std::uint32_t source_number, const StartLaw& law, config::StreamKey key);
 
 }  // namespace rockfall

@@ -26,7 +26,9 @@ TilePlace place_of(std::size_t cell, std::size_t columns, std::size_t tile_colum
 }  // namespace
 
 CellHistograms::CellHistograms(const config::GridFrame& frame)
-    : frame_{frame}, tile_columns_{tiles_along(frame.columns)}, tiles_(tile_columns_ * tiles_along(frame.rows)) {}
+    : frame_{frame},
+      tile_columns_{tiles_along(frame.columns)},
+      tiles_(tile_columns_ * tiles_along(frame.rows)) {}
 
 CellHistograms::~CellHistograms() {
     for (const std::atomic<Count*>& tile : tiles_) {
@@ -99,7 +101,8 @@ std::size_t CellHistograms::bytes() const {
 }
 
 std::size_t CellHistograms::largest_bytes(const config::GridFrame& frame) {
-    return tiles_along(frame.columns) * tiles_along(frame.rows) * (counts_per_tile * sizeof(Count) + sizeof(void*));
+    return tiles_along(frame.columns) * tiles_along(frame.rows) *
+           (counts_per_tile * sizeof(Count) + sizeof(void*));
 }
 
 }  // namespace rockfall

@@ -15,8 +15,9 @@ namespace rockfall {
 
 /// Distributions of energy, speed and height for every cell that a rock passed.
 ///
-/// Whole counts in logarithmic bins, kept in tiles of 4 x 4 cells that come into being when first touched. `add` may be called
-/// from several threads at once: counts are atomic and their sum does not depend on order.
+/// Whole counts in logarithmic bins, kept in tiles of 4 x 4 cells that come into being when first touched.
+/// `add` may be called from several threads at once: counts are atomic and their sum does not depend on
+/// order.
 class CellHistograms {
 public:
     explicit CellHistograms(const config::GridFrame& frame);
@@ -31,7 +32,8 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> speed(std::size_t cell) const;
     [[nodiscard]] std::span<const std::uint32_t> height(std::size_t cell) const;
 
-    /// All counts of a tile (16 cells of bins_per_cell numbers), empty if untouched; to store and add up tiles.
+    /// All counts of a tile (16 cells of bins_per_cell numbers), empty if untouched; to store and add up
+    /// tiles.
     [[nodiscard]] std::size_t tiles() const { return tiles_.size(); }
     [[nodiscard]] std::span<const std::uint32_t> tile(std::size_t number) const;
     void add_tile(std::size_t number, std::span<const std::uint32_t> counts);
@@ -43,7 +45,8 @@ public:
 
 private:
     using Count = std::uint32_t;
-    [[nodiscard]] std::span<const Count> counts_of(std::size_t cell, std::size_t first, std::size_t count) const;
+    [[nodiscard]] std::span<const Count> counts_of(std::size_t cell, std::size_t first,
+                                                   std::size_t count) const;
     Count* tile_for_writing(std::size_t number);
 
     config::GridFrame frame_;

@@ -13,16 +13,17 @@ namespace rockfall {
 /// The largest values of one rock inside one cell.
 struct CellVisit {
     std::uint32_t cell;
-    float energy_j;          ///< translation and rotation
+    float energy_j;  ///< translation and rotation
     float speed_mps;
-    float height_m;          ///< of the underside above the ground, normal to the slope
-    float energy_line_slope; ///< smallest tangent of the angle from the release point down to the ground here [-]
+    float height_m;           ///< of the underside above the ground, normal to the slope
+    float energy_line_slope;  ///< smallest tangent of the angle from the release point down to the ground
+                              ///< here [-]
     std::uint32_t tree_impacts;
 };
 
 /// What all rocks left in one cell. Sums are whole numbers: they add up the same in any order.
 struct CellSums {
-    std::uint32_t passages = 0;   ///< rocks, each counted once
+    std::uint32_t passages = 0;  ///< rocks, each counted once
     std::uint32_t deposited = 0;
     std::uint32_t tree_impacts = 0;
     std::uint32_t last_source = 0xFFFFFFFFU;  ///< source that fed the cell last, while counting

@@ -81,7 +81,7 @@ struct RunTally {
 /// What one stem took.
 struct StemTally {
     std::uint32_t hits = 0;
-    std::uint32_t broken = 0;    ///< hits that would break it
+    std::uint32_t broken = 0;  ///< hits that would break it
     std::uint64_t energy_j = 0;
 
     void add(const StemTally& other) {

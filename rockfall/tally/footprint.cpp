@@ -28,7 +28,8 @@ public:
             per_column_ = frame.cell_width_m / std::abs(vx);
         }
         if (vy != 0.0) {
-            const double border_m = frame.y_north_m() - (cell_.row + (vy > 0.0 ? 0 : 1)) * frame.cell_height_m;
+            const double border_m =
+                frame.y_north_m() - (cell_.row + (vy > 0.0 ? 0 : 1)) * frame.cell_height_m;
             to_row_ = (border_m - y_m) / vy;
             per_row_ = frame.cell_height_m / std::abs(vy);
         }
@@ -86,7 +87,8 @@ private:
     double rise_ = 0.0;
 };
 
-/// Largest height of a flight above one stretch of ground between two times; concave, so one candidate suffices.
+/// Largest height of a flight above one stretch of ground between two times; concave, so one candidate
+/// suffices.
 double highest_m(const Flight& flight, const GroundBelow& ground, double from_s, double to_s) {
     const double apex_s = (flight.velocity_mps.z() - ground.rise_mps()) / config::gravity_mps2;
     const double time_s = std::clamp(apex_s, from_s, to_s);
@@ -144,7 +146,8 @@ CellVisit& Footprint::visit(std::size_t cell) {
     if (rock_of_cell_[cell] != present_rock_) {
         rock_of_cell_[cell] = present_rock_;
         slot_of_cell_[cell] = static_cast<std::uint32_t>(visits_.size());
-        visits_.push_back({static_cast<std::uint32_t>(cell), 0.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity(), 0});
+        visits_.push_back(
+            {static_cast<std::uint32_t>(cell), 0.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity(), 0});
     }
     return visits_[slot_of_cell_[cell]];
 }
@@ -166,9 +169,11 @@ void Footprint::raise(std::size_t cell, double energy_j, double squared_speed, d
 
 double Footprint::walk_cells(const Rock& rock, const Flight& flight, double until_s,
                              std::span<const Stretch> stretches, double rotation_j) {
-    GroundBelow ground{stretches, terrain_.plane_of(stretches.front().triangle)
-                                      .height_m(flight.start_m.x(), flight.start_m.y())};
-    CellSteps steps{frame_, flight.start_m.x(), flight.start_m.y(), flight.velocity_mps.x(), flight.velocity_mps.y()};
+    GroundBelow ground{
+        stretches,
+        terrain_.plane_of(stretches.front().triangle).height_m(flight.start_m.x(), flight.start_m.y())};
+    CellSteps steps{frame_, flight.start_m.x(), flight.start_m.y(), flight.velocity_mps.x(),
+                    flight.velocity_mps.y()};
     double time_s = 0.0;
     double squared_speed = flight.squared_speed_at(0.0);
     double highest_of_flight_m = 0.0;
@@ -179,8 +184,9 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
             const double piece_end_s = ground.last() ? cell_end_s : std::min(ground.end_s(), cell_end_s);
             const double height_m = highest_m(flight, ground, std::min(time_s, piece_end_s), piece_end_s);
             highest_of_flight_m = std::max(highest_of_flight_m, height_m);
-            highest_normal_m = std::max(
-                highest_normal_m, height_m * static_cast<double>(terrain_.triangles()[ground.triangle()].normal_z));
+            highest_normal_m =
+                std::max(highest_normal_m,
+                         height_m * static_cast<double>(terrain_.triangles()[ground.triangle()].normal_z));
             time_s = piece_end_s;
             if (piece_end_s >= cell_end_s) {
                 break;
@@ -191,8 +197,8 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
         if (frame_.contains(steps.cell())) {
             // The square of the speed is convex in time: its maximum lies at an end.
             const double largest = std::max(squared_speed, squared_speed_end);
-            raise(frame_.index(steps.cell()), 0.5 * rock.mass_kg * largest + rotation_j, largest, highest_normal_m,
-                  flight.start_m.x() + cell_end_s * flight.velocity_mps.x(),
+            raise(frame_.index(steps.cell()), 0.5 * rock.mass_kg * largest + rotation_j, largest,
+                  highest_normal_m, flight.start_m.x() + cell_end_s * flight.velocity_mps.x(),
                   flight.start_m.y() + cell_end_s * flight.velocity_mps.y(), ground.at(cell_end_s));
         }
         if (cell_end_s >= until_s) {
@@ -203,15 +209,14 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
     }
 }
 
-void Footprint::flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
-                     double spin_radps) {
+void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
+                     std::span<const Stretch> stretches, double spin_radps) {
     if (stretches.empty()) {
         return;
     }
     const double rotation_j = 0.5 * rock.inertia_kgm2 * spin_radps * spin_radps;
     const double highest_m = walk_cells(rock, flight, until_s, stretches, rotation_j);
-    const double squared_speed =
-        std::max(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
+    const double squared_speed = std::max(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
     record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(squared_speed));
     record_.max_energy_j = std::max(record_.max_energy_j, 0.5 * rock.mass_kg * squared_speed + rotation_j);
     record_.max_height_m = std::max(record_.max_height_m, highest_m);
@@ -254,8 +259,8 @@ void Footprint::watch_targets(const Rock& rock, const Flight& flight, double unt
     }
 }
 
-void Footprint::arrive(std::size_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
-                       double speed_mps, double height_m) {
+void Footprint::arrive(std::size_t target, const Eigen::Vector2d& place_m, double energy_j,
+                       double translational_j, double speed_mps, double height_m) {
     arrivals_[target] = {true,
                          static_cast<float>(place_m.x()),
                          static_cast<float>(place_m.y()),
@@ -271,7 +276,9 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     const double begin2 = piece.velocity_mps.squaredNorm();
     const double end2 = piece.velocity_at(piece.duration_s).squaredNorm();
     const double spin_factor = 0.5 * rock.inertia_kgm2 / (rock.radius_m * rock.radius_m);
-    const auto energy_j = [&](double squared_speed) { return (0.5 * rock.mass_kg + spin_factor) * squared_speed; };
+    const auto energy_j = [&](double squared_speed) {
+        return (0.5 * rock.mass_kg + spin_factor) * squared_speed;
+    };
 
     // Share of the way takes the place of time; the squared speed changes evenly along the way.
     CellSteps steps{frame_, piece.start_m.x(), piece.start_m.y(), move.x(), move.y()};
@@ -312,8 +319,9 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
 
 void Footprint::met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
                          double energy_j) {
-    tree_hits_.push_back({hit.stem, position_m, static_cast<float>(hit.height_m), static_cast<float>(energy_j),
-                          static_cast<float>(impact.loss_j), impact.type, impact.broken, impact.stopped});
+    tree_hits_.push_back({hit.stem, position_m, static_cast<float>(hit.height_m),
+                          static_cast<float>(energy_j), static_cast<float>(impact.loss_j), impact.type,
+                          impact.broken, impact.stopped});
     record_.tree_energy_j += impact.loss_j;
     record_.trees_broken += impact.broken ? 1 : 0;
     const config::Cell cell = frame_.cell_at(position_m.x(), position_m.y());
@@ -322,11 +330,12 @@ void Footprint::met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, 
     }
 }
 
-void Footprint::draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
-                     double rotation_j) {
+void Footprint::draw(const Flight& flight, double until_s, std::span<const Stretch> stretches,
+                     const Rock& rock, double rotation_j) {
     constexpr int pieces = 8;
-    GroundBelow ground{stretches, terrain_.plane_of(stretches.front().triangle)
-                                      .height_m(flight.start_m.x(), flight.start_m.y())};
+    GroundBelow ground{
+        stretches,
+        terrain_.plane_of(stretches.front().triangle).height_m(flight.start_m.x(), flight.start_m.y())};
     for (int i = 0; i <= pieces; ++i) {
         const double time_s = until_s * i / pieces;
         while (!ground.last() && ground.end_s() < time_s) {
@@ -334,7 +343,8 @@ void Footprint::draw(const Flight& flight, double until_s, std::span<const Stret
         }
         const double energy_j = 0.5 * rock.mass_kg * flight.squared_speed_at(time_s) + rotation_j;
         const double height_m = std::max(0.0, flight.height_m(time_s) - ground.at(time_s));
-        path_.push_back({flight.position_m(time_s), static_cast<float>(energy_j), static_cast<float>(height_m)});
+        path_.push_back(
+            {flight.position_m(time_s), static_cast<float>(energy_j), static_cast<float>(height_m)});
     }
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "config/grid/raster.hpp"
 #include "rockfall/tally/cell_tally.hpp"
@@ -21,17 +20,17 @@ struct RockRecord {
     float diameter_m = 0.0F;
     Eigen::Vector3d start_m = Eigen::Vector3d::Zero();  ///< in coordinates of the terrain
     Eigen::Vector3d end_m = Eigen::Vector3d::Zero();
-    double path_m = 0.0;            ///< length of the path in space
+    double path_m = 0.0;  ///< length of the path in space
     double time_s = 0.0;
     double max_speed_mps = 0.0;
-    double max_energy_j = 0.0;      ///< translation and rotation
-    double max_height_m = 0.0;      ///< of the underside above the ground, vertical
-    double jump_height_sum_m = 0.0; ///< sum over the flights of their largest heights
+    double max_energy_j = 0.0;       ///< translation and rotation
+    double max_height_m = 0.0;       ///< of the underside above the ground, vertical
+    double jump_height_sum_m = 0.0;  ///< sum over the flights of their largest heights
     std::uint32_t jumps = 0;
     std::uint32_t ground_impacts = 0;
     std::uint32_t tree_hits = 0;
     std::uint32_t trees_broken = 0;
-    double tree_energy_j = 0.0;     ///< taken by trees
+    double tree_energy_j = 0.0;  ///< taken by trees
 
     [[nodiscard]] double run_out_m() const { return (end_m - start_m).head<2>().norm(); }
     [[nodiscard]] double mean_speed_mps() const { return time_s > 0.0 ? path_m / time_s : 0.0; }
@@ -72,7 +71,8 @@ public:
               double spin_radps);
     void rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle);
     void impacted(const Eigen::Vector3d&) {}
-    void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact, double energy_j);
+    void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
+                  double energy_j);
 
     [[nodiscard]] std::span<const CellVisit> visits() const { return visits_; }
     [[nodiscard]] const RockRecord& record() const { return record_; }
@@ -84,14 +84,14 @@ public:
 
 private:
     CellVisit& visit(std::size_t cell);
-    void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m, double y_m,
-               double ground_m);
+    void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,
+               double y_m, double ground_m);
     void arrive(std::size_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
                 double speed_mps, double height_m);
-    void watch_targets(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
-                       double rotation_j);
-    double walk_cells(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
-                      double rotation_j);
+    void watch_targets(const Rock& rock, const Flight& flight, double until_s,
+                       std::span<const Stretch> stretches, double rotation_j);
+    double walk_cells(const Rock& rock, const Flight& flight, double until_s,
+                      std::span<const Stretch> stretches, double rotation_j);
     void draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
               double rotation_j);
 

@@ -9,9 +9,9 @@ namespace rockfall {
 
 /// Bins of nearly equal relative width: 2^fineness to each doubling, read off the bits of a float.
 ///
-/// With fineness 4 a bin is 3.1 to 6.3 % wide, so its middle is at most 3.2 % from any value in it; each step of fineness
-/// halves that. The first bin takes everything below `low` (zero included), the last everything above `high`.
-/// Integer counts in such bins add up in any order.
+/// With fineness 4 a bin is 3.1 to 6.3 % wide, so its middle is at most 3.2 % from any value in it; each step
+/// of fineness halves that. The first bin takes everything below `low` (zero included), the last everything
+/// above `high`. Integer counts in such bins add up in any order.
 class LogBins {
 public:
     /// Requires 0 < low < high and a fineness of 0 to 23.
@@ -30,7 +30,8 @@ public:
     /// Lower limit of a bin; 0 for the first.
     [[nodiscard]] constexpr double low_of(std::size_t bin) const {
         return bin == 0 ? 0.0
-                        : static_cast<double>(std::bit_cast<float>((first_ + static_cast<std::uint32_t>(bin) - 1) << shift_));
+                        : static_cast<double>(
+                              std::bit_cast<float>((first_ + static_cast<std::uint32_t>(bin) - 1) << shift_));
     }
     /// Upper limit of a bin; of the last one too, although it takes more.
     [[nodiscard]] constexpr double high_of(std::size_t bin) const { return low_of(bin + 1); }

@@ -1,12 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
-
-#include <Eigen/Core>
 
 namespace rockfall {
 
@@ -30,17 +29,18 @@ Target with_bounds(Target target);
 bool is_inside(const Target& target, const Eigen::Vector2d& point_m);
 
 /// Share of the way from `from` to `to` at which a straight path first meets the target's lines [0, 1].
-std::optional<double> first_crossing(const Target& target, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
+std::optional<double> first_crossing(const Target& target, const Eigen::Vector2d& from_m,
+                                     const Eigen::Vector2d& to_m);
 
 /// How a rock arrived at a target.
 struct Arrival {
     bool reached = false;
-    float x_m = 0.0F;             ///< in coordinates of the terrain
+    float x_m = 0.0F;  ///< in coordinates of the terrain
     float y_m = 0.0F;
-    float energy_j = 0.0F;        ///< translation and rotation
+    float energy_j = 0.0F;  ///< translation and rotation
     float translational_j = 0.0F;
     float speed_mps = 0.0F;
-    float height_m = 0.0F;        ///< of the underside above ground, vertical
+    float height_m = 0.0F;  ///< of the underside above ground, vertical
 };
 
 }  // namespace rockfall

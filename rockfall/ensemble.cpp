@@ -1,0 +1,132 @@
+#include "rockfall/ensemble.hpp"
+
+#include <algorithm>
+
+namespace rockfall {
+
+std::vector<Chunk> plan_chunks(std::span<const ReleaseSource> sources, std::uint32_t most_rocks) {
+    std::vector<Chunk> chunks;
+    for (std::uint32_t i = 0; i < sources.size(); ++i) {
+        const ReleaseSource& source = sources[i];
+        const std::uint64_t end = source.first_rock + source.rocks;
+        if (source.rocks > most_rocks) {
+            for (std::uint64_t first = source.first_rock; first < end; first += most_rocks) {
+                const std::uint64_t last = std::min<std::uint64_t>(end, first + most_rocks);
+                chunks.push_back({i, i + 1, first, last, false, last == end});
+            }
+        } else if (!chunks.empty() && chunks.back().whole_sources &&
+                   end - chunks.back().first_rock <= most_rocks) {
+            chunks.back().last_source = i + 1;
+            chunks.back().last_rock = end;
+        } else {
+            chunks.push_back({i, i + 1, source.first_rock, end, true, false});
+        }
+    }
+    return chunks;
+}
+
+void ChunkRows::clear() {
+    for (std::size_t c = 0; c < covers; ++c) {
+        rocks[c].clear();
+        arrivals[c].clear();
+    }
+    tree_hits.clear();
+    paths.clear();
+    not_started = 0;
+}
+
+FedCells::FedCells(std::size_t cells) : cells_{cells}, touched_(covers * cells) {}
+
+void FedCells::add_to(EnsembleTally& tally, std::uint32_t rocks) const {
+    for (std::size_t c = 0; c < covers; ++c) {
+        for (std::size_t cell = 0; cell < cells_; ++cell) {
+            if (touched_[index(static_cast<Cover>(c), cell)].load(std::memory_order_relaxed) != 0) {
+                tally.cells[c].cells[cell].fed_rocks += rocks;
+            }
+        }
+    }
+}
+
+Worker::Worker(const Assessment& assessment, std::array<CellHistograms*, covers> histograms)
+    : assessment_{assessment},
+      histograms_{histograms},
+      tally_{assessment.map_frame, assessment.targets.size(), assessment.stems.placed().size()} {
+    for (auto& footprint : footprints_) {
+        footprint =
+            std::make_unique<Footprint>(assessment.slope.terrain, assessment.map_frame, assessment.targets);
+    }
+}
+
+void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone) {
+    std::uint32_t source = chunk.first_source;
+    for (std::uint64_t rock = chunk.first_rock; rock < chunk.last_rock; ++rock) {
+        while (rock >= assessment_.sources[source].first_rock + assessment_.sources[source].rocks) {
+            ++source;
+        }
+        const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, rock};
+        const std::optional<RockStart> start =
+            start_of(assessment_.slope, assessment_.sources[source], source, assessment_.start, key);
+        if (!start) {
+            ++rows.not_started;
+            continue;
+        }
+        fall_over(Cover::bare, *start, rows, fed, {});
+        if (!assessment_.stems.empty()) {
+            fall_over(Cover::forest, *start, rows, fed, gone);
+            const auto bare = footprints_[static_cast<std::size_t>(Cover::bare)]->arrivals();
+            const auto forest = footprints_[static_cast<std::size_t>(Cover::forest)]->arrivals();
+            for (std::size_t i = 0; i < bare.size(); ++i) {
+                tally_.targets[i].reached_both += bare[i].reached && forest[i].reached ? 1 : 0;
+            }
+        }
+    }
+}
+
+void Worker::fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed,
+                       std::span<std::uint8_t> gone) {
+    Footprint& footprint = *footprints_[static_cast<std::size_t>(cover)];
+    footprint.begin(start, assessment_.path_every > 0 && start.id % assessment_.path_every == 0);
+    const Obstacles obstacles{cover == Cover::forest ? &assessment_.stems : nullptr, gone};
+    const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
+    footprint.finish(fall(assessment_.slope, obstacles, assessment_.law, key, start, scratch_, footprint));
+    count(cover, rows, fed, start);
+}
+
+void Worker::count(Cover cover, ChunkRows& rows, FedCells* fed, const RockStart& start) {
+    const auto c = static_cast<std::size_t>(cover);
+    const Footprint& footprint = *footprints_[c];
+    CellTally& cells = tally_.cells[c];
+    for (const CellVisit& visit : footprint.visits()) {
+        CellSums& sums = cells.cells[visit.cell];
+        sums.add(visit);
+        if (fed != nullptr) {
+            fed->mark(cover, visit.cell);
+        } else if (sums.last_source != start.source) {
+            sums.last_source = start.source;
+            sums.fed_rocks += assessment_.sources[start.source].rocks;
+        }
+        if (histograms_[c] != nullptr) {
+            histograms_[c]->add(visit);
+        }
+    }
+    if (footprint.deposit_cell() < cells.cells.size()) {
+        ++cells.cells[footprint.deposit_cell()].deposited;
+    }
+    tally_.runs[c].add(footprint.record());
+    const auto arrivals = footprint.arrivals();
+    for (std::size_t i = 0; i < arrivals.size(); ++i) {
+        tally_.targets[i].by_cover[c].add(arrivals[i]);
+    }
+    for (const TreeHitRecord& hit : footprint.tree_hits()) {
+        tally_.stems[hit.stem].add(
+            {1, hit.broken ? 1U : 0U, static_cast<std::uint64_t>(std::lround(hit.loss_j))});
+        rows.tree_hits.emplace_back(start.id, hit);
+    }
+    rows.rocks[c].push_back(footprint.record());
+    rows.arrivals[c].insert(rows.arrivals[c].end(), arrivals.begin(), arrivals.end());
+    if (!footprint.path().empty()) {
+        rows.paths.push_back({start.id, cover, {footprint.path().begin(), footprint.path().end()}});
+    }
+}
+
+}  // namespace rockfall

@@ -1,0 +1,299 @@
+#include "rockfall/parameters.hpp"
+
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/data/shipped_tables.hpp"
+#include "config/table/table.hpp"
+
+namespace rockfall {
+
+namespace {
+
+using Presets = std::vector<config::Preset>;
+
+/// A value that all three published variants share: they differ from the default in the same way.
+Presets published(const std::string& value) {
+    return {{"strict", value}, {"paper_rebound", value}, {"paper_initial", value}};
+}
+
+/// What is switched off in the initial model of the paper (its section 3.1), and what in the step after it.
+Presets from_rebound_on(const std::string& initial) {
+    return {{"paper_initial", initial}};
+}
+Presets from_final_on(const std::string& earlier) {
+    return {{"paper_rebound", earlier}, {"paper_initial", earlier}};
+}
+
+void declare_ground(config::Options& options, GroundLaw& ground) {
+    options.number("rockfall.vertical_tolerance_m", ground.vertical_tolerance_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 10.0,
+                    .meaning = "largest height error by which the terrain is thinned; 0 keeps every point",
+                    .source = "choice"});
+    options.number("rockfall.contact_support_m", ground.contact_support_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 50.0,
+                    .meaning = "radius over which a rock feels the ground as a plane; 0: the bare grid",
+                    .source = "Rammer et al. 2010, discussion; value: choice",
+                    .presets = published("0")});
+    options.number("rockfall.contact_shift_m", ground.contact_shift_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 50.0,
+                    .meaning = "no point of the ground is moved further than this by the contact zone",
+                    .source = "choice"});
+}
+
+void declare_restitution(config::Options& options, PicusLaw& law) {
+    options.flag("rockfall.damping", law.restitution.damping,
+                 {.meaning = "restitution falls with impact speed above 10 m/s",
+                  .source = "Rammer et al. 2010, Eqs. 7-8; Johnson 1985",
+                  .presets = from_rebound_on("no")});
+    options.number("rockfall.rt_noise", law.restitution.tangential_noise,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.5,
+                    .meaning = "half width of the uniform noise on the tangential restitution",
+                    .source = "Rammer et al. 2010, 2.4.1"});
+    options.choice("rockfall.rt_noise_scope", law.noise,
+                   {{"off", NoiseScope::off}, {"impact", NoiseScope::impact}, {"rock", NoiseScope::rock}},
+                   {.meaning = "whether that noise is drawn anew at each impact or once for each rock",
+                    .source = "choice"});
+}
+
+void declare_rebound(config::Options& options, PicusLaw& law, WrittenLaw& written) {
+    options.choice("rockfall.rebound", law.angle,
+                   {{"jump_angle", ReboundAngle::jump_angle_law}, {"geometric", ReboundAngle::geometric}},
+                   {.meaning = "how steeply rocks leave the ground: by speed, or mirrored by restitution",
+                    .source = "Rammer et al. 2010, Eq. 9",
+                    .presets = from_rebound_on("geometric")});
+    options.number("rockfall.jump_angle_coefficient_deg", written.jump_angle_coefficient_deg,
+                   {.unit = "deg",
+                    .low = 1.0,
+                    .high = 180.0,
+                    .meaning = "jump angle at 1 m/s",
+                    .source = "Rammer et al. 2010, Eq. 9"});
+    options.number("rockfall.jump_angle_exponent", law.jump_angle.exponent,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 3.0,
+                    .meaning = "the jump angle falls with speed to this power",
+                    .source = "Rammer et al. 2010, Eq. 9"});
+    options.number("rockfall.jump_angle_cap_deg", written.jump_angle_cap_deg,
+                   {.unit = "deg",
+                    .low = 1.0,
+                    .high = 89.0,
+                    .meaning = "largest jump angle: the law was fitted to faster rocks",
+                    .source = "choice"});
+    options.number("rockfall.jump_angle_scatter", law.jump_angle.scatter,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "standard deviation of ln(jump angle), cut at two deviations",
+                    .source = "choice, from the heights observed at Vaujany",
+                    .presets = published("0")});
+    options.flag("rockfall.blend_steep_impacts", law.blend_steep_impacts,
+                 {.meaning = "impacts steeper than 60 deg go over to the geometric rebound",
+                  .source = "choice",
+                  .presets = published("no")});
+}
+
+void declare_deviation(config::Options& options, PicusLaw& law, WrittenLaw& written) {
+    options.number("rockfall.lateral_slow_deg", written.lateral_slow_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 90.0,
+                    .meaning = "largest sideways turn of a slow rock at a ground impact",
+                    .source = "choice, 10-20 % lateral dispersion (Azzoni & de Freitas 1995)"});
+    options.number("rockfall.lateral_fast_deg", written.lateral_fast_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 90.0,
+                    .meaning = "largest sideways turn of a fast rock at a ground impact",
+                    .source = "choice"});
+    options.number("rockfall.lateral_fast_mps", law.lateral.fast_mps,
+                   {.unit = "m/s",
+                    .low = 0.1,
+                    .high = 100.0,
+                    .meaning = "speed from which a rock counts as fast here",
+                    .source = "choice, as in PiR3D (Cottaz et al. 2010)"});
+}
+
+void declare_rolling(config::Options& options, RollingLaw& law, WrittenLaw& written) {
+    options.number("rockfall.rolling_friction", law.friction,
+                   {.unit = "-",
+                    .low = 0.01,
+                    .high = 2.0,
+                    .meaning = "rolling friction coefficient of every ground type",
+                    .source = "Azzoni et al. 1995; Rammer et al. 2010"});
+    options.number("rockfall.rolling_edge_deg", written.rolling_edge_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 45.0,
+                    .meaning = "bend of the ground above which a rolling rock takes off or hits",
+                    .source = "choice, 2-8 deg in PiR3D (Cottaz et al. 2010)"});
+    options.number("rockfall.rolling_start_factor", law.start_factor,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 5.0,
+                    .meaning = "slower than this times sqrt(g R cos b) after an impact, rocks roll",
+                    .source = "choice"});
+    options.number("rockfall.rolling_launch_factor", law.launch_factor,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 50.0,
+                    .meaning = "faster than this times sqrt(g R cos b), rolling rocks jump",
+                    .source = "choice"});
+}
+
+void declare_stopping(config::Options& options, StoppingLaw& law, WrittenLaw& written) {
+    options.flag("rockfall.stopping", law.by_chance,
+                 {.meaning = "ground impacts stop rocks with the probability p_stop of the surface",
+                  .source = "Rammer et al. 2010, Eq. 10",
+                  .presets = from_final_on("no")});
+    options.number("rockfall.rest_speed_mps", law.slow_mps,
+                   {.unit = "m/s",
+                    .low = 0.0,
+                    .high = 5.0,
+                    .meaning = "slower rocks rest on ground flatter than the friction angle",
+                    .source = "choice, as in Rockyfor3D"});
+    options.count("rockfall.most_impacts", written.most_impacts,
+                  {.low = 100,
+                   .high = 1e6,
+                   .meaning = "a rock with more ground impacts is given up and counted as such",
+                   .source = "choice"});
+}
+
+void declare_trees(config::Options& options, TreeImpactLaw& law) {
+    options.number("tree_impact.frontal_limit", law.frontal_limit,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "hits more central than this (0 centre, 1 edge) are frontal",
+                    .source = "choice, from the sigmoid of Dorren & Berger 2006"});
+    options.number("tree_impact.scratch_limit", law.scratch_limit,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "hits further out than this only scratch",
+                    .source = "choice, zero of the sigmoid of Dorren & Berger 2006"});
+    options.flag("tree_impact.taper", law.taper,
+                 {.meaning = "stems grow thinner upwards; no: DBH at every height",
+                  .source = "choice",
+                  .presets = published("no")});
+    options.flag("tree_impact.height_effect", law.height_effect,
+                 {.meaning = "a hit above 1.3 m meets the strength of the thinner stem there",
+                  .source = "choice, after Lundstrom et al. 2009",
+                  .presets = published("no")});
+    options.flag("tree_impact.remove_broken", law.remove_broken,
+                 {.meaning = "broken trees no longer stand in the way of the rocks that follow",
+                  .source = "Vaujany experiments (Rammer et al. 2010)"});
+    options.number("tree_impact.stop_share", law.stop_share,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.5,
+                    .meaning = "a rock left with less of its energy stays at the tree",
+                    .source = "choice"});
+}
+
+/// Row of a hit type in the deviation table.
+std::size_t hit_type_of(const config::Table& table, std::size_t row, config::Problems& problems) {
+    const std::vector<std::string> names{"frontal", "lateral", "scratch"};
+    for (std::size_t type = 0; type < names.size(); ++type) {
+        if (table.text(row, "hit_type") == names[type]) {
+            return type;
+        }
+    }
+    problems.add(config::ExitCode::data, table.place(row, "hit_type"),
+                 config::in_quotes(table.text(row, "hit_type")), "frontal, lateral or scratch");
+    return 0;
+}
+
+}  // namespace
+
+DeviationMatrix read_deviation_matrix(std::string_view text, const std::string& file) {
+    std::istringstream in{std::string{text}};
+    const config::Table table = config::Table::read(in, file);
+    config::Problems problems;
+    table.require({"hit_type", "from_deg", "to_deg", "share"}, problems);
+    problems.throw_if_any();
+
+    DeviationMatrix matrix;
+    std::array<std::size_t, hit_types> classes_read{};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::size_t type = hit_type_of(table, row, problems);
+        const auto from_deg = table.number(row, "from_deg", {.low = 0.0, .high = 90.0}, problems);
+        const auto to_deg = table.number(row, "to_deg", {.low = 0.0, .high = 90.0}, problems);
+        const auto share = table.number(row, "share", {.low = 0.0, .high = 1.0}, problems);
+        const std::size_t rank = classes_read[type]++;
+        if (!from_deg || !to_deg || !share || rank >= matrix.shares[type].size()) {
+            continue;
+        }
+        matrix.shares[type][rank] = *share;
+        matrix.limits[rank] = config::Angle::from_degrees(*from_deg);
+        matrix.limits[rank + 1] = config::Angle::from_degrees(*to_deg);
+    }
+    for (std::size_t type = 0; type < hit_types; ++type) {
+        const auto& shares = matrix.shares[type];
+        if (classes_read[type] != shares.size() || std::abs(shares[0] + shares[1] + shares[2] - 1.0) > 1e-9) {
+            problems.add(config::ExitCode::data, {file}, "classes of one hit type that do not sum to 1",
+                         "three classes for each hit type");
+        }
+    }
+    problems.throw_if_any();
+    return matrix;
+}
+
+DeviationMatrix shipped_deviation_matrix() {
+    return read_deviation_matrix(config::shipped_table("tree_deviation.csv"), "tree_deviation.csv");
+}
+
+Parameters::Parameters() {
+    fall.tree.deviation = shipped_deviation_matrix();
+}
+
+void declare(config::Options& options, Parameters& parameters) {
+    PicusLaw& law = parameters.fall.ground;
+    declare_ground(options, parameters.ground);
+    declare_restitution(options, law);
+    declare_rebound(options, law, parameters.written);
+    declare_deviation(options, law, parameters.written);
+    declare_rolling(options, law.rolling, parameters.written);
+    declare_stopping(options, law.stopping, parameters.written);
+    declare_trees(options, parameters.fall.tree);
+}
+
+void take_over(Parameters& parameters, const config::Options& options) {
+    const WrittenLaw& written = parameters.written;
+    PicusLaw& law = parameters.fall.ground;
+    law.jump_angle.coefficient = config::Angle::from_degrees(written.jump_angle_coefficient_deg);
+    law.jump_angle.cap = config::Angle::from_degrees(written.jump_angle_cap_deg);
+    law.lateral.at_rest = config::Angle::from_degrees(written.lateral_slow_deg);
+    law.lateral.when_fast = config::Angle::from_degrees(written.lateral_fast_deg);
+    law.rolling.edge_angle_tangent =
+        std::tan(config::Angle::from_degrees(written.rolling_edge_deg).in_radians());
+    law.stopping.most_impacts = static_cast<std::uint32_t>(written.most_impacts);
+
+    config::Problems problems;
+    if (law.rolling.launch_factor <= law.rolling.start_factor) {
+        problems.add(config::ExitCode::settings, options.place_of("rockfall.rolling_launch_factor"),
+                     "rockfall.rolling_launch_factor not above rockfall.rolling_start_factor",
+                     "a rock that just began to roll not to jump at once");
+    }
+    const TreeImpactLaw& tree = parameters.fall.tree;
+    if (tree.scratch_limit < tree.frontal_limit) {
+        problems.add(config::ExitCode::settings, options.place_of("tree_impact.scratch_limit"),
+                     "tree_impact.scratch_limit below tree_impact.frontal_limit",
+                     "lateral hits between frontal hits and scratches");
+    }
+    problems.throw_if_any();
+}
+
+}  // namespace rockfall

@@ -1,0 +1,145 @@
+#include "rockfall/release/release.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "config/random/distributions.hpp"
+
+namespace rockfall {
+
+void allot(std::vector<ReleaseSource>& sources, std::uint64_t total) {
+    const double weights = std::accumulate(sources.begin(), sources.end(), 0.0,
+                                           [](double sum, const ReleaseSource& s) { return sum + s.weight; });
+    std::vector<std::pair<double, std::size_t>> remainders;
+    std::uint64_t given = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const double share = static_cast<double>(total) * sources[i].weight / weights;
+        sources[i].rocks = static_cast<std::uint32_t>(share);
+        given += sources[i].rocks;
+        remainders.emplace_back(share - std::floor(share), i);
+    }
+    // Largest remainder first; of equal ones the earlier source, so that the order is settled.
+    std::stable_sort(remainders.begin(), remainders.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (std::size_t k = 0; given < total && k < remainders.size(); ++k, ++given) {
+        ++sources[remainders[k].second].rocks;
+    }
+    std::uint64_t first = 0;
+    for (ReleaseSource& source : sources) {
+        source.first_rock = first;
+        first += source.rocks;
+    }
+}
+
+DiameterLaw DiameterLaw::fixed(double diameter_m) {
+    DiameterLaw law;
+    law.knots_ = {{0.0, diameter_m}, {1.0, diameter_m}};
+    return law;
+}
+
+DiameterLaw DiameterLaw::classes(std::vector<double> diameters_m, const std::vector<double>& shares) {
+    assert(!diameters_m.empty() && diameters_m.size() == shares.size());
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    DiameterLaw law;
+    law.steps_ = true;
+    double below = 0.0;
+    for (std::size_t i = 0; i < diameters_m.size(); ++i) {
+        law.knots_.emplace_back(below, diameters_m[i]);
+        below += shares[i] / sum;
+    }
+    return law;
+}
+
+DiameterLaw DiameterLaw::uniform(double low_m, double high_m) {
+    DiameterLaw law;
+    law.knots_ = {{0.0, low_m}, {1.0, high_m}};
+    return law;
+}
+
+DiameterLaw DiameterLaw::lognormal(double mean_m, double deviation_m, double low_m, double high_m) {
+    const double ratio = deviation_m / mean_m;
+    const double log_deviation = std::sqrt(std::log(1.0 + ratio * ratio));
+    const double log_mean = std::log(mean_m) - 0.5 * log_deviation * log_deviation;
+    constexpr int knots = 4096;
+    DiameterLaw law;
+    for (int i = 0; i <= knots; ++i) {
+        const double share = std::clamp(static_cast<double>(i) / knots, 1e-6, 1.0 - 1e-6);
+        const double diameter_m = std::exp(log_mean + log_deviation * config::normal_quantile(share));
+        law.knots_.emplace_back(static_cast<double>(i) / knots, std::clamp(diameter_m, low_m, high_m));
+    }
+    return law;
+}
+
+double DiameterLaw::at(double u) const {
+    const auto above = std::upper_bound(knots_.begin(), knots_.end(), u,
+                                        [](double value, const auto& knot) { return value < knot.first; });
+    if (above == knots_.end()) {
+        return knots_.back().second;
+    }
+    const auto& [share_high, high_m] = *above;
+    const auto& [share_low, low_m] = *(above - 1);
+    return steps_ ? low_m : low_m + (high_m - low_m) * (u - share_low) / (share_high - share_low);
+}
+
+double DiameterLaw::largest_m() const {
+    return std::max_element(knots_.begin(), knots_.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->second;
+}
+
+double DiameterLaw::mean_m() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+        const double next_share = i + 1 < knots_.size() ? knots_[i + 1].first : 1.0;
+        const double next_m = i + 1 < knots_.size() && !steps_ ? knots_[i + 1].second : knots_[i].second;
+        sum += (next_share - knots_[i].first) * 0.5 * (knots_[i].second + next_m);
+    }
+    return sum;
+}
+
+std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
+                                  std::uint32_t source_number, const StartLaw& law, config::StreamKey key) {
+    const config::RandomStream stream{key, config::Purpose::release};
+    const config::FourUniforms place = stream.uniforms_of(0);
+    const config::FourUniforms rest = stream.uniforms_of(1);
+    const double u = law.random_place ? place[0] : 0.5;
+    const double v = law.random_place ? place[1] : 0.5;
+    const Eigen::Vector2d span_m = source.last_m - source.first_m;
+    const bool cell = source.kind == ReleaseSource::Kind::cell;
+    const double x_m = source.first_m.x() + u * span_m.x();
+    const double y_m = source.first_m.y() + (cell ? v : u) * span_m.y();
+
+    const std::optional<std::uint32_t> triangle = slope.terrain.locate(x_m, y_m);
+    if (!triangle) {
+        return std::nullopt;
+    }
+    const Plane plane = slope.terrain.plane_of(*triangle);
+    const double steepness = plane.gradient.norm();
+    Eigen::Vector2d heading = Eigen::Vector2d::UnitX();
+    if (steepness > 0.0) {
+        heading = -plane.gradient / steepness;
+    } else {
+        const double angle_rad =
+            2.0 * std::numbers::pi * rest[2];  // flat ground: no fall line, any direction
+        heading = {std::cos(angle_rad), std::sin(angle_rad)};
+    }
+    const config::SinCos turn = config::sin_cos_of((2.0 * rest[1] - 1.0) * law.heading_scatter.in_radians());
+    const Eigen::Vector2d direction{turn.cos * heading.x() - turn.sin * heading.y(),
+                                    turn.sin * heading.x() + turn.cos * heading.y()};
+    RockStart start;
+    start.id = key.id;
+    start.source = source_number;
+    start.triangle = *triangle;
+    start.rock = Rock::sphere(law.diameter.at(rest[0]), law.density_kgpm3);
+    start.rolling = law.height_m <= 0.0;
+    const Eigen::Vector3d down_dip{
+        direction.x(), direction.y(),
+        start.rolling ? plane.gradient.dot(direction) : -std::tan(law.dip.in_radians())};
+    start.position_m = {x_m, y_m, plane.height_m(x_m, y_m) + std::max(0.0, law.height_m)};
+    start.velocity_mps = law.speed_mps * down_dip.normalized();
+    return start;
+}
+
+}  // namespace rockfall
