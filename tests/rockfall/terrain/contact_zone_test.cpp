@@ -1,0 +1,129 @@
+#include "rockfall/terrain/contact_zone.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+
+#include "rockfall/terrain/mesh.hpp"
+#include "tests/rockfall/terrain/sample_slopes.hpp"
+
+namespace rockfall {
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+double largest_difference_m(const config::Raster<double>& a, const config::Raster<double>& b) {
+    double largest_m = 0.0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        EXPECT_EQ(std::isnan(a.values[i]), std::isnan(b.values[i]));
+        if (!std::isnan(a.values[i])) {
+            largest_m = std::max(largest_m, std::abs(a.values[i] - b.values[i]));
+        }
+    }
+    return largest_m;
+}
+
+std::vector<Eigen::Vector3d> points_of(const config::Raster<double>& heights) {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = 0; i < heights.values.size(); ++i) {
+        const config::Cell cell = heights.frame.cell_of(i);
+        points.emplace_back(heights.frame.x_centre_m(cell.column), heights.frame.y_centre_m(cell.row),
+                            heights.values[i]);
+    }
+    return points;
+}
+
+/// Root mean square of the angle between facets and the plane that the noise was laid on.
+double facet_noise_deg(const Terrain& terrain) {
+    const Eigen::Vector3d up = Eigen::Vector3d{-0.25, -0.78, 1.0}.normalized();
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < terrain.triangles().size(); ++i) {
+        const double sine = terrain.plane_of(i).normal().cross(up).norm();
+        sum += sine * sine;
+    }
+    constexpr double deg_per_rad = 57.295779513082321;
+    return deg_per_rad * std::sqrt(sum / static_cast<double>(terrain.triangles().size()));
+}
+
+RC_GTEST_PROP(ContactZone, KeepsPlanesAtBordersAndBesideHoles, (std::uint64_t seed)) {
+    config::GridFrame frame = frame_of(15, 12);
+    frame.cell_height_m = *rc::gen::element(3.0, frame.cell_width_m);
+    config::Raster<double> plane = tilted_grid(frame);
+    punch_holes(plane, *rc::gen::element(0.0, 0.1, 0.4, 0.8), seed);
+    const double radius_m = *rc::gen::element(5.1, 8.0, 12.0, 60.0, 1e6);
+    RC_ASSERT(largest_difference_m(contact_zone(plane, radius_m, no_limit), plane) < 1e-9);
+}
+
+TEST(ContactZone, KeepsThePlaneOfScatteredPoints) {
+    std::vector<Eigen::Vector3d> points = scattered_points(2000, 100.0, 21);
+    for (Eigen::Vector3d& point : points) {
+        point.z() = 0.3 * (point.x() - 177198.0) - 0.9 * (point.y() - 376897.0);
+    }
+    for (const double radius_m : {1.0, 5.0, 20.0}) {
+        const std::vector<Eigen::Vector3d> felt = contact_zone(points, radius_m, no_limit);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            EXPECT_LT((felt[i] - points[i]).norm(), 1e-8);
+        }
+    }
+}
+
+TEST(ContactZone, IsTheSameForAGridAndItsPoints) {
+    config::Raster<double> heights = rough_grid(frame_of(30, 20), 0.3, 22);
+    punch_holes(heights, 0.1, 22);
+    const config::Raster<double> felt = contact_zone(heights, 14.0, 0.2);
+    const std::vector<Eigen::Vector3d> felt_points = contact_zone(points_of(heights), 14.0, 0.2);
+    for (std::size_t i = 0; i < felt.values.size(); ++i) {
+        if (std::isnan(heights.values[i])) {
+            EXPECT_TRUE(std::isnan(felt.values[i]));
+            EXPECT_TRUE(std::isnan(felt_points[i].z()));
+        } else {
+            EXPECT_NEAR(felt_points[i].z(), felt.values[i], 1e-9);
+        }
+    }
+}
+
+TEST(ContactZone, ReturnsTheInputWhereTheSupportHoldsOnePoint) {
+    const config::Raster<double> heights = rough_grid(frame_of(10, 10, 5.0), 0.3, 23);
+    for (const double radius_m : {0.0, 2.0, 5.0}) {
+        EXPECT_EQ(contact_zone(heights, radius_m, 1.0).values, heights.values);
+        const std::vector<Eigen::Vector3d> points = points_of(heights);
+        EXPECT_EQ(contact_zone(points, 0.999 * radius_m, 1.0), points);
+    }
+    EXPECT_EQ(contact_zone(heights, 20.0, 0.0).values, heights.values);
+}
+
+TEST(ContactZone, WeighsNeighboursByTheTricube) {
+    // Four neighbours at half the radius: weight (1 - 1/8)^3 each; the diagonal ones at 0.7071 of it.
+    config::Raster<double> heights{frame_of(5, 5, 1.0), 0.0};
+    heights.at({2, 2}) = 1.0;
+    const double side = std::pow(1.0 - 1.0 / 8.0, 3.0);
+    const double diagonal = std::pow(1.0 - std::pow(0.5, 1.5), 3.0);
+    const config::Raster<double> felt = contact_zone(heights, 2.0, no_limit);
+    EXPECT_NEAR(felt.at({2, 2}), 1.0 / (1.0 + 4.0 * side + 4.0 * diagonal), 1e-12);
+}
+
+TEST(ContactZone, MovesNoPointFurtherThanTheLimit) {
+    // A cliff of 30 m between two terraces.
+    const config::Raster<double> cliff =
+        grid_of(frame_of(30, 10, 1.0), [](double x_m, double) { return x_m < 15.0 ? 130.0 : 100.0; });
+    const config::Raster<double> felt = contact_zone(cliff, 5.0, 0.5);
+    EXPECT_NEAR(largest_difference_m(felt, cliff), 0.5, 1e-9);
+    EXPECT_NEAR(felt.at({14, 5}), 129.5, 1e-9);
+    EXPECT_NEAR(felt.at({15, 5}), 100.5, 1e-9);
+    EXPECT_EQ(felt.at({5, 5}), 130.0);
+}
+
+TEST(ContactZone, TakesTheNoiseOutOfTheFacets) {
+    for (const double cell_m : {1.0, 2.5}) {
+        const config::Raster<double> rough = rough_grid(frame_of(120, 120, cell_m), 0.3, 24);
+        const double before_deg = facet_noise_deg(triangulate(rough, 0.0));
+        const double after_deg = facet_noise_deg(triangulate(contact_zone(rough, 8.0, 2.0), 0.0));
+        EXPECT_GT(before_deg, 8.0);
+        EXPECT_LT(after_deg, 1.5);
+    }
+}
+
+}  // namespace
+}  // namespace rockfall
