@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <ostream>
+#include <string_view>
+
+#include "config/table/table.hpp"
+
+namespace coupling {
+
+/// Writes the fields of CSV rows into a small buffer: no formatting by streams, nothing allocated for
+/// numbers.
+///
+/// Numbers come with a fixed count of decimals, so that columns line up and hide no false digits. What is not
+/// finite becomes an empty field.
+class CsvRow {
+public:
+    explicit CsvRow(std::ostream& out) : out_{out} {}
+    CsvRow(const CsvRow&) = delete;
+    CsvRow& operator=(const CsvRow&) = delete;
+
+    CsvRow& text(std::string_view value) {
+        separate();
+        put(value.find_first_of(",\"\n\r") == std::string_view::npos
+                ? value
+                : std::string_view{config::csv_field(value)});
+        return *this;
+    }
+    CsvRow& whole(std::unsigned_integral auto value) {
+        separate();
+        make_room();
+        next_ = std::to_chars(next_, buffer_.data() + buffer_.size(), value).ptr;
+        return *this;
+    }
+    template <int decimals>
+    CsvRow& number(double value) {
+        separate();
+        if (!std::isfinite(value)) {
+            return *this;
+        }
+        make_room();
+        put_fixed(value, decimals);
+        return *this;
+    }
+    CsvRow& empty() {
+        separate();
+        return *this;
+    }
+    void end() {
+        make_room();
+        *next_++ = '\n';
+        flush();
+        first_ = true;
+    }
+
+private:
+    static constexpr std::ptrdiff_t longest_number = 400;  // 1e308 with decimals
+
+    void separate() {
+        if (!first_) {
+            make_room();
+            *next_++ = ',';
+        }
+        first_ = false;
+    }
+    void make_room() {
+        if (buffer_.data() + buffer_.size() - next_ < longest_number) {
+            flush();
+        }
+    }
+    void flush() {
+        out_.write(buffer_.data(), next_ - buffer_.data());
+        next_ = buffer_.data();
+    }
+    void put(std::string_view value) {
+        flush();
+        out_.write(value.data(), static_cast<std::streamsize>(value.size()));
+    }
+    /// Through a whole number where that is exact: several times faster than the general way.
+    void put_fixed(double value, int decimals) {
+        constexpr std::array<double, 7> powers{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+        char* const end = buffer_.data() + buffer_.size();
+        const double power = powers[static_cast<std::size_t>(decimals)];
+        if (std::abs(value) * power >= 9e15) {
+            next_ = std::to_chars(next_, end, value, std::chars_format::fixed, decimals).ptr;
+            return;
+        }
+        const long long scaled = std::llround(value * power);
+        if (scaled < 0) {
+            *next_++ = '-';
+        }
+        const auto size = static_cast<std::uint64_t>(scaled < 0 ? -scaled : scaled);
+        const auto unit = static_cast<std::uint64_t>(power);
+        next_ = std::to_chars(next_, end, size / unit).ptr;
+        if (decimals > 0) {
+            *next_++ = '.';
+            std::uint64_t rest = size % unit;
+            for (char* digit = next_ + decimals; digit != next_;) {
+                *--digit = static_cast<char>('0' + rest % 10);
+                rest /= 10;
+            }
+            next_ += decimals;
+        }
+    }
+
+    std::ostream& out_;
+    std::array<char, 1024> buffer_;
+    char* next_ = buffer_.data();
+    bool first_ = true;
+};
+
+}  // namespace coupling

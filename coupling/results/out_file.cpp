@@ -1,0 +1,54 @@
+#include "coupling/results/out_file.hpp"
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "config/errors/input_error.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr std::size_t buffer_bytes = 1 << 18;
+
+}  // namespace
+
+OutFile::OutFile(std::filesystem::path file) : file_{std::move(file)}, buffer_(buffer_bytes) {
+    stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    errno = 0;
+    stream_.open(file_, std::ios::binary | std::ios::trunc);
+    if (!stream_) {
+        fail("cannot be opened for writing");
+    }
+}
+
+void OutFile::check() {
+    if (!stream_) {
+        fail("cannot be written");
+    }
+}
+
+void OutFile::close() {
+    check();
+    errno = 0;
+    stream_.close();
+    if (!stream_) {
+        fail("cannot be written");
+    }
+}
+
+void OutFile::fail(const std::string& what) const {
+    const int reason = errno;
+    const std::string because = reason == 0 ? "" : ": " + std::generic_category().message(reason);
+    config::fail(config::ExitCode::file, {.file = file_.string()}, what + because);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+        config::fail(config::ExitCode::file, {.file = folder.string()}, "cannot be made: " + error.message());
+    }
+}
+
+}  // namespace coupling
