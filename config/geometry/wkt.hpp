@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+#include "config/errors/input_error.hpp"
+#include "config/geometry/shape.hpp"
+
+namespace config {
+
+/// Reads well-known text: POINT, LINESTRING, POLYGON with holes, and MULTI of each, in any case and spacing,
+/// such as "LineString Z (177200 376900 1063, 177210 376950 1060)". Heights and measures (Z, M) are read
+/// over.
+///
+/// `start` is the place of the text's first character. Throws InputError (data) with file, line and column in
+/// the text for anything else: other types, EMPTY, numbers that are none, lines of one point, rings that are
+/// not closed or have fewer than four points.
+Shape read_wkt(std::string_view text, const Place& start);
+
+}  // namespace config

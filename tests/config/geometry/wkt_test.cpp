@@ -1,0 +1,86 @@
+#include "config/geometry/wkt.hpp"
+
+#include <gtest/gtest.h>
+
+namespace config {
+namespace {
+
+Shape shape_of(const std::string& text) {
+    return read_wkt(text, {"targets.csv", 3, 10});
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        shape_of(text);
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), ExitCode::data);
+        return error.what();
+    }
+    return "";
+}
+
+using Parts = std::vector<std::vector<Point2>>;
+
+TEST(ReadWkt, ReadsEachType) {
+    EXPECT_EQ(shape_of("POINT (1 2)").parts, (Parts{{{1, 2}}}));
+    EXPECT_EQ(shape_of("LINESTRING (1 2, 3.5 -4e1)").parts, (Parts{{{1, 2}, {3.5, -40}}}));
+    EXPECT_EQ(shape_of("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1))").parts,
+              (Parts{{{0, 0}, {4, 0}, {0, 4}, {0, 0}}, {{1, 1}, {2, 1}, {1, 2}, {1, 1}}}));
+    EXPECT_EQ(shape_of("MULTIPOINT (1 2, 3 4)").parts, (Parts{{{1, 2}}, {{3, 4}}}));
+    EXPECT_EQ(shape_of("MULTIPOINT ((1 2), (3 4))").parts, (Parts{{{1, 2}}, {{3, 4}}}));
+    EXPECT_EQ(shape_of("MULTILINESTRING ((1 2, 3 4), (5 6, 7 8))").parts,
+              (Parts{{{1, 2}, {3, 4}}, {{5, 6}, {7, 8}}}));
+    EXPECT_EQ(shape_of("MULTIPOLYGON (((0 0, 4 0, 0 4, 0 0)), ((9 9, 10 9, 9 10, 9 9)))").parts.size(), 2U);
+}
+
+TEST(ReadWkt, KnowsTheKind) {
+    EXPECT_EQ(shape_of("POINT (1 2)").kind, Shape::Kind::point);
+    EXPECT_EQ(shape_of("MULTILINESTRING ((1 2, 3 4))").kind, Shape::Kind::line);
+    EXPECT_EQ(shape_of("MULTIPOLYGON (((0 0, 4 0, 0 4, 0 0)))").kind, Shape::Kind::polygon);
+}
+
+TEST(ReadWkt, TakesAnyCaseSpacingAndDimension) {
+    const Parts expected{{{1, 2}, {3, 4}}};
+    for (const char* text :
+         {"linestring(1 2,3 4)", " LineString  ( 1\t2 ,\n3 4 ) ", "LINESTRING Z (1 2 9, 3 4 9)",
+          "LINESTRINGZ(1 2 9,3 4 9)", "LINESTRING ZM (1 2 9 8, 3 4 9 8)", "LINESTRING M(1 2 0,3 4 5)",
+          "LINESTRING (1 2 9, 3 4)"}) {
+        EXPECT_EQ(shape_of(text).parts, expected) << text;
+    }
+}
+
+TEST(ReadWkt, NamesPlaceFoundAndExpected) {
+    EXPECT_EQ(message_of("CIRCLE (1 2)"),
+              "targets.csv:3:10: found 'CIRCLE', expected POINT, LINESTRING, POLYGON, MULTIPOINT, "
+              "MULTILINESTRING or "
+              "MULTIPOLYGON");
+    EXPECT_EQ(message_of("POINT (1 abc)"), "targets.csv:3:19: found 'abc', expected the number y");
+    EXPECT_EQ(message_of("LINESTRING (1,5 2, 3 4)"), "targets.csv:3:23: found ',', expected the number y");
+    EXPECT_EQ(message_of("LINESTRING (1 2, 3 4"),
+              "targets.csv:3:30: found the end of the text, expected a comma or a closing bracket");
+    EXPECT_EQ(message_of("LINESTRING 1 2, 3 4"), "targets.csv:3:21: found '1', expected an opening bracket");
+    EXPECT_EQ(message_of("POINT (1 2) x"),
+              "targets.csv:3:22: found 'x', expected nothing after the last bracket");
+    EXPECT_EQ(message_of("POINT EMPTY"),
+              "targets.csv:3:16: found 'EMPTY', expected Z, M or an opening bracket");
+    EXPECT_EQ(message_of("LINESTRING (1 2)"), "targets.csv:3:21: found 1 point, expected at least 2");
+    EXPECT_EQ(message_of("POLYGON ((0 0, 1 0, 0 1, 1 1))"),
+              "targets.csv:3:19: found a ring that is not closed, expected the first point again as last");
+    EXPECT_EQ(message_of("POLYGON ((0 0, 1 0, 0 0))"),
+              "targets.csv:3:19: found 3 points, expected at least 4");
+    EXPECT_EQ(message_of("POINT (nan 2)"), "targets.csv:3:17: found 'nan', expected the number x");
+}
+
+TEST(ReadWkt, CountsLinesInsideTheText) {
+    EXPECT_EQ(message_of("LINESTRING (1 2,\n  3 x)"), "targets.csv:4:5: found 'x', expected the number y");
+}
+
+TEST(ReadWkt, RefusesEveryTextCutShort) {
+    const std::string whole = "MULTIPOLYGON (((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1)))";
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_NE(message_of(whole.substr(0, size)), "") << whole.substr(0, size);
+    }
+}
+
+}  // namespace
+}  // namespace config
