@@ -39,7 +39,7 @@ FedCells::FedCells(std::size_t cells) : cells_{cells}, touched_(covers * cells) 
 
 void FedCells::add_to(EnsembleTally& tally, std::uint32_t rocks) const {
     for (std::size_t c = 0; c < covers; ++c) {
-        for (std::size_t cell = 0; cell < cells_; ++cell) {
+        for (std::size_t cell = 0; cell < tally.cells[c].cells.size(); ++cell) {
             if (touched_[index(static_cast<Cover>(c), cell)].load(std::memory_order_relaxed) != 0) {
                 tally.cells[c].cells[cell].fed_rocks += rocks;
             }

@@ -92,6 +92,8 @@ public:
     void run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone);
 
     [[nodiscard]] const EnsembleTally& tally() const { return tally_; }
+    /// Enters what all workers together found that a source with many rocks feeds. After its last piece only.
+    void add_fed(const FedCells& fed, std::uint32_t rocks) { fed.add_to(tally_, rocks); }
 
 private:
     void fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed,

@@ -124,7 +124,9 @@ void RunTally::add(const RunTally& other) {
 }
 
 EnsembleTally::EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in)
-    : cells{CellTally{frame}, CellTally{frame}}, targets(targets_in), stems(stems_in) {}
+    : cells{CellTally{stems_in > 0 ? frame : config::GridFrame{}}, CellTally{frame}},
+      targets(targets_in),
+      stems(stems_in) {}
 
 void EnsembleTally::add(const EnsembleTally& other) {
     for (std::size_t c = 0; c < covers; ++c) {

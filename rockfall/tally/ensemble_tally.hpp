@@ -98,6 +98,7 @@ struct EnsembleTally {
     std::vector<TargetTally> targets;
     std::vector<StemTally> stems;
 
+    /// Without stems there is no forest to count in: its grid stays empty.
     EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in);
     void add(const EnsembleTally& other);
 };

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/results/out_file.hpp"
+
+namespace coupling {
+
+/// Values that are copied byte by byte. Files of parts stay on the machine that made them.
+template <class T>
+concept Plain = std::is_trivially_copyable_v<T>;
+
+/// Running checksum of bytes (FNV-1a on words of eight).
+class Checksum {
+public:
+    void add(const char* bytes, std::size_t count) {
+        for (; count >= 8; bytes += 8, count -= 8) {
+            std::uint64_t word = 0;
+            std::memcpy(&word, bytes, 8);
+            value_ = (value_ ^ word) * prime;
+        }
+        for (; count > 0; ++bytes, --count) {
+            value_ = (value_ ^ static_cast<unsigned char>(*bytes)) * prime;
+        }
+    }
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+private:
+    static constexpr std::uint64_t prime = 0x100000001B3ULL;
+    std::uint64_t value_ = 0xCBF29CE484222325ULL;
+};
+
+/// Writes plain values and vectors of them; `close` adds the checksum and makes sure that all reached the
+/// disk.
+class ByteWriter {
+public:
+    explicit ByteWriter(const std::filesystem::path& file) : out_{file} {}
+    template <Plain T>
+    void value(const T& v) {
+        bytes(reinterpret_cast<const char*>(&v), sizeof v);
+    }
+    template <Plain T>
+    void list(std::span<const T> values) {
+        value(static_cast<std::uint64_t>(values.size()));
+        bytes(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+    }
+    template <Plain T>
+    void list(const std::vector<T>& values) {
+        list(std::span<const T>{values});
+    }
+    void text(const std::string& v) { list(std::span<const char>{v.data(), v.size()}); }
+    void close() {
+        value(sum_.value());
+        out_.close();
+    }
+
+private:
+    void bytes(const char* from, std::size_t count) {
+        sum_.add(from, count);
+        out_.stream().write(from, static_cast<std::streamsize>(count));
+    }
+    OutFile out_;
+    Checksum sum_;
+};
+
+/// Reads back what ByteWriter wrote. Anything missing or changed throws config::InputError (file).
+class ByteReader {
+public:
+    explicit ByteReader(const std::filesystem::path& file)
+        : file_{file.string()}, in_{file, std::ios::binary} {
+        if (!in_) {
+            config::fail(config::ExitCode::file, {file_}, "the part file cannot be opened");
+        }
+        std::error_code ignored;
+        left_ = std::filesystem::file_size(file, ignored);
+    }
+    template <Plain T>
+    T value() {
+        T v{};
+        bytes(reinterpret_cast<char*>(&v), sizeof v);
+        return v;
+    }
+    template <Plain T>
+    std::vector<T> list() {
+        const std::uint64_t count = count_of(sizeof(T));
+        std::vector<T> values(count);
+        bytes(reinterpret_cast<char*>(values.data()), count * sizeof(T));
+        return values;
+    }
+    /// A count of things of at least `bytes_each` that must still fit into the file.
+    std::uint64_t count_of(std::size_t bytes_each) {
+        const auto count = value<std::uint64_t>();
+        if (count > left_ / bytes_each) {
+            damaged();
+        }
+        return count;
+    }
+    std::string text() {
+        const std::vector<char> letters = list<char>();
+        return {letters.begin(), letters.end()};
+    }
+    void check_end() {
+        const std::uint64_t expected = sum_.value();
+        if (value<std::uint64_t>() != expected || left_ != 0) {
+            damaged();
+        }
+    }
+
+private:
+    [[noreturn]] void damaged() const {
+        config::fail(config::ExitCode::file, {file_}, "the part file is cut off or damaged",
+                     "a whole part file; delete it, or run with --overwrite to begin anew");
+    }
+    void bytes(char* to, std::size_t count) {
+        if (count > left_ || !in_.read(to, static_cast<std::streamsize>(count))) {
+            damaged();
+        }
+        left_ -= count;
+        sum_.add(to, count);
+    }
+    std::string file_;
+    std::ifstream in_;
+    std::uintmax_t left_ = 0;
+    Checksum sum_;
+};
+
+}  // namespace coupling

@@ -1,0 +1,216 @@
+#include "coupling/run/checkpoint.hpp"
+
+#include "coupling/run/byte_archive.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr std::uint64_t magic = 0x31305452'41504E42ULL;  // "BNPART01", least byte first
+
+template <std::size_t N>
+std::span<const std::uint64_t> as_list(const std::array<std::uint64_t, N>& values) {
+    return values;
+}
+
+template <std::size_t N>
+void read_into(ByteReader& in, std::array<std::uint64_t, N>& values) {
+    const auto list = in.list<std::uint64_t>();
+    std::copy_n(list.begin(), std::min(N, list.size()), values.begin());
+}
+
+void write(ByteWriter& out, const rockfall::ArrivalTally& t) {
+    out.value(t.reached);
+    out.list(t.energy);
+    out.list(t.speed);
+    out.list(t.height);
+    for (const double v : {t.energy_max_j, t.speed_max_mps, t.height_max_m}) {
+        out.value(v);
+    }
+    for (const std::uint64_t v : {t.energy_sum_j, t.speed_sum_mmps, t.height_sum_mm}) {
+        out.value(v);
+    }
+}
+
+void read(ByteReader& in, rockfall::ArrivalTally& t) {
+    t.reached = in.value<std::uint64_t>();
+    t.energy = in.list<std::uint64_t>();
+    t.speed = in.list<std::uint64_t>();
+    t.height = in.list<std::uint64_t>();
+    for (double* v : {&t.energy_max_j, &t.speed_max_mps, &t.height_max_m}) {
+        *v = in.value<double>();
+    }
+    for (std::uint64_t* v : {&t.energy_sum_j, &t.speed_sum_mmps, &t.height_sum_mm}) {
+        *v = in.value<std::uint64_t>();
+    }
+}
+
+/// The plain numbers of a run tally, in one order for writing and reading.
+template <class Tally, class Visit>
+void each_number(Tally& t, const Visit& visit) {
+    for (auto* v : {&t.rocks, &t.run_out_sum_mm, &t.max_speed_sum_mmps, &t.mean_speed_sum_mmps,
+                    &t.max_energy_sum_j, &t.max_height_sum_mm, &t.jump_height_sum_mm, &t.jumps,
+                    &t.ground_impacts, &t.hits, &t.trees_broken, &t.tree_energy_sum_j}) {
+        visit(*v);
+    }
+    for (auto* v : {&t.max_speed_mps, &t.max_energy_j, &t.max_height_m, &t.max_run_out_m}) {
+        visit(*v);
+    }
+}
+
+void write(ByteWriter& out, const rockfall::RunTally& t) {
+    each_number(t, [&](const auto& v) { out.value(v); });
+    out.list(as_list(t.by_reason));
+    out.list(as_list(t.run_out));
+    out.list(as_list(t.tree_hits));
+    out.list(t.max_speed);
+    out.list(t.max_energy);
+    out.list(t.max_height);
+}
+
+void read(ByteReader& in, rockfall::RunTally& t) {
+    each_number(t, [&](auto& v) { v = in.value<std::remove_reference_t<decltype(v)>>(); });
+    read_into(in, t.by_reason);
+    read_into(in, t.run_out);
+    read_into(in, t.tree_hits);
+    t.max_speed = in.list<std::uint64_t>();
+    t.max_energy = in.list<std::uint64_t>();
+    t.max_height = in.list<std::uint64_t>();
+}
+
+void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
+    out.value(static_cast<std::uint8_t>(histograms != nullptr));
+    if (histograms == nullptr) {
+        return;
+    }
+    for (std::size_t i = 0; i < histograms->tiles(); ++i) {
+        if (!histograms->tile(i).empty()) {
+            out.value(static_cast<std::uint64_t>(i));
+            out.list(histograms->tile(i));
+        }
+    }
+    out.value(static_cast<std::uint64_t>(histograms->tiles()));  // one past the last tile: the end
+}
+
+void read(ByteReader& in, rockfall::CellHistograms* histograms) {
+    if (in.value<std::uint8_t>() == 0) {
+        return;
+    }
+    while (true) {
+        const auto tile = in.value<std::uint64_t>();
+        if (histograms == nullptr || tile >= histograms->tiles()) {
+            return;
+        }
+        histograms->add_tile(tile, in.list<std::uint32_t>());
+    }
+}
+
+void write(ByteWriter& out, const Checkpoint& checkpoint) {
+    out.value(checkpoint.parts_done);
+    out.value(checkpoint.not_started);
+    out.list(checkpoint.table_bytes);
+    out.list(checkpoint.gone);
+    out.value(static_cast<std::uint64_t>(checkpoint.paths.size()));
+    for (const rockfall::PathRecord& path : checkpoint.paths) {
+        out.value(path.rock);
+        out.value(path.cover);
+        out.value(static_cast<std::uint64_t>(path.points.size()));
+        for (const rockfall::PathPoint& point : path.points) {
+            for (const double v : {point.position_m.x(), point.position_m.y(), point.position_m.z()}) {
+                out.value(v);
+            }
+            out.value(point.energy_j);
+            out.value(point.height_m);
+        }
+    }
+}
+
+std::vector<rockfall::PathRecord> read_paths(ByteReader& in) {
+    std::vector<rockfall::PathRecord> paths(in.count_of(17));
+    for (rockfall::PathRecord& path : paths) {
+        path.rock = in.value<std::uint64_t>();
+        path.cover = in.value<rockfall::Cover>();
+        path.points.resize(in.count_of(32));
+        for (rockfall::PathPoint& point : path.points) {
+            for (int axis = 0; axis < 3; ++axis) {
+                point.position_m[axis] = in.value<double>();
+            }
+            point.energy_j = in.value<float>();
+            point.height_m = in.value<float>();
+        }
+    }
+    return paths;
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint,
+                      const rockfall::EnsembleTally& tally,
+                      const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms) {
+    const std::filesystem::path temporary = file.string() + ".tmp";
+    ByteWriter out{temporary};
+    out.value(magic);
+    out.text(checkpoint.settings_hash);
+    write(out, checkpoint);
+    for (std::size_t c = 0; c < rockfall::covers; ++c) {
+        out.list(tally.cells[c].cells);
+        write(out, tally.runs[c]);
+        write(out, histograms[c]);
+    }
+    out.value(static_cast<std::uint64_t>(tally.targets.size()));
+    for (const rockfall::TargetTally& target : tally.targets) {
+        for (const rockfall::ArrivalTally& arrivals : target.by_cover) {
+            write(out, arrivals);
+        }
+        out.value(target.reached_both);
+    }
+    out.list(tally.stems);
+    out.close();
+    std::error_code error;
+    std::filesystem::rename(temporary, file, error);
+    if (error) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     "the part file cannot be renamed: " + error.message());
+    }
+}
+
+std::optional<std::string> checkpoint_hash(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) {
+        return std::nullopt;
+    }
+    ByteReader in{file};
+    if (in.value<std::uint64_t>() != magic) {
+        config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version",
+                     "run with --overwrite to begin anew");
+    }
+    return in.text();
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::EnsembleTally& tally,
+                           const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms) {
+    ByteReader in{file};
+    Checkpoint checkpoint;
+    in.value<std::uint64_t>();
+    checkpoint.settings_hash = in.text();
+    checkpoint.parts_done = in.value<std::uint64_t>();
+    checkpoint.not_started = in.value<std::uint64_t>();
+    checkpoint.table_bytes = in.list<std::uint64_t>();
+    checkpoint.gone = in.list<std::uint8_t>();
+    checkpoint.paths = read_paths(in);
+    for (std::size_t c = 0; c < rockfall::covers; ++c) {
+        tally.cells[c].cells = in.list<rockfall::CellSums>();
+        read(in, tally.runs[c]);
+        read(in, histograms[c]);
+    }
+    tally.targets.resize(in.count_of(8));
+    for (rockfall::TargetTally& target : tally.targets) {
+        for (rockfall::ArrivalTally& arrivals : target.by_cover) {
+            read(in, arrivals);
+        }
+        target.reached_both = in.value<std::uint64_t>();
+    }
+    tally.stems = in.list<rockfall::StemTally>();
+    in.check_end();
+    return checkpoint;
+}
+
+}  // namespace coupling

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rockfall/ensemble.hpp"
+
+namespace coupling {
+
+/// Where a long run stands after its last finished part: all that is needed to go on as if it had never
+/// stopped.
+struct Checkpoint {
+    std::string settings_hash;  ///< of settings, inputs and version
+    std::uint64_t parts_done = 0;
+    std::uint64_t not_started = 0;           ///< rocks whose place lay outside the terrain
+    std::vector<std::uint64_t> table_bytes;  ///< length of each streamed table
+    std::vector<std::uint8_t> gone;          ///< broken stems, where they fall
+    std::vector<rockfall::PathRecord> paths;
+};
+
+/// Writes a checkpoint with tallies and distributions, under a temporary name first, renamed when whole.
+/// Throws config::InputError (file) if the disk does not take it.
+void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint,
+                      const rockfall::EnsembleTally& tally,
+                      const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms);
+
+/// The hash in a checkpoint file; nothing if there is no such file. Throws InputError (file) if it is not a
+/// whole checkpoint.
+std::optional<std::string> checkpoint_hash(const std::filesystem::path& file);
+
+/// Reads a checkpoint back into tallies and distributions of the same shape.
+/// Throws InputError (file) if the file is cut off or damaged.
+Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::EnsembleTally& tally,
+                           const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms);
+
+}  // namespace coupling

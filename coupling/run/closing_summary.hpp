@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "coupling/results/out_file.hpp"
+#include "coupling/results/run_results.hpp"
+
+namespace coupling {
+
+/// The answer of the run in a few lines, and the files worth opening: results to stdout.
+void print_summary(const RunResults& results, const std::filesystem::path& folder,
+                   const std::vector<WrittenFile>& written);
+
+}  // namespace coupling

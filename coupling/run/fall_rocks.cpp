@@ -1,0 +1,130 @@
+#include "coupling/run/fall_rocks.hpp"
+
+#include <omp.h>
+
+#include <atomic>
+#include <exception>
+#include <map>
+#include <mutex>
+
+#include "coupling/run/interrupt.hpp"
+
+namespace coupling {
+namespace {
+
+/// The cells fed by each source that is cut into pieces, while its pieces are under way.
+class PiecesUnderWay {
+public:
+    explicit PiecesUnderWay(std::size_t cells) : cells_{cells} {}
+    rockfall::FedCells* of(const rockfall::Chunk& chunk) {
+        if (chunk.whole_sources) {
+            return nullptr;
+        }
+        const std::lock_guard lock{mutex_};
+        auto& fed = fed_[chunk.first_source];
+        if (!fed) {
+            fed = std::make_unique<rockfall::FedCells>(cells_);
+        }
+        return fed.get();
+    }
+    void forget(std::uint32_t source) {
+        const std::lock_guard lock{mutex_};
+        fed_.erase(source);
+    }
+
+private:
+    std::size_t cells_;
+    std::mutex mutex_;
+    std::map<std::uint32_t, std::unique_ptr<rockfall::FedCells>> fed_;
+};
+
+/// The first exception of any thread; once there is one, the others have nothing to do.
+class FirstError {
+public:
+    template <class Work>
+    void guard(const Work& work) {
+        if (failed_) {
+            return;
+        }
+        try {
+            work();
+        } catch (...) {
+            const std::lock_guard lock{mutex_};
+            if (!error_) {
+                error_ = std::current_exception();
+            }
+            failed_ = true;
+        }
+    }
+    void rethrow() const {
+        if (error_) {
+            std::rethrow_exception(error_);
+        }
+    }
+
+private:
+    std::atomic<bool> failed_ = false;
+    std::mutex mutex_;
+    std::exception_ptr error_;
+};
+
+}  // namespace
+
+Ended fall_rocks(const rockfall::Assessment& assessment, std::span<const rockfall::Chunk> chunks,
+                 std::array<rockfall::CellHistograms*, rockfall::covers> histograms,
+                 std::span<std::uint8_t> gone, int threads, rockfall::EnsembleTally& total,
+                 const RowSink& sink) {
+    const bool one_after_the_other = !gone.empty();
+    const int workers_wanted = one_after_the_other ? 1 : threads;
+    std::vector<std::unique_ptr<rockfall::Worker>> workers;
+    for (int i = 0; i < workers_wanted; ++i) {
+        workers.push_back(std::make_unique<rockfall::Worker>(assessment, histograms));
+    }
+    PiecesUnderWay pieces{assessment.map_frame.size()};
+    FirstError error;
+    std::atomic<bool> interrupted = false;
+    const auto count = static_cast<std::int64_t>(chunks.size());
+#pragma omp parallel num_threads(workers_wanted)
+    {
+        rockfall::Worker& worker = *workers[static_cast<std::size_t>(omp_get_thread_num())];
+        rockfall::ChunkRows rows;
+#pragma omp for ordered schedule(dynamic, 1)
+        for (std::int64_t i = 0; i < count; ++i) {
+            const rockfall::Chunk& chunk = chunks[static_cast<std::size_t>(i)];
+            rockfall::FedCells* fed = nullptr;
+            rows.clear();
+            if (InterruptGuard::requested()) {
+                interrupted = true;
+            }
+            if (!interrupted) {
+                error.guard([&] {
+                    fed = pieces.of(chunk);
+                    worker.run(chunk, rows, fed, gone);
+                });
+            }
+#pragma omp ordered
+            {
+                if (!interrupted) {
+                    error.guard([&] {
+                        sink(rows);
+                        if (chunk.last_piece) {
+                            worker.add_fed(*fed, assessment.sources[chunk.first_source].rocks);
+                            pieces.forget(chunk.first_source);
+                        }
+                    });
+                }
+            }
+        }
+    }
+    error.rethrow();
+    if (interrupted) {
+        return Ended::interrupted;
+    }
+    for (auto& worker : workers) {
+        total.add(worker->tally());
+        worker.reset();
+    }
+    return Ended::done;
+}
+
+}  // namespace coupling

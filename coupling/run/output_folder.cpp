@@ -1,0 +1,88 @@
+#include "coupling/run/output_folder.hpp"
+
+#include <array>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/results/out_file.hpp"
+#include "coupling/run/checkpoint.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Everything that a run puts into its folder.
+constexpr std::array run_writes{"report.html", "summary.json", "rasters", "tables", "parts", ".writing"};
+
+/// Written last, so its presence says that results are whole.
+constexpr const char* mark_of_results = "summary.json";
+
+}  // namespace
+
+OutputFolder::OutputFolder(fs::path folder, const std::string& settings_hash, bool overwrite)
+    : folder_{std::move(folder)}, existed_{fs::exists(folder_)} {
+    if (existed_ && !fs::is_directory(folder_)) {
+        config::fail(config::ExitCode::settings, {folder_.string()}, "the output folder is a file",
+                     "a folder");
+    }
+    if (overwrite) {
+        delete_results();
+    }
+    if (fs::exists(folder_ / mark_of_results)) {
+        config::fail(config::ExitCode::settings, {folder_.string()},
+                     "the output folder holds finished results",
+                     "another folder by --out, or --overwrite to replace them");
+    }
+    const auto hash = checkpoint_hash(checkpoint());
+    if (hash && *hash != settings_hash) {
+        config::fail(
+            config::ExitCode::settings, {folder_.string()},
+            "the output folder holds parts of a run with other settings or inputs",
+            "the same settings to go on with it, another folder by --out, or --overwrite to begin anew");
+    }
+    has_parts_ = hash.has_value();
+    make_folder(parts());
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code ignored;
+    fs::remove_all(staging(), ignored);
+    if (published_ || !fs::exists(checkpoint(), ignored)) {
+        fs::remove_all(parts(), ignored);
+        if (!existed_ && !published_) {
+            fs::remove(folder_, ignored);  // removes an empty folder only
+        }
+    }
+}
+
+void OutputFolder::delete_results() const {
+    for (const char* name : run_writes) {
+        std::error_code error;
+        fs::remove_all(folder_ / name, error);
+        if (error) {
+            config::fail(config::ExitCode::file, {(folder_ / name).string()},
+                         "cannot be deleted: " + error.message());
+        }
+    }
+}
+
+void OutputFolder::publish() {
+    const auto move = [&](const fs::path& name) {
+        std::error_code error;
+        fs::remove_all(folder_ / name, error);
+        fs::rename(staging() / name, folder_ / name, error);
+        if (error) {
+            config::fail(config::ExitCode::file, {(folder_ / name).string()},
+                         "cannot be moved to its place: " + error.message());
+        }
+    };
+    for (const fs::directory_entry& entry : fs::directory_iterator{staging()}) {
+        if (entry.path().filename() != mark_of_results) {
+            move(entry.path().filename());
+        }
+    }
+    move(mark_of_results);
+    published_ = true;
+}
+
+}  // namespace coupling

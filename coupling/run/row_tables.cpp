@@ -1,0 +1,148 @@
+#include "coupling/run/row_tables.hpp"
+
+#include <optional>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/results/rows.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum Which : std::size_t { rocks_table, arrivals_table, hits_table };
+
+}  // namespace
+
+/// One table: its file, or none if it is not wanted.
+struct RowTables::Table {
+    std::string name;
+    std::string sentence;
+    std::optional<OutFile> file;
+
+    [[nodiscard]] bool wanted() const { return file.has_value(); }
+};
+
+RowTables::~RowTables() = default;
+
+RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path& folder,
+                     const std::vector<std::uint64_t>& kept_bytes)
+    : site_{site} {
+    const auto open = [&](std::string name, std::string sentence, bool wanted,
+                          void (*header)(std::ostream&)) {
+        auto table = std::make_unique<Table>(Table{std::move(name), std::move(sentence), std::nullopt});
+        const std::size_t number = tables_.size();
+        if (wanted) {
+            const fs::path file = folder / table->name;
+            if (number < kept_bytes.size()) {
+                std::error_code error;
+                if (fs::file_size(file, error) < kept_bytes[number] || error) {
+                    config::fail(config::ExitCode::file, {file.string()},
+                                 "shorter than its last finished part",
+                                 "the table of that part, or run with --overwrite");
+                }
+                fs::resize_file(file, kept_bytes[number]);
+                table->file.emplace(file, OutFile::Begin::at_end);
+            } else {
+                table->file.emplace(file);
+                header(table->file->stream());
+            }
+        }
+        tables_.push_back(std::move(table));
+    };
+    open("rocks.csv",
+         "each rock, with forest and without: start, end, run-out, speeds, heights, why it stopped",
+         scenario.rock_table, write_rock_header);
+    open("arrivals.csv", "each rock that reached a target: where, with which energy, speed and height",
+         !site.targets.empty(), write_arrival_header);
+    open("tree_hits.csv", "each hit of a rock on a tree", scenario.tree_hit_table && !site.trees.empty(),
+         write_tree_hit_header);
+}
+
+void RowTables::add(const rockfall::ChunkRows& rows) {
+    for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+        add_rocks(rows, cover);
+        add_arrivals(rows, cover);
+    }
+    add_tree_hits(rows);
+    for (const auto& table : tables_) {
+        if (table->wanted()) {
+            table->file->check();
+        }
+    }
+}
+
+void RowTables::add_rocks(const rockfall::ChunkRows& rows, rockfall::Cover cover) {
+    if (!tables_[rocks_table]->wanted()) {
+        return;
+    }
+    for (const rockfall::RockRecord& record : rows.rocks[static_cast<std::size_t>(cover)]) {
+        write_rock(tables_[rocks_table]->file->stream(), record, cover, site_.origin_m(),
+                   site_.sources[record.source].zone);
+    }
+}
+
+void RowTables::add_arrivals(const rockfall::ChunkRows& rows, rockfall::Cover cover) {
+    if (!tables_[arrivals_table]->wanted()) {
+        return;
+    }
+    const auto c = static_cast<std::size_t>(cover);
+    const std::size_t targets = site_.targets.size();
+    for (std::size_t i = 0; i < rows.arrivals[c].size(); ++i) {
+        if (rows.arrivals[c][i].reached) {
+            write_arrival(tables_[arrivals_table]->file->stream(), rows.rocks[c][i / targets].rock,
+                          site_.targets[i % targets].id, cover, site_.origin_m(), rows.arrivals[c][i]);
+        }
+    }
+}
+
+void RowTables::add_tree_hits(const rockfall::ChunkRows& rows) {
+    if (!tables_[hits_table]->wanted()) {
+        return;
+    }
+    for (const auto& [rock, hit] : rows.tree_hits) {
+        write_tree_hit(tables_[hits_table]->file->stream(), rock, site_.trees[hit.stem].id, site_.origin_m(),
+                       hit);
+    }
+}
+
+std::vector<std::uint64_t> RowTables::flush() {
+    std::vector<std::uint64_t> bytes;
+    for (const auto& table : tables_) {
+        if (table->wanted()) {
+            table->file->stream().flush();
+            table->file->check();
+            bytes.push_back(fs::file_size(table->file->file()));
+        } else {
+            bytes.push_back(0);
+        }
+    }
+    return bytes;
+}
+
+std::vector<WrittenFile> RowTables::close() {
+    std::vector<WrittenFile> written;
+    for (const auto& table : tables_) {
+        if (table->wanted()) {
+            table->file->close();
+            written.push_back({"tables/" + table->name, table->sentence});
+        }
+    }
+    return written;
+}
+
+void RowTables::move_to(const fs::path& folder) {
+    for (const auto& table : tables_) {
+        if (!table->wanted()) {
+            continue;
+        }
+        std::error_code error;
+        fs::rename(table->file->file(), folder / table->name, error);
+        if (error) {
+            config::fail(config::ExitCode::file, {(folder / table->name).string()},
+                         "cannot be written: " + error.message());
+        }
+    }
+}
+
+}  // namespace coupling

@@ -1,0 +1,203 @@
+#include "coupling/run/run.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/write_results.hpp"
+#include "coupling/run/checkpoint.hpp"
+#include "coupling/run/closing_summary.hpp"
+#include "coupling/run/fall_rocks.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/run/output_folder.hpp"
+#include "coupling/run/progress.hpp"
+#include "coupling/run/row_tables.hpp"
+#include "coupling/version.hpp"
+
+namespace coupling {
+namespace {
+
+using rockfall::covers;
+
+/// A part of a run is finished, and kept, after about this many rocks.
+constexpr std::uint64_t rocks_per_part = 250'000;
+
+/// Groups chunks into parts that begin and end with whole sources. Depends on the sources alone.
+std::vector<std::span<const rockfall::Chunk>> plan_parts(std::span<const rockfall::Chunk> chunks) {
+    std::vector<std::span<const rockfall::Chunk>> parts;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        const bool source_ends = chunks[i].whole_sources || chunks[i].last_piece;
+        const bool enough = chunks[i].last_rock - chunks[first].first_rock >= rocks_per_part;
+        if ((source_ends && enough) || i + 1 == chunks.size()) {
+            parts.push_back(chunks.subspan(first, i + 1 - first));
+            first = i + 1;
+        }
+    }
+    return parts;
+}
+
+/// Names the run by everything its results depend on: settings, inputs, version.
+std::string hash_of(const Scenario& scenario, const Site& site) {
+    std::ostringstream text;
+    text << version() << '\n';
+    scenario.options->write_ini(text, false);
+    for (const InputFile& input : site.inputs) {
+        text << input.role << ' ' << input.hash << '\n';
+    }
+    return hash_text(text.str());
+}
+
+std::uint64_t rocks_of(const Site& site) {
+    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+}
+
+/// Distributions for the maps, where wanted.
+struct Histograms {
+    std::array<std::unique_ptr<rockfall::CellHistograms>, covers> owned;
+
+    Histograms(const Scenario& scenario, const config::GridFrame& frame, bool with_forest) {
+        for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+            if (scenario.percentiles && (with_forest || cover == rockfall::Cover::bare)) {
+                owned[static_cast<std::size_t>(cover)] = std::make_unique<rockfall::CellHistograms>(frame);
+            }
+        }
+    }
+    [[nodiscard]] std::array<rockfall::CellHistograms*, covers> pointers() const {
+        return {owned[0].get(), owned[1].get()};
+    }
+};
+
+/// Everything that a run holds while its rocks fall.
+class AssessmentRun {
+public:
+    AssessmentRun(const RunRequest& request, const Scenario& scenario, const Site& site,
+                  config::Warnings& warnings)
+        : request_{request},
+          scenario_{scenario},
+          site_{site},
+          warnings_{warnings},
+          frame_{site.map_frame_on_terrain()},
+          start_{start_law(scenario)},
+          stems_{site.stems(), site.slope.terrain, 0.5 * start_.diameter.largest_m(),
+                 scenario.rockfall.fall.tree.taper},
+          rocks_{rocks_of(site)},
+          assessment_{site.slope, stems_,       site.sources, site.targets, start_, scenario.rockfall.fall,
+                      frame_,     scenario.seed},
+          histograms_{scenario, frame_, !stems_.empty()},
+          total_{frame_, site.targets.size(), stems_.placed().size()} {
+        if (scenario.sample_paths > 0) {
+            assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.sample_paths);
+        }
+        if (scenario.rockfall.fall.tree.remove_broken && !stems_.empty()) {
+            state_.gone.assign(stems_.placed().size(), 0);
+        }
+    }
+
+    Ended fall(OutputFolder& folder);
+    void write(OutputFolder& folder);
+
+private:
+    const RunRequest& request_;
+    const Scenario& scenario_;
+    const Site& site_;
+    config::Warnings& warnings_;
+    config::GridFrame frame_;
+    rockfall::StartLaw start_;
+    rockfall::StemIndex stems_;
+    std::uint64_t rocks_;
+    rockfall::Assessment assessment_;
+    Histograms histograms_;
+    rockfall::EnsembleTally total_;
+    Checkpoint state_;
+    std::unique_ptr<RowTables> tables_;
+};
+
+Ended AssessmentRun::fall(OutputFolder& folder) {
+    const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(site_.sources);
+    const auto parts = plan_parts(chunks);
+    if (folder.has_parts()) {
+        state_ = read_checkpoint(folder.checkpoint(), total_, histograms_.pointers());
+    }
+    state_.settings_hash = hash_of(scenario_, site_);
+    tables_ = std::make_unique<RowTables>(scenario_, site_, folder.parts(), state_.table_bytes);
+    const std::uint64_t done_before =
+        state_.parts_done < parts.size() ? parts[state_.parts_done].front().first_rock : rocks_;
+    Progress progress{"falling", rocks_, done_before, request_.quiet};
+    const InterruptGuard guard;
+    const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
+    for (; state_.parts_done < parts.size();) {
+        const auto keep_rows = [&](const rockfall::ChunkRows& rows) {
+            tables_->add(rows);
+            state_.paths.insert(state_.paths.end(), rows.paths.begin(), rows.paths.end());
+            state_.not_started += rows.not_started;
+            progress.add(rows.rocks[static_cast<std::size_t>(rockfall::Cover::bare)].size() +
+                         rows.not_started);
+        };
+        if (fall_rocks(assessment_, parts[state_.parts_done], histograms_.pointers(), state_.gone, threads,
+                       total_, keep_rows) == Ended::interrupted) {
+            progress.finish();
+            return Ended::interrupted;
+        }
+        ++state_.parts_done;
+        if (state_.parts_done < parts.size()) {
+            state_.table_bytes = tables_->flush();
+            write_checkpoint(folder.checkpoint(), state_, total_, histograms_.pointers());
+        }
+    }
+    progress.finish();
+    return Ended::done;
+}
+
+void AssessmentRun::write(OutputFolder& folder) {
+    if (state_.not_started > 0) {
+        warnings_.add(std::to_string(state_.not_started) +
+                      " rocks were not released: their place in the source lies outside the terrain");
+    }
+    make_folder(folder.staging() / "tables");
+    const std::vector<WrittenFile> streamed = tables_->close();
+    const RunResults results{
+        scenario_,    site_,     total_, {histograms_.pointers()[0], histograms_.pointers()[1]},
+        state_.paths, warnings_, rocks_, !stems_.empty(),
+        version()};
+    const std::vector<WrittenFile> written = write_results(results, folder.staging(), streamed);
+    // Last, when nothing can fail for want of space: until here the parts could still be continued.
+    tables_->move_to(folder.staging() / "tables");
+    folder.publish();
+    if (!request_.quiet) {
+        print_summary(results, folder.path(), written);
+    }
+}
+
+}  // namespace
+
+int run_assessment(const RunRequest& request) {
+    const std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, request.overrides);
+    config::Warnings warnings;
+    const Site site = open_site(*scenario, warnings);
+    if (!request.quiet) {
+        for (const std::string& sentence : warnings.sentences()) {
+            std::fprintf(stderr, "bannwald: warning: %s\n", sentence.c_str());
+        }
+    }
+    const std::filesystem::path out =
+        request.out.empty() ? scenario->file.parent_path() / "out" : request.out;
+    OutputFolder folder{out, hash_of(*scenario, site), request.overwrite};
+    AssessmentRun run{request, *scenario, site, warnings};
+    if (run.fall(folder) == Ended::interrupted) {
+        std::fprintf(
+            stderr,
+            "bannwald: interrupted; the finished parts are kept, run the same command again to go on\n");
+        return static_cast<int>(config::ExitCode::interrupted);
+    }
+    run.write(folder);
+    return static_cast<int>(config::ExitCode::done);
+}
+
+}  // namespace coupling
