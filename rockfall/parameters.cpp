@@ -34,7 +34,7 @@ void declare_ground(config::Options& options, GroundLaw& ground) {
                    {.unit = "m",
                     .low = 0.0,
                     .high = 10.0,
-                    .meaning = "largest height error by which the terrain is thinned; 0 keeps every point",
+                    .meaning = "largest height error when a DEM is thinned; 0 keeps every point",
                     .source = "choice"});
     options.number("rockfall.contact_support_m", ground.contact_support_m,
                    {.unit = "m",

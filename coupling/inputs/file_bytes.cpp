@@ -1,0 +1,88 @@
+#include "coupling/inputs/file_bytes.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <system_error>
+
+#include "config/text/gunzip.hpp"
+
+namespace coupling {
+
+namespace {
+
+/// Why a file cannot be opened for reading, "" if it can.
+std::string reason_against(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found) {
+        return "no file";
+    }
+    if (error) {
+        return error.message() + ":";
+    }
+    if (status.type() == std::filesystem::file_type::directory) {
+        return "a folder,";
+    }
+    if (access(path.c_str(), R_OK) != 0) {
+        return std::string{std::strerror(errno)} + ":";
+    }
+    return status.type() == std::filesystem::file_type::regular ? "" : "no ordinary file:";
+}
+
+}  // namespace
+
+std::uint64_t fnv1a(std::string_view bytes) {
+    std::uint64_t hash = 0xCBF29CE484222325ULL;
+    for (const char c : bytes) {
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
+    }
+    return hash;
+}
+
+std::string_view FileBytes::stored() const {
+    return map_.is_open() ? std::string_view{map_.data(), map_.size()} : std::string_view{};
+}
+
+std::string FileBytes::hash() const {
+    return hash_text(stored());
+}
+
+std::string hash_text(std::string_view bytes) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::uint64_t value = fnv1a(bytes);
+    std::string text(16, '0');
+    for (auto digit = text.rbegin(); digit != text.rend(); ++digit, value >>= 4U) {
+        *digit = digits[value & 0xFU];
+    }
+    return text;
+}
+
+FileBytes open_file(const std::filesystem::path& path, const config::Place& asked_at,
+                    std::string_view expected) {
+    const std::string reason = reason_against(path);
+    if (!reason.empty()) {
+        config::fail(config::ExitCode::file, asked_at, reason + " " + config::in_quotes(path.string()),
+                     std::string{expected});
+    }
+    FileBytes bytes;
+    try {
+        if (std::filesystem::file_size(path) > 0) {
+            bytes.map_.open(path.string());
+        }
+    } catch (const std::exception& error) {
+        config::fail(config::ExitCode::file, asked_at,
+                     config::in_quotes(path.string()) + ", which cannot be read: " + error.what(),
+                     std::string{expected});
+    }
+    bytes.is_packed_ = config::is_gzip(bytes.stored());
+    if (bytes.is_packed_) {
+        bytes.unpacked_ = config::gunzip(bytes.stored(), path.string());
+    }
+    return bytes;
+}
+
+}  // namespace coupling

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <boost/iostreams/device/mapped_file.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+
+namespace coupling {
+
+/// The bytes of a file: mapped into memory as they lie on disk, unpacked where they are gzip.
+class FileBytes {
+public:
+    /// The content, unpacked. Lives as long as this object.
+    [[nodiscard]] std::string_view text() const { return is_packed_ ? unpacked_ : stored(); }
+    [[nodiscard]] std::uint64_t stored_bytes() const { return stored().size(); }
+    /// 16 hexadecimal digits over the bytes as stored: tells versions of a file apart, no protection against
+    /// malice.
+    [[nodiscard]] std::string hash() const;
+
+private:
+    friend FileBytes open_file(const std::filesystem::path&, const config::Place&, std::string_view);
+    [[nodiscard]] std::string_view stored() const;
+
+    boost::iostreams::mapped_file_source map_;  ///< not open for an empty file
+    std::string unpacked_;
+    bool is_packed_ = false;
+};
+
+/// Opens a file; the only place in the program that reads one. `asked_at` is where the user named it and
+/// `expected` what it ought to be. Throws InputError (file) for a file that is missing, a folder or
+/// unreadable.
+FileBytes open_file(const std::filesystem::path& path, const config::Place& asked_at,
+                    std::string_view expected);
+
+/// FNV-1a of 64 bits.
+std::uint64_t fnv1a(std::string_view bytes);
+/// The same as 16 hexadecimal digits.
+std::string hash_text(std::string_view bytes);
+
+}  // namespace coupling

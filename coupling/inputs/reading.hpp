@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+#include "config/errors/warnings.hpp"
+#include "config/grid/raster.hpp"
+#include "config/table/table.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+
+namespace coupling {
+
+/// What the readers of a site share: the scenario, what is wrong, what is doubtful, which files were opened.
+class Reading {
+public:
+    Reading(const Scenario& scenario, config::Warnings& warnings)
+        : scenario_{scenario}, warnings_{warnings} {}
+
+    [[nodiscard]] const Scenario& scenario() const { return scenario_; }
+    [[nodiscard]] config::Problems& problems() { return problems_; }
+    [[nodiscard]] const std::vector<InputFile>& inputs() const { return inputs_; }
+
+    void refuse(config::Place place, std::string found, std::string expected = "") {
+        problems_.add(config::ExitCode::data, std::move(place), std::move(found), std::move(expected));
+    }
+    /// Only suspicious: a warning, or a problem with strict_inputs.
+    void doubt(config::Place place, std::string found, std::string expected = "");
+    /// Worth knowing, never an error.
+    void note(std::string sentence) { warnings_.add(std::move(sentence)); }
+
+    /// Runs a step; what it throws joins the other problems, and nothing comes back.
+    template <class Step>
+    auto attempt(Step step) -> std::optional<decltype(step())> {
+        try {
+            return step();
+        } catch (const config::InputError& error) {
+            problems_.add(error);
+            return std::nullopt;
+        }
+    }
+
+    /// Name of a file in messages: as it is found from here.
+    [[nodiscard]] std::string shown(const std::string& name) const {
+        return scenario_.resolve(name).string();
+    }
+
+    /// Opens a file that the setting `key` names and records it under its role.
+    FileBytes open(const std::string& key, const std::string& role, const std::string& name,
+                   std::string_view expected);
+    config::Table table(const std::string& key, const std::string& role, const std::string& name);
+    config::Raster<double> grid(const std::string& key, const std::string& role, const std::string& name);
+    /// A file that may be missing: its text, or "".
+    std::string text_beside(const std::string& role, const std::string& name);
+
+private:
+    const Scenario& scenario_;
+    config::Warnings& warnings_;
+    config::Problems problems_;
+    std::vector<InputFile> inputs_;
+};
+
+/// "220 x 241 cells of 5 m, corner 177198.3, 376897.5".
+std::string to_string(const config::GridFrame& frame);
+
+/// "row 3, column 17 (x 177203.3, y 376902.5)", counted from 1 at the north-western corner.
+std::string cell_in_words(const config::GridFrame& frame, std::size_t index);
+
+/// "1 cell", "5 cells".
+std::string counted(std::size_t count, std::string_view singular);
+
+/// Keeps the first 20 problems of a file and says how many more there are.
+void add_first(config::Problems& problems, const config::Problems& of_file, const std::string& file);
+
+}  // namespace coupling

@@ -1,0 +1,223 @@
+#include "coupling/inputs/scenario.hpp"
+
+#include <sstream>
+#include <utility>
+
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/scenario_checks.hpp"
+
+namespace coupling {
+
+namespace {
+
+constexpr double largest_diameter_m = 20.0;
+
+void declare_run(config::Options& options, Scenario& s) {
+    options.count("run.seed", s.seed,
+                  {.low = 0.0,
+                   .high = 9007199254740992.0,
+                   .meaning = "key of all random numbers; the same seed gives the same results",
+                   .source = "choice"});
+    options.count("run.years", s.years,
+                  {.unit = "yr",
+                   .low = 0.0,
+                   .high = 1000.0,
+                   .meaning = "years to simulate; 0 assesses the trees as they stand",
+                   .source = "choice"});
+    options.flag("run.strict_inputs", s.strict_inputs,
+                 {.meaning = "what is only doubtful in the input ends the run instead of a warning",
+                  .source = "choice"});
+}
+
+void declare_terrain(config::Options& options, Scenario& s) {
+    options.text("terrain.dem", s.dem, {.meaning = "ground heights in m: ESRI ASCII grid, plain or .gz"});
+    options.text("terrain.points", s.points, {.meaning = "instead: text of x y z in m, one point a line"});
+    options.number("terrain.longest_edge_m", s.longest_edge_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 10'000.0,
+                    .meaning = "for points: longer triangle edges are no terrain; 0 keeps all",
+                    .source = "choice"});
+    options.text("terrain.surface", s.surface,
+                 {.meaning = "ground types: ESRI ASCII grid of codes on the frame of the DEM"});
+    options.text("terrain.surface_polygons", s.surface_polygons,
+                 {.meaning = "instead: CSV with code, wkt (POLYGON); later rows lie on top"});
+    options.text("terrain.surface_types", s.surface_types,
+                 {.meaning = "CSV with code, label, r_n, r_t, p_stop; or code, name of a shipped type"});
+    options.text("terrain.stopping", s.stopping,
+                 {.meaning = "CSV with code, diameter_m, p_stop; without it p_stop is scaled by size"});
+    options.text(
+        "terrain.ground", s.ground,
+        {.meaning = "shipped ground type (see `bannwald info surfaces`) where no grid or polygon says"});
+}
+
+void declare_release(config::Options& options, Scenario& s) {
+    options.text("release.source", s.source,
+                 {.meaning = "ESRI ASCII grid on the frame of the DEM: 0 no source, k > 0 release zone k"});
+    options.text("release.source_shapes", s.source_shapes,
+                 {.meaning = "instead: CSV with wkt (points, lines or polygons) and perhaps zone"});
+    options.count("release.rocks", s.rocks,
+                  {.low = 0.0,
+                   .high = 4e9,
+                   .meaning = "rocks in all; 0: rocks_per_source times the number of sources",
+                   .source = "choice"});
+    options.count("release.rocks_per_source", s.rocks_per_source,
+                  {.low = 0.0,
+                   .high = 1e9,
+                   .meaning = "rocks for each source cell, point or line piece, on average",
+                   .source = "choice"});
+    options.number("release.density_kgpm3", s.density_kgpm3,
+                   {.unit = "kg/m3",
+                    .low = 1000.0,
+                    .high = 5000.0,
+                    .meaning = "density of the rock",
+                    .source = "Rammer et al. 2010"});
+    options.flag("release.random_place", s.random_place,
+                 {.meaning = "rocks start anywhere in their source; no: at its centre", .source = "choice"});
+}
+
+void declare_diameter(config::Options& options, Scenario& s) {
+    options.choice("release.diameter_kind", s.diameter_kind,
+                   {{"fixed", DiameterKind::fixed},
+                    {"classes", DiameterKind::classes},
+                    {"uniform", DiameterKind::uniform},
+                    {"lognormal", DiameterKind::lognormal}},
+                   {.meaning = "which law rock sizes follow", .source = "choice"});
+    options.number("release.diameter_m", s.diameter_m,
+                   {.unit = "m",
+                    .low = 0.01,
+                    .high = largest_diameter_m,
+                    .meaning = "diameter (fixed), or its mean (lognormal)",
+                    .source = "choice"});
+    options.number("release.diameter_deviation_m", s.diameter_deviation_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = largest_diameter_m,
+                    .meaning = "standard deviation of the diameter (lognormal)"});
+    options.number("release.diameter_low_m", s.diameter_low_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = largest_diameter_m,
+                    .meaning = "smallest diameter (uniform, lognormal)"});
+    options.number("release.diameter_high_m", s.diameter_high_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = largest_diameter_m,
+                    .meaning = "largest diameter (uniform, lognormal)"});
+    options.numbers("release.diameter_classes_m", s.diameter_classes_m,
+                    {.unit = "m",
+                     .low = 0.01,
+                     .high = largest_diameter_m,
+                     .meaning = "diameters (classes), such as 0.5, 1, 1.5"});
+    options.numbers("release.diameter_shares", s.diameter_shares,
+                    {.low = 0.0, .high = 1e9, .meaning = "how often each of them occurs, in any scale"});
+}
+
+void declare_start(config::Options& options, Scenario& s) {
+    options.number("release.start_height_m", s.start_height_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 1000.0,
+                    .meaning = "height of the rock's underside above ground; 0 starts rolling",
+                    .source = "Rammer et al. 2010 (Vaujany)"});
+    options.number("release.start_speed_mps", s.start_speed_mps,
+                   {.unit = "m/s",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "speed of the rock when it starts",
+                    .source = "Rammer et al. 2010 (Vaujany)"});
+    options.number("release.start_dip_deg", s.start_dip_deg,
+                   {.unit = "deg",
+                    .low = -90.0,
+                    .high = 90.0,
+                    .meaning = "its direction below the horizon",
+                    .source = "Rammer et al. 2010 (Vaujany)"});
+    options.number("release.start_scatter_deg", s.start_scatter_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 180.0,
+                    .meaning = "largest turn of the start away from the fall line",
+                    .source = "choice"});
+    options.number("release.fall_height_m", s.fall_height_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 1000.0,
+                    .meaning = "> 0: dropped at rest from this height instead",
+                    .source = "choice"});
+}
+
+void declare_output(config::Options& options, Scenario& s) {
+    options.number(
+        "output.cell_size_m", s.cell_size_m,
+        {.unit = "m",
+         .low = 0.0,
+         .high = 1000.0,
+         .meaning = "cell size of the maps; 0: that of the DEM (points: their mean spacing, rounded up)",
+         .source = "choice"});
+    options.flag("output.percentiles", s.percentiles,
+                 {.meaning = "maps of percentiles; they need most of the memory", .source = "choice"});
+    options.flag("output.rock_table", s.rock_table, {.meaning = "table of every rock", .source = "choice"});
+    options.flag("output.tree_hit_table", s.tree_hit_table,
+                 {.meaning = "table of every tree hit", .source = "choice"});
+    options.count("output.sample_paths", s.sample_paths,
+                  {.low = 0.0,
+                   .high = 1e6,
+                   .meaning = "how many rocks keep their path for pictures",
+                   .source = "choice"});
+}
+
+}  // namespace
+
+std::filesystem::path Scenario::resolve(const std::string& name) const {
+    const std::filesystem::path path{name};
+    return path.is_absolute() ? path : file.parent_path() / path;
+}
+
+void declare(config::Options& options, Scenario& scenario) {
+    declare_run(options, scenario);
+    declare_terrain(options, scenario);
+    options.text("trees.file", scenario.trees,
+                 {.meaning = "CSV with tree_id, x_m, y_m, species, dbh_cm, height_m; none: bare slope only"});
+    declare_release(options, scenario);
+    declare_diameter(options, scenario);
+    declare_start(options, scenario);
+    options.text("targets.file", scenario.targets,
+                 {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});
+    declare_output(options, scenario);
+    options.text("rockfall.preset", scenario.preset,
+                 {.meaning = "default, or a named set: strict, paper_rebound, paper_initial"});
+    rockfall::declare(options, scenario.rockfall);
+}
+
+std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
+                                        const std::vector<std::string>& overrides) {
+    auto scenario = std::make_unique<Scenario>();
+    scenario->file = file;
+    scenario->options = std::make_shared<config::Options>();
+    declare(*scenario->options, *scenario);
+
+    const FileBytes bytes = open_file(file, {file.string()}, "a scenario file");
+    std::istringstream in{std::string{bytes.text()}};
+    scenario->options->read(in, file.string(), overrides, "rockfall.preset");
+    check(*scenario);
+    rockfall::take_over(scenario->rockfall, *scenario->options);
+    return scenario;
+}
+
+rockfall::StartLaw start_law(const Scenario& scenario) {
+    rockfall::StartLaw law;
+    law.diameter = diameter_law(scenario);
+    law.density_kgpm3 = scenario.density_kgpm3;
+    law.height_m = scenario.start_height_m;
+    law.speed_mps = scenario.start_speed_mps;
+    law.dip = config::Angle::from_degrees(scenario.start_dip_deg);
+    law.heading_scatter = config::Angle::from_degrees(scenario.start_scatter_deg);
+    law.random_place = scenario.random_place;
+    if (scenario.fall_height_m > 0.0) {
+        law.height_m = scenario.fall_height_m;
+        law.speed_mps = 0.0;
+    }
+    return law;
+}
+
+}  // namespace coupling

@@ -1,0 +1,160 @@
+#include "coupling/inputs/scenario_checks.hpp"
+
+#include <numeric>
+#include <string>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/numbers.hpp"
+
+namespace coupling {
+
+namespace {
+
+using config::ExitCode;
+
+/// Adds problems at the line where a setting stands.
+class Checker {
+public:
+    explicit Checker(const Scenario& scenario) : options_{*scenario.options} {}
+
+    void refuse(const std::string& key, std::string found, std::string expected) {
+        problems_.add(ExitCode::settings, options_.place_of(key), std::move(found), std::move(expected));
+    }
+    /// Exactly one of two files has to be named.
+    void one_of(const std::string& first, const std::string& first_name, const std::string& second,
+                const std::string& second_name) {
+        if (first_name.empty() && second_name.empty()) {
+            refuse(first, "neither " + first + " nor " + second, "one of them");
+        }
+        not_both(first, first_name, second, second_name);
+    }
+    void not_both(const std::string& first, const std::string& first_name, const std::string& second,
+                  const std::string& second_name) {
+        if (!first_name.empty() && !second_name.empty()) {
+            refuse(second, second + " beside " + first, "only one of them");
+        }
+    }
+    [[nodiscard]] const config::Problems& problems() const { return problems_; }
+
+private:
+    const config::Options& options_;
+    config::Problems problems_;
+};
+
+void check_terrain(const Scenario& s, Checker& checker) {
+    checker.one_of("terrain.dem", s.dem, "terrain.points", s.points);
+    checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
+    const bool has_codes = !s.surface.empty() || !s.surface_polygons.empty();
+    if (!has_codes && s.ground.empty()) {
+        checker.refuse("terrain.surface", "no ground types",
+                       "terrain.surface, terrain.surface_polygons or terrain.ground");
+    }
+    if (has_codes && s.surface_types.empty()) {
+        checker.refuse("terrain.surface_types", "surface codes without terrain.surface_types",
+                       "a table of what the codes mean");
+    }
+    if (!s.surface.empty() && s.dem.empty() && !s.points.empty()) {
+        checker.refuse("terrain.surface", "a surface grid beside terrain.points",
+                       "terrain.surface_polygons or terrain.ground: points have no grid to match");
+    }
+}
+
+void check_release(const Scenario& s, Checker& checker) {
+    checker.one_of("release.source", s.source, "release.source_shapes", s.source_shapes);
+    if (!s.source.empty() && s.dem.empty() && !s.points.empty()) {
+        checker.refuse("release.source", "a source grid beside terrain.points",
+                       "release.source_shapes: points have no grid to match");
+    }
+    if (s.rocks == 0 && s.rocks_per_source == 0) {
+        checker.refuse("release.rocks_per_source", "no rocks: both rocks and rocks_per_source are 0",
+                       "one of them above 0");
+    }
+}
+
+void check_range(const Scenario& s, Checker& checker) {
+    if (!(s.diameter_low_m > 0.0)) {
+        checker.refuse("release.diameter_low_m",
+                       "release.diameter_low_m " + config::to_text(s.diameter_low_m), "a diameter > 0 m");
+    }
+    if (!(s.diameter_high_m > s.diameter_low_m)) {
+        checker.refuse("release.diameter_high_m",
+                       "release.diameter_high_m " + config::to_text(s.diameter_high_m),
+                       "more than release.diameter_low_m " + config::to_text(s.diameter_low_m));
+    }
+}
+
+void check_classes(const Scenario& s, Checker& checker) {
+    if (s.diameter_classes_m.empty()) {
+        checker.refuse("release.diameter_classes_m", "no release.diameter_classes_m",
+                       "at least one diameter for diameter_kind = classes");
+    } else if (s.diameter_classes_m.size() != s.diameter_shares.size()) {
+        checker.refuse("release.diameter_shares",
+                       std::to_string(s.diameter_shares.size()) + " shares for " +
+                           std::to_string(s.diameter_classes_m.size()) + " diameters",
+                       "as many of both");
+    } else if (!(std::accumulate(s.diameter_shares.begin(), s.diameter_shares.end(), 0.0) > 0.0)) {
+        checker.refuse("release.diameter_shares", "shares that are all 0", "at least one above 0");
+    }
+}
+
+void check_diameter(const Scenario& s, Checker& checker) {
+    switch (s.diameter_kind) {
+        case DiameterKind::fixed:
+            break;
+        case DiameterKind::classes:
+            check_classes(s, checker);
+            break;
+        case DiameterKind::uniform:
+            check_range(s, checker);
+            break;
+        case DiameterKind::lognormal:
+            check_range(s, checker);
+            if (!(s.diameter_deviation_m > 0.0)) {
+                checker.refuse("release.diameter_deviation_m", "release.diameter_deviation_m 0",
+                               "more than 0 m for diameter_kind = lognormal");
+            }
+            break;
+    }
+}
+
+}  // namespace
+
+void check(const Scenario& scenario) {
+    Checker checker{scenario};
+    if (scenario.years != 0) {
+        checker.refuse("run.years", "run.years " + std::to_string(scenario.years),
+                       "0: this version assesses the trees as they stand");
+    }
+    check_terrain(scenario, checker);
+    check_release(scenario, checker);
+    check_diameter(scenario, checker);
+    checker.problems().throw_if_any();
+}
+
+rockfall::DiameterLaw diameter_law(const Scenario& scenario) {
+    using rockfall::DiameterLaw;
+    switch (scenario.diameter_kind) {
+        case DiameterKind::classes: {
+            // Classes that never occur are left out: the law wants positive shares.
+            std::vector<double> diameters_m;
+            std::vector<double> shares;
+            for (std::size_t i = 0; i < scenario.diameter_classes_m.size(); ++i) {
+                if (scenario.diameter_shares[i] > 0.0) {
+                    diameters_m.push_back(scenario.diameter_classes_m[i]);
+                    shares.push_back(scenario.diameter_shares[i]);
+                }
+            }
+            return DiameterLaw::classes(std::move(diameters_m), shares);
+        }
+        case DiameterKind::uniform:
+            return DiameterLaw::uniform(scenario.diameter_low_m, scenario.diameter_high_m);
+        case DiameterKind::lognormal:
+            return DiameterLaw::lognormal(scenario.diameter_m, scenario.diameter_deviation_m,
+                                          scenario.diameter_low_m, scenario.diameter_high_m);
+        case DiameterKind::fixed:
+            break;
+    }
+    return DiameterLaw::fixed(scenario.diameter_m);
+}
+
+}  // namespace coupling

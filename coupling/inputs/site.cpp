@@ -1,0 +1,125 @@
+#include "coupling/inputs/site.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/release_input.hpp"
+#include "coupling/inputs/surface_input.hpp"
+#include "coupling/inputs/surface_types.hpp"
+#include "coupling/inputs/target_input.hpp"
+#include "coupling/inputs/terrain_input.hpp"
+#include "coupling/inputs/tree_input.hpp"
+
+namespace coupling {
+
+namespace {
+
+config::GridFrame relative_to(const config::GridFrame& frame, const Eigen::Vector2d& origin_m) {
+    config::GridFrame relative = frame;
+    relative.x_west_m -= origin_m.x();
+    relative.y_south_m -= origin_m.y();
+    return relative;
+}
+
+/// The map that rocks ask: cells without ground, which none of them reaches, carry the first type.
+rockfall::SurfaceMap surface_map(const GroundMap& ground, const Eigen::Vector2d& origin_m) {
+    std::vector<std::uint8_t> ids = ground.ids.values;
+    std::replace(ids.begin(), ids.end(), GroundMap::none, std::uint8_t{0});
+    return {relative_to(ground.ids.frame, origin_m), std::move(ids)};
+}
+
+/// The ground types on another frame, by the cell that each centre lies in.
+config::Raster<std::uint8_t> on_frame(const config::Raster<std::uint8_t>& ids,
+                                      const config::GridFrame& frame) {
+    if (ids.frame == frame) {
+        return ids;
+    }
+    config::Raster<std::uint8_t> result{frame, GroundMap::none};
+    for (std::size_t i = 0; i < result.values.size(); ++i) {
+        const config::Cell place = frame.cell_of(i);
+        const config::Cell cell =
+            ids.frame.cell_at(frame.x_centre_m(place.column), frame.y_centre_m(place.row));
+        if (ids.frame.contains(cell)) {
+            result.values[i] = ids.at(cell);
+        }
+    }
+    return result;
+}
+
+/// Everything as read from the files; what could not be read is missing.
+struct Files {
+    std::optional<HeightInput> heights;
+    std::optional<std::vector<rockfall::SurfaceType>> types;
+    std::optional<GroundCover> cover;
+    std::optional<SourceInput> sources;
+    std::optional<std::vector<TreeRecord>> trees;
+    std::optional<std::vector<rockfall::Target>> targets;
+};
+
+Files read_files(Reading& reading) {
+    Files files;
+    files.heights = read_heights(reading);
+    files.types = read_surface_types(reading);
+    files.cover = read_ground_cover(reading);
+    files.sources = read_sources(reading);
+    files.trees = read_trees(reading);
+    files.targets = read_targets(reading);
+    return files;
+}
+
+}  // namespace
+
+config::GridFrame Site::map_frame_on_terrain() const {
+    return relative_to(map_frame, origin_m());
+}
+
+std::vector<rockfall::Stem> Site::stems() const {
+    std::vector<rockfall::Stem> stems;
+    stems.reserve(trees.size());
+    for (const TreeRecord& tree : trees) {
+        stems.push_back(tree.stem);
+    }
+    return stems;
+}
+
+Site open_site(const Scenario& scenario, config::Warnings& warnings) {
+    Reading reading{scenario, warnings};
+    Files files = read_files(reading);
+    if (!files.heights) {
+        reading.problems().throw_if_any();
+    }
+    // What lies on the terrain is checked even where another file is wrong: the user sees all of it at once.
+    rockfall::Terrain terrain =
+        build_terrain(*files.heights, scenario.rockfall.ground, scenario.longest_edge_m);
+    std::optional<GroundMap> ground;
+    if (files.cover && files.types) {
+        ground = match_ground(*files.heights, terrain, *files.cover, std::move(*files.types), reading);
+    }
+    std::optional<std::vector<rockfall::ReleaseSource>> sources;
+    if (files.sources) {
+        sources = place_sources(*files.sources, *files.heights, terrain, reading);
+    }
+    if (files.trees) {
+        files.trees = on_terrain(std::move(*files.trees), terrain, reading);
+    }
+    if (files.targets) {
+        files.targets = on_terrain(std::move(*files.targets), terrain, reading);
+    }
+    reading.problems().throw_if_any();
+
+    rockfall::SurfaceMap surface = surface_map(*ground, terrain.origin_m());
+    config::Raster<double> heights = heights_on_map(*files.heights, terrain);
+    return {.slope = {std::move(terrain), std::move(surface), std::move(ground->types)},
+            .heights = std::move(heights),
+            .surface = on_frame(ground->ids, files.heights->map_frame),
+            .projection = std::move(files.heights->projection),
+            .map_frame = files.heights->map_frame,
+            .trees = std::move(*files.trees),
+            .sources = std::move(*sources),
+            .targets = std::move(*files.targets),
+            .inputs = reading.inputs()};
+}
+
+}  // namespace coupling

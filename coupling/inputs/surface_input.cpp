@@ -1,0 +1,144 @@
+#include "coupling/inputs/surface_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/shape_input.hpp"
+#include "coupling/inputs/surface_types.hpp"
+
+namespace coupling {
+
+namespace {
+
+constexpr double no_code = std::numeric_limits<double>::quiet_NaN();
+
+GroundCover read_polygons(Reading& reading) {
+    const std::string& name = reading.scenario().surface_polygons;
+    const config::Table table = reading.table("terrain.surface_polygons", "surface_polygons", name);
+    config::Problems problems;
+    table.require({"code", "wkt"}, problems);
+    problems.throw_if_any();
+    GroundCover cover{.grid = {}, .areas = {}, .file = reading.shown(name)};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto code = table.whole(row, "code", {.low = 0.0}, problems);
+        auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems);
+        if (code && shape) {
+            cover.areas.push_back({std::move(*shape), static_cast<double>(*code)});
+        }
+    }
+    config::Problems shown;
+    add_first(shown, problems, table.file());
+    shown.throw_if_any();
+    return cover;
+}
+
+GroundCover read_cover(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
+    if (!scenario.surface_polygons.empty()) {
+        return read_polygons(reading);
+    }
+    GroundCover cover;
+    if (!scenario.surface.empty()) {
+        cover.file = reading.shown(scenario.surface);
+        cover.grid = reading.grid("terrain.surface", "surface", scenario.surface);
+    }
+    return cover;
+}
+
+/// Cells with the same fault: how many, and the first.
+struct Faults {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    void add(std::size_t cell) { first = count++ == 0 ? cell : first; }
+};
+
+std::string in_words(const Faults& faults, const config::GridFrame& frame) {
+    return counted(faults.count, "cell") + ", the first in " + cell_in_words(frame, faults.first);
+}
+
+std::string codes_in_words(const std::vector<rockfall::SurfaceType>& types) {
+    std::string text;
+    for (const rockfall::SurfaceType& type : types) {
+        text += (text.empty() ? "" : ", ") + std::to_string(type.code);
+    }
+    return text;
+}
+
+/// Place of a code in the list of types; nothing if it has none.
+std::optional<std::uint8_t> id_of(double code, const std::vector<rockfall::SurfaceType>& types) {
+    const auto found = std::find_if(types.begin(), types.end(),
+                                    [&](const rockfall::SurfaceType& type) { return type.code == code; });
+    return found == types.end() ? std::nullopt
+                                : std::optional{static_cast<std::uint8_t>(found - types.begin())};
+}
+
+config::Raster<double> codes_on(const config::GridFrame& frame, const GroundCover& cover) {
+    if (cover.grid) {
+        return *cover.grid;
+    }
+    return config::rasterise_polygons(frame, cover.areas, no_code);
+}
+
+}  // namespace
+
+std::optional<GroundCover> read_ground_cover(Reading& reading) {
+    return reading.attempt([&] { return read_cover(reading); });
+}
+
+bool check_frame(const config::GridFrame& frame, const std::string& file, const HeightInput& heights,
+                 Reading& reading) {
+    if (config::same_place(heights.frame(), frame)) {
+        return true;
+    }
+    reading.refuse({file}, to_string(frame),
+                   "the frame of " + heights.file + ", " + to_string(heights.frame()));
+    return false;
+}
+
+std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
+                                      const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
+                                      Reading& reading) {
+    if (cover.grid && !check_frame(cover.grid->frame, cover.file, heights, reading)) {
+        return std::nullopt;
+    }
+    const config::Raster<double> codes = codes_on(heights.frame(), cover);
+    std::optional<std::uint8_t> elsewhere;
+    if (const auto ground = reading.attempt([&] { return uniform_ground(reading.scenario()); });
+        ground && *ground) {
+        elsewhere = static_cast<std::uint8_t>(types.size());
+    }
+
+    GroundMap map{.types = types, .ids = config::Raster<std::uint8_t>{heights.frame(), GroundMap::none}};
+    std::map<double, Faults> unknown;
+    Faults without;
+    for (std::size_t cell = 0; cell < codes.values.size(); ++cell) {
+        if (!has_ground(heights, terrain, cell)) {
+            continue;
+        }
+        const double code = codes.values[cell];
+        const auto id = std::isnan(code) ? elsewhere : id_of(code, types);
+        if (id) {
+            map.ids.values[cell] = *id;
+        } else {
+            (std::isnan(code) ? without : unknown[code]).add(cell);
+        }
+    }
+    for (const auto& [code, faults] : unknown) {
+        reading.refuse(
+            {cover.file}, "surface code " + config::to_text(code) + " in " + in_words(faults, codes.frame),
+            "a code of " + reading.shown(reading.scenario().surface_types) + ": " + codes_in_words(types));
+    }
+    if (without.count > 0) {
+        reading.refuse({cover.file}, "no surface code in " + in_words(without, codes.frame),
+                       "a code wherever the ground is known, or terrain.ground for the rest");
+    }
+    if (elsewhere) {
+        map.types.push_back(*uniform_ground(reading.scenario()));
+    }
+    return unknown.empty() && without.count == 0 ? std::optional{std::move(map)} : std::nullopt;
+}
+
+}  // namespace coupling

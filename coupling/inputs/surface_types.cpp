@@ -1,0 +1,247 @@
+#include "coupling/inputs/surface_types.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "config/data/shipped_tables.hpp"
+
+namespace coupling {
+
+namespace {
+
+using Knots = std::vector<std::pair<double, double>>;
+
+constexpr config::NumberRange restitution_range{.low = 0.0, .high = rockfall::largest_restitution};
+constexpr config::NumberRange probability_range{.low = 0.0, .high = 1.0};
+constexpr config::NumberRange code_range{.low = 0.0, .high = 1e6};
+constexpr std::size_t most_types = 255;  // the map keeps a byte for each cell, 255 for none
+
+config::Table shipped(const std::string& name) {
+    std::istringstream in{std::string{config::shipped_table(name)}};
+    return config::Table::read(in, name);
+}
+
+bool has_value(const config::Table& table, std::size_t row, const std::string& column) {
+    return table.has(column) && !table.text(row, column).empty();
+}
+
+/// Stopping knots by surface code, diameters rising.
+std::map<int, Knots> read_stopping(Reading& reading, config::Problems& problems) {
+    const config::Table table = reading.table("terrain.stopping", "stopping", reading.scenario().stopping);
+    std::map<int, Knots> knots;
+    if (!table.require({"code", "diameter_m", "p_stop"}, problems)) {
+        return knots;
+    }
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto code = table.whole(row, "code", code_range, problems);
+        const auto diameter_m =
+            table.number(row, "diameter_m", {.low = 0.0, .high = 20.0, .low_excluded = true}, problems);
+        const auto probability = table.number(row, "p_stop", probability_range, problems);
+        if (!code || !diameter_m || !probability) {
+            continue;
+        }
+        Knots& of_code = knots[static_cast<int>(*code)];
+        if (std::any_of(of_code.begin(), of_code.end(),
+                        [&](const auto& k) { return k.first == *diameter_m; })) {
+            problems.add(config::ExitCode::data, table.place(row, "diameter_m"),
+                         "diameter " + table.text(row, "diameter_m") + " a second time for code " +
+                             table.text(row, "code"),
+                         "each diameter once");
+            continue;
+        }
+        of_code.emplace_back(*diameter_m, *probability);
+    }
+    for (auto& [code, of_code] : knots) {
+        std::sort(of_code.begin(), of_code.end());
+    }
+    return knots;
+}
+
+/// Reads the table of ground types row by row.
+class TypeReader {
+public:
+    TypeReader(const config::Table& table, std::map<int, Knots> stopping, config::Problems& problems)
+        : table_{table}, stopping_{std::move(stopping)}, shipped_{shipped_surfaces()}, problems_{problems} {}
+
+    std::vector<rockfall::SurfaceType> all() {
+        std::vector<rockfall::SurfaceType> types;
+        for (std::size_t row = 0; row < table_.rows(); ++row) {
+            const rockfall::SurfaceType type = read(row);
+            if (type.code >= 0 &&
+                std::any_of(types.begin(), types.end(), [&](const auto& t) { return t.code == type.code; })) {
+                refuse(row, "code", "code " + table_.text(row, "code") + " a second time", "each code once");
+            }
+            types.push_back(type);
+        }
+        return types;
+    }
+
+    /// Codes of the stopping table that no row has.
+    [[nodiscard]] std::vector<int> unused_stopping(const std::vector<rockfall::SurfaceType>& types) const {
+        std::vector<int> unused;
+        for (const auto& [code, knots] : stopping_) {
+            if (std::none_of(types.begin(), types.end(), [&](const auto& t) { return t.code == code; })) {
+                unused.push_back(code);
+            }
+        }
+        return unused;
+    }
+
+private:
+    rockfall::SurfaceType read(std::size_t row) {
+        rockfall::SurfaceType type;
+        const ShippedSurface* like = like_of(row);
+        type.code = static_cast<int>(table_.whole(row, "code", code_range, problems_).value_or(-1));
+        type.label = has_value(table_, row, "label") ? table_.text(row, "label")
+                     : like != nullptr               ? like->type.label
+                                                     : "surface " + std::to_string(type.code);
+        type.restitution.normal =
+            value(row, "r_n", restitution_range, like ? &like->type.restitution.normal : nullptr);
+        type.restitution.tangential =
+            value(row, "r_t", restitution_range, like ? &like->type.restitution.tangential : nullptr);
+        const auto knots = stopping_.find(type.code);
+        type.stopping = knots != stopping_.end()
+                            ? rockfall::StopCurve{knots->second}
+                            : stop_curve(value(row, "p_stop", probability_range,
+                                               like ? &like->stop_probability : nullptr));
+        constexpr double none = 0.0;
+        type.rolling_stops_per_m = value(row, "rolling_stops_per_m", {.low = 0.0, .high = 100.0}, &none);
+        return type;
+    }
+
+    const ShippedSurface* like_of(std::size_t row) {
+        if (!has_value(table_, row, "like")) {
+            return nullptr;
+        }
+        const std::string& name = table_.text(row, "like");
+        std::vector<std::string> names;
+        for (const ShippedSurface& surface : shipped_) {
+            if (surface.name == name) {
+                return &surface;
+            }
+            names.push_back(surface.name);
+        }
+        const std::string nearest = config::nearest_word(name, names);
+        refuse(row, "like", config::in_quotes(name),
+               "a shipped ground type" + (nearest.empty() ? "" : " (" + nearest + "?)"));
+        return nullptr;
+    }
+
+    /// A number of the row, else the fallback, else a problem.
+    double value(std::size_t row, const std::string& column, const config::NumberRange& range,
+                 const double* fallback) {
+        if (fallback != nullptr && !has_value(table_, row, column)) {
+            return *fallback;
+        }
+        if (!table_.has(column)) {
+            refuse(row, "code", "code " + table_.text(row, "code") + " without " + column,
+                   "a column " + column + ", or a shipped ground type in a column like");
+            return 0.0;
+        }
+        return table_.number(row, column, range, problems_).value_or(0.0);
+    }
+
+    void refuse(std::size_t row, const std::string& column, std::string found, std::string expected) {
+        problems_.add(config::ExitCode::data, table_.place(row, column), std::move(found),
+                      std::move(expected));
+    }
+
+    const config::Table& table_;
+    std::map<int, Knots> stopping_;
+    std::vector<ShippedSurface> shipped_;
+    config::Problems& problems_;
+};
+
+std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
+    config::Problems problems;
+    std::map<int, Knots> stopping;
+    if (!reading.scenario().stopping.empty()) {
+        stopping = reading.attempt([&] { return read_stopping(reading, problems); }).value_or(stopping);
+    }
+    const config::Table table =
+        reading.table("terrain.surface_types", "surface_types", reading.scenario().surface_types);
+    table.require({"code"}, problems);
+    problems.throw_if_any();
+
+    TypeReader reader{table, std::move(stopping), problems};
+    std::vector<rockfall::SurfaceType> types = reader.all();
+    if (types.empty() || types.size() >= most_types) {
+        problems.add(config::ExitCode::data, {table.file()}, counted(types.size(), "ground type"),
+                     "1 to 254");
+    }
+    config::Problems shown;
+    add_first(shown, problems, table.file());
+    shown.throw_if_any();
+    for (const int code : reader.unused_stopping(types)) {
+        reading.doubt({reading.shown(reading.scenario().stopping)}, "code " + std::to_string(code),
+                      "codes of " + table.file());
+    }
+    return types;
+}
+
+}  // namespace
+
+rockfall::StopCurve stop_curve(double stop_probability) {
+    static const Knots factors = [] {
+        config::Problems problems;
+        const config::Table table = shipped("stopping_size.csv");
+        Knots knots;
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            knots.emplace_back(table.number(row, "diameter_m", {.low = 0.0}, problems).value_or(1.0),
+                               table.number(row, "factor", {.low = 0.0}, problems).value_or(1.0));
+        }
+        problems.throw_if_any();
+        return knots;
+    }();
+    Knots knots = factors;
+    for (auto& [diameter_m, value] : knots) {
+        value = std::min(1.0, value * stop_probability);
+    }
+    return rockfall::StopCurve{std::move(knots)};
+}
+
+std::vector<ShippedSurface> shipped_surfaces() {
+    config::Problems problems;
+    const config::Table table = shipped("surfaces.csv");
+    std::vector<ShippedSurface> surfaces;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        ShippedSurface surface;
+        surface.name = table.text(row, "name");
+        surface.type.label = table.text(row, "label");
+        surface.type.restitution = {table.number(row, "r_n", restitution_range, problems).value_or(0.0),
+                                    table.number(row, "r_t", restitution_range, problems).value_or(0.0)};
+        surface.stop_probability = table.number(row, "p_stop", probability_range, problems).value_or(0.0);
+        surface.type.stopping = stop_curve(surface.stop_probability);
+        surfaces.push_back(std::move(surface));
+    }
+    problems.throw_if_any();
+    return surfaces;
+}
+
+std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(Reading& reading) {
+    if (reading.scenario().surface_types.empty()) {
+        return std::vector<rockfall::SurfaceType>{};
+    }
+    return reading.attempt([&] { return read_type_table(reading); });
+}
+
+std::optional<rockfall::SurfaceType> uniform_ground(const Scenario& scenario) {
+    if (scenario.ground.empty()) {
+        return std::nullopt;
+    }
+    std::vector<std::string> names;
+    for (const ShippedSurface& surface : shipped_surfaces()) {
+        if (surface.name == scenario.ground) {
+            return surface.type;
+        }
+        names.push_back(surface.name);
+    }
+    const std::string nearest = config::nearest_word(scenario.ground, names);
+    config::fail(config::ExitCode::settings, scenario.options->place_of("terrain.ground"),
+                 "terrain.ground " + config::in_quotes(scenario.ground),
+                 nearest.empty() ? "a name of `bannwald info surfaces`" : config::in_quotes(nearest));
+}
+
+}  // namespace coupling

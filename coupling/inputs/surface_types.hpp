@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coupling/inputs/reading.hpp"
+#include "rockfall/slope.hpp"
+
+namespace coupling {
+
+/// A row of config/data/surfaces.csv.
+struct ShippedSurface {
+    std::string name;
+    rockfall::SurfaceType type;     ///< code 0, stopping by size for its p_stop
+    double stop_probability = 0.0;  ///< of a rock of 0.95 m [-]
+};
+
+std::vector<ShippedSurface> shipped_surfaces();
+
+/// Stopping probability by rock diameter where only that of a rock of 0.95 m is known: scaled by
+/// config/data/stopping_size.csv, at most 1.
+rockfall::StopCurve stop_curve(double stop_probability);
+
+/// The ground types of a scenario; empty where it names none.
+///
+/// A row of terrain.surface_types takes r_n, r_t, p_stop from its own columns, else from the shipped type in
+/// its column `like`. Stopping comes from terrain.stopping where that has the code, else from p_stop.
+std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(Reading& reading);
+
+/// The shipped type that terrain.ground names; nothing without that setting. Throws InputError (settings)
+/// with the nearest name for an unknown one.
+std::optional<rockfall::SurfaceType> uniform_ground(const Scenario& scenario);
+
+}  // namespace coupling

@@ -1,0 +1,253 @@
+#include "coupling/inputs/terrain_input.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
+#include "rockfall/terrain/contact_zone.hpp"
+#include "rockfall/terrain/mesh.hpp"
+
+namespace coupling {
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// The .prj file beside a grid: dem.asc and dem.asc.gz both have dem.prj.
+std::string projection_name(const std::string& grid_name) {
+    std::filesystem::path path{grid_name};
+    if (path.extension() == ".gz") {
+        path.replace_extension();
+    }
+    return path.replace_extension(".prj").string();
+}
+
+std::vector<double> known_heights(const config::Raster<double>& grid) {
+    std::vector<double> known;
+    std::copy_if(grid.values.begin(), grid.values.end(), std::back_inserter(known),
+                 [](double height_m) { return !std::isnan(height_m); });
+    return known;
+}
+
+/// Heights that no mountain has, or zeros that stand for NODATA.
+void check_heights(std::vector<double> heights, const std::string& file, Reading& reading) {
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    if (*low < -500.0 || *high > 9000.0) {
+        reading.doubt({file}, "heights from " + config::to_text(*low) + " to " + config::to_text(*high),
+                      "metres above sea level");
+    }
+    const auto zeros = static_cast<std::size_t>(std::count(heights.begin(), heights.end(), 0.0));
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::nth_element(heights.begin(), middle, heights.end());
+    if (zeros > 0 && *middle > 100.0) {
+        reading.doubt({file},
+                      counted(zeros, "cell") + " of height 0 where half of them lie above " +
+                          config::to_text(*middle) + " m",
+                      "NODATA where the ground is not known");
+    }
+}
+
+/// Throws InputError where no terrain can be made of the heights.
+void check_grid(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
+    const config::GridFrame& frame = grid.frame;
+    if (std::min(frame.cell_width_m, frame.cell_height_m) < 0.05) {
+        config::fail(config::ExitCode::data, {file}, "cells of " + config::to_text(frame.cell_width_m),
+                     "metres of a projected coordinate system, not degrees");
+    }
+    const std::vector<double> known = known_heights(grid);
+    if (frame.columns < 3 || frame.rows < 3 || known.size() < 9) {
+        config::fail(config::ExitCode::data, {file},
+                     counted(known.size(), "known height") + " in " + to_string(frame),
+                     "at least 3 x 3 known cells");
+    }
+    check_heights(known, file, reading);
+}
+
+HeightInput read_dem(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
+    HeightInput input;
+    input.file = reading.shown(scenario.dem);
+    input.grid = reading.grid("terrain.dem", "dem", scenario.dem);
+    check_grid(*input.grid, input.file, reading);
+    input.projection = reading.text_beside("projection", projection_name(scenario.dem));
+    if (input.projection.empty()) {
+        reading.note(input.file + ": no " + projection_name(scenario.dem) +
+                     " beside it, so the results name no projection");
+    }
+    input.map_frame = with_cell_size(input.grid->frame, scenario.cell_size_m);
+    return input;
+}
+
+HeightInput read_point_cloud(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
+    HeightInput input;
+    input.file = reading.shown(scenario.points);
+    const FileBytes bytes = reading.open("terrain.points", "points", scenario.points, "a text of x y z");
+    input.points = read_points(bytes.text(), input.file);
+    if (input.points.size() < 3) {
+        config::fail(config::ExitCode::data, {input.file}, counted(input.points.size(), "point"),
+                     "at least three");
+    }
+    input.projection = reading.text_beside("projection", projection_name(scenario.points));
+    input.map_frame = frame_over(input.points, scenario.cell_size_m);
+    return input;
+}
+
+/// The next number or word of a line of points; empty at its end.
+std::string_view next_field(std::string_view& line) {
+    constexpr std::string_view separators = " \t,;";
+    const std::size_t start = std::min(line.find_first_not_of(separators), line.size());
+    line.remove_prefix(start);
+    const std::size_t end = std::min(line.find_first_of(separators), line.size());
+    const std::string_view field = line.substr(0, end);
+    line.remove_prefix(end);
+    return field;
+}
+
+std::optional<Eigen::Vector3d> point_of(std::string_view line) {
+    std::array<double, 3> numbers{};
+    for (double& number : numbers) {
+        const auto value = config::parse_number(next_field(line));
+        if (!value) {
+            return std::nullopt;
+        }
+        number = *value;
+    }
+    return Eigen::Vector3d{numbers[0], numbers[1], numbers[2]};
+}
+
+/// Straight between the four cell centres around a point; where one is missing, the value of its own cell.
+double height_at(const config::Raster<double>& grid, double x_m, double y_m) {
+    const config::GridFrame& frame = grid.frame;
+    const double column = (x_m - frame.x_west_m) / frame.cell_width_m - 0.5;
+    const double row = (frame.y_north_m() - y_m) / frame.cell_height_m - 0.5;
+    const config::Cell corner{static_cast<int>(std::floor(column)), static_cast<int>(std::floor(row))};
+    if (frame.contains(corner) && frame.contains({corner.column + 1, corner.row + 1})) {
+        const double east = column - corner.column;
+        const double south = row - corner.row;
+        const double upper = (1.0 - east) * grid.at(corner) + east * grid.at({corner.column + 1, corner.row});
+        const double lower = (1.0 - east) * grid.at({corner.column, corner.row + 1}) +
+                             east * grid.at({corner.column + 1, corner.row + 1});
+        const double height_m = (1.0 - south) * upper + south * lower;
+        if (!std::isnan(height_m)) {
+            return height_m;
+        }
+    }
+    const config::Cell own = frame.cell_at(x_m, y_m);
+    return frame.contains(own) ? grid.at(own) : not_a_number;
+}
+
+}  // namespace
+
+std::optional<HeightInput> read_heights(Reading& reading) {
+    return reading.attempt(
+        [&] { return reading.scenario().dem.empty() ? read_point_cloud(reading) : read_dem(reading); });
+}
+
+std::vector<Eigen::Vector3d> read_points(std::string_view text, const std::string& file) {
+    std::vector<Eigen::Vector3d> points;
+    config::Problems problems;
+    text = config::without_byte_order_mark(text);
+    for (std::size_t line_number = 1; !text.empty(); ++line_number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view whole = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::string_view line = config::trimmed(whole.substr(0, whole.find('#')));
+        if (line.empty()) {
+            continue;
+        }
+        if (const auto point = point_of(line)) {
+            points.push_back(*point);
+        } else if (line_number > 1 || config::parse_number(line.substr(0, line.find_first_of(" \t,;")))) {
+            problems.add(config::ExitCode::data, {file, line_number, 1}, config::in_quotes(line),
+                         "three numbers: x y z in metres");
+        }
+    }
+    config::Problems shown;
+    add_first(shown, problems, file);
+    shown.throw_if_any();
+    return points;
+}
+
+config::GridFrame with_cell_size(const config::GridFrame& frame, double cell_size_m) {
+    if (!(cell_size_m > 0.0)) {
+        return frame;
+    }
+    constexpr double slack = 1e-9;  // an extent of whole cells gets no further row by rounding
+    const double width_m = frame.x_east_m() - frame.x_west_m;
+    const double height_m = frame.y_north_m() - frame.y_south_m;
+    config::GridFrame map = frame;
+    map.cell_width_m = cell_size_m;
+    map.cell_height_m = cell_size_m;
+    map.columns = std::max(1, static_cast<int>(std::ceil(width_m / cell_size_m - slack)));
+    map.rows = std::max(1, static_cast<int>(std::ceil(height_m / cell_size_m - slack)));
+    return map;
+}
+
+config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double cell_size_m) {
+    Eigen::Vector2d low = points.front().head<2>();
+    Eigen::Vector2d high = low;
+    for (const Eigen::Vector3d& point : points) {
+        low = low.cwiseMin(point.head<2>());
+        high = high.cwiseMax(point.head<2>());
+    }
+    const Eigen::Vector2d extent = (high - low).cwiseMax(1e-3);
+    if (!(cell_size_m > 0.0)) {
+        const double spacing_m = std::sqrt(extent.x() * extent.y() / static_cast<double>(points.size()));
+        const double power = std::pow(10.0, std::floor(std::log10(spacing_m)));
+        const double ratio = spacing_m / power;
+        cell_size_m = power * (ratio <= 1.0 ? 1.0 : ratio <= 2.0 ? 2.0 : ratio <= 5.0 ? 5.0 : 10.0);
+    }
+    const config::GridFrame whole{.columns = 1,
+                                  .rows = 1,
+                                  .x_west_m = low.x(),
+                                  .y_south_m = low.y(),
+                                  .cell_width_m = extent.x(),
+                                  .cell_height_m = extent.y()};
+    return with_cell_size(whole, cell_size_m);
+}
+
+rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
+                                double longest_edge_m) {
+    if (input.grid) {
+        return rockfall::triangulate(
+            rockfall::contact_zone(*input.grid, law.contact_support_m, law.contact_shift_m),
+            law.vertical_tolerance_m);
+    }
+    return rockfall::triangulate(
+        rockfall::contact_zone(input.points, law.contact_support_m, law.contact_shift_m), longest_edge_m);
+}
+
+config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain) {
+    if (input.grid && input.grid->frame == input.map_frame) {
+        return *input.grid;
+    }
+    config::Raster<double> heights{input.map_frame, not_a_number};
+    for (std::size_t i = 0; i < heights.values.size(); ++i) {
+        const config::Cell cell = input.map_frame.cell_of(i);
+        const double x_m = input.map_frame.x_centre_m(cell.column);
+        const double y_m = input.map_frame.y_centre_m(cell.row);
+        heights.values[i] = input.grid
+                                ? height_at(*input.grid, x_m, y_m)
+                                : terrain.height_m(x_m - terrain.origin_m().x(), y_m - terrain.origin_m().y())
+                                      .value_or(not_a_number);
+    }
+    return heights;
+}
+
+bool has_ground(const HeightInput& input, const rockfall::Terrain& terrain, std::size_t cell) {
+    if (input.grid) {
+        return !std::isnan(input.grid->values[cell]);
+    }
+    const config::Cell place = input.map_frame.cell_of(cell);
+    return terrain
+        .locate(input.map_frame.x_centre_m(place.column) - terrain.origin_m().x(),
+                input.map_frame.y_centre_m(place.row) - terrain.origin_m().y())
+        .has_value();
+}
+
+}  // namespace coupling

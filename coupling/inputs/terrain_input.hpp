@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/grid/raster.hpp"
+#include "coupling/inputs/reading.hpp"
+#include "rockfall/terrain/terrain.hpp"
+
+namespace coupling {
+
+/// Ground heights as read, not yet a terrain: a grid, or points.
+struct HeightInput {
+    std::optional<config::Raster<double>> grid;  ///< NaN: NODATA
+    std::vector<Eigen::Vector3d> points;         ///< absolute coordinates
+    std::string file;                            ///< name in messages
+    std::string projection;                      ///< text of the .prj beside it
+
+    /// Where codes and sources of the ground are told apart: the frame of the grid; for points that of the
+    /// maps.
+    [[nodiscard]] const config::GridFrame& frame() const { return grid ? grid->frame : map_frame; }
+    config::GridFrame map_frame;  ///< of the results
+};
+
+/// Reads and checks the heights that the scenario names.
+std::optional<HeightInput> read_heights(Reading& reading);
+
+/// Points from text: x y z in each line, apart by blanks, commas or semicolons; `#` begins a comment; a first
+/// line of names is passed over. Throws InputError (data) for up to 20 lines that are none.
+std::vector<Eigen::Vector3d> read_points(std::string_view text, const std::string& file);
+
+/// Cells of a size over the extent of a frame, from the same south-western corner; size 0 keeps the frame.
+config::GridFrame with_cell_size(const config::GridFrame& frame, double cell_size_m);
+
+/// Frame over scattered points; size 0 takes their mean spacing rounded up to 1, 2 or 5 times a power of ten.
+config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double cell_size_m);
+
+/// The terrain that rocks feel: heights through the contact zone, triangulated.
+rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
+                                double longest_edge_m);
+
+/// Heights on the map frame for pictures: of the grid as read; for points of the terrain.
+config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain);
+
+/// Whether the ground is known at a cell of `input.frame()`.
+bool has_ground(const HeightInput& input, const rockfall::Terrain& terrain, std::size_t cell);
+
+}  // namespace coupling
