@@ -13,10 +13,10 @@ constexpr std::size_t buffer_bytes = 1 << 18;
 
 }  // namespace
 
-OutFile::OutFile(std::filesystem::path file) : file_{std::move(file)}, buffer_(buffer_bytes) {
+OutFile::OutFile(std::filesystem::path file, Begin begin) : file_{std::move(file)}, buffer_(buffer_bytes) {
     stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     errno = 0;
-    stream_.open(file_, std::ios::binary | std::ios::trunc);
+    stream_.open(file_, std::ios::binary | (begin == Begin::anew ? std::ios::trunc : std::ios::app));
     if (!stream_) {
         fail("cannot be opened for writing");
     }

@@ -21,7 +21,8 @@ struct WrittenFile {
 /// it the file counts as unfinished.
 class OutFile {
 public:
-    explicit OutFile(std::filesystem::path file);
+    enum class Begin { anew, at_end };  ///< at_end: goes on with a file that is there
+    explicit OutFile(std::filesystem::path file, Begin begin = Begin::anew);
     OutFile(const OutFile&) = delete;
     OutFile& operator=(const OutFile&) = delete;
 

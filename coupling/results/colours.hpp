@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coupling {
+
+struct Colour {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// "#rrggbb".
+std::string to_hex(Colour colour);
+/// Relative luminance of sRGB [0, 1]: what a black-and-white print keeps.
+double luminance(Colour colour);
+
+/// Sequences of colours that stay apart for colour-blind readers. All but `difference` grow darker from end
+/// to end, so they keep their order in black and white too. Those of ColorBrewer 2.0 (Brewer & Harrower,
+/// Apache-2.0) or viridis (van der Walt & Smith, CC0).
+enum class Palette : std::uint8_t {
+    reach,       ///< viridis from yellow to dark violet
+    passages,    ///< PuBu: white to dark blue
+    impacts,     ///< Greens
+    deposits,    ///< YlOrBr
+    height,      ///< BuPu
+    difference,  ///< RdBu from blue (less with forest) over white to red (more)
+};
+std::span<const Colour> colours_of(Palette palette);
+/// Colour at a place [0, 1] along a palette, straight between its steps.
+Colour colour_at(Palette palette, double place);
+
+/// Intensity classes by energy: below 30 kJ, 30 to 300 kJ, above 300 kJ (the Swiss federal recommendation).
+inline constexpr std::array<double, 2> energy_class_limits_kj{30.0, 300.0};
+inline constexpr std::array<Colour, 3> energy_class_colours{
+    Colour{0xfe, 0xe0, 0x8b}, Colour{0xf4, 0x6d, 0x43}, Colour{0x7f, 0x00, 0x2d}};
+inline constexpr std::array<const char*, 3> energy_class_names{"below 30 kJ", "30 to 300 kJ", "above 300 kJ"};
+constexpr std::size_t energy_class(double energy_kj) {
+    return energy_kj < energy_class_limits_kj[0] ? 0U : energy_kj <= energy_class_limits_kj[1] ? 1U : 2U;
+}
+
+}  // namespace coupling

@@ -1,0 +1,177 @@
+#include "coupling/results/figures.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace coupling {
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+double mean_of(std::uint64_t sum, std::uint64_t count, double unit) {
+    return count == 0 ? no_number : static_cast<double>(sum) / static_cast<double>(count) / unit;
+}
+
+Interval in_unit(const Interval& interval, double unit) {
+    return {interval.low / unit, interval.high / unit};
+}
+
+/// `unit`: how many of the counted units make one of the reported ones.
+Distribution distribution(const rockfall::LogBins& bins, std::span<const std::uint64_t> counts, double mean,
+                          double largest, double unit) {
+    Distribution found;
+    const QuantileEstimate p95 = quantile_estimate(bins, counts, 0.95, largest);
+    if (std::isnan(p95.value)) {
+        return found;
+    }
+    const auto quantile = [&](double share) {
+        return std::min(rockfall::quantile(bins, counts, share), largest) / unit;
+    };
+    found.mean = mean;
+    found.p50 = quantile(0.50);
+    found.p90 = quantile(0.90);
+    found.p95 = p95.value / unit;
+    found.p98 = quantile(0.98);
+    found.p99 = quantile(0.99);
+    found.max = largest / unit;
+    found.p95_interval = in_unit(p95.interval, unit);
+    return found;
+}
+
+constexpr double j_per_kj = 1000.0;
+constexpr double per_milli = 1000.0;
+
+ArrivalFigures arrival_figures(const rockfall::ArrivalTally& tally, std::uint64_t rocks) {
+    ArrivalFigures figures;
+    figures.share = share_of(tally.reached, rocks);
+    figures.energy_kj =
+        distribution(rockfall::fine_energy_bins, tally.energy,
+                     mean_of(tally.energy_sum_j, tally.reached, j_per_kj), tally.energy_max_j, j_per_kj);
+    figures.speed_mps =
+        distribution(rockfall::fine_speed_bins, tally.speed,
+                     mean_of(tally.speed_sum_mmps, tally.reached, per_milli), tally.speed_max_mps, 1.0);
+    figures.height_m =
+        distribution(rockfall::fine_height_bins, tally.height,
+                     mean_of(tally.height_sum_mm, tally.reached, per_milli), tally.height_max_m, 1.0);
+    return figures;
+}
+
+TargetFigures target_figures(const RunResults& results, std::size_t number) {
+    const rockfall::Target& target = results.site.targets[number];
+    const rockfall::TargetTally& tally = results.tally.targets[number];
+    TargetFigures figures;
+    figures.id = target.id;
+    figures.name = target.name;
+    figures.is_area = target.is_area;
+    for (const Cover cover : covers_of(results)) {
+        figures.by_cover[index_of(cover)] =
+            arrival_figures(tally.by_cover[index_of(cover)], results.tally.runs[index_of(cover)].rocks);
+    }
+    if (results.with_forest) {
+        const std::uint64_t forest = figures.at(Cover::forest).share.part;
+        const std::uint64_t bare = figures.at(Cover::bare).share.part;
+        figures.paired = {tally.reached_both, forest - tally.reached_both, bare - tally.reached_both};
+        figures.protection = protection_effect(figures.paired);
+        figures.reduction = risk_reduction(figures.paired, figures.at(Cover::forest).energy_kj.p95,
+                                           figures.at(Cover::bare).energy_kj.p95);
+    }
+    return figures;
+}
+
+/// Quantile of the run-out, straight inside its bin of 10 m.
+double run_out_quantile(const rockfall::RunTally& tally, double share) {
+    const double wanted = share * static_cast<double>(tally.rocks);
+    double below = 0.0;
+    for (std::size_t bin = 0; bin < tally.run_out.size(); ++bin) {
+        const auto here = static_cast<double>(tally.run_out[bin]);
+        if (here > 0.0 && below + here >= wanted) {
+            const double place_m = (static_cast<double>(bin) + (wanted - below) / here) * tally.run_out_bin_m;
+            return std::min(place_m, tally.max_run_out_m);
+        }
+        below += here;
+    }
+    return no_number;
+}
+
+Distribution run_out(const rockfall::RunTally& tally) {
+    Distribution found;
+    if (tally.rocks == 0) {
+        return found;
+    }
+    found.mean = mean_of(tally.run_out_sum_mm, tally.rocks, per_milli);
+    found.p50 = run_out_quantile(tally, 0.50);
+    found.p90 = run_out_quantile(tally, 0.90);
+    found.p95 = run_out_quantile(tally, 0.95);
+    found.p98 = run_out_quantile(tally, 0.98);
+    found.p99 = run_out_quantile(tally, 0.99);
+    found.max = tally.max_run_out_m;
+    return found;
+}
+
+SlopeFigures slope_figures(const rockfall::RunTally& tally) {
+    SlopeFigures figures;
+    const std::uint64_t rocks = tally.rocks;
+    figures.rocks = rocks;
+    for (std::size_t reason = 0; reason < rockfall::stop_reasons; ++reason) {
+        figures.by_reason[reason] = share_of(tally.by_reason[reason], rocks);
+    }
+    figures.run_out_m = run_out(tally);
+    figures.max_speed_mps =
+        distribution(rockfall::fine_speed_bins, tally.max_speed,
+                     mean_of(tally.max_speed_sum_mmps, rocks, per_milli), tally.max_speed_mps, 1.0);
+    figures.max_energy_kj =
+        distribution(rockfall::fine_energy_bins, tally.max_energy,
+                     mean_of(tally.max_energy_sum_j, rocks, j_per_kj), tally.max_energy_j, j_per_kj);
+    figures.max_height_m =
+        distribution(rockfall::fine_height_bins, tally.max_height,
+                     mean_of(tally.max_height_sum_mm, rocks, per_milli), tally.max_height_m, 1.0);
+    figures.mean_speed_mps = mean_of(tally.mean_speed_sum_mmps, rocks, per_milli);
+    figures.jump_height_mean_m = mean_of(tally.jump_height_sum_mm, tally.jumps, per_milli);
+    figures.jumps_per_rock = mean_of(tally.jumps, rocks, 1.0);
+    figures.ground_impacts_per_rock = mean_of(tally.ground_impacts, rocks, 1.0);
+    figures.tree_hits_per_rock = mean_of(tally.hits, rocks, 1.0);
+    figures.trees_broken_per_rock = mean_of(tally.trees_broken, rocks, 1.0);
+    figures.tree_energy_per_rock_kj = mean_of(tally.tree_energy_sum_j, rocks, j_per_kj);
+    figures.hit_a_tree = share_of(rocks - std::min(rocks, tally.tree_hits[0]), rocks);
+    return figures;
+}
+
+}  // namespace
+
+const char* name_of(Cover cover) {
+    return cover == Cover::forest ? "forest" : "bare";
+}
+
+std::vector<Cover> covers_of(const RunResults& results) {
+    return results.with_forest ? std::vector<Cover>{Cover::forest, Cover::bare}
+                               : std::vector<Cover>{Cover::bare};
+}
+
+const char* name_of(rockfall::StopReason reason) {
+    switch (reason) {
+        case rockfall::StopReason::at_rest:
+            return "at_rest";
+        case rockfall::StopReason::caught:
+            return "caught";
+        case rockfall::StopReason::tree:
+            return "tree";
+        case rockfall::StopReason::left_terrain:
+            return "left_terrain";
+        case rockfall::StopReason::gave_up:
+            break;
+    }
+    return "gave_up";
+}
+
+Figures figures_of(const RunResults& results) {
+    Figures figures;
+    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
+        figures.targets.push_back(target_figures(results, target));
+    }
+    for (const Cover cover : covers_of(results)) {
+        figures.slopes[index_of(cover)] = slope_figures(results.tally.runs[index_of(cover)]);
+    }
+    return figures;
+}
+
+}  // namespace coupling

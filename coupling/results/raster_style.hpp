@@ -1,0 +1,14 @@
+#pragma once
+
+#include <ostream>
+
+#include "coupling/results/rasters.hpp"
+
+namespace coupling {
+
+/// A QGIS layer style (.qml), which QGIS finds beside the raster and takes on opening it.
+void write_style(std::ostream& out, const RasterKind& kind, ValueRange range);
+/// The style of a difference: blue (less with forest) over white to red, the same reach either way.
+void write_difference_style(std::ostream& out, const RasterKind& kind, ValueRange range);
+
+}  // namespace coupling

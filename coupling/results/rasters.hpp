@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/grid/raster.hpp"
+#include "coupling/results/colours.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/out_file.hpp"
+#include "coupling/results/run_results.hpp"
+
+namespace coupling {
+
+/// How a map of a raster is coloured.
+enum class RasterStyle : std::uint8_t {
+    energy_classes,  ///< below 30, 30 to 300, above 300 kJ
+    linear,          ///< straight from 0 to the largest value
+    logarithmic,     ///< by powers of ten: counts
+};
+
+/// What a raster of the results holds: one value for each cell that a rock passed.
+struct RasterKind {
+    std::string_view stem;  ///< file name without ending, after Rockyfor3D
+    std::string_view unit;
+    std::string_view meaning;
+    RasterStyle style = RasterStyle::linear;
+    Palette palette = Palette::height;
+    bool percentile = false;  ///< needs the distributions by cell
+    bool compared = false;    ///< also written as difference
+    float (*value)(const rockfall::CellSums& sums, const rockfall::CellHistograms* histograms,
+                   std::size_t cell);
+};
+
+/// Every raster of the results.
+const std::vector<RasterKind>& raster_kinds();
+/// Requires a stem of the list.
+const RasterKind& raster_kind(std::string_view stem);
+
+/// One raster on the frame of the maps in absolute coordinates; NaN where no rock passed. Requires
+/// distributions for a percentile.
+config::Raster<float> raster_of(const RasterKind& kind, const RunResults& results, Cover cover);
+
+/// With forest minus bare slope; a cell that no rock passes on one of them counts as 0 there (no rock: no
+/// energy, no height). NaN where none passes on either.
+config::Raster<float> difference_of(const config::Raster<float>& forest, const config::Raster<float>& bare);
+
+/// Smallest and largest value; {0, 0} where all are NaN.
+struct ValueRange {
+    float low = 0.0F;
+    float high = 0.0F;
+};
+ValueRange range_of(const config::Raster<float>& raster);
+
+/// Writes rasters/forest, rasters/bare and rasters/difference into a folder: grid, projection (.prj, where
+/// the DEM has one) and QGIS style (.qml). Both slopes share the colours of a quantity, so that they can be
+/// compared by eye.
+std::vector<WrittenFile> write_rasters(const RunResults& results, const std::filesystem::path& folder);
+
+}  // namespace coupling

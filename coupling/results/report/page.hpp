@@ -1,0 +1,16 @@
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include "coupling/results/figures.hpp"
+#include "coupling/results/out_file.hpp"
+#include "coupling/results/run_results.hpp"
+
+namespace coupling::report {
+
+/// The results as one self-contained HTML page: no script, no outside address, same bytes from the same results.
+void write_page(std::ostream& out, const RunResults& results, const Figures& figures,
+                const std::vector<WrittenFile>& files);
+
+}  // namespace coupling::report

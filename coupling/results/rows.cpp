@@ -1,0 +1,147 @@
+#include "coupling/results/rows.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/figures.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr double j_per_kj = 1000.0;
+
+/// Absolute easting, northing and height to the centimetre.
+void add_place(CsvRow& row, const Eigen::Vector3d& place_m, const Eigen::Vector2d& origin_m) {
+    row.number<2>(place_m.x() + origin_m.x());
+    row.number<2>(place_m.y() + origin_m.y());
+    row.number<2>(place_m.z());
+}
+
+const char* name_of(rockfall::HitType type) {
+    switch (type) {
+        case rockfall::HitType::frontal:
+            return "frontal";
+        case rockfall::HitType::lateral:
+            return "lateral";
+        case rockfall::HitType::scratch:
+            break;
+    }
+    return "scratch";
+}
+
+double largest_energy_kj(std::span<const rockfall::PathPoint> points) {
+    float largest_j = 0.0F;
+    for (const rockfall::PathPoint& point : points) {
+        largest_j = std::max(largest_j, point.energy_j);
+    }
+    return static_cast<double>(largest_j) / j_per_kj;
+}
+
+void append_centimetres(std::string& text, double value_m) {
+    std::array<char, 400> digits;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value_m, std::chars_format::fixed, 2).ptr;
+    text.append(digits.data(), end);
+}
+
+}  // namespace
+
+void write_rock_header(std::ostream& out) {
+    out << "rock,cover,zone,source,diameter_m,stop_reason,x_start_m,y_start_m,z_start_m,x_end_m,y_end_m,z_"
+           "end_m,"
+           "run_out_m,path_m,time_s,max_speed_mps,mean_speed_mps,max_energy_kj,max_height_m,mean_jump_height_"
+           "m,jumps,"
+           "ground_impacts,tree_hits,trees_broken,tree_energy_kj\n";
+}
+
+void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cover,
+                const Eigen::Vector2d& origin_m, std::uint32_t zone) {
+    CsvRow row{out};
+    row.whole(record.rock).text(coupling::name_of(cover)).whole(zone).whole(record.source);
+    row.number<3>(static_cast<double>(record.diameter_m)).text(coupling::name_of(record.reason));
+    add_place(row, record.start_m, origin_m);
+    add_place(row, record.end_m, origin_m);
+    row.number<2>(record.run_out_m()).number<2>(record.path_m).number<2>(record.time_s);
+    row.number<3>(record.max_speed_mps).number<3>(record.mean_speed_mps());
+    row.number<3>(record.max_energy_j / j_per_kj);
+    row.number<3>(record.max_height_m).number<3>(record.mean_jump_height_m());
+    row.whole(record.jumps).whole(record.ground_impacts).whole(record.tree_hits).whole(record.trees_broken);
+    row.number<3>(record.tree_energy_j / j_per_kj);
+    row.end();
+}
+
+void write_arrival_header(std::ostream& out) {
+    out << "rock,target_id,cover,x_m,y_m,energy_kj,translational_kj,speed_mps,height_m\n";
+}
+
+void write_arrival(std::ostream& out, std::uint64_t rock, std::string_view target_id, Cover cover,
+                   const Eigen::Vector2d& origin_m, const rockfall::Arrival& arrival) {
+    CsvRow row{out};
+    row.whole(rock).text(target_id).text(coupling::name_of(cover));
+    row.number<2>(static_cast<double>(arrival.x_m) + origin_m.x());
+    row.number<2>(static_cast<double>(arrival.y_m) + origin_m.y());
+    row.number<3>(static_cast<double>(arrival.energy_j) / j_per_kj);
+    row.number<3>(static_cast<double>(arrival.translational_j) / j_per_kj);
+    row.number<3>(static_cast<double>(arrival.speed_mps));
+    row.number<3>(static_cast<double>(arrival.height_m));
+    row.end();
+}
+
+void write_tree_hit_header(std::ostream& out) {
+    out << "rock,tree_id,x_m,y_m,z_m,height_m,energy_kj,energy_taken_kj,hit_type,broken,stopped\n";
+}
+
+void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree_id,
+                    const Eigen::Vector2d& origin_m, const rockfall::TreeHitRecord& hit) {
+    CsvRow row{out};
+    row.whole(rock).text(tree_id);
+    add_place(row, hit.position_m, origin_m);
+    row.number<2>(static_cast<double>(hit.height_m));
+    row.number<3>(static_cast<double>(hit.energy_j) / j_per_kj);
+    row.number<3>(static_cast<double>(hit.loss_j) / j_per_kj);
+    row.text(name_of(hit.type)).text(hit.broken ? "yes" : "no").text(hit.stopped ? "yes" : "no");
+    row.end();
+}
+
+void write_path_header(std::ostream& out) {
+    out << "rock,cover,point,x_m,y_m,z_m,energy_kj,height_m\n";
+}
+
+void write_path(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,
+                std::span<const rockfall::PathPoint> points) {
+    CsvRow row{out};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        row.whole(rock).text(coupling::name_of(cover)).whole(i);
+        add_place(row, points[i].position_m, origin_m);
+        row.number<3>(static_cast<double>(points[i].energy_j) / j_per_kj);
+        row.number<2>(static_cast<double>(points[i].height_m));
+        row.end();
+    }
+}
+
+void write_path_wkt_header(std::ostream& out) {
+    out << "rock,cover,energy_max_kj,wkt\n";
+}
+
+void write_path_wkt(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,
+                    std::span<const rockfall::PathPoint> points) {
+    if (points.size() < 2) {
+        return;  // one point is no line
+    }
+    std::string wkt = "LINESTRING Z (";
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        wkt += i == 0 ? "" : ",";
+        append_centimetres(wkt, points[i].position_m.x() + origin_m.x());
+        wkt += ' ';
+        append_centimetres(wkt, points[i].position_m.y() + origin_m.y());
+        wkt += ' ';
+        append_centimetres(wkt, points[i].position_m.z());
+    }
+    wkt += ')';
+    CsvRow row{out};
+    row.whole(rock).text(coupling::name_of(cover)).number<3>(largest_energy_kj(points)).text(wkt);
+    row.end();
+}
+
+}  // namespace coupling

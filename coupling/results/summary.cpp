@@ -1,0 +1,194 @@
+#include "coupling/results/summary.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "config/text/numbers.hpp"
+
+namespace coupling {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double percent = 100.0;
+
+/// What is not known becomes null. Nine digits: the rest is noise of the last bit.
+Json number(double value) {
+    if (!std::isfinite(value)) {
+        return nullptr;
+    }
+    std::array<char, 64> digits{};
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 9).ptr;
+    double rounded = 0.0;
+    std::from_chars(digits.data(), end, rounded);
+    return rounded;
+}
+
+Json interval(const Interval& i, double factor) {
+    return {number(factor * i.low), number(factor * i.high)};
+}
+
+Json share(const Share& s) {
+    return {{"rocks", s.part},
+            {"percent", number(percent * s.value)},
+            {"interval_95_percent", interval(s.interval, percent)}};
+}
+
+Json distribution(const Distribution& d, bool with_interval) {
+    Json json{{"mean", number(d.mean)}, {"p50", number(d.p50)}, {"p90", number(d.p90)},
+              {"p95", number(d.p95)},   {"p98", number(d.p98)}, {"p99", number(d.p99)},
+              {"max", number(d.max)}};
+    if (with_interval && !std::isnan(d.mean)) {
+        json["p95_interval_95"] = interval(d.p95_interval, 1.0);
+    }
+    return json;
+}
+
+Json arrivals(const ArrivalFigures& figures) {
+    return {{"reached", share(figures.share)},
+            {"energy_kj", distribution(figures.energy_kj, true)},
+            {"speed_mps", distribution(figures.speed_mps, true)},
+            {"height_m", distribution(figures.height_m, true)}};
+}
+
+Json protection(const TargetFigures& target) {
+    if (!target.protection) {
+        return nullptr;
+    }
+    const ProtectionEffect& effect = *target.protection;
+    Json json{{"effect_percent", number(percent * effect.value)},
+              {"interval_95_percent", interval(effect.interval, percent)},
+              {"interval_is_one_sided", effect.one_sided},
+              {"reached_both", target.paired.both},
+              {"reached_only_bare", target.paired.only_bare},
+              {"reached_only_forest", target.paired.only_forest}};
+    if (!effect.one_sided) {
+        json["rocks_for_half_interval"] = rocks_for_half(target.at(Cover::bare).share.whole);
+    }
+    if (target.reduction) {
+        json["bari_percent"] = number(target.reduction->bari_percent);
+        json["miri_percent"] = number(target.reduction->miri_percent);
+        json["orpi_percent"] = number(target.reduction->orpi_percent);
+    }
+    return json;
+}
+
+Json targets(const Figures& figures, const std::vector<Cover>& covers) {
+    Json list = Json::array();
+    for (const TargetFigures& target : figures.targets) {
+        Json json{{"id", target.id}, {"name", target.name}, {"kind", target.is_area ? "area" : "line"}};
+        for (const Cover cover : covers) {
+            json[name_of(cover)] = arrivals(target.at(cover));
+        }
+        json["protection"] = protection(target);
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json slope(const SlopeFigures& figures) {
+    Json stops;
+    for (std::size_t reason = 0; reason < figures.by_reason.size(); ++reason) {
+        stops[name_of(static_cast<rockfall::StopReason>(reason))] = share(figures.by_reason[reason]);
+    }
+    return {{"rocks", figures.rocks},
+            {"stop_reasons", stops},
+            {"run_out_m", distribution(figures.run_out_m, false)},
+            {"max_speed_mps", distribution(figures.max_speed_mps, true)},
+            {"max_energy_kj", distribution(figures.max_energy_kj, true)},
+            {"max_height_m", distribution(figures.max_height_m, true)},
+            {"mean_speed_mps", number(figures.mean_speed_mps)},
+            {"jump_height_mean_m", number(figures.jump_height_mean_m)},
+            {"jumps_per_rock", number(figures.jumps_per_rock)},
+            {"ground_impacts_per_rock", number(figures.ground_impacts_per_rock)},
+            {"tree_hits_per_rock", number(figures.tree_hits_per_rock)},
+            {"trees_broken_per_rock", number(figures.trees_broken_per_rock)},
+            {"tree_energy_per_rock_kj", number(figures.tree_energy_per_rock_kj)},
+            {"hit_a_tree", share(figures.hit_a_tree)}};
+}
+
+/// A value as its kind says: number, yes/no, or text.
+Json value_of(const config::ParameterRow& row) {
+    if (row.kind == "number" || row.kind == "whole number") {
+        if (const auto whole = config::parse_whole(row.value_text)) {
+            return *whole;
+        }
+    }
+    if (row.kind == "number") {
+        if (const auto value = config::parse_number(row.value_text)) {
+            return *value;
+        }
+    }
+    if (row.kind == "yes/no") {
+        return row.value_text == "yes";
+    }
+    return row.value_text;
+}
+
+Json settings(const RunResults& results) {
+    Json list = Json::array();
+    if (results.scenario.options == nullptr) {
+        return list;
+    }
+    for (const config::ParameterRow& row : results.scenario.options->rows()) {
+        list.push_back({{"key", row.key},
+                        {"value", value_of(row)},
+                        {"unit", row.unit},
+                        {"default", row.default_text},
+                        {"changed", row.changed}});
+    }
+    return list;
+}
+
+Json inputs(const Site& site) {
+    Json list = Json::array();
+    for (const InputFile& file : site.inputs) {
+        list.push_back(
+            {{"role", file.role}, {"file", file.name}, {"hash", file.hash}, {"bytes", file.bytes}});
+    }
+    return list;
+}
+
+Json map_frame(const config::GridFrame& frame) {
+    return {{"columns", frame.columns},           {"rows", frame.rows},
+            {"x_west_m", frame.x_west_m},         {"y_south_m", frame.y_south_m},
+            {"cell_width_m", frame.cell_width_m}, {"cell_height_m", frame.cell_height_m}};
+}
+
+Json run(const RunResults& results) {
+    const Site& site = results.site;
+    return {{"scenario", results.scenario.file.filename().string()},
+            {"seed", results.scenario.seed},
+            {"rocks", results.rocks},
+            {"release_sources", site.sources.size()},
+            {"trees", site.trees.size()},
+            {"with_forest", results.with_forest},
+            {"map", map_frame(site.map_frame)},
+            {"projection", site.projection}};
+}
+
+}  // namespace
+
+void write_summary(std::ostream& out, const RunResults& results, const Figures& figures,
+                   const std::vector<WrittenFile>& files) {
+    Json summary{{"program", "Bannwald"}, {"version", results.version}, {"run", run(results)}};
+    const std::vector<Cover> covers = covers_of(results);
+    summary["targets"] = targets(figures, covers);
+    for (const Cover cover : covers) {
+        summary["slopes"][name_of(cover)] = slope(figures.at(cover));
+    }
+    summary["warnings"] = results.warnings.sentences();
+    summary["inputs"] = inputs(results.site);
+    summary["settings"] = settings(results);
+    summary["files"] = Json::array();
+    for (const WrittenFile& file : files) {
+        summary["files"].push_back({{"path", file.path}, {"holds", file.sentence}});
+    }
+    // Names that are not UTF-8 are shown with a replacement sign instead of ending the run.
+    out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace coupling

@@ -1,0 +1,239 @@
+#include "coupling/results/tables.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/rows.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr double percent = 100.0;
+
+/// "energy_mean_kj,energy_50_kj,...": the columns of a distribution.
+std::string distribution_columns(const std::string& quantity, const std::string& unit) {
+    std::string columns;
+    for (const char* figure : {"mean", "50", "90", "95", "95_low", "95_high", "98", "99", "max"}) {
+        columns += "," + quantity + "_" + figure + "_" + unit;
+    }
+    return columns;
+}
+
+void add_distribution(CsvRow& row, const Distribution& d) {
+    const bool known = !std::isnan(d.mean);
+    row.number<3>(d.mean).number<3>(d.p50).number<3>(d.p90).number<3>(d.p95);
+    row.number<3>(known ? d.p95_interval.low : d.mean).number<3>(d.p95_interval.high);
+    row.number<3>(d.p98).number<3>(d.p99).number<3>(d.max);
+}
+
+/// The rows of one quantity at one target: bins that are not empty.
+void add_bins(std::ostream& out, const std::string& target, Cover cover, const char* quantity,
+              const char* unit, const rockfall::LogBins& bins, std::span<const std::uint64_t> counts,
+              double per_unit) {
+    CsvRow row{out};
+    for (std::size_t bin = 0; bin < counts.size(); ++bin) {
+        if (counts[bin] > 0) {
+            row.text(target).text(name_of(cover)).text(quantity).text(unit);
+            row.number<6>(bins.low_of(bin) / per_unit)
+                .number<6>(bins.high_of(bin) / per_unit)
+                .whole(counts[bin]);
+            row.end();
+        }
+    }
+}
+
+void write_all_paths(OutFile& points, OutFile& lines, const RunResults& results) {
+    write_path_header(points.stream());
+    write_path_wkt_header(lines.stream());
+    const Eigen::Vector2d origin_m = results.site.origin_m();
+    for (const rockfall::PathRecord& path : results.paths) {
+        write_path(points.stream(), path.rock, path.cover, origin_m, path.points);
+        write_path_wkt(lines.stream(), path.rock, path.cover, origin_m, path.points);
+    }
+}
+
+}  // namespace
+
+void write_targets(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers) {
+    out << "target_id,name,kind,cover,rocks,reached,share_percent,share_low_percent,share_high_percent"
+        << distribution_columns("energy", "kj") << distribution_columns("speed", "mps")
+        << distribution_columns("height", "m") << '\n';
+    CsvRow row{out};
+    for (const TargetFigures& target : figures.targets) {
+        for (const Cover cover : covers) {
+            const ArrivalFigures& arrivals = target.at(cover);
+            row.text(target.id).text(target.name).text(target.is_area ? "area" : "line").text(name_of(cover));
+            row.whole(arrivals.share.whole)
+                .whole(arrivals.share.part)
+                .number<4>(percent * arrivals.share.value);
+            row.number<4>(percent * arrivals.share.interval.low)
+                .number<4>(percent * arrivals.share.interval.high);
+            add_distribution(row, arrivals.energy_kj);
+            add_distribution(row, arrivals.speed_mps);
+            add_distribution(row, arrivals.height_m);
+            row.end();
+        }
+    }
+}
+
+void write_protection(std::ostream& out, const Figures& figures) {
+    out << "target_id,name,rocks,reached_bare,reached_forest,reached_both,protection_percent,protection_low_"
+           "percent,"
+           "protection_high_percent,bari_percent,miri_percent,orpi_percent,rocks_for_half_interval\n";
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    CsvRow row{out};
+    for (const TargetFigures& target : figures.targets) {
+        const std::uint64_t rocks = target.at(Cover::bare).share.whole;
+        const ProtectionEffect effect =
+            target.protection.value_or(ProtectionEffect{unknown, {unknown, unknown}, true});
+        const RiskReduction reduction = target.reduction.value_or(RiskReduction{unknown, unknown, unknown});
+        row.text(target.id).text(target.name).whole(rocks);
+        row.whole(target.paired.bare()).whole(target.paired.forest()).whole(target.paired.both);
+        row.number<3>(percent * effect.value);
+        row.number<3>(percent * effect.interval.low).number<3>(percent * effect.interval.high);
+        row.number<3>(reduction.bari_percent)
+            .number<3>(reduction.miri_percent)
+            .number<3>(reduction.orpi_percent);
+        effect.one_sided ? row.empty() : row.whole(rocks_for_half(rocks));
+        row.end();
+    }
+}
+
+void write_target_distributions(std::ostream& out, const RunResults& results) {
+    out << "target_id,cover,quantity,unit,bin_low,bin_high,rocks\n";
+    for (std::size_t number = 0; number < results.tally.targets.size(); ++number) {
+        const std::string& id = results.site.targets[number].id;
+        for (const Cover cover : covers_of(results)) {
+            const rockfall::ArrivalTally& tally = results.tally.targets[number].by_cover[index_of(cover)];
+            add_bins(out, id, cover, "energy", "kJ", rockfall::fine_energy_bins, tally.energy, 1000.0);
+            add_bins(out, id, cover, "speed", "m/s", rockfall::fine_speed_bins, tally.speed, 1.0);
+            add_bins(out, id, cover, "height", "m", rockfall::fine_height_bins, tally.height, 1.0);
+        }
+    }
+}
+
+void write_runs(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers) {
+    out << "cover,rocks,at_rest,caught,stopped_by_tree,left_terrain,gave_up,run_out_mean_m,run_out_50_m,run_"
+           "out_90_m,"
+           "run_out_95_m,run_out_98_m,run_out_99_m,run_out_max_m"
+        << distribution_columns("max_speed", "mps") << distribution_columns("max_energy", "kj")
+        << distribution_columns("max_height", "m")
+        << ",mean_speed_mps,jump_height_mean_m,jumps_per_rock,ground_impacts_per_rock,tree_hits_per_rock,"
+           "trees_broken_per_rock,tree_energy_per_rock_kj,hit_a_tree_percent\n";
+    CsvRow row{out};
+    for (const Cover cover : covers) {
+        const SlopeFigures& slope = figures.at(cover);
+        row.text(name_of(cover)).whole(slope.rocks);
+        for (const Share& share : slope.by_reason) {
+            row.whole(share.part);
+        }
+        const Distribution& run_out = slope.run_out_m;
+        row.number<2>(run_out.mean).number<2>(run_out.p50).number<2>(run_out.p90).number<2>(run_out.p95);
+        row.number<2>(run_out.p98).number<2>(run_out.p99).number<2>(run_out.max);
+        add_distribution(row, slope.max_speed_mps);
+        add_distribution(row, slope.max_energy_kj);
+        add_distribution(row, slope.max_height_m);
+        row.number<3>(slope.mean_speed_mps)
+            .number<3>(slope.jump_height_mean_m)
+            .number<3>(slope.jumps_per_rock);
+        row.number<3>(slope.ground_impacts_per_rock).number<4>(slope.tree_hits_per_rock);
+        row.number<4>(slope.trees_broken_per_rock).number<3>(slope.tree_energy_per_rock_kj);
+        row.number<4>(percent * slope.hit_a_tree.value);
+        row.end();
+    }
+}
+
+void write_run_out(std::ostream& out, const RunResults& results) {
+    out << "cover,run_out_low_m,run_out_high_m,rocks\n";
+    CsvRow row{out};
+    for (const Cover cover : covers_of(results)) {
+        const rockfall::RunTally& tally = results.tally.runs[index_of(cover)];
+        const auto last = std::find_if(tally.run_out.rbegin(), tally.run_out.rend(),
+                                       [](std::uint64_t count) { return count > 0; });
+        const auto bins = static_cast<std::size_t>(tally.run_out.rend() - last);
+        for (std::size_t bin = 0; bin < bins; ++bin) {
+            const double low_m = static_cast<double>(bin) * tally.run_out_bin_m;
+            row.text(name_of(cover)).number<0>(low_m);
+            bin + 1 == tally.run_out_bins ? row.empty() : row.number<0>(low_m + tally.run_out_bin_m);
+            row.whole(tally.run_out[bin]);
+            row.end();
+        }
+    }
+}
+
+void write_tree_hits_per_rock(std::ostream& out, const RunResults& results) {
+    out << "tree_hits,or_more,rocks\n";
+    const auto& counts = results.tally.runs[index_of(Cover::forest)].tree_hits;
+    CsvRow row{out};
+    for (std::size_t hits = 0; hits < counts.size(); ++hits) {
+        row.whole(hits).text(hits + 1 == counts.size() ? "yes" : "no").whole(counts[hits]);
+        row.end();
+    }
+}
+
+void write_stems(std::ostream& out, const RunResults& results) {
+    out << "tree_id,x_m,y_m,species,dbh_cm,height_m,hits,broken,energy_kj\n";
+    CsvRow row{out};
+    for (std::size_t number = 0; number < results.site.trees.size(); ++number) {
+        const TreeRecord& tree = results.site.trees[number];
+        const rockfall::StemTally& tally = results.tally.stems[number];
+        row.text(tree.id).number<2>(tree.stem.x_m).number<2>(tree.stem.y_m).text(tree.species);
+        row.number<1>(tree.stem.dbh_cm).number<1>(tree.stem.height_m).whole(tally.hits).whole(tally.broken);
+        row.number<3>(static_cast<double>(tally.energy_j) / 1000.0);
+        row.end();
+    }
+}
+
+std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& figures,
+                                      const std::filesystem::path& folder) {
+    make_folder(folder / "tables");
+    std::vector<WrittenFile> written;
+    const auto write = [&](const char* name, const char* sentence,
+                           const std::function<void(std::ostream&)>& fill) {
+        OutFile file{folder / "tables" / name};
+        fill(file.stream());
+        file.close();
+        written.push_back({std::string{"tables/"} + name, sentence});
+    };
+    const std::vector<Cover> covers = covers_of(results);
+    if (!figures.targets.empty()) {
+        write("targets.csv",
+              "What arrives at each target: share of rocks, energy, speed and height with intervals.",
+              [&](std::ostream& out) { write_targets(out, figures, covers); });
+        write("target_distributions.csv",
+              "Energy, speed and height of the arrivals at each target in fine bins.",
+              [&](std::ostream& out) { write_target_distributions(out, results); });
+    }
+    if (!figures.targets.empty() && results.with_forest) {
+        write("protection.csv", "Protection effect of the forest at each target with its 95 % interval.",
+              [&](std::ostream& out) { write_protection(out, figures); });
+    }
+    write("runs.csv",
+          "All rocks on each slope: where they stopped, run-out, speeds, energies, heights, tree hits.",
+          [&](std::ostream& out) { write_runs(out, figures, covers); });
+    write("run_out.csv", "Rocks by run-out (plan distance from release to end) in bins of 10 m.",
+          [&](std::ostream& out) { write_run_out(out, results); });
+    if (results.with_forest) {
+        write("tree_hits_per_rock.csv", "Rocks by the number of trees they hit.",
+              [&](std::ostream& out) { write_tree_hits_per_rock(out, results); });
+        write("stems.csv",
+              "Every tree with the hits it took and the energy it absorbed: which trees protect.",
+              [&](std::ostream& out) { write_stems(out, results); });
+    }
+    if (!results.paths.empty()) {
+        OutFile points{folder / "tables/trajectories.csv"};
+        OutFile lines{folder / "tables/trajectories_wkt.csv"};
+        write_all_paths(points, lines, results);
+        points.close();
+        lines.close();
+        written.push_back(
+            {"tables/trajectories.csv", "Sampled paths point by point with energy and height."});
+        written.push_back({"tables/trajectories_wkt.csv", "Sampled paths as lines (WKT) for QGIS."});
+    }
+    return written;
+}
+
+}  // namespace coupling

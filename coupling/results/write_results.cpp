@@ -1,0 +1,35 @@
+#include "coupling/results/write_results.hpp"
+
+#include "coupling/results/figures.hpp"
+#include "coupling/results/rasters.hpp"
+#include "coupling/results/report/page.hpp"
+#include "coupling/results/summary.hpp"
+#include "coupling/results/tables.hpp"
+
+namespace coupling {
+
+std::vector<WrittenFile> write_results(const RunResults& results, const std::filesystem::path& folder,
+                                       std::span<const WrittenFile> streamed) {
+    const Figures figures = figures_of(results);
+
+    std::vector<WrittenFile> files{
+        {"report.html",
+         "The results as a page: answers, maps, charts, settings. Opens offline in any browser."},
+        {"summary.json", "All figures, settings, input hashes and warnings for scripts."}};
+    const std::vector<WrittenFile> tables = write_tables(results, figures, folder);
+    files.insert(files.end(), tables.begin(), tables.end());
+    files.insert(files.end(), streamed.begin(), streamed.end());
+    const std::vector<WrittenFile> rasters = write_rasters(results, folder);
+    files.insert(files.end(), rasters.begin(), rasters.end());
+
+    OutFile summary{folder / "summary.json"};
+    write_summary(summary.stream(), results, figures, files);
+    summary.close();
+
+    OutFile page{folder / "report.html"};
+    report::write_page(page.stream(), results, figures, files);
+    page.close();
+    return files;
+}
+
+}  // namespace coupling
