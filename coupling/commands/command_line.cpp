@@ -1,0 +1,183 @@
+#include "coupling/commands/command_line.hpp"
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <map>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/numbers.hpp"
+
+namespace coupling {
+
+namespace {
+
+namespace po = boost::program_options;
+
+[[noreturn]] void refuse(std::string found, std::string expected) {
+    config::fail(config::ExitCode::settings, {}, std::move(found), std::move(expected));
+}
+
+/// The options that a command takes beside --help, --quiet and --verbose.
+const std::map<std::string, std::vector<std::string>>& options_of_commands() {
+    static const std::map<std::string, std::vector<std::string>> options{
+        {"init", {"example"}},
+        {"check", {"set", "seed", "threads", "print-settings"}},
+        {"run", {"set", "seed", "threads", "out", "overwrite"}},
+        {"info", {}},
+    };
+    return options;
+}
+
+/// What the word after the command is.
+const std::map<std::string, std::string>& arguments_of_commands() {
+    static const std::map<std::string, std::string> arguments{
+        {"init", "a folder"}, {"check", "a scenario file"}, {"run", "a scenario file"}, {"info", "a file"}};
+    return arguments;
+}
+
+po::options_description described(const std::string& command) {
+    const auto text = [] { return po::value<std::string>(); };
+    po::options_description options;
+    auto add = options.add_options();
+    add("help,h", "")("quiet,q", "")("verbose,v", "");
+    add("argument", po::value<std::vector<std::string>>());
+    for (const std::string& name : options_of_commands().at(command)) {
+        if (name == "set") {
+            add("set", po::value<std::vector<std::string>>());
+        } else if (name == "overwrite" || name == "print-settings") {
+            add(name.c_str(), "");
+        } else {
+            add(name.c_str(), text());
+        }
+    }
+    return options;
+}
+
+std::vector<std::string> option_words(const std::string& command) {
+    std::vector<std::string> words{"--help", "--quiet", "--verbose"};
+    for (const std::string& name : options_of_commands().at(command)) {
+        words.push_back("--" + name);
+    }
+    return words;
+}
+
+po::variables_map parse(const std::string& command, const std::vector<std::string>& arguments) {
+    try {
+        const po::options_description options = described(command);
+        po::positional_options_description places;
+        places.add("argument", -1);
+        po::variables_map values;
+        po::store(po::command_line_parser(arguments)
+                      .options(options)
+                      .positional(places)
+                      .style(po::command_line_style::unix_style & ~po::command_line_style::allow_guessing)
+                      .run(),
+                  values);
+        return values;
+    } catch (const po::unknown_option& error) {
+        const std::string nearest = config::nearest_word(error.get_option_name(), option_words(command));
+        refuse("option " + config::in_quotes(error.get_option_name()) + " of " + command,
+               nearest.empty() ? "one of `bannwald " + command + " --help`" : config::in_quotes(nearest));
+    } catch (const po::error& error) {
+        refuse(error.what(), "the form of `bannwald " + command + " --help`");
+    }
+}
+
+int thread_count(const std::string& text) {
+    const auto count = config::parse_whole(text);
+    if (!count || *count < 1 || *count > 4096) {
+        refuse("--threads " + config::in_quotes(text), "a whole number in [1, 4096]");
+    }
+    return static_cast<int>(*count);
+}
+
+std::string argument_of(const std::string& command, const po::variables_map& values) {
+    const std::string& expected = arguments_of_commands().at(command);
+    if (values.count("argument") == 0) {
+        refuse("`bannwald " + command + "` alone", expected + " after it");
+    }
+    const auto& words = values["argument"].as<std::vector<std::string>>();
+    if (words.size() != 1) {
+        refuse(config::in_quotes(words[1]) + " after " + config::in_quotes(words[0]), "only " + expected);
+    }
+    return words.front();
+}
+
+/// The texts of an option that may be given several times, or a list of one or none.
+std::vector<std::string> texts(const po::variables_map& values, const std::string& name) {
+    if (values.count(name) == 0) {
+        return {};
+    }
+    return name == "set" ? values[name].as<std::vector<std::string>>()
+                         : std::vector<std::string>{values[name].as<std::string>()};
+}
+
+CommandLine parse_command(const std::string& command, const std::vector<std::string>& arguments) {
+    const po::variables_map values = parse(command, arguments);
+    CommandLine line;
+    if (values.count("help") > 0) {
+        line.command = "help";
+        line.help_for = command;
+        return line;
+    }
+    line.command = command;
+    line.argument = argument_of(command, values);
+    line.overrides = texts(values, "set");
+    for (const std::string& seed : texts(values, "seed")) {
+        line.overrides.push_back("run.seed=" + seed);
+    }
+    for (const std::string& example : texts(values, "example")) {
+        line.example = example;
+    }
+    for (const std::string& out : texts(values, "out")) {
+        line.out = out;
+    }
+    for (const std::string& threads : texts(values, "threads")) {
+        line.threads = thread_count(threads);
+    }
+    line.overwrite = values.count("overwrite") > 0;
+    line.print_settings = values.count("print-settings") > 0;
+    line.quiet = values.count("quiet") > 0;
+    line.verbose = values.count("verbose") > 0;
+    return line;
+}
+
+/// What the program is asked before any command: --help and its like.
+CommandLine parse_general(const std::string& word) {
+    static const std::map<std::string, std::string> general{{"--help", "help"},
+                                                            {"-h", "help"},
+                                                            {"help", "help"},
+                                                            {"--help-all", "help-all"},
+                                                            {"--version", "version"}};
+    const auto found = general.find(word);
+    if (found != general.end()) {
+        CommandLine line;
+        line.command = found->second;
+        return line;
+    }
+    std::vector<std::string> words = command_names();
+    words.insert(words.end(), {"--help", "--help-all", "--version"});
+    const std::string nearest = config::nearest_word(word, words);
+    refuse("command " + config::in_quotes(word),
+           nearest.empty() ? "init, check, run or info; see `bannwald --help`" : config::in_quotes(nearest));
+}
+
+}  // namespace
+
+const std::vector<std::string>& command_names() {
+    static const std::vector<std::string> names{"init", "check", "run", "info"};
+    return names;
+}
+
+CommandLine parse_command_line(const std::vector<std::string>& arguments) {
+    if (arguments.empty()) {
+        return parse_general("--help");
+    }
+    const auto& names = command_names();
+    if (std::find(names.begin(), names.end(), arguments.front()) == names.end()) {
+        return parse_general(arguments.front());
+    }
+    return parse_command(arguments.front(), {arguments.begin() + 1, arguments.end()});
+}
+
+}  // namespace coupling

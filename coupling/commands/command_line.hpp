@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace coupling {
+
+/// A call of the program, understood but not yet carried out.
+struct CommandLine {
+    std::string command;             ///< init, check, run, info; help, help-all or version
+    std::string help_for;            ///< command whose help is wanted, "" for the short help
+    std::filesystem::path argument;  ///< folder, scenario or file
+    std::string example = "tyrol";
+    std::vector<std::string> overrides;  ///< section.key=value, --seed among them
+    std::filesystem::path out;
+    int threads = 0;  ///< 0: as many as the machine has
+    bool overwrite = false;
+    bool print_settings = false;
+    bool quiet = false;
+    bool verbose = false;
+};
+
+/// Understands the arguments after the program's name. Throws InputError (settings) for an unknown command or
+/// option with the nearest one, and for what a command does not take.
+CommandLine parse_command_line(const std::vector<std::string>& arguments);
+
+/// Names of the commands.
+const std::vector<std::string>& command_names();
+
+}  // namespace coupling

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+
+namespace coupling {
+
+/// What a run takes, told before it starts.
+struct Estimate {
+    std::uint64_t rocks = 0;
+    int covers = 1;                      ///< 2: with forest and bare
+    std::uint64_t terrain_bytes = 0;     ///< triangulation, ground types, heights, trees
+    std::uint64_t map_bytes = 0;         ///< sums per cell, for every thread
+    std::uint64_t percentile_bytes = 0;  ///< at most: if rocks reach every cell
+    double seconds = 0.0;                ///< within a factor of about three
+
+    [[nodiscard]] std::uint64_t bytes() const { return terrain_bytes + map_bytes + percentile_bytes; }
+};
+
+Estimate estimate_of(const Scenario& scenario, const Site& site, int threads);
+
+}  // namespace coupling

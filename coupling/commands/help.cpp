@@ -1,0 +1,119 @@
+#include "coupling/commands/help.hpp"
+
+#include <omp.h>
+
+#include <Eigen/Core>
+#include <boost/version.hpp>
+#include <map>
+#include <string_view>
+
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/version.hpp"
+
+namespace coupling {
+
+namespace {
+
+constexpr std::string_view short_help = R"(bannwald - how well a forest protects from rockfall
+
+  bannwald init DIR [--example NAME]   writes an example project, ready to run
+  bannwald check SCENARIO              reads everything, tells size, memory and time; writes nothing
+  bannwald run SCENARIO                lets the rocks fall and writes maps, tables and a report
+  bannwald info FILE                   tells what a grid or a table holds
+
+Everywhere
+  --help                               help of a command: bannwald run --help
+  --help-all                           every setting of a scenario
+  --version                            version, and what it was built with
+  -q, --quiet                          only errors
+  -v, --verbose                        more on the way
+
+A first run
+  bannwald init example
+  bannwald run example/scenario.ini
+
+)";
+
+constexpr std::string_view exit_codes = R"(Exit codes
+  0   done
+  1   a fault of the program
+  2   usage or settings
+  3   a file is missing, unreadable or cannot be written
+  4   the data are not plausible
+  5   a validation case lies outside its bounds
+  75  interrupted: run again to go on
+)";
+
+constexpr std::string_view init_help = R"(bannwald init DIR [--example NAME]
+
+Writes an example project into a new or empty folder, whole or not at all.
+  --example NAME        tyrol (default): a real slope of 132 ha, 26 000 artificial trees, a road
+)";
+
+constexpr std::string_view scenario_options = R"(  --set section.key=value   changes a setting; again for more
+  --seed N                  the same as --set run.seed=N
+  --threads N               threads to use; results do not depend on it (default: all of the machine)
+)";
+
+constexpr std::string_view check_help = R"(bannwald check SCENARIO [options]
+
+Reads all files of a scenario and lists every problem; tells how large the run is. Writes nothing.
+  --print-settings          every setting with value, unit, default and source
+)";
+
+constexpr std::string_view run_help = R"(bannwald run SCENARIO [options]
+
+Lets rocks fall over the slope with its forest and over the bare slope, and writes the results.
+Interrupted by Ctrl-C it keeps finished parts; the same call goes on from there.
+  --out DIR                 folder of the results (default: out beside the scenario)
+  --overwrite               replaces results or parts that the folder holds
+)";
+
+constexpr std::string_view info_help = R"(bannwald info FILE
+
+Tells what an ESRI ASCII grid (frame, range, NODATA, projection) or a CSV table (columns, rows, units)
+holds. The name of a shipped table prints that table:
+  bannwald info surfaces           ground types with restitution and stopping probability
+  bannwald info tree_resistance    species with the energy they take
+)";
+
+}  // namespace
+
+void write_help(std::ostream& out, const std::string& command) {
+    const std::map<std::string, std::string_view> texts{
+        {"init", init_help}, {"check", check_help}, {"run", run_help}, {"info", info_help}};
+    const auto text = texts.find(command);
+    if (text == texts.end()) {
+        out << short_help << exit_codes;
+        return;
+    }
+    out << text->second;
+    if (command == "check" || command == "run") {
+        out << scenario_options;
+    }
+}
+
+void write_help_all(std::ostream& out) {
+    out << short_help;
+    for (const std::string_view text : {init_help, check_help, run_help, scenario_options, info_help}) {
+        out << text << '\n';
+    }
+    out << exit_codes << "\nSettings of a scenario file\n\n";
+    Scenario scenario;
+    config::Options options;
+    declare(options, scenario);
+    options.write_help(out);
+}
+
+void write_version(std::ostream& out) {
+    out << "bannwald " << version();
+    if (const std::string_view commit{BANNWALD_COMMIT}; !commit.empty()) {
+        out << " (" << commit << ')';
+    }
+    out << "\nbuilt with " << BANNWALD_COMPILER << "; CGAL " << BANNWALD_CGAL << ", Eigen "
+        << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION << ", Boost "
+        << BOOST_VERSION / 100000 << '.' << BOOST_VERSION / 100 % 1000 << ", OpenMP " << _OPENMP
+        << "\nlicence GPL-3.0-or-later; no warranty, to the extent permitted by law\n";
+}
+
+}  // namespace coupling

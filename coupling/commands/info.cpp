@@ -1,0 +1,167 @@
+#include "coupling/commands/info.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "config/data/shipped_tables.hpp"
+#include "config/grid/ascii_grid.hpp"
+#include "config/table/table.hpp"
+#include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/reading.hpp"
+
+namespace coupling {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A grid begins with one of the keys of its header.
+bool looks_like_grid(std::string_view text) {
+    text = config::without_byte_order_mark(text);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    std::string word{text.substr(0, text.find_first_of(" \t\r\n"))};
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::set<std::string> keys{"ncols",     "nrows",    "xllcorner", "xllcenter", "yllcorner",
+                                     "yllcenter", "cellsize", "dx",        "dy"};
+    return keys.contains(word);
+}
+
+/// The name that a projection in ESRI text gives itself, else how it begins.
+std::string projection_of(fs::path grid) {
+    if (grid.extension() == ".gz") {
+        grid.replace_extension();
+    }
+    grid.replace_extension(".prj");
+    std::error_code error;
+    if (!fs::exists(grid, error)) {
+        return "none (no " + grid.filename().string() + ")";
+    }
+    const FileBytes bytes = open_file(grid, {}, "a text file");
+    const std::string text{bytes.text().substr(0, 200)};
+    const std::size_t first = text.find('"');
+    const std::size_t last = first == std::string::npos ? first : text.find('"', first + 1);
+    return last == std::string::npos ? text.substr(0, text.find('\n'))
+                                     : text.substr(first + 1, last - first - 1);
+}
+
+/// The values of a grid of few different whole numbers, such as codes or zones.
+void write_codes(const config::Raster<double>& grid, std::ostream& out) {
+    std::map<double, std::size_t> counts;
+    for (const double value : grid.values) {
+        if (!std::isnan(value)) {
+            ++counts[value];
+        }
+        if (counts.size() > 12) {
+            return;
+        }
+    }
+    out << "values      ";
+    for (const auto& [value, count] : counts) {
+        out << "  " << config::to_text(value) << ": " << counted(count, "cell");
+    }
+    out << '\n';
+}
+
+void write_grid(const config::Raster<double>& grid, const fs::path& path, std::ostream& out) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    double sum = 0.0;
+    std::size_t known = 0;
+    for (const double value : grid.values) {
+        if (!std::isnan(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+            sum += value;
+            ++known;
+        }
+    }
+    const auto all = static_cast<double>(grid.values.size());
+    out << "ESRI ASCII grid\n"
+        << "frame         " << to_string(grid.frame) << '\n'
+        << "extent        x " << config::to_text(grid.frame.x_west_m) << " to "
+        << config::to_text(grid.frame.x_east_m()) << ", y " << config::to_text(grid.frame.y_south_m) << " to "
+        << config::to_text(grid.frame.y_north_m()) << '\n'
+        << "projection    " << projection_of(path) << '\n'
+        << "NODATA        " << std::fixed << std::setprecision(2)
+        << 100.0 * (all - static_cast<double>(known)) / all << " % of the cells\n";
+    if (known > 0) {
+        out << "range         " << config::to_text(low) << " to " << config::to_text(high) << ", mean "
+            << config::to_text(static_cast<float>(sum / static_cast<double>(known))) << '\n';
+        write_codes(grid, out);
+    }
+}
+
+/// Range of a column of numbers, or how many different texts it holds.
+std::string column_in_words(const config::Table& table, const std::string& column) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    bool all_numbers = table.rows() > 0;
+    std::set<std::string> texts;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& text = table.text(row, column);
+        texts.insert(text);
+        if (const auto value = config::parse_number(text)) {
+            low = std::min(low, *value);
+            high = std::max(high, *value);
+        } else {
+            all_numbers = false;
+        }
+    }
+    return all_numbers ? config::to_text(low) + " to " + config::to_text(high)
+                       : counted(texts.size(), "different text") +
+                             (texts.empty() ? "" : ", such as " + config::in_quotes(*texts.rbegin()));
+}
+
+void write_table(const config::Table& table, std::ostream& out) {
+    out << "CSV table\nrows          " << table.rows() << '\n';
+    for (std::size_t i = 0; i < table.columns().size(); ++i) {
+        const std::string& column = table.columns()[i];
+        out << "column        " << std::left << std::setw(20) << column << ' ';
+        if (!table.units().empty() && table.units()[i] != "unit" && table.units()[i] != "-") {
+            out << '[' << table.units()[i] << "] ";
+        }
+        out << column_in_words(table, column) << '\n';
+    }
+}
+
+/// The shipped table of a name, with or without its ending.
+std::optional<std::string_view> shipped(const std::string& name) {
+    for (const std::string& table : config::shipped_table_names()) {
+        if (name == table || name + ".csv" == table) {
+            return config::shipped_table(table);
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+void write_info(const std::string& name, std::ostream& out) {
+    std::error_code error;
+    if (!fs::exists(name, error)) {
+        if (const auto text = shipped(name)) {
+            out << *text;
+            return;
+        }
+    }
+    const FileBytes bytes = open_file(name, {}, "a grid, a table or the name of a shipped table");
+    if (looks_like_grid(bytes.text())) {
+        write_grid(config::read_ascii_grid(bytes.text(), name), name, out);
+        return;
+    }
+    std::istringstream in{std::string{bytes.text()}};
+    write_table(config::Table::read(in, name), out);
+}
+
+}  // namespace coupling

@@ -1,0 +1,95 @@
+#include "coupling/commands/init.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/examples/embedded.hpp"
+#include "coupling/results/out_file.hpp"
+
+namespace coupling {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_folder(const fs::path& folder) {
+    std::error_code error;
+    const fs::file_status status = fs::status(folder, error);
+    if (status.type() == fs::file_type::not_found) {
+        return;
+    }
+    if (status.type() != fs::file_type::directory) {
+        config::fail(config::ExitCode::settings, {},
+                     config::in_quotes(folder.string()) + ", which is no folder", "a new or empty folder");
+    }
+    const bool is_empty = fs::is_empty(folder, error);
+    if (error) {
+        config::fail(config::ExitCode::file, {}, config::in_quotes(folder.string()) + ": " + error.message(),
+                     "a new or empty folder");
+    }
+    if (!is_empty) {
+        config::fail(config::ExitCode::settings, {}, "files in folder " + config::in_quotes(folder.string()),
+                     "a new or empty folder");
+    }
+}
+
+std::vector<ExampleFile> files_of(const std::string& example) {
+    std::vector<ExampleFile> files = example_files();
+    std::erase_if(files, [&](const ExampleFile& file) { return file.example != example; });
+    if (files.empty()) {
+        const std::string nearest = config::nearest_word(example, example_names());
+        config::fail(
+            config::ExitCode::settings, {}, "example " + config::in_quotes(example),
+            nearest.empty() ? config::in_quotes(example_names().front()) : config::in_quotes(nearest));
+    }
+    return files;
+}
+
+/// Files that vanish again unless they are kept.
+class Draft {
+public:
+    explicit Draft(fs::path folder) : folder_{std::move(folder)}, is_new_{!fs::exists(folder_)} {
+        make_folder(folder_);
+    }
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    ~Draft() {
+        std::error_code ignored;
+        for (const fs::path& path : written_) {
+            fs::remove(path, ignored);
+        }
+        if (is_new_ && !written_.empty()) {
+            fs::remove(folder_, ignored);
+        }
+    }
+
+    void write(const ExampleFile& file) {
+        const fs::path path = folder_ / file.name;
+        written_.push_back(path);
+        OutFile out{path};
+        out.stream().write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+        out.close();
+    }
+    void keep() { written_.clear(); }
+
+private:
+    fs::path folder_;
+    bool is_new_;
+    std::vector<fs::path> written_;
+};
+
+}  // namespace
+
+void write_example(const fs::path& folder, const std::string& example) {
+    const std::vector<ExampleFile> files = files_of(example);
+    check_folder(folder);
+    Draft draft{folder};
+    for (const ExampleFile& file : files) {
+        draft.write(file);
+    }
+    draft.keep();
+}
+
+}  // namespace coupling

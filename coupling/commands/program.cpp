@@ -1,0 +1,109 @@
+#include "coupling/commands/program.hpp"
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "config/errors/input_error.hpp"
+#include "config/errors/warnings.hpp"
+#include "coupling/commands/check.hpp"
+#include "coupling/commands/command_line.hpp"
+#include "coupling/commands/help.hpp"
+#include "coupling/commands/info.hpp"
+#include "coupling/commands/init.hpp"
+#include "coupling/run/run.hpp"
+
+namespace coupling {
+
+namespace {
+
+using config::ExitCode;
+
+int code(ExitCode exit_code) {
+    return static_cast<int>(exit_code);
+}
+
+int init(const CommandLine& line) {
+    write_example(line.argument, line.example);
+    const std::string scenario = (line.argument / "scenario.ini").string();
+    std::cout << scenario << '\n';
+    if (!line.quiet) {
+        std::cerr << "next: bannwald run " << scenario << '\n';
+    }
+    return code(ExitCode::done);
+}
+
+int check(const CommandLine& line) {
+    config::Warnings warnings;
+    const auto tell = [&] {
+        for (const std::string& sentence : warnings.sentences()) {
+            std::cerr << "bannwald: warning: " << sentence << '\n';
+        }
+    };
+    try {
+        check_scenario(line, warnings, std::cout);
+    } catch (...) {
+        tell();
+        throw;
+    }
+    tell();
+    return code(ExitCode::done);
+}
+
+int run(const CommandLine& line) {
+    return run_assessment({.scenario = line.argument,
+                           .overrides = line.overrides,
+                           .out = line.out,
+                           .threads = line.threads,
+                           .overwrite = line.overwrite,
+                           .quiet = line.quiet,
+                           .verbose = line.verbose});
+}
+
+int carry_out(const CommandLine& line) {
+    if (line.command == "init") {
+        return init(line);
+    }
+    if (line.command == "check") {
+        return check(line);
+    }
+    if (line.command == "run") {
+        return run(line);
+    }
+    if (line.command == "info") {
+        write_info(line.argument.string(), std::cout);
+    } else if (line.command == "version") {
+        write_version(std::cout);
+    } else if (line.command == "help-all") {
+        write_help_all(std::cout);
+    } else {
+        write_help(std::cout, line.help_for);
+    }
+    return code(ExitCode::done);
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments) {
+    try {
+        const int result = carry_out(parse_command_line(arguments));
+        std::cout.flush();
+        if (!std::cout) {
+            std::cerr << "bannwald: cannot write to the standard output\n";
+            return code(ExitCode::file);
+        }
+        return result;
+    } catch (const config::InputError& error) {
+        for (const config::Problem& problem : error.problems()) {
+            std::cerr << "bannwald: " << config::to_string(problem) << '\n';
+        }
+        return code(error.code());
+    } catch (const std::bad_alloc&) {
+        std::cerr << "bannwald: not enough memory; `bannwald check` tells how much a run takes\n";
+    } catch (const std::exception& error) {
+        std::cerr << "bannwald: a fault of the program: " << error.what() << '\n';
+    }
+    return code(ExitCode::internal);
+}
+
+}  // namespace coupling

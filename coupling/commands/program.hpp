@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace coupling {
+
+/// The program: understands its arguments, carries them out, tells what went wrong. Returns the exit code.
+int run_program(const std::vector<std::string>& arguments);
+
+}  // namespace coupling

@@ -1,0 +1,40 @@
+#include "coupling/examples/embedded.hpp"
+
+#include <algorithm>
+
+// Each file becomes a pair of symbols around its bytes. The list of files is written by
+// coupling/CMakeLists.txt.
+#define EXAMPLE(number, example, name)                                                                       \
+    asm(".pushsection .rodata\n"                                                                             \
+        ".hidden bannwald_example_" #number "_begin\n.globl bannwald_example_" #number                       \
+        "_begin\nbannwald_example_" #number "_begin:\n.incbin \"" BANNWALD_EXAMPLES_DIR "/" example "/" name \
+        "\"\n"                                                                                               \
+        ".hidden bannwald_example_" #number "_end\n.globl bannwald_example_" #number                         \
+        "_end\nbannwald_example_" #number "_end:\n.byte 0\n.popsection\n");                                  \
+    extern "C" const char bannwald_example_##number##_begin[];                                               \
+    extern "C" const char bannwald_example_##number##_end[];
+#include "example_files.inc"
+#undef EXAMPLE
+
+namespace coupling {
+
+std::vector<ExampleFile> example_files() {
+    std::vector<ExampleFile> files;
+#define EXAMPLE(number, example, name) \
+    files.push_back({example, name, {bannwald_example_##number##_begin, bannwald_example_##number##_end}});
+#include "example_files.inc"
+#undef EXAMPLE
+    return files;
+}
+
+std::vector<std::string> example_names() {
+    std::vector<std::string> names;
+    for (const ExampleFile& file : example_files()) {
+        if (std::find(names.begin(), names.end(), file.example) == names.end()) {
+            names.push_back(file.example);
+        }
+    }
+    return names;
+}
+
+}  // namespace coupling

@@ -1,0 +1,5 @@
+#include "coupling/commands/program.hpp"
+
+int main(int count, char** words) {
+    return coupling::run_program({words + 1, words + count});
+}
