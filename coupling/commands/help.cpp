@@ -47,7 +47,7 @@ constexpr std::string_view exit_codes = R"(Exit codes
 constexpr std::string_view init_help = R"(bannwald init DIR [--example NAME]
 
 Writes an example project into a new or empty folder, whole or not at all.
-  --example NAME        tyrol (default): a real slope of 132 ha, 26 000 artificial trees, a road
+  --example NAME        tyrol (default): a real slope of 132 ha, 25 900 artificial trees, a road
 )";
 
 constexpr std::string_view scenario_options = R"(  --set section.key=value   changes a setting; again for more
