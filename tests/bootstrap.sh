@@ -60,7 +60,7 @@ build() {
         launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
     fi
     (
-        cd "$root"
+        cd "$root" || exit
         cmake --preset "$preset" "${launcher[@]}" >&2
         cmake --build --preset "$preset" -j "$(job_count)" ${1:+--target "$@"} >&2
     )
