@@ -9,7 +9,8 @@
 
 namespace coupling::report {
 
-/// The results as one self-contained HTML page: no script, no outside address, same bytes from the same results.
+/// The results as one self-contained HTML page: no script, no outside address, same bytes from the same
+/// results.
 void write_page(std::ostream& out, const RunResults& results, const Figures& figures,
                 const std::vector<WrittenFile>& files);
 

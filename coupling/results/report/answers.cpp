@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/sections.hpp"
+
+namespace coupling::report {
+namespace {
+
+std::string range_of(const Interval& interval) {
+    return percent(interval.low) + " to " + percent(interval.high);
+}
+
+/// The shares of both slopes as bars with their intervals.
+std::string share_bars(const TargetFigures& target, const std::vector<Cover>& covers) {
+    constexpr double left = 96.0;
+    constexpr double length = 250.0;
+    double most = 0.0;
+    for (const Cover cover : covers) {
+        most = std::max(most, target.at(cover).share.interval.high);
+    }
+    const double per_share = most > 0.0 ? length / most : 0.0;
+    std::string svg = "<svg class=\"bars\" viewBox=\"0 0 440 " +
+                      place(34.0 * static_cast<double>(covers.size()) + 6.0) +
+                      "\" role=\"img\" aria-label=\"share of rocks that arrive\">";
+    double y = 6.0;
+    for (const Cover cover : covers) {
+        const Share& share = target.at(cover).share;
+        const double low = left + per_share * share.interval.low;
+        const double high = left + per_share * share.interval.high;
+        svg += "<text text-anchor=\"end\" x=\"" + place(left - 8.0) + "\" y=\"" + place(y + 16.0) + "\">" +
+               (cover == Cover::forest ? "with forest" : "bare slope") + "</text><rect class=\"" +
+               name_of(cover) + "\" x=\"" + place(left) + "\" y=\"" + place(y) + "\" width=\"" +
+               place(per_share * share.value) + "\" height=\"22\"/><path class=\"whisker\" d=\"M" +
+               place(low) + " " + place(y + 11.0) + "H" + place(high) + "M" + place(low) + " " +
+               place(y + 6.0) + "v10M" + place(high) + " " + place(y + 6.0) + "v10\"/><text x=\"" +
+               place(high + 8.0) + "\" y=\"" + place(y + 16.0) + "\">" + percent(share.value) + "</text>";
+        y += 34.0;
+    }
+    return svg + "</svg>";
+}
+
+std::string reaching(const Share& share) {
+    return "<b>" + percent(share.value) + "</b> of the rocks (" + grouped(share.part) + " of " +
+           grouped(share.whole) + ")";
+}
+
+std::string protection_sentence(const TargetFigures& target) {
+    if (!target.protection) {
+        return "No rock arrives over the bare slope: there is no danger here that the forest could lower.";
+    }
+    const ProtectionEffect& effect = *target.protection;
+    if (effect.one_sided) {
+        return "The forest keeps away <b>all of them</b>; with 95 % confidence at least " +
+               percent(std::max(0.0, effect.interval.low)) + ".";
+    }
+    if (effect.value < 0.0) {
+        return "With forest <b>more</b> rocks arrive here: protection effect <b>" + percent(effect.value) +
+               "</b> (95 % interval " + range_of(effect.interval) + ").";
+    }
+    return "The forest keeps away <b>" + percent(effect.value) +
+           "</b> of the rocks that would arrive (95 % interval " + range_of(effect.interval) + ").";
+}
+
+std::string answer(const TargetFigures& target, const RunResults& results) {
+    const Share& bare = target.at(Cover::bare).share;
+    if (!results.with_forest) {
+        return "<p class=\"answer\">" + reaching(bare) + " reach it over the bare slope (95 % interval " +
+               range_of(bare.interval) + "). No trees were given.</p>";
+    }
+    return "<p class=\"answer\">" + reaching(target.at(Cover::forest).share) +
+           " reach it with today's forest, " + reaching(bare) + " over the bare slope. " +
+           protection_sentence(target) + "</p>";
+}
+
+/// "812 (790 to 834)"; an interval that is open upwards has too few rocks.
+std::string with_interval(const Distribution& d) {
+    if (std::isnan(d.p95)) {
+        return "–";
+    }
+    const bool open = std::isinf(d.p95_interval.high);
+    return three_digits(d.p95) + " <span class=\"soft\">(" + three_digits(d.p95_interval.low) +
+           (open ? " or more" : " to " + three_digits(d.p95_interval.high)) + ")</span>";
+}
+
+std::string figures_at(const TargetFigures& target, const std::vector<Cover>& covers) {
+    HtmlTable table{"",
+                    {"at this target", "mean", "50 %", "90 %", "95 % (interval)", "98 %", "99 %", "largest"}};
+    struct Quantity {
+        const char* name;
+        Distribution ArrivalFigures::*values;
+    };
+    constexpr std::array quantities{Quantity{"Energy, kJ", &ArrivalFigures::energy_kj},
+                                    Quantity{"Speed, m/s", &ArrivalFigures::speed_mps},
+                                    Quantity{"Height above ground, m", &ArrivalFigures::height_m}};
+    for (const Quantity& quantity : quantities) {
+        table.group(quantity.name);
+        for (const Cover cover : covers) {
+            const Distribution& d = target.at(cover).*quantity.values;
+            table.row({cover == Cover::forest ? "with forest" : "bare slope", three_digits(d.mean),
+                       three_digits(d.p50), three_digits(d.p90), with_interval(d), three_digits(d.p98),
+                       three_digits(d.p99), three_digits(d.max)});
+        }
+    }
+    return table.html();
+}
+
+/// How sure the answer is and what would make it surer.
+std::string certainty(const TargetFigures& target, const RunResults& results) {
+    const std::uint64_t rocks = target.at(Cover::bare).share.whole;
+    std::string text = "<p class=\"soft\">";
+    if (results.with_forest && target.protection) {
+        text += "Of the rocks that arrive, " + grouped(target.paired.both) + " do so on both slopes, " +
+                grouped(target.paired.only_bare) + " on the bare slope only and " +
+                grouped(target.paired.only_forest) + " with forest only. ";
+    }
+    text += grouped(rocks_for_half(rocks)) + " rocks instead of " + grouped(rocks) +
+            " would halve these intervals.";
+    if (target.reduction) {
+        text += " Reduction of frequency (BARI) " + fixed(target.reduction->bari_percent, 1) +
+                ", of the 95th percentile of "
+                "energy (MIRI) " +
+                fixed(target.reduction->miri_percent, 1) + ", of both (ORPI) " +
+                fixed(target.reduction->orpi_percent, 1) + " %.";
+    }
+    return text + "</p>";
+}
+
+std::string without_targets(const RunResults& results, const Figures& figures) {
+    const SlopeFigures& bare = figures.at(Cover::bare);
+    std::string text =
+        "<section class=\"card\"><p class=\"answer\">No target was given, so nothing is counted at a road or "
+        "house. ";
+    if (results.with_forest) {
+        const SlopeFigures& forest = figures.at(Cover::forest);
+        text += "With forest rocks run out <b>" + three_digits(forest.run_out_m.mean) +
+                " m</b> on average (95 % of them at most " + three_digits(forest.run_out_m.p95) +
+                " m), over the bare slope ";
+    } else {
+        text += "Over the bare slope rocks run out ";
+    }
+    return text + "<b>" + three_digits(bare.run_out_m.mean) +
+           " m</b> (95 %: " + three_digits(bare.run_out_m.p95) + " m).</p></section>\n";
+}
+
+}  // namespace
+
+std::string answers(const RunResults& results, const Figures& figures) {
+    std::string html = "<h2>What arrives, and what the forest keeps away</h2>\n";
+    if (figures.targets.empty()) {
+        return html + without_targets(results, figures);
+    }
+    const std::vector<Cover> covers = covers_of(results);
+    for (const TargetFigures& target : figures.targets) {
+        html += "<section class=\"card\"><h3>" + escaped(target.name.empty() ? target.id : target.name) +
+                "</h3>" + answer(target, results) + "<div class=\"two\">" + share_bars(target, covers) +
+                certainty(target, results) + "</div>\n" + figures_at(target, covers) + "</section>\n";
+    }
+    return html +
+           "<p class=\"soft\">Energy is translation and rotation of a rock where it first meets the target; "
+           "height is that of "
+           "its underside, vertically above the ground. Intervals cover the chance in the simulated rocks, "
+           "not what the "
+           "terrain model, the tree list or the rockfall model get wrong. How often rocks break off is not "
+           "part of this "
+           "run: shares are per released rock, not per year.</p>\n";
+}
+
+}  // namespace coupling::report

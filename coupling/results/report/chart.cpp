@@ -1,0 +1,143 @@
+#include "coupling/results/report/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/outlines.hpp"
+
+namespace coupling::report {
+namespace {
+
+constexpr double left = 64.0;
+constexpr double right = 546.0;
+constexpr double top = 34.0;
+constexpr double bottom = 262.0;
+
+}  // namespace
+
+Axis Axis::from_zero(std::string title, double high) {
+    const double step = nice_step((high > 0.0 ? high : 1.0) / 6.0);
+    return {std::move(title), 0.0, std::ceil((high > 0.0 ? high : 1.0) / step - 1e-9) * step};
+}
+
+Axis Axis::powers_of_ten(std::string title, double low, double high) {
+    const double first = std::floor(std::log10(low) + 1e-9);
+    const double last = std::max(first + 1.0, std::ceil(std::log10(high) - 1e-9));
+    return {std::move(title), std::pow(10.0, first), std::pow(10.0, last), true};
+}
+
+double Axis::share_of(double value) const {
+    if (logarithmic) {
+        return value > 0.0 ? std::log(value / low) / std::log(high / low) : -1.0;
+    }
+    return (value - low) / (high - low);
+}
+
+std::vector<double> Axis::ticks() const {
+    std::vector<double> values;
+    if (logarithmic) {
+        for (double tick = low; tick <= high * 1.0001; tick *= 10.0) {
+            values.push_back(tick);
+        }
+        return values;
+    }
+    const double step = std::max(nice_step((high - low) / 6.0), whole_numbers ? 1.0 : 0.0);
+    const double first = std::ceil(low / step - 1e-9) * step;
+    for (int i = 0; first + i * step <= high + 1e-9 * step; ++i) {
+        values.push_back(first + i * step);
+    }
+    return values;
+}
+
+Chart::Chart(std::string title, Axis x, Axis y)
+    : title_{std::move(title)}, x_{std::move(x)}, y_{std::move(y)} {}
+
+double Chart::x_of(double value) const {
+    return left + std::clamp(x_.share_of(value), 0.0, 1.0) * (right - left);
+}
+
+double Chart::y_of(double value) const {
+    return bottom - std::clamp(y_.share_of(value), 0.0, 1.0) * (bottom - top);
+}
+
+void Chart::add_steps(const std::string& series, std::span<const double> edges,
+                      std::span<const double> heights) {
+    PathText area;
+    double y = bottom;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const double next = y_of(heights[i]);
+        area.line(x_of(edges[i]), y, x_of(edges[i]), next);
+        area.line(x_of(edges[i]), next, x_of(edges[i + 1]), next);
+        y = next;
+    }
+    area.line(x_of(edges[heights.size()]), y, x_of(edges[heights.size()]), bottom);
+    drawing_ += "<path class=\"area " + series + "\" d=\"" + area.text() + "\"/>";
+}
+
+void Chart::add_line(const std::string& series, std::span<const ChartPoint> points) {
+    PathText line;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        line.line(x_of(points[i].x), y_of(points[i].y), x_of(points[i + 1].x), y_of(points[i + 1].y));
+    }
+    drawing_ += "<path class=\"line " + series + "\" d=\"" + line.text() + "\"/>";
+}
+
+void Chart::add_mark(double x, const std::string& label) {
+    if (x_.share_of(x) <= 0.0 || x_.share_of(x) >= 1.0) {
+        return;
+    }
+    const std::string at = place(x_of(x));
+    marks_ += "<path class=\"mark\" d=\"M" + at + " " + place(top) + "V" + place(bottom) +
+              "\"/><text class=\"small\" x=\"" + place(x_of(x) + 3.0) + "\" y=\"" + place(top + 10.0) +
+              "\">" + escaped(label) + "</text>";
+}
+
+void Chart::add_name(const std::string& series, const std::string& name) {
+    names_.push_back({series, name});
+}
+
+std::string Chart::axes() const {
+    std::string grid;
+    std::string labels;
+    for (const double tick : x_.ticks()) {
+        const std::string x = place(x_of(tick));
+        grid += "M" + x + " " + place(bottom) + "v5";
+        labels += "<text text-anchor=\"middle\" x=\"" + x + "\" y=\"" + place(bottom + 19.0) + "\">" +
+                  three_digits(tick) + "</text>";
+    }
+    std::string lines;
+    for (const double tick : y_.ticks()) {
+        const std::string y = place(y_of(tick));
+        lines += "M" + place(left) + " " + y + "H" + place(right);
+        labels += "<text text-anchor=\"end\" x=\"" + place(left - 6.0) + "\" y=\"" + place(y_of(tick) + 4.0) +
+                  "\">" + three_digits(tick) + "</text>";
+    }
+    const double middle = 0.5 * (top + bottom);
+    return "<path class=\"grid\" d=\"" + lines + "\"/><path class=\"axis\" d=\"M" + place(left) + " " +
+           place(bottom) + "H" + place(right) + grid + "\"/>" + labels + "<text text-anchor=\"middle\" x=\"" +
+           place(0.5 * (left + right)) + "\" y=\"" + place(bottom + 40.0) + "\">" + escaped(x_.title) +
+           "</text><text text-anchor=\"middle\" transform=\"translate(14 " + place(middle) +
+           ")rotate(-90)\">" + escaped(y_.title) + "</text>";
+}
+
+std::string Chart::names() const {
+    std::string svg;
+    double x = left;
+    for (const Name& name : names_) {
+        svg += "<path class=\"line " + name.series + "\" d=\"M" + place(x) + " 16h26\"/><text x=\"" +
+               place(x + 32.0) + "\" y=\"20\">" + escaped(name.name) + "</text>";
+        x += 150.0;
+    }
+    return svg;
+}
+
+std::string Chart::figure(const std::string& caption) const {
+    return "<figure class=\"chart\"><figcaption><b>" + escaped(title_) +
+           "</b></figcaption><svg viewBox=\"0 0 560 310\""
+           " role=\"img\" aria-label=\"" +
+           escaped(title_) + "\">" + axes() + drawing_ + marks_ + names() + "</svg>" +
+           (caption.empty() ? "" : "<p>" + caption + "</p>") + "</figure>\n";
+}
+
+}  // namespace coupling::report

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coupling::report {
+
+/// An axis with its title, unit included.
+struct Axis {
+    std::string title;
+    double low = 0.0;
+    double high = 1.0;
+    bool logarithmic = false;
+    bool whole_numbers = false;  ///< ticks at whole numbers only
+
+    /// From 0 to a round number not below `high`.
+    static Axis from_zero(std::string title, double high);
+    /// Whole powers of ten around the values. Requires 0 < low <= high.
+    static Axis powers_of_ten(std::string title, double low, double high);
+
+    [[nodiscard]] double share_of(double value) const;  ///< place along the axis, 0 to 1, not cut off
+    [[nodiscard]] std::vector<double> ticks() const;
+};
+
+struct ChartPoint {
+    double x;
+    double y;
+};
+
+/// A chart as inline SVG: every series has its colour and its line style, so that it reads without colour
+/// too.
+///
+/// Series are named by a class that the page's style knows: "forest" (solid, filled), "bare" (dashed).
+class Chart {
+public:
+    Chart(std::string title, Axis x, Axis y);
+
+    /// Heights over bins; edges has one number more than heights.
+    void add_steps(const std::string& series, std::span<const double> edges, std::span<const double> heights);
+    void add_line(const std::string& series, std::span<const ChartPoint> points);
+    /// A thin vertical line with a small label at its top.
+    void add_mark(double x, const std::string& label);
+    void add_name(const std::string& series, const std::string& name);
+
+    [[nodiscard]] std::string figure(const std::string& caption) const;
+
+private:
+    [[nodiscard]] double x_of(double value) const;
+    [[nodiscard]] double y_of(double value) const;
+    [[nodiscard]] std::string axes() const;
+    [[nodiscard]] std::string names() const;
+
+    std::string title_;
+    Axis x_;
+    Axis y_;
+    std::string drawing_;
+    std::string marks_;
+    struct Name {
+        std::string series;
+        std::string name;
+    };
+    std::vector<Name> names_;
+};
+
+}  // namespace coupling::report

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "coupling/results/colours.hpp"
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/rebin.hpp"
+#include "coupling/results/report/sections.hpp"
+
+namespace coupling::report {
+namespace {
+
+constexpr double j_per_kj = 1000.0;
+
+const char* title_of(Cover cover) {
+    return cover == Cover::forest ? "with forest" : "bare slope";
+}
+
+std::vector<double> in_percent_of(std::vector<double> counts, std::uint64_t whole) {
+    for (double& count : counts) {
+        count *= whole > 0 ? 100.0 / static_cast<double>(whole) : 0.0;
+    }
+    return counts;
+}
+
+/// The bare slope first: the forest is drawn over it.
+std::vector<Cover> drawing_order(const RunResults& results) {
+    std::vector<Cover> covers = covers_of(results);
+    std::reverse(covers.begin(), covers.end());
+    return covers;
+}
+
+/// A histogram of one quantity on the slopes in percent of the rocks that fell.
+std::string histogram(const RunResults& results, const std::string& title, Axis x,
+                      const std::vector<double>& edges,
+                      const std::function<std::vector<double>(Cover)>& counts_of, const std::string& caption,
+                      const std::vector<Cover>& covers, bool energy_marks) {
+    std::vector<std::vector<double>> heights;
+    double highest = 0.0;
+    for (const Cover cover : covers) {
+        heights.push_back(in_percent_of(counts_of(cover), results.tally.runs[index_of(cover)].rocks));
+        highest = std::max(highest, *std::max_element(heights.back().begin(), heights.back().end()));
+    }
+    Chart chart{title, std::move(x), Axis::from_zero("% of all rocks", highest)};
+    for (std::size_t i = 0; i < covers.size(); ++i) {
+        chart.add_steps(name_of(covers[i]), edges, heights[i]);
+        chart.add_name(name_of(covers[i]), title_of(covers[i]));
+    }
+    if (energy_marks) {
+        chart.add_mark(energy_class_limits_kj[0], "30 kJ");
+        chart.add_mark(energy_class_limits_kj[1], "300 kJ");
+    }
+    return chart.figure(caption);
+}
+
+std::string energy_histogram(const RunResults& results, std::size_t target) {
+    const rockfall::TargetTally& tally = results.tally.targets[target];
+    const double low_kj = 0.1;
+    const double high_kj = std::max(1.0, tally.by_cover[index_of(Cover::bare)].energy_max_j / j_per_kj);
+    const double most_kj = std::max(high_kj, tally.by_cover[index_of(Cover::forest)].energy_max_j / j_per_kj);
+    Axis x = Axis::powers_of_ten("Energy at the target, kJ", low_kj, most_kj);
+    constexpr int bars_a_decade = 8;
+    const int bars = static_cast<int>(std::lround(bars_a_decade * std::log10(x.high / x.low)));
+    std::vector<double> edges;
+    for (int i = 0; i <= bars; ++i) {
+        edges.push_back(x.low * std::pow(10.0, static_cast<double>(i) / bars_a_decade));
+    }
+    const auto counts = [&](Cover cover) {
+        return rebinned(rockfall::fine_energy_bins, tally.by_cover[index_of(cover)].energy, j_per_kj, edges);
+    };
+    return histogram(results, "Energy of the rocks that arrive", std::move(x), edges, counts,
+                     "Eight bars to each power of ten; the first takes all below.", drawing_order(results),
+                     true);
+}
+
+std::string height_histogram(const RunResults& results, std::size_t target) {
+    const rockfall::TargetTally& tally = results.tally.targets[target];
+    const double most_m = std::max(tally.by_cover[0].height_max_m, tally.by_cover[1].height_max_m);
+    Axis x = Axis::from_zero("Height above ground at the target, m", most_m);
+    std::vector<double> edges(31);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        edges[i] = x.high * static_cast<double>(i) / 30.0;
+    }
+    const auto counts = [&](Cover cover) {
+        return rebinned(rockfall::fine_height_bins, tally.by_cover[index_of(cover)].height, 1.0, edges);
+    };
+    return histogram(results, "Height of the rocks that arrive", std::move(x), edges, counts,
+                     "Underside of the rock, vertically above the ground.", drawing_order(results), false);
+}
+
+/// Share of rocks that arrive with more than an energy.
+std::string exceedance(const RunResults& results, std::size_t target) {
+    const rockfall::TargetTally& tally = results.tally.targets[target];
+    const double most_kj =
+        std::max({1.0, tally.by_cover[0].energy_max_j / j_per_kj, tally.by_cover[1].energy_max_j / j_per_kj});
+    const auto rocks = static_cast<double>(results.tally.runs[index_of(Cover::bare)].rocks);
+    double highest_percent = 0.0;
+    for (const rockfall::ArrivalTally& arrivals : tally.by_cover) {
+        highest_percent =
+            std::max(highest_percent, 100.0 * static_cast<double>(arrivals.reached) / std::max(1.0, rocks));
+    }
+    const double least_percent = 100.0 / std::max(1.0, rocks);
+    Chart chart{"Energy exceeded at the target", Axis::powers_of_ten("Energy E, kJ", 0.1, most_kj),
+                Axis::powers_of_ten("% of all rocks arriving with more than E", least_percent,
+                                    std::max(highest_percent, 10.0 * least_percent))};
+    for (const Cover cover : drawing_order(results)) {
+        const auto& counts = tally.by_cover[index_of(cover)].energy;
+        std::vector<ChartPoint> points;
+        for (const auto& [energy_j, above] : exceeded(rockfall::fine_energy_bins, counts)) {
+            points.push_back({std::max(0.1, energy_j / j_per_kj), 100.0 * above / std::max(1.0, rocks)});
+        }
+        chart.add_line(name_of(cover), points);
+        chart.add_name(name_of(cover), title_of(cover));
+    }
+    chart.add_mark(energy_class_limits_kj[0], "30 kJ");
+    chart.add_mark(energy_class_limits_kj[1], "300 kJ");
+    return chart.figure("Both axes by powers of ten. A curve ends at the largest energy of any rock.");
+}
+
+std::string run_out_histogram(const RunResults& results) {
+    double most_m = 1.0;
+    for (const Cover cover : covers_of(results)) {
+        most_m = std::max(most_m, results.tally.runs[index_of(cover)].max_run_out_m);
+    }
+    const double width_m = std::max(rockfall::RunTally::run_out_bin_m, nice_step(most_m / 50.0));
+    const auto merged = static_cast<std::size_t>(std::lround(width_m / rockfall::RunTally::run_out_bin_m));
+    const auto bars = static_cast<std::size_t>(std::ceil(most_m / width_m));
+    std::vector<double> edges(bars + 1);
+    for (std::size_t i = 0; i <= bars; ++i) {
+        edges[i] = width_m * static_cast<double>(i);
+    }
+    const auto counts = [&](Cover cover) {
+        std::vector<double> sums(bars, 0.0);
+        const auto& bins = results.tally.runs[index_of(cover)].run_out;
+        for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+            sums[std::min(bin / merged, bars - 1)] += static_cast<double>(bins[bin]);
+        }
+        return sums;
+    };
+    Axis x = Axis::from_zero("Run-out in plan, m", edges.back());
+    return histogram(results, "Run-out", std::move(x), edges, counts,
+                     "Distance in plan from release to end, in bars of " + three_digits(width_m) + " m.",
+                     drawing_order(results), false);
+}
+
+std::string tree_hit_histogram(const RunResults& results) {
+    const auto& hits = results.tally.runs[index_of(Cover::forest)].tree_hits;
+    const auto last = std::find_if(hits.rbegin(), hits.rend(), [](std::uint64_t count) { return count > 0; });
+    const auto bars = std::max<std::size_t>(1, static_cast<std::size_t>(hits.rend() - last));
+    std::vector<double> edges(bars + 1);
+    for (std::size_t i = 0; i <= bars; ++i) {
+        edges[i] = static_cast<double>(i) - 0.5;
+    }
+    Axis x{"Trees hit by a rock", -0.5, static_cast<double>(bars) - 0.5, false, true};
+    const auto counts = [&](Cover) {
+        return std::vector<double>(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(bars));
+    };
+    return histogram(results, "Tree hits per rock", std::move(x), edges, counts,
+                     bars == hits.size() ? "The last bar takes 40 hits and more." : "", {Cover::forest},
+                     false);
+}
+
+}  // namespace
+
+std::string charts(const RunResults& results, const Figures& figures) {
+    std::string html = "<h2>Distributions</h2>\n";
+    for (std::size_t target = 0; target < figures.targets.size(); ++target) {
+        const TargetFigures& named = figures.targets[target];
+        html += "<h3>" + escaped(named.name.empty() ? named.id : named.name) + "</h3>\n";
+        const bool none_arrives =
+            named.at(Cover::bare).share.part == 0 && named.at(Cover::forest).share.part == 0;
+        html += none_arrives
+                    ? "<p>No rock arrives here.</p>\n"
+                    : "<div class=\"thirds\">" + energy_histogram(results, target) +
+                          height_histogram(results, target) + exceedance(results, target) + "</div>\n";
+    }
+    html += "<h3>All rocks</h3>\n<div class=\"halves\">" + run_out_histogram(results);
+    return html + (results.with_forest ? tree_hit_histogram(results) : "") + "</div>\n";
+}
+
+}  // namespace coupling::report

@@ -1,0 +1,40 @@
+#include "coupling/results/report/html_table.hpp"
+
+#include <algorithm>
+
+namespace coupling::report {
+
+HtmlTable::HtmlTable(std::string_view caption, const std::vector<std::string>& head)
+    : caption_{caption}, head_{head} {}
+
+bool HtmlTable::is_text(std::size_t column) const {
+    return std::find(text_columns_.begin(), text_columns_.end(), column) != text_columns_.end();
+}
+
+void HtmlTable::row(const std::vector<std::string>& cells, std::string_view style) {
+    rows_ += style.empty() ? "<tr>" : std::string{"<tr class=\""}.append(style).append("\">");
+    for (std::size_t column = 0; column < cells.size(); ++column) {
+        rows_ += (is_text(column) ? "<td class=\"text\">" : "<td>") + cells[column] + "</td>";
+    }
+    rows_ += "</tr>\n";
+}
+
+void HtmlTable::group(std::string_view name) {
+    rows_ += "<tr class=\"group\"><th colspan=\"" + std::to_string(head_.size()) + "\">";
+    rows_.append(name).append("</th></tr>\n");
+}
+
+std::string HtmlTable::html() const {
+    std::string html = "<div class=\"wide\"><table>";
+    if (!caption_.empty()) {
+        html += "<caption>" + caption_ + "</caption>";
+    }
+    html += "\n<thead><tr>";
+    for (std::size_t column = 0; column < head_.size(); ++column) {
+        html += (is_text(column) ? "<th class=\"text\" scope=\"col\">" : "<th scope=\"col\">") +
+                head_[column] + "</th>";
+    }
+    return html + "</tr></thead>\n<tbody>\n" + rows_ + "</tbody></table></div>\n";
+}
+
+}  // namespace coupling::report

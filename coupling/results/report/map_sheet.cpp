@@ -1,0 +1,282 @@
+#include "coupling/results/report/map_sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/results/report/hillshade.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/outlines.hpp"
+#include "coupling/results/report/png.hpp"
+
+namespace coupling::report {
+namespace {
+
+constexpr double sheet_width = 1000.0;
+constexpr int most_cells_a_side = 700;
+
+int block_for(const config::GridFrame& frame) {
+    return (std::max(frame.columns, frame.rows) + most_cells_a_side - 1) / most_cells_a_side;
+}
+
+/// Type size in units of the sheet, so that about 11 px are seen.
+double lettering_of(MapSize size) {
+    return size == MapSize::third ? 31.0 : 20.0;
+}
+
+/// One height from the middle of each block: enough to shade it.
+config::Raster<double> thinned(const config::Raster<double>& heights_m, int block) {
+    config::GridFrame frame = heights_m.frame;
+    frame.columns = (frame.columns + block - 1) / block;
+    frame.rows = (frame.rows + block - 1) / block;
+    frame.cell_width_m *= block;
+    frame.cell_height_m *= block;
+    config::Raster<double> thin{frame};
+    for (std::size_t i = 0; i < thin.values.size(); ++i) {
+        const config::Cell cell = frame.cell_of(i);
+        thin.values[i] = heights_m.at({std::min(cell.column * block + block / 2, heights_m.frame.columns - 1),
+                                       std::min(cell.row * block + block / 2, heights_m.frame.rows - 1)});
+    }
+    return thin;
+}
+
+std::string attribute(const char* name, double value) {
+    return std::string{" "}.append(name).append("=\"").append(place(value)).append("\"");
+}
+
+}  // namespace
+
+config::Raster<float> in_blocks(const config::Raster<float>& raster, int block) {
+    if (block == 1) {
+        return raster;
+    }
+    config::GridFrame frame = raster.frame;
+    frame.columns = (raster.frame.columns + block - 1) / block;
+    frame.rows = (raster.frame.rows + block - 1) / block;
+    config::Raster<float> blocks{frame, std::numeric_limits<float>::quiet_NaN()};
+    for (std::size_t i = 0; i < raster.values.size(); ++i) {
+        const config::Cell cell = raster.frame.cell_of(i);
+        float& shown = blocks.at({cell.column / block, cell.row / block});
+        const float value = raster.values[i];
+        if (!std::isnan(value) && (std::isnan(shown) || std::abs(value) > std::abs(shown))) {
+            shown = value;
+        }
+    }
+    return blocks;
+}
+
+MapSheet::MapSheet(const RunResults& results)
+    : results_{results},
+      frame_{results.site.map_frame},
+      block_{block_for(frame_)},
+      units_per_m_{sheet_width / (frame_.x_east_m() - frame_.x_west_m)},
+      height_{(frame_.y_north_m() - frame_.y_south_m) * units_per_m_} {}
+
+std::string MapSheet::image(const std::string& attributes, const std::string& png_bytes) const {
+    // Blocks at the eastern and southern rim reach over it.
+    const double columns = static_cast<double>((frame_.columns + block_ - 1) / block_ * block_);
+    const double rows = static_cast<double>((frame_.rows + block_ - 1) / block_ * block_);
+    return "<image " + attributes + attribute("width", sheet_width * columns / frame_.columns) +
+           attribute("height", height_ * rows / frame_.rows) + " preserveAspectRatio=\"none\" href=\"" +
+           data_address(png_bytes) + "\"/>";
+}
+
+std::string MapSheet::definitions() const {
+    const std::string shade = png(hillshade(illumination(thinned(results_.site.heights, block_))));
+    return "<svg class=\"definitions\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>" +
+           image("id=\"shade\"", shade) + "<clipPath id=\"sheet\"><rect" + attribute("width", sheet_width) +
+           attribute("height", height_) + "/></clipPath><g id=\"sources\">" + source_outlines() +
+           source_lines() + "</g><g id=\"targets\">" + target_lines(true) + target_lines(false) +
+           "</g></defs></svg>\n";
+}
+
+std::string MapSheet::picture(const config::Raster<float>& raster, const ColourScale& scale) const {
+    const config::Raster<float> shown = in_blocks(raster, block_);
+    IndexedPicture drawn{shown.frame.columns, shown.frame.rows,
+                         std::vector<std::uint8_t>(shown.values.size()), scale.palette()};
+    std::transform(shown.values.begin(), shown.values.end(), drawn.pixels.begin(),
+                   [&](float value) { return scale.index_of(value); });
+    return image("class=\"values\"", png(drawn));
+}
+
+std::string MapSheet::paths(Cover cover, std::size_t most_paths) const {
+    std::vector<const rockfall::PathRecord*> chosen;
+    for (const rockfall::PathRecord& path : results_.paths) {
+        if (path.cover == cover) {
+            chosen.push_back(&path);
+        }
+    }
+    const std::size_t every = std::max<std::size_t>(1, (chosen.size() + most_paths - 1) / most_paths);
+    std::array<PathText, energy_class_colours.size()> by_class;
+    const Eigen::Vector2d origin_m = results_.site.origin_m();
+    for (std::size_t i = 0; i < chosen.size(); i += every) {
+        const std::vector<rockfall::PathPoint>& points = chosen[i]->points;
+        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+            const double energy_j = static_cast<double>(std::max(points[k].energy_j, points[k + 1].energy_j));
+            PathText& text = by_class[energy_class(energy_j / 1000.0)];
+            text.line(x_of(points[k].position_m.x() + origin_m.x()),
+                      y_of(points[k].position_m.y() + origin_m.y()),
+                      x_of(points[k + 1].position_m.x() + origin_m.x()),
+                      y_of(points[k + 1].position_m.y() + origin_m.y()));
+        }
+    }
+    std::string svg = "<g class=\"paths\">";
+    for (std::size_t k = 0; k < by_class.size(); ++k) {
+        svg += "<path class=\"class" + std::to_string(k) + "\" d=\"" + by_class[k].text() + "\"/>";
+    }
+    return svg + "</g>";
+}
+
+std::string MapSheet::source_outlines() const {
+    // A grid that marks whose cell centres lie in a source cell; smaller sources mark the cell they lie in.
+    config::Raster<std::uint8_t> inside{frame_, 0};
+    const Eigen::Vector2d origin_m = results_.site.origin_m();
+    for (const rockfall::ReleaseSource& source : results_.site.sources) {
+        if (source.kind != rockfall::ReleaseSource::Kind::cell) {
+            continue;
+        }
+        const Eigen::Vector2d low = source.first_m + origin_m;
+        const Eigen::Vector2d high = source.last_m + origin_m;
+        const config::Cell from =
+            frame_.cell_at(low.x() + 0.5 * frame_.cell_width_m, high.y() - 0.5 * frame_.cell_height_m);
+        const config::Cell to =
+            frame_.cell_at(high.x() - 0.5 * frame_.cell_width_m, low.y() + 0.5 * frame_.cell_height_m);
+        for (int row = from.row; row <= std::max(from.row, to.row); ++row) {
+            for (int column = from.column; column <= std::max(from.column, to.column); ++column) {
+                if (frame_.contains({column, row})) {
+                    inside.at({column, row}) = 1;
+                }
+            }
+        }
+    }
+    return "<path class=\"source\" d=\"" +
+           outlines(inside, sheet_width / frame_.columns, height_ / frame_.rows) + "\"/>";
+}
+
+std::string MapSheet::source_lines() const {
+    std::string svg;
+    const Eigen::Vector2d origin_m = results_.site.origin_m();
+    for (const rockfall::ReleaseSource& source : results_.site.sources) {
+        if (source.kind != rockfall::ReleaseSource::Kind::line) {
+            continue;
+        }
+        const Eigen::Vector2d a = source.first_m + origin_m;
+        const Eigen::Vector2d b = source.last_m + origin_m;
+        if (source.first_m == source.last_m) {
+            svg += "<circle class=\"source\" r=\"5\"" + attribute("cx", x_of(a.x())) +
+                   attribute("cy", y_of(a.y())) + "/>";
+        } else {
+            PathText line;
+            line.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
+            svg += "<path class=\"source\" d=\"" + line.text() + "\"/>";
+        }
+    }
+    return svg;
+}
+
+std::string MapSheet::target_lines(bool halo) const {
+    std::string svg;
+    const Eigen::Vector2d origin_m = results_.site.origin_m();
+    for (const rockfall::Target& target : results_.site.targets) {
+        PathText text;
+        for (const auto& part : target.parts) {
+            for (std::size_t i = 0; i + 1 < part.size(); ++i) {
+                const Eigen::Vector2d a = part[i] + origin_m;
+                const Eigen::Vector2d b = part[i + 1] + origin_m;
+                text.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
+            }
+        }
+        svg += std::string{"<path class=\""} + (halo ? "halo" : "target") + "\" d=\"" + text.text() + "\"/>";
+    }
+    return svg;
+}
+
+std::string MapSheet::target_names(double lettering) const {
+    std::string svg;
+    const Eigen::Vector2d origin_m = results_.site.origin_m();
+    for (const rockfall::Target& target : results_.site.targets) {
+        if (target.parts.empty() || target.parts.front().empty()) {
+            continue;
+        }
+        const auto& part = target.parts.front();
+        const Eigen::Vector2d at =
+            (target.is_area ? 0.5 * (target.low_m + target.high_m) : part[part.size() / 2]) + origin_m;
+        const double x = std::clamp(x_of(at.x()), 0.12 * sheet_width, 0.88 * sheet_width);
+        const double y = std::clamp(y_of(at.y()) - 0.5 * lettering, 1.2 * lettering, height_ - lettering);
+        svg += "<text class=\"name\" text-anchor=\"middle\"" + attribute("font-size", lettering) +
+               attribute("x", x) + attribute("y", y) + ">" +
+               escaped(target.name.empty() ? target.id : target.name) + "</text>";
+    }
+    return svg;
+}
+
+std::string MapSheet::scale_bar(double lettering) const {
+    const double most_m = 0.3 * sheet_width / units_per_m_;
+    double length_m = nice_step(0.15 * sheet_width / units_per_m_);
+    length_m = length_m > most_m ? 0.5 * length_m : length_m;
+    const double length = length_m * units_per_m_;
+    const double y = height_ - 0.7 * lettering;
+    const std::string half = place(0.5 * length);
+    const std::string bar = place(0.35 * lettering);
+    return "<g class=\"bar\" transform=\"translate(" + place(0.8 * lettering) + " " + place(y) +
+           ")\"><rect class=\"plate\"" + attribute("x", -0.4 * lettering) + attribute("y", -1.5 * lettering) +
+           attribute("width", length + 3.6 * lettering) + attribute("height", 1.9 * lettering) +
+           "/><path class=\"filled\" d=\"M0 0v-" + bar + "h" + half + "v" + bar +
+           "z\"/><path class=\"hollow\" d=\"M" + half + " 0v-" + bar + "h" + half + "v" + bar + "z\"/><text" +
+           attribute("font-size", 0.85 * lettering) + attribute("y", -0.6 * lettering) + ">0</text><text" +
+           attribute("font-size", 0.85 * lettering) + attribute("x", length) +
+           attribute("y", -0.6 * lettering) + " text-anchor=\"middle\">" +
+           (length_m >= 1000.0 ? three_digits(length_m / 1000.0) + " km" : three_digits(length_m) + " m") +
+           "</text></g>";
+}
+
+std::string MapSheet::north_arrow(double lettering) const {
+    const std::string a = place(lettering);
+    const std::string half = place(0.45 * lettering);
+    return "<g class=\"north\" transform=\"translate(" + place(sheet_width - 1.2 * lettering) + " " +
+           place(0.5 * lettering) + ")\"><rect class=\"plate\"" + attribute("x", -0.8 * lettering) +
+           attribute("y", -0.2 * lettering) + attribute("width", 1.6 * lettering) +
+           attribute("height", 2.6 * lettering) + "/><path class=\"filled\" d=\"M0 0l" + half + " " + a +
+           "l-" + half + " -" + place(0.3 * lettering) + "l-" + half + " " + place(0.3 * lettering) +
+           "z\"/><text text-anchor=\"middle\"" + attribute("font-size", lettering) +
+           attribute("y", 2.1 * lettering) + ">N</text></g>";
+}
+
+std::string MapSheet::coordinates(double lettering) const {
+    const double step_m = nice_step(170.0 / units_per_m_);
+    std::string marks;
+    std::string svg = "<g class=\"coordinates\"" + attribute("font-size", 0.8 * lettering) + ">";
+    for (double x_m = std::ceil(frame_.x_west_m / step_m) * step_m; x_m < frame_.x_east_m(); x_m += step_m) {
+        const double x = x_of(x_m);
+        marks += "M" + place(x) + " " + place(height_) + "v8M" + place(x) + " 0v-8";
+        svg += "<text text-anchor=\"middle\"" + attribute("x", x) +
+               attribute("y", height_ + 8.0 + 0.8 * lettering) + ">" + fixed(x_m, 0) + "</text>";
+    }
+    for (double y_m = std::ceil(frame_.y_south_m / step_m) * step_m; y_m < frame_.y_north_m();
+         y_m += step_m) {
+        const double y = y_of(y_m);
+        marks += "M0 " + place(y) + "h-8M" + place(sheet_width) + " " + place(y) + "h8";
+        svg += "<text text-anchor=\"middle\" transform=\"translate(-12 " + place(y) + ")rotate(-90)\">" +
+               fixed(y_m, 0) + "</text>";
+    }
+    return svg + "<path d=\"" + marks + "\"/></g>";
+}
+
+std::string MapSheet::figure(const MapContent& content, MapSize size) const {
+    const double lettering = lettering_of(size);
+    const bool large = size == MapSize::half;
+    const double margin = large ? 34.0 : 4.0;
+    const std::string box = place(-margin) + " " + place(large ? -12.0 : -4.0) + " " +
+                            place(sheet_width + margin + (large ? 12.0 : 4.0)) + " " +
+                            place(height_ + margin + (large ? 12.0 : 4.0));
+    return "<figure class=\"map\"><figcaption><b>" + escaped(content.title) + "</b></figcaption>" +
+           content.legend + "<svg class=\"sheet\" viewBox=\"" + box + "\" role=\"img\" aria-label=\"" +
+           escaped(content.title) + "\"><g clip-path=\"url(#sheet)\"><use class=\"shade\" href=\"#shade\"/>" +
+           content.drawing +
+           "<use class=\"sources\" href=\"#sources\"/><use class=\"targets\" href=\"#targets\"/></g>" +
+           "<rect class=\"neat\"" + attribute("width", sheet_width) + attribute("height", height_) + "/>" +
+           (large ? coordinates(lettering) : "") + "<g class=\"targets\">" + target_names(lettering) +
+           "</g>" + scale_bar(lettering) + north_arrow(lettering) + "</svg>" +
+           (content.caption.empty() ? "" : "<p>" + content.caption + "</p>") + "</figure>\n";
+}
+
+}  // namespace coupling::report

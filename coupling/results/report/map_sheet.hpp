@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/grid/raster.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/report/scale.hpp"
+#include "coupling/results/run_results.hpp"
+
+namespace coupling::report {
+
+/// How wide a map is shown: its lettering is drawn larger on a map that the page makes smaller.
+enum class MapSize : std::uint8_t { third, half };
+
+/// One map: what is drawn between hillshade and lines, and how it is explained.
+struct MapContent {
+    std::string title;
+    std::string drawing;  ///< SVG in the sheet's units
+    std::string legend;   ///< SVG
+    std::string caption;  ///< HTML
+};
+
+/// The sheet that all maps of a run share: frame, hillshade, sources, targets, scale bar, north.
+///
+/// Drawings use units of a thousandth of the sheet's width, y down. A grid of more than 700 cells a side is
+/// drawn in blocks of cells: a block shows the value of its cells that lies farthest from 0.
+class MapSheet {
+public:
+    explicit MapSheet(const RunResults& results);
+
+    /// Hillshade and lines that every map refers to. Once on a page, before the first map.
+    [[nodiscard]] std::string definitions() const;
+    /// A grid as a picture in the colours of a scale.
+    [[nodiscard]] std::string picture(const config::Raster<float>& raster, const ColourScale& scale) const;
+    /// Sampled paths of one slope, coloured by energy class. At most `most_paths`, evenly chosen.
+    [[nodiscard]] std::string paths(Cover cover, std::size_t most_paths) const;
+    [[nodiscard]] std::string figure(const MapContent& content, MapSize size) const;
+
+    /// How many cells a side a drawn block has: 1 where nothing is left out.
+    [[nodiscard]] int block() const { return block_; }
+
+private:
+    [[nodiscard]] double x_of(double x_m) const { return (x_m - frame_.x_west_m) * units_per_m_; }
+    [[nodiscard]] double y_of(double y_m) const { return (frame_.y_north_m() - y_m) * units_per_m_; }
+    [[nodiscard]] std::string source_outlines() const;
+    [[nodiscard]] std::string source_lines() const;
+    [[nodiscard]] std::string target_lines(bool halo) const;
+    [[nodiscard]] std::string target_names(double lettering) const;
+    [[nodiscard]] std::string scale_bar(double lettering) const;
+    [[nodiscard]] std::string north_arrow(double lettering) const;
+    [[nodiscard]] std::string coordinates(double lettering) const;
+    [[nodiscard]] std::string image(const std::string& attributes, const std::string& png_bytes) const;
+
+    const RunResults& results_;
+    config::GridFrame frame_;
+    int block_;
+    double units_per_m_;
+    double height_;  ///< of the sheet in its units
+};
+
+/// Blocks of `block` x `block` cells: of each the value farthest from 0, NaN where all are.
+config::Raster<float> in_blocks(const config::Raster<float>& raster, int block);
+
+}  // namespace coupling::report

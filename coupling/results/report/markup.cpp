@@ -1,0 +1,104 @@
+#include "coupling/results/report/markup.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace coupling::report {
+namespace {
+
+constexpr std::string_view narrow_blank = "\u202f";  // no-break
+
+std::string with_groups(std::string digits) {
+    const std::size_t first = digits.starts_with('-') ? 1 : 0;
+    std::size_t at = std::min(digits.find('.'), digits.size());
+    while (at > first + 3) {
+        at -= 3;
+        digits.insert(at, narrow_blank);
+    }
+    return first == 1 ? "\u2212" + digits.substr(1) : digits;
+}
+
+std::string plain(double value, int decimals) {
+    std::array<char, 400> digits;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals)
+            .ptr;
+    return {digits.data(), end};
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            default:
+                safe += c;
+        }
+    }
+    return safe;
+}
+
+std::string fixed(double value, int decimals) {
+    return std::isfinite(value) ? with_groups(plain(value, decimals)) : "–";
+}
+
+std::string three_digits(double value) {
+    if (!std::isfinite(value)) {
+        return "–";
+    }
+    if (value == 0.0) {
+        return "0";
+    }
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
+    const double unit = std::pow(10.0, exponent - 2);
+    return with_groups(plain(std::round(value / unit) * unit, std::clamp(2 - exponent, 0, 9)));
+}
+
+std::string grouped(std::uint64_t value) {
+    return with_groups(std::to_string(value));
+}
+
+std::string percent(double share) {
+    const double value = 100.0 * share;
+    if (!std::isfinite(value)) {
+        return "–";
+    }
+    const std::string digits = std::abs(value) < 10.0 ? three_digits(value) : fixed(value, 1);
+    return digits + "\u00a0%";
+}
+
+std::string place(double value) {
+    std::string digits = plain(value, 1);
+    if (digits.ends_with(".0")) {
+        digits.resize(digits.size() - 2);
+    }
+    return digits == "-0" ? "0" : digits;
+}
+
+double nice_step(double least) {
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= least * (1.0 - 1e-9)) {
+            return factor * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+}  // namespace coupling::report

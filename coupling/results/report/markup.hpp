@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace coupling::report {
+
+/// Text as HTML and SVG want it: & < > " escaped, in content and in attributes.
+std::string escaped(std::string_view text);
+
+/// A number with a fixed count of decimals; an en dash where it is not finite.
+std::string fixed(double value, int decimals);
+/// Three significant digits, no exponent: 12340 -> "12 300", 0.01234 -> "0.0123".
+std::string three_digits(double value);
+/// A whole number in groups of three: "12 345", with narrow no-break spaces.
+std::string grouped(std::uint64_t value);
+/// A share [0, 1] as "12.3 %"; small shares keep three digits.
+std::string percent(double share);
+
+/// Coordinates in drawings: one decimal, no trailing zero.
+std::string place(double value);
+
+/// A length, value or width that people like to read on an axis: 1, 2 or 5 times a power of ten, at least
+/// `least`.
+double nice_step(double least);
+
+}  // namespace coupling::report

@@ -1,0 +1,122 @@
+#include "coupling/results/report/scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::report {
+namespace {
+
+constexpr int ramp_steps = 64;
+
+}  // namespace
+
+ColourScale::ColourScale(Kind kind, Palette palette, double low, double high, std::string unit)
+    : kind_{kind}, palette_{palette}, low_{low}, high_{high}, unit_{std::move(unit)} {}
+
+ColourScale ColourScale::energy_classes() {
+    return {Kind::classes, Palette::deposits, 0.0, 0.0, "kJ"};
+}
+
+ColourScale ColourScale::linear(Palette palette, double high, std::string unit) {
+    return {Kind::linear, palette, 0.0, nice_step(high > 0.0 ? high : 1.0), std::move(unit)};
+}
+
+ColourScale ColourScale::logarithmic(Palette palette, double low, double high, std::string unit) {
+    return {Kind::logarithmic, palette, low, nice_step(std::max(high, 10.0 * low)), std::move(unit)};
+}
+
+ColourScale ColourScale::difference(double reach, std::string unit) {
+    const double round_reach = nice_step(reach > 0.0 ? reach : 1.0);
+    return {Kind::difference, Palette::difference, -round_reach, round_reach, std::move(unit)};
+}
+
+double ColourScale::place_of(double value) const {
+    const double share = kind_ == Kind::logarithmic
+                             ? std::log(std::max(value, low_) / low_) / std::log(high_ / low_)
+                             : (value - low_) / (high_ - low_);
+    return std::clamp(share, 0.0, 1.0);
+}
+
+std::uint8_t ColourScale::index_of(float value) const {
+    if (std::isnan(value)) {
+        return 0;
+    }
+    if (kind_ == Kind::classes) {
+        return static_cast<std::uint8_t>(1 + energy_class(static_cast<double>(value)));
+    }
+    return static_cast<std::uint8_t>(1 +
+                                     std::lround(place_of(static_cast<double>(value)) * (ramp_steps - 1)));
+}
+
+std::vector<Colour> ColourScale::palette() const {
+    std::vector<Colour> colours{Colour{255, 255, 255}};
+    if (kind_ == Kind::classes) {
+        colours.insert(colours.end(), energy_class_colours.begin(), energy_class_colours.end());
+        return colours;
+    }
+    for (int i = 0; i < ramp_steps; ++i) {
+        colours.push_back(colour_at(palette_, static_cast<double>(i) / (ramp_steps - 1)));
+    }
+    return colours;
+}
+
+std::vector<double> ColourScale::ticks() const {
+    std::vector<double> values;
+    if (kind_ == Kind::logarithmic) {
+        for (double tick = std::pow(10.0, std::ceil(std::log10(low_) - 1e-9)); tick <= high_ * 1.0001;
+             tick *= 10.0) {
+            values.push_back(tick);
+        }
+        if (values.back() < high_ / 1.9) {
+            values.push_back(high_);
+        }
+        return values;
+    }
+    const int parts = kind_ == Kind::difference ? 4 : 5;
+    for (int i = 0; i <= parts; ++i) {
+        values.push_back(low_ + (high_ - low_) * i / parts);
+    }
+    return values;
+}
+
+std::string ColourScale::class_legend() const {
+    std::string svg = "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\">";
+    for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
+        const double x = 4.0 + 132.0 * static_cast<double>(i);
+        svg += "<rect x=\"" + place(x) + "\" y=\"6\" width=\"26\" height=\"14\" fill=\"" +
+               to_hex(energy_class_colours[i]) + "\" stroke=\"#555\" stroke-width=\".5\"/><text x=\"" +
+               place(x + 31.0) + "\" y=\"18\">" + escaped(energy_class_names[i]) + "</text>";
+    }
+    return svg + "</svg>";
+}
+
+std::string ColourScale::legend(const std::string& id) const {
+    if (kind_ == Kind::classes) {
+        return class_legend();
+    }
+    constexpr double left = 14.0;
+    constexpr double width = 330.0;
+    std::string svg =
+        "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\"><linearGradient "
+        "id=\"" +
+        id + "\">";
+    const auto colours = colours_of(palette_);
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        svg += "<stop offset=\"" +
+               fixed(static_cast<double>(i) / static_cast<double>(colours.size() - 1), 3) +
+               "\" stop-color=\"" + to_hex(colours[i]) + "\"/>";
+    }
+    svg += "</linearGradient><rect x=\"14\" y=\"6\" width=\"330\" height=\"14\" fill=\"url(#" + id +
+           ")\" stroke=\"#555\" stroke-width=\".5\"/>";
+    for (const double tick : ticks()) {
+        const std::string x = place(left + width * place_of(tick));
+        const std::string sign = kind_ == Kind::difference && tick > 0.0 ? "+" : "";
+        svg += "<path d=\"M" + x + " 20v4\"/><text x=\"" + x + "\" y=\"37\" text-anchor=\"middle\">" + sign +
+               three_digits(tick) + "</text>";
+    }
+    return svg + "<text x=\"352\" y=\"18\">" + escaped(unit_) + "</text></svg>";
+}
+
+}  // namespace coupling::report

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "coupling/results/colours.hpp"
+#include "coupling/results/rasters.hpp"
+
+namespace coupling::report {
+
+/// How the values of a map become colours, and the legend that tells so.
+class ColourScale {
+public:
+    /// Classes of energy: below 30, 30 to 300, above 300 kJ.
+    static ColourScale energy_classes();
+    /// Straight from 0 to a round number not below `high`.
+    static ColourScale linear(Palette palette, double high, std::string unit);
+    /// By powers of ten from `low` (values below it take its colour) to a round number not below `high`.
+    static ColourScale logarithmic(Palette palette, double low, double high, std::string unit);
+    /// Both ways from 0 to round numbers not below `reach`; blue below, red above.
+    static ColourScale difference(double reach, std::string unit);
+
+    /// Index into palette(): 0 (see-through) for NaN.
+    [[nodiscard]] std::uint8_t index_of(float value) const;
+    [[nodiscard]] std::vector<Colour> palette() const;
+    /// An SVG drawing, `id` unique on the page: it names the colour ramp.
+    [[nodiscard]] std::string legend(const std::string& id) const;
+
+private:
+    enum class Kind : std::uint8_t { classes, linear, logarithmic, difference };
+    ColourScale(Kind kind, Palette palette, double low, double high, std::string unit);
+    [[nodiscard]] double place_of(double value) const;
+    [[nodiscard]] std::vector<double> ticks() const;
+    [[nodiscard]] std::string class_legend() const;
+
+    Kind kind_;
+    Palette palette_;
+    double low_;
+    double high_;
+    std::string unit_;
+};
+
+}  // namespace coupling::report

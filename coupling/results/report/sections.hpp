@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/results/figures.hpp"
+#include "coupling/results/out_file.hpp"
+#include "coupling/results/run_results.hpp"
+
+namespace coupling::report {
+
+// The parts of the page, each a piece of HTML.
+
+/// What was run, in one paragraph and a few figures.
+std::string opening(const RunResults& results, const Figures& figures);
+/// Share of rocks that reach each target, what the forest keeps away, energies and heights there.
+std::string answers(const RunResults& results, const Figures& figures);
+std::string maps(const RunResults& results);
+std::string charts(const RunResults& results, const Figures& figures);
+/// All rocks on both slopes, and the trees by diameter.
+std::string key_figures(const RunResults& results, const Figures& figures);
+std::string warnings(const RunResults& results);
+std::string settings(const RunResults& results);
+/// Input files with hashes, projection, files written, how to cite.
+std::string sources_and_files(const RunResults& results, const std::vector<WrittenFile>& files);
+
+/// The style of the page.
+std::string_view style();
+
+}  // namespace coupling::report

@@ -1,0 +1,94 @@
+#include "coupling/results/report/sections.hpp"
+
+namespace coupling::report {
+
+std::string_view style() {
+    return R"css(
+:root{color-scheme:light dark;--ink:#1d2528;--soft:#566166;--paper:#fff;--ground:#f3f4f1;--line:#d5d9d4;
+--forest:#00664f;--forest-fill:#00966e44;--bare:#b04a00;--bare-fill:#e07b2026;--note:#fff4d6}
+@media (prefers-color-scheme:dark){:root{--ink:#e6eae8;--soft:#a3adaa;--paper:#1d2322;--ground:#141918;--line:#3a4341;
+--forest:#3fc79f;--forest-fill:#3fc79f40;--bare:#ff9d52;--bare-fill:#ff9d5222;--note:#3b3216}}
+*{box-sizing:border-box}
+body{margin:0;background:var(--ground);color:var(--ink);font:16px/1.5 system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans","DejaVu Sans",sans-serif}
+main{max-width:1180px;margin:0 auto;padding:24px 20px 60px}
+h1{font-size:1.9rem;line-height:1.2;margin:.2em 0 .3em}
+h2{font-size:1.3rem;margin:2.2em 0 .6em;border-bottom:2px solid var(--line);padding-bottom:.2em}
+h3{font-size:1.1rem;margin:0 0 .4em}
+p{margin:.5em 0;max-width:75ch}
+.lead{font-size:1.05rem}
+.soft,figure p,caption{color:var(--soft);font-size:.87rem}
+section.card,figure,.facts{background:var(--paper);border:1px solid var(--line);border-radius:6px;padding:14px 16px;margin:0 0 16px}
+section.card p.answer{font-size:1.12rem;max-width:none}
+.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(150px,1fr));gap:10px 18px;margin-top:14px}
+.facts div{min-width:0}
+.facts dt{color:var(--soft);font-size:.82rem}
+.facts dd{margin:0;font-weight:600;overflow-wrap:anywhere}
+dl.facts{margin-bottom:0}
+.two{display:grid;grid-template-columns:minmax(260px,2fr) 3fr;gap:22px;align-items:center}
+.halves,.thirds{display:grid;gap:14px;align-items:start;margin-bottom:14px}
+.halves{grid-template-columns:repeat(auto-fit,minmax(430px,1fr))}
+.thirds{grid-template-columns:repeat(auto-fit,minmax(300px,1fr))}
+.halves>*,.thirds>*{margin:0;min-width:0}
+svg{display:block;width:100%;height:auto}
+svg.definitions{position:absolute;width:0;height:0}
+svg text{font-family:inherit;fill:var(--ink)}
+.chart svg text,.bars text{font-size:13px}
+.chart svg text.small{font-size:11px;fill:var(--soft)}
+.chart .grid{stroke:var(--line);stroke-width:1;fill:none}
+.chart .axis{stroke:var(--ink);stroke-width:1;fill:none}
+.chart .mark{stroke:var(--soft);stroke-width:1;stroke-dasharray:2 3}
+.forest{stroke:var(--forest);stroke-width:2;fill:none}
+.bare{stroke:var(--bare);stroke-width:2;stroke-dasharray:6 4;fill:none}
+.area.forest{fill:var(--forest-fill)}
+.area.bare{fill:var(--bare-fill)}
+.bars rect.forest{fill:var(--forest);stroke:none}
+.bars rect.bare{fill:var(--bare-fill);stroke:var(--bare);stroke-width:1.5;stroke-dasharray:none}
+.bars .whisker{stroke:var(--ink);stroke-width:1.6;fill:none}
+.map{background:#fff;color:#1d2528}
+.map svg text{fill:#1d2528}
+.map p{color:#566166}
+.map svg.legend{max-width:440px}
+.map svg.legend text{font-size:13px}
+.map svg.legend path{stroke:#555;stroke-width:.7}
+.values{image-rendering:pixelated;mix-blend-mode:multiply}
+.sheet .neat{fill:none;stroke:#333;stroke-width:1.5}
+#sources .source{fill:none;stroke:#111;stroke-width:.7;vector-effect:non-scaling-stroke}
+#targets .halo{fill:none;stroke:#fff;stroke-width:5.5;stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
+#targets .target{fill:none;stroke:#111;stroke-width:2.4;stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
+.sheet text.name{font-weight:700;stroke:#fff;stroke-width:6;stroke-linejoin:round;paint-order:stroke}
+.sheet .plate{fill:#fff;fill-opacity:.82}
+.sheet .filled{fill:#1d2528;stroke:#1d2528;stroke-width:1}
+.sheet .hollow{fill:#fff;stroke:#1d2528;stroke-width:1}
+.sheet .coordinates path{stroke:#333;stroke-width:1}
+.paths path{fill:none;stroke-linejoin:round;vector-effect:non-scaling-stroke}
+.paths .class0{stroke:#2c7fb8;stroke-width:.6;stroke-opacity:.75}
+.paths .class1{stroke:#e66101;stroke-width:.9;stroke-opacity:.8}
+.paths .class2{stroke:#67001f;stroke-width:1.5;stroke-opacity:.85}
+table{border-collapse:collapse;font-size:.9rem;width:100%;font-variant-numeric:tabular-nums}
+.wide{overflow-x:auto}
+caption{text-align:left;padding:0 0 .4em}
+th,td{padding:.28em .6em;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
+thead th{border-bottom:2px solid var(--line);font-weight:600;vertical-align:bottom}
+th:first-child,td:first-child,td.text,th.text{text-align:left}
+td.text{overflow-wrap:anywhere}
+tr.changed td:first-child{font-weight:700}
+tr.changed td:first-child::after{content:" \25CF";color:var(--bare)}
+tr.group th{padding-top:1em;text-align:left;color:var(--soft)}
+code{font:.86em ui-monospace,"DejaVu Sans Mono",monospace}
+ul.notes{background:var(--note);border:1px solid var(--line);border-radius:6px;padding:.7em 1em .7em 2em;margin:0}
+fieldset.switches{border:0;margin:0;padding:0}
+.switches label{margin-right:1.4em;white-space:nowrap}
+main:has(#show-sources:not(:checked)) use.sources,main:has(#show-targets:not(:checked)) .targets,
+main:has(#show-shade:not(:checked)) use.shade{display:none}
+@media print{
+@page{size:A4;margin:14mm}
+:root{color-scheme:light;--ink:#000;--soft:#444;--paper:#fff;--ground:#fff;--line:#bbb;--forest:#00664f;--bare:#b04a00;--note:#fff}
+body{font-size:10.5pt}main{max-width:none;padding:0}
+*{-webkit-print-color-adjust:exact;print-color-adjust:exact}
+figure,section.card,tr{break-inside:avoid}h2,h3{break-after:avoid}
+.halves{grid-template-columns:1fr 1fr}.thirds{grid-template-columns:1fr 1fr 1fr}
+.switches{display:none}.wide{overflow:visible}table{font-size:8.5pt}th,td{padding:.2em .35em}}
+)css";
+}
+
+}  // namespace coupling::report
