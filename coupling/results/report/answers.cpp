@@ -9,7 +9,7 @@ namespace coupling::report {
 namespace {
 
 std::string range_of(const Interval& interval) {
-    return percent(interval.low) + " to " + percent(interval.high);
+    return joined(percent(interval.low), " to ", percent(interval.high));
 }
 
 /// The shares of both slopes as bars with their intervals.
@@ -21,29 +21,29 @@ std::string share_bars(const TargetFigures& target, const std::vector<Cover>& co
         most = std::max(most, target.at(cover).share.interval.high);
     }
     const double per_share = most > 0.0 ? length / most : 0.0;
-    std::string svg = "<svg class=\"bars\" viewBox=\"0 0 440 " +
-                      place(34.0 * static_cast<double>(covers.size()) + 6.0) +
-                      "\" role=\"img\" aria-label=\"share of rocks that arrive\">";
+    std::string svg = joined("<svg class=\"bars\" viewBox=\"0 0 440 ",
+                             place(34.0 * static_cast<double>(covers.size()) + 6.0),
+                             "\" role=\"img\" aria-label=\"share of rocks that arrive\">");
     double y = 6.0;
     for (const Cover cover : covers) {
         const Share& share = target.at(cover).share;
         const double low = left + per_share * share.interval.low;
         const double high = left + per_share * share.interval.high;
-        svg += "<text text-anchor=\"end\" x=\"" + place(left - 8.0) + "\" y=\"" + place(y + 16.0) + "\">" +
-               (cover == Cover::forest ? "with forest" : "bare slope") + "</text><rect class=\"" +
-               name_of(cover) + "\" x=\"" + place(left) + "\" y=\"" + place(y) + "\" width=\"" +
-               place(per_share * share.value) + "\" height=\"22\"/><path class=\"whisker\" d=\"M" +
-               place(low) + " " + place(y + 11.0) + "H" + place(high) + "M" + place(low) + " " +
-               place(y + 6.0) + "v10M" + place(high) + " " + place(y + 6.0) + "v10\"/><text x=\"" +
-               place(high + 8.0) + "\" y=\"" + place(y + 16.0) + "\">" + percent(share.value) + "</text>";
+        svg += joined("<text text-anchor=\"end\" x=\"", place(left - 8.0), "\" y=\"", place(y + 16.0), "\">",
+                      (cover == Cover::forest ? "with forest" : "bare slope"), "</text><rect class=\"",
+                      name_of(cover), "\" x=\"", place(left), "\" y=\"", place(y), "\" width=\"",
+                      place(per_share * share.value), "\" height=\"22\"/><path class=\"whisker\" d=\"M",
+                      place(low), " ", place(y + 11.0), "H", place(high), "M", place(low), " ",
+                      place(y + 6.0), "v10M", place(high), " ", place(y + 6.0), "v10\"/><text x=\"",
+                      place(high + 8.0), "\" y=\"", place(y + 16.0), "\">", percent(share.value), "</text>");
         y += 34.0;
     }
-    return svg + "</svg>";
+    return joined(svg, "</svg>");
 }
 
 std::string reaching(const Share& share) {
-    return "<b>" + percent(share.value) + "</b> of the rocks (" + grouped(share.part) + " of " +
-           grouped(share.whole) + ")";
+    return joined("<b>", percent(share.value), "</b> of the rocks (", grouped(share.part), " of ",
+                  grouped(share.whole), ")");
 }
 
 std::string protection_sentence(const TargetFigures& target) {
@@ -52,26 +52,26 @@ std::string protection_sentence(const TargetFigures& target) {
     }
     const ProtectionEffect& effect = *target.protection;
     if (effect.one_sided) {
-        return "The forest keeps away <b>all of them</b>; with 95 % confidence at least " +
-               percent(std::max(0.0, effect.interval.low)) + ".";
+        return joined("The forest keeps away <b>all of them</b>; with 95 % confidence at least ",
+                      percent(std::max(0.0, effect.interval.low)), ".");
     }
     if (effect.value < 0.0) {
-        return "With forest <b>more</b> rocks arrive here: protection effect <b>" + percent(effect.value) +
-               "</b> (95 % interval " + range_of(effect.interval) + ").";
+        return joined("With forest <b>more</b> rocks arrive here: protection effect <b>",
+                      percent(effect.value), "</b> (95 % interval ", range_of(effect.interval), ").");
     }
-    return "The forest keeps away <b>" + percent(effect.value) +
-           "</b> of the rocks that would arrive (95 % interval " + range_of(effect.interval) + ").";
+    return joined("The forest keeps away <b>", percent(effect.value),
+                  "</b> of the rocks that would arrive (95 % interval ", range_of(effect.interval), ").");
 }
 
 std::string answer(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
     if (!results.with_forest) {
-        return "<p class=\"answer\">" + reaching(bare) + " reach it over the bare slope (95 % interval " +
-               range_of(bare.interval) + "). No trees were given.</p>";
+        return joined("<p class=\"answer\">", reaching(bare), " reach it over the bare slope (95 % interval ",
+                      range_of(bare.interval), "). No trees were given.</p>");
     }
-    return "<p class=\"answer\">" + reaching(target.at(Cover::forest).share) +
-           " reach it with today's forest, " + reaching(bare) + " over the bare slope. " +
-           protection_sentence(target) + "</p>";
+    return joined("<p class=\"answer\">", reaching(target.at(Cover::forest).share),
+                  " reach it with today's forest, ", reaching(bare), " over the bare slope. ",
+                  protection_sentence(target), "</p>");
 }
 
 /// "812 (790 to 834)"; an interval that is open upwards has too few rocks.
@@ -80,8 +80,8 @@ std::string with_interval(const Distribution& d) {
         return "–";
     }
     const bool open = std::isinf(d.p95_interval.high);
-    return three_digits(d.p95) + " <span class=\"soft\">(" + three_digits(d.p95_interval.low) +
-           (open ? " or more" : " to " + three_digits(d.p95_interval.high)) + ")</span>";
+    return joined(three_digits(d.p95), " <span class=\"soft\">(", three_digits(d.p95_interval.low),
+                  (open ? " or more" : joined(" to ", three_digits(d.p95_interval.high))), ")</span>");
 }
 
 std::string figures_at(const TargetFigures& target, const std::vector<Cover>& covers) {
@@ -111,20 +111,20 @@ std::string certainty(const TargetFigures& target, const RunResults& results) {
     const std::uint64_t rocks = target.at(Cover::bare).share.whole;
     std::string text = "<p class=\"soft\">";
     if (results.with_forest && target.protection) {
-        text += "Of the rocks that arrive, " + grouped(target.paired.both) + " do so on both slopes, " +
-                grouped(target.paired.only_bare) + " on the bare slope only and " +
-                grouped(target.paired.only_forest) + " with forest only. ";
+        text += joined("Of the rocks that arrive, ", grouped(target.paired.both), " do so on both slopes, ",
+                       grouped(target.paired.only_bare), " on the bare slope only and ",
+                       grouped(target.paired.only_forest), " with forest only. ");
     }
-    text += grouped(rocks_for_half(rocks)) + " rocks instead of " + grouped(rocks) +
-            " would halve these intervals.";
+    text += joined(grouped(rocks_for_half(rocks)), " rocks instead of ", grouped(rocks),
+                   " would halve these intervals.");
     if (target.reduction) {
-        text += " Reduction of frequency (BARI) " + fixed(target.reduction->bari_percent, 1) +
-                ", of the 95th percentile of "
-                "energy (MIRI) " +
-                fixed(target.reduction->miri_percent, 1) + ", of both (ORPI) " +
-                fixed(target.reduction->orpi_percent, 1) + " %.";
+        text += joined(" Reduction of frequency (BARI) ", fixed(target.reduction->bari_percent, 1),
+                       ", of the 95th percentile of "
+                       "energy (MIRI) ",
+                       fixed(target.reduction->miri_percent, 1), ", of both (ORPI) ",
+                       fixed(target.reduction->orpi_percent, 1), " %.");
     }
-    return text + "</p>";
+    return joined(text, "</p>");
 }
 
 std::string without_targets(const RunResults& results, const Figures& figures) {
@@ -134,14 +134,14 @@ std::string without_targets(const RunResults& results, const Figures& figures) {
         "house. ";
     if (results.with_forest) {
         const SlopeFigures& forest = figures.at(Cover::forest);
-        text += "With forest rocks run out <b>" + three_digits(forest.run_out_m.mean) +
-                " m</b> on average (95 % of them at most " + three_digits(forest.run_out_m.p95) +
-                " m), over the bare slope ";
+        text += joined("With forest rocks run out <b>", three_digits(forest.run_out_m.mean),
+                       " m</b> on average (95 % of them at most ", three_digits(forest.run_out_m.p95),
+                       " m), over the bare slope ");
     } else {
         text += "Over the bare slope rocks run out ";
     }
-    return text + "<b>" + three_digits(bare.run_out_m.mean) +
-           " m</b> (95 %: " + three_digits(bare.run_out_m.p95) + " m).</p></section>\n";
+    return joined(text, "<b>", three_digits(bare.run_out_m.mean),
+                  " m</b> (95 %: ", three_digits(bare.run_out_m.p95), " m).</p></section>\n");
 }
 
 }  // namespace
@@ -153,18 +153,19 @@ std::string answers(const RunResults& results, const Figures& figures) {
     }
     const std::vector<Cover> covers = covers_of(results);
     for (const TargetFigures& target : figures.targets) {
-        html += "<section class=\"card\"><h3>" + escaped(target.name.empty() ? target.id : target.name) +
-                "</h3>" + answer(target, results) + "<div class=\"two\">" + share_bars(target, covers) +
-                certainty(target, results) + "</div>\n" + figures_at(target, covers) + "</section>\n";
+        html += joined("<section class=\"card\"><h3>", escaped(target.name.empty() ? target.id : target.name),
+                       "</h3>", answer(target, results), "<div class=\"two\">", share_bars(target, covers),
+                       certainty(target, results), "</div>\n", figures_at(target, covers), "</section>\n");
     }
-    return html +
-           "<p class=\"soft\">Energy is translation and rotation of a rock where it first meets the target; "
-           "height is that of "
-           "its underside, vertically above the ground. Intervals cover the chance in the simulated rocks, "
-           "not what the "
-           "terrain model, the tree list or the rockfall model get wrong. How often rocks break off is not "
-           "part of this "
-           "run: shares are per released rock, not per year.</p>\n";
+    return joined(
+        html,
+        "<p class=\"soft\">Energy is translation and rotation of a rock where it first meets the target; "
+        "height is that of "
+        "its underside, vertically above the ground. Intervals cover the chance in the simulated rocks, "
+        "not what the "
+        "terrain model, the tree list or the rockfall model get wrong. How often rocks break off is not "
+        "part of this "
+        "run: shares are per released rock, not per year.</p>\n");
 }
 
 }  // namespace coupling::report

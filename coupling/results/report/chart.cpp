@@ -72,7 +72,7 @@ void Chart::add_steps(const std::string& series, std::span<const double> edges,
         y = next;
     }
     area.line(x_of(edges[heights.size()]), y, x_of(edges[heights.size()]), bottom);
-    drawing_ += "<path class=\"area " + series + "\" d=\"" + area.text() + "\"/>";
+    drawing_ += joined("<path class=\"area ", series, "\" d=\"", area.text(), "\"/>");
 }
 
 void Chart::add_line(const std::string& series, std::span<const ChartPoint> points) {
@@ -80,7 +80,7 @@ void Chart::add_line(const std::string& series, std::span<const ChartPoint> poin
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         line.line(x_of(points[i].x), y_of(points[i].y), x_of(points[i + 1].x), y_of(points[i + 1].y));
     }
-    drawing_ += "<path class=\"line " + series + "\" d=\"" + line.text() + "\"/>";
+    drawing_ += joined("<path class=\"line ", series, "\" d=\"", line.text(), "\"/>");
 }
 
 void Chart::add_mark(double x, const std::string& label) {
@@ -88,9 +88,9 @@ void Chart::add_mark(double x, const std::string& label) {
         return;
     }
     const std::string at = place(x_of(x));
-    marks_ += "<path class=\"mark\" d=\"M" + at + " " + place(top) + "V" + place(bottom) +
-              "\"/><text class=\"small\" x=\"" + place(x_of(x) + 3.0) + "\" y=\"" + place(top + 10.0) +
-              "\">" + escaped(label) + "</text>";
+    marks_ += joined("<path class=\"mark\" d=\"M", at, " ", place(top), "V", place(bottom),
+                     "\"/><text class=\"small\" x=\"", place(x_of(x) + 3.0), "\" y=\"", place(top + 10.0),
+                     "\">", escaped(label), "</text>");
 }
 
 void Chart::add_name(const std::string& series, const std::string& name) {
@@ -102,42 +102,42 @@ std::string Chart::axes() const {
     std::string labels;
     for (const double tick : x_.ticks()) {
         const std::string x = place(x_of(tick));
-        grid += "M" + x + " " + place(bottom) + "v5";
-        labels += "<text text-anchor=\"middle\" x=\"" + x + "\" y=\"" + place(bottom + 19.0) + "\">" +
-                  three_digits(tick) + "</text>";
+        grid += joined("M", x, " ", place(bottom), "v5");
+        labels += joined("<text text-anchor=\"middle\" x=\"", x, "\" y=\"", place(bottom + 19.0), "\">",
+                         three_digits(tick), "</text>");
     }
     std::string lines;
     for (const double tick : y_.ticks()) {
         const std::string y = place(y_of(tick));
-        lines += "M" + place(left) + " " + y + "H" + place(right);
-        labels += "<text text-anchor=\"end\" x=\"" + place(left - 6.0) + "\" y=\"" + place(y_of(tick) + 4.0) +
-                  "\">" + three_digits(tick) + "</text>";
+        lines += joined("M", place(left), " ", y, "H", place(right));
+        labels += joined("<text text-anchor=\"end\" x=\"", place(left - 6.0), "\" y=\"",
+                         place(y_of(tick) + 4.0), "\">", three_digits(tick), "</text>");
     }
     const double middle = 0.5 * (top + bottom);
-    return "<path class=\"grid\" d=\"" + lines + "\"/><path class=\"axis\" d=\"M" + place(left) + " " +
-           place(bottom) + "H" + place(right) + grid + "\"/>" + labels + "<text text-anchor=\"middle\" x=\"" +
-           place(0.5 * (left + right)) + "\" y=\"" + place(bottom + 40.0) + "\">" + escaped(x_.title) +
-           "</text><text text-anchor=\"middle\" transform=\"translate(14 " + place(middle) +
-           ")rotate(-90)\">" + escaped(y_.title) + "</text>";
+    return joined("<path class=\"grid\" d=\"", lines, "\"/><path class=\"axis\" d=\"M", place(left), " ",
+                  place(bottom), "H", place(right), grid, "\"/>", labels, "<text text-anchor=\"middle\" x=\"",
+                  place(0.5 * (left + right)), "\" y=\"", place(bottom + 40.0), "\">", escaped(x_.title),
+                  "</text><text text-anchor=\"middle\" transform=\"translate(14 ", place(middle),
+                  ")rotate(-90)\">", escaped(y_.title), "</text>");
 }
 
 std::string Chart::names() const {
     std::string svg;
     double x = left;
     for (const Name& name : names_) {
-        svg += "<path class=\"line " + name.series + "\" d=\"M" + place(x) + " 16h26\"/><text x=\"" +
-               place(x + 32.0) + "\" y=\"20\">" + escaped(name.name) + "</text>";
+        svg += joined("<path class=\"line ", name.series, "\" d=\"M", place(x), " 16h26\"/><text x=\"",
+                      place(x + 32.0), "\" y=\"20\">", escaped(name.name), "</text>");
         x += 150.0;
     }
     return svg;
 }
 
 std::string Chart::figure(const std::string& caption) const {
-    return "<figure class=\"chart\"><figcaption><b>" + escaped(title_) +
-           "</b></figcaption><svg viewBox=\"0 0 560 310\""
-           " role=\"img\" aria-label=\"" +
-           escaped(title_) + "\">" + axes() + drawing_ + marks_ + names() + "</svg>" +
-           (caption.empty() ? "" : "<p>" + caption + "</p>") + "</figure>\n";
+    return joined("<figure class=\"chart\"><figcaption><b>", escaped(title_),
+                  "</b></figcaption><svg viewBox=\"0 0 560 310\""
+                  " role=\"img\" aria-label=\"",
+                  escaped(title_), "\">", axes(), drawing_, marks_, names(), "</svg>",
+                  (caption.empty() ? "" : joined("<p>", caption, "</p>")), "</figure>\n");
 }
 
 }  // namespace coupling::report

@@ -139,9 +139,10 @@ std::string run_out_histogram(const RunResults& results) {
         return sums;
     };
     Axis x = Axis::from_zero("Run-out in plan, m", edges.back());
-    return histogram(results, "Run-out", std::move(x), edges, counts,
-                     "Distance in plan from release to end, in bars of " + three_digits(width_m) + " m.",
-                     drawing_order(results), false);
+    return histogram(
+        results, "Run-out", std::move(x), edges, counts,
+        joined("Distance in plan from release to end, in bars of ", three_digits(width_m), " m."),
+        drawing_order(results), false);
 }
 
 std::string tree_hit_histogram(const RunResults& results) {
@@ -167,16 +168,16 @@ std::string charts(const RunResults& results, const Figures& figures) {
     std::string html = "<h2>Distributions</h2>\n";
     for (std::size_t target = 0; target < figures.targets.size(); ++target) {
         const TargetFigures& named = figures.targets[target];
-        html += "<h3>" + escaped(named.name.empty() ? named.id : named.name) + "</h3>\n";
+        html += joined("<h3>", escaped(named.name.empty() ? named.id : named.name), "</h3>\n");
         const bool none_arrives =
             named.at(Cover::bare).share.part == 0 && named.at(Cover::forest).share.part == 0;
         html += none_arrives
                     ? "<p>No rock arrives here.</p>\n"
-                    : "<div class=\"thirds\">" + energy_histogram(results, target) +
-                          height_histogram(results, target) + exceedance(results, target) + "</div>\n";
+                    : joined("<div class=\"thirds\">", energy_histogram(results, target),
+                             height_histogram(results, target), exceedance(results, target), "</div>\n");
     }
-    html += "<h3>All rocks</h3>\n<div class=\"halves\">" + run_out_histogram(results);
-    return html + (results.with_forest ? tree_hit_histogram(results) : "") + "</div>\n";
+    html += joined("<h3>All rocks</h3>\n<div class=\"halves\">", run_out_histogram(results));
+    return joined(html, (results.with_forest ? tree_hit_histogram(results) : ""), "</div>\n");
 }
 
 }  // namespace coupling::report

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "coupling/results/joined.hpp"
+
 namespace coupling::report {
 
 HtmlTable::HtmlTable(std::string_view caption, const std::vector<std::string>& head)
@@ -14,27 +16,27 @@ bool HtmlTable::is_text(std::size_t column) const {
 void HtmlTable::row(const std::vector<std::string>& cells, std::string_view style) {
     rows_ += style.empty() ? "<tr>" : std::string{"<tr class=\""}.append(style).append("\">");
     for (std::size_t column = 0; column < cells.size(); ++column) {
-        rows_ += (is_text(column) ? "<td class=\"text\">" : "<td>") + cells[column] + "</td>";
+        rows_ += joined((is_text(column) ? "<td class=\"text\">" : "<td>"), cells[column], "</td>");
     }
     rows_ += "</tr>\n";
 }
 
 void HtmlTable::group(std::string_view name) {
-    rows_ += "<tr class=\"group\"><th colspan=\"" + std::to_string(head_.size()) + "\">";
+    rows_ += joined("<tr class=\"group\"><th colspan=\"", std::to_string(head_.size()), "\">");
     rows_.append(name).append("</th></tr>\n");
 }
 
 std::string HtmlTable::html() const {
     std::string html = "<div class=\"wide\"><table>";
     if (!caption_.empty()) {
-        html += "<caption>" + caption_ + "</caption>";
+        html += joined("<caption>", caption_, "</caption>");
     }
     html += "\n<thead><tr>";
     for (std::size_t column = 0; column < head_.size(); ++column) {
-        html += (is_text(column) ? "<th class=\"text\" scope=\"col\">" : "<th scope=\"col\">") +
-                head_[column] + "</th>";
+        html += joined((is_text(column) ? "<th class=\"text\" scope=\"col\">" : "<th scope=\"col\">"),
+                       head_[column], "</th>");
     }
-    return html + "</tr></thead>\n<tbody>\n" + rows_ + "</tbody></table></div>\n";
+    return joined(html, "</tr></thead>\n<tbody>\n", rows_, "</tbody></table></div>\n");
 }
 
 }  // namespace coupling::report

@@ -23,21 +23,21 @@ std::string projection_name(const std::string& text) {
 std::string rock_size(const Scenario& scenario) {
     switch (scenario.diameter_kind) {
         case DiameterKind::fixed:
-            return three_digits(scenario.diameter_m) + " m";
+            return joined(three_digits(scenario.diameter_m), " m");
         case DiameterKind::classes: {
             const auto [low, high] =
                 std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
             return low == scenario.diameter_classes_m.end()
                        ? "in classes"
-                       : three_digits(*low) + " to " + three_digits(*high) + " m, in classes";
+                       : joined(three_digits(*low), " to ", three_digits(*high), " m, in classes");
         }
         case DiameterKind::uniform:
-            return three_digits(scenario.diameter_low_m) + " to " + three_digits(scenario.diameter_high_m) +
-                   " m";
+            return joined(three_digits(scenario.diameter_low_m), " to ",
+                          three_digits(scenario.diameter_high_m), " m");
         case DiameterKind::lognormal:
             break;
     }
-    return "log-normal, mean " + three_digits(scenario.diameter_m) + " m";
+    return joined("log-normal, mean ", three_digits(scenario.diameter_m), " m");
 }
 
 std::size_t zones_of(const Site& site) {
@@ -60,7 +60,7 @@ std::string stop_share(const SlopeFigures& slope, rockfall::StopReason reason) {
 }
 
 std::string three(const Distribution& d) {
-    return three_digits(d.mean) + " / " + three_digits(d.p90) + " / " + three_digits(d.max);
+    return joined(three_digits(d.mean), " / ", three_digits(d.p90), " / ", three_digits(d.max));
 }
 
 using rockfall::StopReason;
@@ -164,25 +164,25 @@ std::string opening(const RunResults& results, const Figures&) {
     const Scenario& scenario = results.scenario;
     const Site& site = results.site;
     const config::GridFrame& frame = site.map_frame;
-    std::string html =
-        "<h1>Rockfall and forest: " + escaped(scenario.file.stem().string()) + "</h1>\n<p class=\"lead\">" +
-        grouped(results.rocks) + " rocks were released from " + grouped(site.sources.size()) + " places" +
+    std::string html = joined(
+        "<h1>Rockfall and forest: ", escaped(scenario.file.stem().string()), "</h1>\n<p class=\"lead\">",
+        grouped(results.rocks), " rocks were released from ", grouped(site.sources.size()), " places",
         (results.with_forest
              ? ", each falling twice with the same random numbers: through the forest as it stands and over "
                "the bare slope."
-             : " and fell over the bare slope; no trees were given.") +
-        "</p>\n<dl class=\"facts\">";
-    html += fact("Terrain", three_digits(frame.x_east_m() - frame.x_west_m) + " × " +
-                                three_digits(frame.y_north_m() - frame.y_south_m) + " m, cells of " +
-                                three_digits(frame.cell_width_m) + " m");
-    html += fact("Release", grouped(site.sources.size()) + " sources in " + grouped(zones_of(site)) +
-                                (zones_of(site) == 1 ? " zone" : " zones"));
+             : " and fell over the bare slope; no trees were given."),
+        "</p>\n<dl class=\"facts\">");
+    html += fact("Terrain", joined(three_digits(frame.x_east_m() - frame.x_west_m), " × ",
+                                   three_digits(frame.y_north_m() - frame.y_south_m), " m, cells of ",
+                                   three_digits(frame.cell_width_m), " m"));
+    html += fact("Release", joined(grouped(site.sources.size()), " sources in ", grouped(zones_of(site)),
+                                   (zones_of(site) == 1 ? " zone" : " zones")));
     html += fact("Rock diameter", rock_size(scenario));
     html += fact("Rock density", fixed(scenario.density_kgpm3, 0) + " kg/m³");
     html += fact("Trees", grouped(site.trees.size()));
     html += fact("Settings", escaped(scenario.preset));
     html += fact("Random seed", std::to_string(scenario.seed));
-    return html + fact("Program", "Bannwald " + escaped(results.version)) + "</dl>\n";
+    return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");
 }
 
 std::string key_figures(const RunResults& results, const Figures& figures) {
@@ -199,27 +199,28 @@ std::string key_figures(const RunResults& results, const Figures& figures) {
         }
         table.row(cells);
     }
-    return "<h2>Key figures</h2>\n<section class=\"card\">" + table.html() + "</section>\n" +
-           (results.with_forest ? "<section class=\"card\">" + trees_by_diameter(results) + "</section>\n"
-                                : "");
+    return joined(
+        "<h2>Key figures</h2>\n<section class=\"card\">", table.html(), "</section>\n",
+        (results.with_forest ? joined("<section class=\"card\">", trees_by_diameter(results), "</section>\n")
+                             : ""));
 }
 
 std::string warnings(const RunResults& results) {
     std::string html = "<h2>Warnings</h2>\n";
     if (results.warnings.sentences().empty()) {
-        return html + "<p>None.</p>\n";
+        return joined(html, "<p>None.</p>\n");
     }
     html += "<ul class=\"notes\">";
     for (const std::string& sentence : results.warnings.sentences()) {
-        html += "<li>" + escaped(sentence) + "</li>";
+        html += joined("<li>", escaped(sentence), "</li>");
     }
-    return html + "</ul>\n";
+    return joined(html, "</ul>\n");
 }
 
 std::string settings(const RunResults& results) {
     std::string html = "<h2>Settings</h2>\n";
     if (results.scenario.options == nullptr) {
-        return html + "<p>Not recorded.</p>\n";
+        return joined(html, "<p>Not recorded.</p>\n");
     }
     HtmlTable table{"Settings marked with ● differ from the default.",
                     {"setting", "value", "unit", "default", "meaning"}};
@@ -228,15 +229,16 @@ std::string settings(const RunResults& results) {
     for (const config::ParameterRow& row : results.scenario.options->rows()) {
         if (section_of(row.key) != section) {
             section = section_of(row.key);
-            table.group("[" + escaped(section) + "]");
+            table.group(joined("[", escaped(section), "]"));
         }
         table.row(
-            {"<code>" + escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))) + "</code>",
+            {joined("<code>", escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))),
+                    "</code>"),
              row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
              row.default_text.empty() ? "–" : escaped(row.default_text), escaped(row.meaning)},
             row.changed ? "changed" : "");
     }
-    return html + "<section class=\"card\">" + table.html() + "</section>\n";
+    return joined(html, "<section class=\"card\">", table.html(), "</section>\n");
 }
 
 std::string sources_and_files(const RunResults& results, const std::vector<WrittenFile>& files) {
@@ -244,28 +246,28 @@ std::string sources_and_files(const RunResults& results, const std::vector<Writt
     inputs.text_columns({1});
     for (const InputFile& file : results.site.inputs) {
         inputs.row({escaped(file.role), escaped(file.name), grouped(file.bytes),
-                    "<code>" + escaped(file.hash) + "</code>"});
+                    joined("<code>", escaped(file.hash), "</code>")});
     }
     HtmlTable outputs{"Grids have their projection (.prj) and a QGIS style (.qml) beside them.",
                       {"file", "holds"}};
     outputs.text_columns({1});
     for (const WrittenFile& file : files) {
-        outputs.row({"<code>" + escaped(file.path) + "</code>", escaped(file.sentence)});
+        outputs.row({joined("<code>", escaped(file.path), "</code>"), escaped(file.sentence)});
     }
-    return "<h2>Data</h2>\n<section class=\"card\"><p>Projection: <b>" +
-           escaped(projection_name(results.site.projection)) +
-           "</b>. Input files, named as in the scenario; please credit their owners as their licences "
-           "ask.</p>" +
-           inputs.html() + "</section>\n<h2>Files of this run</h2>\n<section class=\"card\">" +
-           outputs.html() + "</section>\n<h2>How to cite</h2>\n<p>Bannwald " + escaped(results.version) +
-           ": rockfall through forests on real terrain, GPL-3.0-or-later. Scenario " +
-           escaped(results.scenario.file.filename().string()) + ", seed " +
-           std::to_string(results.scenario.seed) +
-           ". The rockfall model follows Rammer, W., Brauner, M., Dorren, L. K. A., Berger, F., Lexer, M. J. "
-           "(2010): "
-           "Evaluation of a 3-D rockfall module within a forest patch model. Natural Hazards and Earth "
-           "System Sciences "
-           "10, 699–711.</p>\n";
+    return joined(
+        "<h2>Data</h2>\n<section class=\"card\"><p>Projection: <b>",
+        escaped(projection_name(results.site.projection)),
+        "</b>. Input files, named as in the scenario; please credit their owners as their licences "
+        "ask.</p>",
+        inputs.html(), "</section>\n<h2>Files of this run</h2>\n<section class=\"card\">", outputs.html(),
+        "</section>\n<h2>How to cite</h2>\n<p>Bannwald ", escaped(results.version),
+        ": rockfall through forests on real terrain, GPL-3.0-or-later. Scenario ",
+        escaped(results.scenario.file.filename().string()), ", seed ", std::to_string(results.scenario.seed),
+        ". The rockfall model follows Rammer, W., Brauner, M., Dorren, L. K. A., Berger, F., Lexer, M. J. "
+        "(2010): "
+        "Evaluation of a 3-D rockfall module within a forest patch model. Natural Hazards and Earth "
+        "System Sciences "
+        "10, 699–711.</p>\n");
 }
 
 }  // namespace coupling::report

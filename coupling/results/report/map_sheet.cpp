@@ -75,18 +75,18 @@ std::string MapSheet::image(const std::string& attributes, const std::string& pn
     // Blocks at the eastern and southern rim reach over it.
     const double columns = static_cast<double>((frame_.columns + block_ - 1) / block_ * block_);
     const double rows = static_cast<double>((frame_.rows + block_ - 1) / block_ * block_);
-    return "<image " + attributes + attribute("width", sheet_width * columns / frame_.columns) +
-           attribute("height", height_ * rows / frame_.rows) + " preserveAspectRatio=\"none\" href=\"" +
-           data_address(png_bytes) + "\"/>";
+    return joined("<image ", attributes, attribute("width", sheet_width * columns / frame_.columns),
+                  attribute("height", height_ * rows / frame_.rows), " preserveAspectRatio=\"none\" href=\"",
+                  data_address(png_bytes), "\"/>");
 }
 
 std::string MapSheet::definitions() const {
     const std::string shade = png(hillshade(illumination(thinned(results_.site.heights, block_))));
-    return "<svg class=\"definitions\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>" +
-           image("id=\"shade\"", shade) + "<clipPath id=\"sheet\"><rect" + attribute("width", sheet_width) +
-           attribute("height", height_) + "/></clipPath><g id=\"sources\">" + source_outlines() +
-           source_lines() + "</g><g id=\"targets\">" + target_lines(true) + target_lines(false) +
-           "</g></defs></svg>\n";
+    return joined("<svg class=\"definitions\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>",
+                  image("id=\"shade\"", shade), "<clipPath id=\"sheet\"><rect",
+                  attribute("width", sheet_width), attribute("height", height_),
+                  "/></clipPath><g id=\"sources\">", source_outlines(), source_lines(),
+                  "</g><g id=\"targets\">", target_lines(true), target_lines(false), "</g></defs></svg>\n");
 }
 
 std::string MapSheet::picture(const config::Raster<float>& raster, const ColourScale& scale) const {
@@ -121,9 +121,9 @@ std::string MapSheet::paths(Cover cover, std::size_t most_paths) const {
     }
     std::string svg = "<g class=\"paths\">";
     for (std::size_t k = 0; k < by_class.size(); ++k) {
-        svg += "<path class=\"class" + std::to_string(k) + "\" d=\"" + by_class[k].text() + "\"/>";
+        svg += joined("<path class=\"class", std::to_string(k), "\" d=\"", by_class[k].text(), "\"/>");
     }
-    return svg + "</g>";
+    return joined(svg, "</g>");
 }
 
 std::string MapSheet::source_outlines() const {
@@ -148,8 +148,8 @@ std::string MapSheet::source_outlines() const {
             }
         }
     }
-    return "<path class=\"source\" d=\"" +
-           outlines(inside, sheet_width / frame_.columns, height_ / frame_.rows) + "\"/>";
+    return joined("<path class=\"source\" d=\"",
+                  outlines(inside, sheet_width / frame_.columns, height_ / frame_.rows), "\"/>");
 }
 
 std::string MapSheet::source_lines() const {
@@ -162,12 +162,12 @@ std::string MapSheet::source_lines() const {
         const Eigen::Vector2d a = source.first_m + origin_m;
         const Eigen::Vector2d b = source.last_m + origin_m;
         if (source.first_m == source.last_m) {
-            svg += "<circle class=\"source\" r=\"5\"" + attribute("cx", x_of(a.x())) +
-                   attribute("cy", y_of(a.y())) + "/>";
+            svg += joined("<circle class=\"source\" r=\"5\"", attribute("cx", x_of(a.x())),
+                          attribute("cy", y_of(a.y())), "/>");
         } else {
             PathText line;
             line.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
-            svg += "<path class=\"source\" d=\"" + line.text() + "\"/>";
+            svg += joined("<path class=\"source\" d=\"", line.text(), "\"/>");
         }
     }
     return svg;
@@ -185,7 +185,8 @@ std::string MapSheet::target_lines(bool halo) const {
                 text.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
             }
         }
-        svg += std::string{"<path class=\""} + (halo ? "halo" : "target") + "\" d=\"" + text.text() + "\"/>";
+        svg +=
+            joined(std::string{"<path class=\""}, (halo ? "halo" : "target"), "\" d=\"", text.text(), "\"/>");
     }
     return svg;
 }
@@ -202,9 +203,9 @@ std::string MapSheet::target_names(double lettering) const {
             (target.is_area ? 0.5 * (target.low_m + target.high_m) : part[part.size() / 2]) + origin_m;
         const double x = std::clamp(x_of(at.x()), 0.12 * sheet_width, 0.88 * sheet_width);
         const double y = std::clamp(y_of(at.y()) - 0.5 * lettering, 1.2 * lettering, height_ - lettering);
-        svg += "<text class=\"name\" text-anchor=\"middle\"" + attribute("font-size", lettering) +
-               attribute("x", x) + attribute("y", y) + ">" +
-               escaped(target.name.empty() ? target.id : target.name) + "</text>";
+        svg += joined("<text class=\"name\" text-anchor=\"middle\"", attribute("font-size", lettering),
+                      attribute("x", x), attribute("y", y), ">",
+                      escaped(target.name.empty() ? target.id : target.name), "</text>");
     }
     return svg;
 }
@@ -217,66 +218,66 @@ std::string MapSheet::scale_bar(double lettering) const {
     const double y = height_ - 0.7 * lettering;
     const std::string half = place(0.5 * length);
     const std::string bar = place(0.35 * lettering);
-    return "<g class=\"bar\" transform=\"translate(" + place(0.8 * lettering) + " " + place(y) +
-           ")\"><rect class=\"plate\"" + attribute("x", -0.4 * lettering) + attribute("y", -1.5 * lettering) +
-           attribute("width", length + 3.6 * lettering) + attribute("height", 1.9 * lettering) +
-           "/><path class=\"filled\" d=\"M0 0v-" + bar + "h" + half + "v" + bar +
-           "z\"/><path class=\"hollow\" d=\"M" + half + " 0v-" + bar + "h" + half + "v" + bar + "z\"/><text" +
-           attribute("font-size", 0.85 * lettering) + attribute("y", -0.6 * lettering) + ">0</text><text" +
-           attribute("font-size", 0.85 * lettering) + attribute("x", length) +
-           attribute("y", -0.6 * lettering) + " text-anchor=\"middle\">" +
-           (length_m >= 1000.0 ? three_digits(length_m / 1000.0) + " km" : three_digits(length_m) + " m") +
-           "</text></g>";
+    return joined(
+        "<g class=\"bar\" transform=\"translate(", place(0.8 * lettering), " ", place(y),
+        ")\"><rect class=\"plate\"", attribute("x", -0.4 * lettering), attribute("y", -1.5 * lettering),
+        attribute("width", length + 3.6 * lettering), attribute("height", 1.9 * lettering),
+        "/><path class=\"filled\" d=\"M0 0v-", bar, "h", half, "v", bar, "z\"/><path class=\"hollow\" d=\"M",
+        half, " 0v-", bar, "h", half, "v", bar, "z\"/><text", attribute("font-size", 0.85 * lettering),
+        attribute("y", -0.6 * lettering), ">0</text><text", attribute("font-size", 0.85 * lettering),
+        attribute("x", length), attribute("y", -0.6 * lettering), " text-anchor=\"middle\">",
+        (length_m >= 1000.0 ? three_digits(length_m / 1000.0) + " km" : three_digits(length_m) + " m"),
+        "</text></g>");
 }
 
 std::string MapSheet::north_arrow(double lettering) const {
     const std::string a = place(lettering);
     const std::string half = place(0.45 * lettering);
-    return "<g class=\"north\" transform=\"translate(" + place(sheet_width - 1.2 * lettering) + " " +
-           place(0.5 * lettering) + ")\"><rect class=\"plate\"" + attribute("x", -0.8 * lettering) +
-           attribute("y", -0.2 * lettering) + attribute("width", 1.6 * lettering) +
-           attribute("height", 2.6 * lettering) + "/><path class=\"filled\" d=\"M0 0l" + half + " " + a +
-           "l-" + half + " -" + place(0.3 * lettering) + "l-" + half + " " + place(0.3 * lettering) +
-           "z\"/><text text-anchor=\"middle\"" + attribute("font-size", lettering) +
-           attribute("y", 2.1 * lettering) + ">N</text></g>";
+    return joined("<g class=\"north\" transform=\"translate(", place(sheet_width - 1.2 * lettering), " ",
+                  place(0.5 * lettering), ")\"><rect class=\"plate\"", attribute("x", -0.8 * lettering),
+                  attribute("y", -0.2 * lettering), attribute("width", 1.6 * lettering),
+                  attribute("height", 2.6 * lettering), "/><path class=\"filled\" d=\"M0 0l", half, " ", a,
+                  "l-", half, " -", place(0.3 * lettering), "l-", half, " ", place(0.3 * lettering),
+                  "z\"/><text text-anchor=\"middle\"", attribute("font-size", lettering),
+                  attribute("y", 2.1 * lettering), ">N</text></g>");
 }
 
 std::string MapSheet::coordinates(double lettering) const {
     const double step_m = nice_step(170.0 / units_per_m_);
     std::string marks;
-    std::string svg = "<g class=\"coordinates\"" + attribute("font-size", 0.8 * lettering) + ">";
+    std::string svg = joined("<g class=\"coordinates\"", attribute("font-size", 0.8 * lettering), ">");
     for (double x_m = std::ceil(frame_.x_west_m / step_m) * step_m; x_m < frame_.x_east_m(); x_m += step_m) {
         const double x = x_of(x_m);
-        marks += "M" + place(x) + " " + place(height_) + "v8M" + place(x) + " 0v-8";
-        svg += "<text text-anchor=\"middle\"" + attribute("x", x) +
-               attribute("y", height_ + 8.0 + 0.8 * lettering) + ">" + fixed(x_m, 0) + "</text>";
+        marks += joined("M", place(x), " ", place(height_), "v8M", place(x), " 0v-8");
+        svg += joined("<text text-anchor=\"middle\"", attribute("x", x),
+                      attribute("y", height_ + 8.0 + 0.8 * lettering), ">", fixed(x_m, 0), "</text>");
     }
     for (double y_m = std::ceil(frame_.y_south_m / step_m) * step_m; y_m < frame_.y_north_m();
          y_m += step_m) {
         const double y = y_of(y_m);
-        marks += "M0 " + place(y) + "h-8M" + place(sheet_width) + " " + place(y) + "h8";
-        svg += "<text text-anchor=\"middle\" transform=\"translate(-12 " + place(y) + ")rotate(-90)\">" +
-               fixed(y_m, 0) + "</text>";
+        marks += joined("M0 ", place(y), "h-8M", place(sheet_width), " ", place(y), "h8");
+        svg += joined("<text text-anchor=\"middle\" transform=\"translate(-12 ", place(y), ")rotate(-90)\">",
+                      fixed(y_m, 0), "</text>");
     }
-    return svg + "<path d=\"" + marks + "\"/></g>";
+    return joined(svg, "<path d=\"", marks, "\"/></g>");
 }
 
 std::string MapSheet::figure(const MapContent& content, MapSize size) const {
     const double lettering = lettering_of(size);
     const bool large = size == MapSize::half;
     const double margin = large ? 34.0 : 4.0;
-    const std::string box = place(-margin) + " " + place(large ? -12.0 : -4.0) + " " +
-                            place(sheet_width + margin + (large ? 12.0 : 4.0)) + " " +
-                            place(height_ + margin + (large ? 12.0 : 4.0));
-    return "<figure class=\"map\"><figcaption><b>" + escaped(content.title) + "</b></figcaption>" +
-           content.legend + "<svg class=\"sheet\" viewBox=\"" + box + "\" role=\"img\" aria-label=\"" +
-           escaped(content.title) + "\"><g clip-path=\"url(#sheet)\"><use class=\"shade\" href=\"#shade\"/>" +
-           content.drawing +
-           "<use class=\"sources\" href=\"#sources\"/><use class=\"targets\" href=\"#targets\"/></g>" +
-           "<rect class=\"neat\"" + attribute("width", sheet_width) + attribute("height", height_) + "/>" +
-           (large ? coordinates(lettering) : "") + "<g class=\"targets\">" + target_names(lettering) +
-           "</g>" + scale_bar(lettering) + north_arrow(lettering) + "</svg>" +
-           (content.caption.empty() ? "" : "<p>" + content.caption + "</p>") + "</figure>\n";
+    const std::string box = joined(place(-margin), " ", place(large ? -12.0 : -4.0), " ",
+                                   place(sheet_width + margin + (large ? 12.0 : 4.0)), " ",
+                                   place(height_ + margin + (large ? 12.0 : 4.0)));
+    return joined("<figure class=\"map\"><figcaption><b>", escaped(content.title), "</b></figcaption>",
+                  content.legend, "<svg class=\"sheet\" viewBox=\"", box, "\" role=\"img\" aria-label=\"",
+                  escaped(content.title),
+                  "\"><g clip-path=\"url(#sheet)\"><use class=\"shade\" href=\"#shade\"/>", content.drawing,
+                  "<use class=\"sources\" href=\"#sources\"/><use class=\"targets\" href=\"#targets\"/></g>",
+                  "<rect class=\"neat\"", attribute("width", sheet_width), attribute("height", height_), "/>",
+                  (large ? coordinates(lettering) : ""), "<g class=\"targets\">", target_names(lettering),
+                  "</g>", scale_bar(lettering), north_arrow(lettering), "</svg>",
+                  (content.caption.empty() ? "" : joined("<p>", content.caption, "</p>")), "</figure>\n");
 }
 
 }  // namespace coupling::report

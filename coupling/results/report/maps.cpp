@@ -53,7 +53,7 @@ public:
     [[nodiscard]] std::string html() const { return html_; }
 
 private:
-    [[nodiscard]] std::string next_legend() { return "ramp" + std::to_string(++legends_); }
+    [[nodiscard]] std::string next_legend() { return joined("ramp", std::to_string(++legends_)); }
     [[nodiscard]] config::Raster<float> raster(const char* stem, Cover cover) const {
         return raster_of(raster_kind(stem), results_, cover);
     }
@@ -74,11 +74,11 @@ std::string path_legend() {
         "<svg class=\"legend paths\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\">";
     for (std::size_t i = 0; i < energy_class_names.size(); ++i) {
         const double x = 4.0 + 132.0 * static_cast<double>(i);
-        svg += "<path class=\"class" + std::to_string(i) + "\" d=\"M" + place(x) +
-               " 15l9 -5l9 6l9 -4\"/><text x=\"" + place(x + 32.0) + "\" y=\"18\">" +
-               escaped(energy_class_names[i]) + "</text>";
+        svg += joined("<path class=\"class", std::to_string(i), "\" d=\"M", place(x),
+                      " 15l9 -5l9 6l9 -4\"/><text x=\"", place(x + 32.0), "\" y=\"18\">",
+                      escaped(energy_class_names[i]), "</text>");
     }
-    return svg + "</svg>";
+    return joined(svg, "</svg>");
 }
 
 void MapPage::paths() {
@@ -136,7 +136,7 @@ std::string MapPage::difference_map(const RasterKind& kind, const std::string& n
         cells == 0 ? ""
                    : "Blue: less with forest. It rises in " +
                          percent(static_cast<double>(more) / static_cast<double>(cells)) + " of the cells.";
-    return sheet_.figure({"Forest effect: " + name + ", with forest minus bare slope",
+    return sheet_.figure({joined("Forest effect: ", name, ", with forest minus bare slope"),
                           sheet_.picture(difference, scale), scale.legend(next_legend()), caption},
                          MapSize::third);
 }
@@ -190,22 +190,23 @@ std::string maps(const RunResults& results) {
     page.single_row();
     const MapSheet sheet{results};
     const double cell_m = results.site.map_frame.cell_width_m;
-    std::string about =
-        "<p class=\"soft\">North is up; coordinates and scale in metres; cells of " + three_digits(cell_m) +
+    std::string about = joined(
+        "<p class=\"soft\">North is up; coordinates and scale in metres; cells of ", three_digits(cell_m),
         " m. Hillshade: light from the north-west, 45° high. Thin black outlines: release sources. Thick "
-        "black lines: targets. Colours end at the 99th percentile in the difference maps.";
+        "black lines: targets. Colours end at the 99th percentile in the difference maps.");
     if (sheet.block() > 1) {
-        about += " The pictures show blocks of " + std::to_string(sheet.block()) + " x " +
-                 std::to_string(sheet.block()) +
-                 " cells, of each the largest value; the grids in rasters/ hold every cell.";
+        about += joined(" The pictures show blocks of ", std::to_string(sheet.block()), " x ",
+                        std::to_string(sheet.block()),
+                        " cells, of each the largest value; the grids in rasters/ hold every cell.");
     }
-    return "<h2>Maps</h2>\n" + about +
-           "</p>\n<fieldset class=\"switches\"><label><input type=\"checkbox\" id=\"show-shade\" "
-           "checked=\"checked\"/> "
-           "hillshade</label><label><input type=\"checkbox\" id=\"show-sources\" checked=\"checked\"/> "
-           "sources</label><label><input type=\"checkbox\" id=\"show-targets\" checked=\"checked\"/> "
-           "targets</label></fieldset>\n" +
-           page.html();
+    return joined(
+        "<h2>Maps</h2>\n", about,
+        "</p>\n<fieldset class=\"switches\"><label><input type=\"checkbox\" id=\"show-shade\" "
+        "checked=\"checked\"/> "
+        "hillshade</label><label><input type=\"checkbox\" id=\"show-sources\" checked=\"checked\"/> "
+        "sources</label><label><input type=\"checkbox\" id=\"show-targets\" checked=\"checked\"/> "
+        "targets</label></fieldset>\n",
+        page.html());
 }
 
 }  // namespace coupling::report

@@ -17,7 +17,7 @@ std::string with_groups(std::string digits) {
         at -= 3;
         digits.insert(at, narrow_blank);
     }
-    return first == 1 ? "\u2212" + digits.substr(1) : digits;
+    return first == 1 ? joined("\u2212", digits.substr(1)) : digits;
 }
 
 std::string plain(double value, int decimals) {
@@ -80,7 +80,7 @@ std::string percent(double share) {
         return "–";
     }
     const std::string digits = std::abs(value) < 10.0 ? three_digits(value) : fixed(value, 1);
-    return digits + "\u00a0%";
+    return joined(digits, "\u00a0%");
 }
 
 std::string place(double value) {

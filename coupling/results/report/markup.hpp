@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "coupling/results/joined.hpp"
+
 namespace coupling::report {
 
 /// Text as HTML and SVG want it: & < > " escaped, in content and in attributes.

@@ -7,6 +7,8 @@
 #include <boost/iostreams/filtering_stream.hpp>
 #include <cassert>
 
+#include "coupling/results/joined.hpp"
+
 namespace coupling::report {
 namespace {
 
@@ -28,13 +30,13 @@ std::string chunk(std::string_view type, std::string_view data) {
 
 std::string deflated(const std::string& bytes) {
     namespace io = boost::iostreams;
-    std::string packed;
+    std::vector<char> packed;
     io::filtering_ostream stream;
     stream.push(io::zlib_compressor{io::zlib::best_compression});
     stream.push(io::back_inserter(packed));
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.reset();  // closes: all bytes are out
-    return packed;
+    return {packed.begin(), packed.end()};
 }
 
 /// Rows as PNG wants them: a filter byte before each. Subtracting the row above packs smooth pictures better.
@@ -59,8 +61,8 @@ std::string file(int width, int height, ColourType type, const std::string& colo
         big_endian(static_cast<std::uint32_t>(width)) + big_endian(static_cast<std::uint32_t>(height));
     header += {8, static_cast<char>(type), 0, 0,
                0};  // bits, colour type, deflate, adaptive filters, not interlaced
-    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + colours + chunk("IDAT", deflated(rows)) +
-           chunk("IEND", "");
+    return joined("\x89PNG\r\n\x1a\n", chunk("IHDR", header), colours, chunk("IDAT", deflated(rows)),
+                  chunk("IEND", ""));
 }
 
 }  // namespace
@@ -100,7 +102,7 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string data_address(std::string_view png_bytes) {
-    return "data:image/png;base64," + base64(png_bytes);
+    return joined("data:image/png;base64,", base64(png_bytes));
 }
 
 }  // namespace coupling::report

@@ -85,11 +85,11 @@ std::string ColourScale::class_legend() const {
     std::string svg = "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\">";
     for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
         const double x = 4.0 + 132.0 * static_cast<double>(i);
-        svg += "<rect x=\"" + place(x) + "\" y=\"6\" width=\"26\" height=\"14\" fill=\"" +
-               to_hex(energy_class_colours[i]) + "\" stroke=\"#555\" stroke-width=\".5\"/><text x=\"" +
-               place(x + 31.0) + "\" y=\"18\">" + escaped(energy_class_names[i]) + "</text>";
+        svg += joined("<rect x=\"", place(x), "\" y=\"6\" width=\"26\" height=\"14\" fill=\"",
+                      to_hex(energy_class_colours[i]), "\" stroke=\"#555\" stroke-width=\".5\"/><text x=\"",
+                      place(x + 31.0), "\" y=\"18\">", escaped(energy_class_names[i]), "</text>");
     }
-    return svg + "</svg>";
+    return joined(svg, "</svg>");
 }
 
 std::string ColourScale::legend(const std::string& id) const {
@@ -98,25 +98,25 @@ std::string ColourScale::legend(const std::string& id) const {
     }
     constexpr double left = 14.0;
     constexpr double width = 330.0;
-    std::string svg =
+    std::string svg = joined(
         "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\"><linearGradient "
-        "id=\"" +
-        id + "\">";
+        "id=\"",
+        id, "\">");
     const auto colours = colours_of(palette_);
     for (std::size_t i = 0; i < colours.size(); ++i) {
-        svg += "<stop offset=\"" +
-               fixed(static_cast<double>(i) / static_cast<double>(colours.size() - 1), 3) +
-               "\" stop-color=\"" + to_hex(colours[i]) + "\"/>";
+        svg += joined("<stop offset=\"",
+                      fixed(static_cast<double>(i) / static_cast<double>(colours.size() - 1), 3),
+                      "\" stop-color=\"", to_hex(colours[i]), "\"/>");
     }
-    svg += "</linearGradient><rect x=\"14\" y=\"6\" width=\"330\" height=\"14\" fill=\"url(#" + id +
-           ")\" stroke=\"#555\" stroke-width=\".5\"/>";
+    svg += joined("</linearGradient><rect x=\"14\" y=\"6\" width=\"330\" height=\"14\" fill=\"url(#", id,
+                  ")\" stroke=\"#555\" stroke-width=\".5\"/>");
     for (const double tick : ticks()) {
         const std::string x = place(left + width * place_of(tick));
         const std::string sign = kind_ == Kind::difference && tick > 0.0 ? "+" : "";
-        svg += "<path d=\"M" + x + " 20v4\"/><text x=\"" + x + "\" y=\"37\" text-anchor=\"middle\">" + sign +
-               three_digits(tick) + "</text>";
+        svg += joined("<path d=\"M", x, " 20v4\"/><text x=\"", x, "\" y=\"37\" text-anchor=\"middle\">", sign,
+                      three_digits(tick), "</text>");
     }
-    return svg + "<text x=\"352\" y=\"18\">" + escaped(unit_) + "</text></svg>";
+    return joined(svg, "<text x=\"352\" y=\"18\">", escaped(unit_), "</text></svg>");
 }
 
 }  // namespace coupling::report
