@@ -18,9 +18,14 @@ namespace coupling {
 
 namespace {
 
-std::string megabytes(std::uint64_t bytes) {
+std::string size_in_words(std::uint64_t bytes) {
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << static_cast<double>(bytes) / 1e6 << " MB";
+    text << std::fixed << std::setprecision(1);
+    if (bytes < 100'000) {
+        text << static_cast<double>(bytes) / 1e3 << " kB";
+    } else {
+        text << static_cast<double>(bytes) / 1e6 << " MB";
+    }
     return text.str();
 }
 
@@ -75,7 +80,7 @@ std::string ground_in_words(const Site& site) {
 void describe_site(const Scenario& scenario, const Site& site, std::ostream& out) {
     say(out, "scenario", scenario.file.string());
     for (const InputFile& input : site.inputs) {
-        say(out, input.role, input.name + ", " + megabytes(input.bytes) + ", hash " + input.hash);
+        say(out, input.role, input.name + ", " + size_in_words(input.bytes) + ", hash " + input.hash);
     }
     out << '\n';
     say(out, "terrain",
@@ -101,9 +106,9 @@ void describe_run(const Scenario& scenario, const Site& site, int threads, std::
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
     say(out, "memory",
-        "up to " + megabytes(estimate.bytes()) + ": terrain " + megabytes(estimate.terrain_bytes) +
-            ", maps " + megabytes(estimate.map_bytes) + ", percentiles at most " +
-            megabytes(estimate.percentile_bytes));
+        "up to " + size_in_words(estimate.bytes()) + ": terrain " + size_in_words(estimate.terrain_bytes) +
+            ", maps " + size_in_words(estimate.map_bytes) + ", percentiles at most " +
+            size_in_words(estimate.percentile_bytes));
     say(out, "time",
         "about " + duration(estimate.seconds) + " on " +
             counted(static_cast<std::size_t>(threads), "thread") + ", within a factor of three");

@@ -1,0 +1,70 @@
+#include "coupling/commands/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include "config/errors/input_error.hpp"
+
+namespace coupling {
+namespace {
+
+std::string message_of(const std::vector<std::string>& arguments) {
+    try {
+        parse_command_line(arguments);
+    } catch (const config::InputError& error) {
+        EXPECT_EQ(error.code(), config::ExitCode::settings);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(CommandLine, HoldsWhatARunIsAskedFor) {
+    const CommandLine line =
+        parse_command_line({"run", "a.ini", "--set", "run.seed=3", "--set=release.rocks=5", "--seed", "7",
+                            "--threads", "2", "--out", "results", "--overwrite", "-q"});
+    EXPECT_EQ(line.command, "run");
+    EXPECT_EQ(line.argument, "a.ini");
+    EXPECT_EQ(line.overrides, (std::vector<std::string>{"run.seed=3", "release.rocks=5", "run.seed=7"}));
+    EXPECT_EQ(line.threads, 2);
+    EXPECT_EQ(line.out, "results");
+    EXPECT_TRUE(line.overwrite);
+    EXPECT_TRUE(line.quiet);
+    EXPECT_FALSE(line.verbose);
+}
+
+TEST(CommandLine, TakesOptionsBeforeItsArgument) {
+    EXPECT_EQ(parse_command_line({"check", "--print-settings", "a.ini"}).argument, "a.ini");
+    EXPECT_EQ(parse_command_line({"init", "--example", "tyrol", "folder"}).argument, "folder");
+}
+
+TEST(CommandLine, AsksForHelpBeforeAnythingElse) {
+    EXPECT_EQ(parse_command_line({}).command, "help");
+    EXPECT_EQ(parse_command_line({"--version"}).command, "version");
+    EXPECT_EQ(parse_command_line({"--help-all"}).command, "help-all");
+    const CommandLine line = parse_command_line({"run", "--help"});
+    EXPECT_EQ(line.command, "help");
+    EXPECT_EQ(line.help_for, "run");
+}
+
+TEST(CommandLine, TellsTheNearestWord) {
+    EXPECT_EQ(message_of({"chek", "a.ini"}), "found command 'chek', expected 'check'");
+    EXPECT_EQ(message_of({"run", "a.ini", "--treads", "2"}),
+              "found option '--treads' of run, expected '--threads'");
+    EXPECT_EQ(message_of({"xyz"}),
+              "found command 'xyz', expected init, check, run or info; see `bannwald --help`");
+}
+
+TEST(CommandLine, RefusesWhatACommandDoesNotTake) {
+    EXPECT_EQ(message_of({"check", "a.ini", "--overwrite"}),
+              "found option '--overwrite' of check, expected one of `bannwald check --help`");
+    EXPECT_EQ(message_of({"run"}), "found `bannwald run` alone, expected a scenario file after it");
+    EXPECT_EQ(message_of({"run", "a.ini", "b.ini"}),
+              "found 'b.ini' after 'a.ini', expected only a scenario file");
+    EXPECT_EQ(message_of({"run", "a.ini", "--threads", "-1"}),
+              "found --threads '-1', expected a whole number in [1, 4096]");
+    EXPECT_NE(message_of({"run", "a.ini", "--out"}), "");
+    EXPECT_NE(message_of({"run", "a.ini", "--over"}), "");  // no guessing by the first letters
+    EXPECT_NE(message_of({"run", "a.ini", "--threads", "1", "--threads", "2"}), "");
+}
+
+}  // namespace
+}  // namespace coupling

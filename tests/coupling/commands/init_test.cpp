@@ -1,0 +1,71 @@
+#include "coupling/commands/init.hpp"
+
+#include <gtest/gtest.h>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/commands/estimate.hpp"
+#include "coupling/examples/embedded.hpp"
+#include "tests/coupling/inputs/opened.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Example, IsWrittenAsItLiesInTheSourceTree) {
+    const SampleProject project;
+    const fs::path folder = project.file("new") / "example";
+    write_example(folder, "tyrol");
+    std::size_t files = 0;
+    for (const auto& entry :
+         fs::directory_iterator{fs::path{BANNWALD_SOURCE_DIR} / "coupling/examples/tyrol"}) {
+        std::ostringstream written;
+        std::ostringstream original;
+        written << std::ifstream{folder / entry.path().filename(), std::ios::binary}.rdbuf();
+        original << std::ifstream{entry.path(), std::ios::binary}.rdbuf();
+        EXPECT_EQ(written.str(), original.str()) << entry.path();
+        ++files;
+    }
+    EXPECT_EQ(files, static_cast<std::size_t>(
+                         std::distance(fs::directory_iterator{folder}, fs::directory_iterator{})));
+}
+
+TEST(Example, NeedsAnEmptyFolder) {
+    const SampleProject project;
+    EXPECT_THROW(write_example(project.folder(), "tyrol"), config::InputError);
+    fs::create_directory(project.file("empty"));
+    EXPECT_NO_THROW(write_example(project.file("empty"), "tyrol"));
+    EXPECT_THROW(write_example(project.file("dem.asc"), "tyrol"), config::InputError);
+    EXPECT_THROW(write_example(project.file("other"), "tirol"), config::InputError);
+    EXPECT_FALSE(fs::exists(project.file("other")));
+}
+
+TEST(Example, IsAWholeProjectWithoutDoubts) {
+    const SampleProject project;
+    const fs::path folder = project.file("example");
+    write_example(folder, "tyrol");
+    config::Warnings warnings;
+    const auto scenario = read_scenario(folder / "scenario.ini", {"run.strict_inputs=yes"});
+    const Site site = open_site(*scenario, warnings);
+    EXPECT_EQ(site.trees.size(), 25'913U);
+    EXPECT_EQ(site.targets.size(), 2U);
+    EXPECT_EQ(site.slope.types.size(), 4U);
+    // Only the two species that borrow parameters are told.
+    EXPECT_EQ(warnings.sentences().size(), 2U);
+}
+
+TEST(Estimate, CountsTheMapsOfEveryThread) {
+    const SampleProject project;
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const Estimate one = estimate_of(*opened.scenario, *opened.site, 1);
+    const Estimate three = estimate_of(*opened.scenario, *opened.site, 3);
+    EXPECT_EQ(one.rocks, 20U);
+    EXPECT_EQ(one.covers, 2);
+    EXPECT_EQ(three.map_bytes, 2 * one.map_bytes);
+    EXPECT_EQ(three.percentile_bytes, one.percentile_bytes);
+    EXPECT_NEAR(3.0 * three.seconds, one.seconds, 1e-12);
+}
+
+}  // namespace
+}  // namespace coupling

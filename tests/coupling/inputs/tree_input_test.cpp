@@ -1,0 +1,163 @@
+#include "coupling/inputs/tree_input.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coupling/inputs/species_table.hpp"
+#include "tests/coupling/inputs/opened.hpp"
+
+namespace coupling {
+namespace {
+
+using config::ExitCode;
+
+constexpr const char* header = "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
+
+/// What comes of the sample project with this tree list.
+Opened with_trees(const std::string& rows, const std::vector<std::string>& overrides = {}) {
+    const SampleProject project;
+    project.write("trees.csv", header + rows);
+    return open(project, overrides);
+}
+
+TEST(Trees, OutsideTheTerrainAreLeftOutAndCounted) {
+    const std::string rows = "1,1060,2050,ABAL,30,25\n2,1060,2150,ABAL,30,25\n3,900,2050,ABAL,30,25\n";
+    const Opened opened = with_trees(rows);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->trees.size(), 1U);
+    EXPECT_EQ(opened.warnings,
+              std::vector<std::string>{
+                  "trees.csv: found 2 trees outside the terrain, such as tree '2' (x 1060, y 2150); "
+                  "left out, expected trees on the terrain"});
+    EXPECT_EQ(with_trees(rows, {"run.strict_inputs=yes"}).code, ExitCode::data);
+}
+
+TEST(Trees, OfUnknownSpeciesAreRefusedWithTheNearestKnown) {
+    const Opened opened =
+        with_trees("1,1060,2050,ABBL,30,25\n2,1060,2050,ABBL,30,25\n3,1060,2050,Picea abis,30,25\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "trees.csv:2:13: found species 'ABBL', 2 times, expected a code or Latin name of the species "
+              "table (ABAL?)\n"
+              "trees.csv:4:13: found species 'Picea abis', expected a code or Latin name of the species "
+              "table (Picea "
+              "abies?)");
+}
+
+TEST(Trees, ThatBorrowParametersAreTold) {
+    const Opened opened =
+        with_trees("1,1060,2050,taba,30,25\n2,1061,2050,TABA,30,25\n3,1062,2050,Salix caprea,9,9\n");
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.warnings,
+              (std::vector<std::string>{
+                  "trees.csv: 1 tree of SACA (Salix caprea) taken like BEPE; the fracture energy "
+                  "1.1 is the species' own",
+                  "trees.csv: 2 trees of TABA (Taxus baccata) taken like ABAL; the fracture "
+                  "energy 1.2 is the species' own"}));
+    EXPECT_EQ(opened.site->trees[0].species, "TABA");
+    EXPECT_EQ(opened.site->trees[0].stem.fracture_energy, 1.2);
+}
+
+TEST(Trees, WithoutDiameterAreRefused) {
+    const Opened opened = with_trees("1,1060,2050,ABAL,0,25\n2,1060,2050,ABAL,-3,25\n3,1060,2050,ABAL,,25\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "trees.csv:2:18: found dbh_cm '0', expected a number in (0, 500]\n"
+              "trees.csv:3:18: found dbh_cm '-3', expected a number in (0, 500]\n"
+              "trees.csv:4:18: found dbh_cm empty, expected a number in (0, 500]");
+}
+
+TEST(Trees, WithoutHeightAreRefused) {
+    const Opened opened = with_trees("1,1060,2050,ABAL,30,\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors, "trees.csv:2:21: found height_m empty, expected a number in (0, 150]");
+
+    const SampleProject project;
+    project.write("trees.csv", "tree_id,x_m,y_m,species,dbh_cm\n1,1060,2050,ABAL,30\n");
+    EXPECT_EQ(open(project).code, ExitCode::data);
+    EXPECT_EQ(open(project).errors, "trees.csv: no column 'height_m'");
+}
+
+TEST(Trees, InAnotherUnitAreDoubted) {
+    const Opened millimetres = with_trees("1,1060,2050,ABAL,325,25\n2,1061,2050,ABAL,280,25\n");
+    EXPECT_EQ(millimetres.warnings,
+              std::vector<std::string>{
+                  "trees.csv: found a median dbh_cm of 325, expected centimetres; these look like "
+                  "millimetres"});
+    const Opened metres = with_trees("1,1060,2050,ABAL,0.3,25\n");
+    EXPECT_EQ(metres.warnings,
+              std::vector<std::string>{"trees.csv: found a median dbh_cm of 0.3, expected centimetres; "
+                                       "these look like metres"});
+    const Opened decimetres = with_trees("1,1060,2050,ABAL,30,120\n");
+    EXPECT_EQ(decimetres.warnings.size(), 1U);
+    EXPECT_EQ(with_trees("1,1060,2050,ABAL,0.3,25\n", {"run.strict_inputs=yes"}).code, ExitCode::data);
+}
+
+TEST(Trees, WithTheSameIdentityAreTold) {
+    const Opened opened = with_trees("7,1060,2050,ABAL,30,25\n7,1061,2050,ABAL,30,25\n");
+    ASSERT_TRUE(opened.site);
+    EXPECT_EQ(opened.warnings,
+              std::vector<std::string>{"trees.csv: found 1 tree_id used more than once, such as '7', "
+                                       "expected one tree_id for each tree"});
+}
+
+TEST(Trees, MayComeWithoutIdentity) {
+    const SampleProject project;
+    project.write("trees.csv", "species,dbh_cm,x_m,height_m,note,y_m\nabal,30,1060,25,x,2050\n");
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->trees[0].id, "1");
+}
+
+TEST(Trees, AreNotNeeded) {
+    const SampleProject project;
+    const Opened opened = open(project, {"trees.file="});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_TRUE(opened.site->trees.empty());
+}
+
+TEST(Trees, TellTwentyFaultsAndCountTheRest) {
+    std::string rows;
+    for (int i = 0; i < 30; ++i) {
+        rows += std::to_string(i) + ",1060,2050,ABAL,0,25\n";
+    }
+    const std::string errors = with_trees(rows).errors;
+    EXPECT_NE(errors.find("trees.csv:21:"), std::string::npos);
+    EXPECT_EQ(errors.find("trees.csv:22:"), std::string::npos);
+    EXPECT_TRUE(errors.ends_with("trees.csv: 10 more such problems")) << errors;
+}
+
+TEST(SpeciesTable, FindsCodesAndLatinNamesInAnyCase) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    for (const char* name : {"FASY", "fasy", "Fagus sylvatica", "FAGUS SYLVATICA"}) {
+        ASSERT_NE(table.find(name), nullptr) << name;
+        EXPECT_EQ(table.find(name)->code, "FASY");
+        EXPECT_EQ(table.find(name)->fracture_energy, 1.70);
+    }
+    EXPECT_EQ(table.find("Fagus"), nullptr);
+}
+
+TEST(SpeciesTable, GivesEachSpeciesAStrengthOfItsOwn) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    EXPECT_GE(table.all().size(), 30U);
+    for (const Species& species : table.all()) {
+        EXPECT_GE(species.fracture_energy, 0.5) << species.code;
+        EXPECT_LE(species.fracture_energy, 2.5) << species.code;
+        EXPECT_EQ(species.code.size(), 4U) << species.code;
+    }
+}
+
+TEST(SpeciesTable, LetsOnlySpeciesWithParametersStandIn) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    int borrowers = 0;
+    for (const Species& species : table.all()) {
+        if (!species.stand_in.empty()) {
+            ++borrowers;
+            ASSERT_NE(table.find(species.stand_in), nullptr) << species.code;
+            EXPECT_TRUE(table.find(species.stand_in)->stand_in.empty()) << species.code;
+        }
+    }
+    EXPECT_GT(borrowers, 3);
+}
+
+}  // namespace
+}  // namespace coupling

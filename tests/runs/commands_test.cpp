@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/runs/program.hpp"
+
+namespace coupling {
+namespace {
+
+TEST(Program, WritesAnExampleThatItCanRead) {
+    const SampleProject project;
+    const Outcome written = call(project, "init new --quiet");
+    EXPECT_EQ(written.code, 0) << written.err;
+    EXPECT_EQ(written.out, "new/scenario.ini\n");
+    const Outcome checked = call(project, "check new/scenario.ini");
+    EXPECT_EQ(checked.code, 0) << checked.err;
+    for (const std::string word : {"rocks", "memory", "time", "53020 points", "road, house"}) {
+        EXPECT_NE(checked.out.find(word), std::string::npos) << checked.out;
+    }
+    EXPECT_FALSE(std::filesystem::exists(project.file("new") / "out"));
+}
+
+TEST(Program, DoesNotWriteAnExampleOverFiles) {
+    const SampleProject project;
+    const Outcome outcome = call(project, "init .");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "bannwald: found files in folder '.', expected a new or empty folder\n");
+    EXPECT_EQ(call(project, "init dem.asc/new").code, 3);
+}
+
+TEST(Program, PrintsSettingsWithDefaultsAndSources) {
+    const SampleProject project;
+    const Outcome outcome = call(project, "check scenario.ini --print-settings --set rockfall.preset=strict");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("* release.diameter_m"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("* rockfall.jump_angle_scatter"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("Rammer et al. 2010"), std::string::npos);
+}
+
+TEST(Program, HelpsWithEverything) {
+    const SampleProject project;
+    const Outcome help = call(project, "--help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_NE(help.out.find("bannwald run SCENARIO"), std::string::npos);
+    EXPECT_NE(help.out.find("75  interrupted"), std::string::npos);
+    EXPECT_NE(call(project, "--help-all").out.find("contact_support_m"), std::string::npos);
+    EXPECT_NE(call(project, "run --help").out.find("--overwrite"), std::string::npos);
+    EXPECT_TRUE(call(project, "--version").out.starts_with("bannwald "));
+}
+
+TEST(Program, TellsWrongUsage) {
+    const SampleProject project;
+    const Outcome outcome = call(project, "rum scenario.ini");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "bannwald: found command 'rum', expected 'run'\n");
+    EXPECT_EQ(outcome.out, "");
+}
+
+TEST(Program, TellsWhatAFileHolds) {
+    const SampleProject project;
+    EXPECT_NE(call(project, "info dem.asc").out.find("12 x 10 cells of 10 m"), std::string::npos);
+    EXPECT_NE(call(project, "info trees.csv").out.find("rows          3"), std::string::npos);
+    EXPECT_EQ(call(project, "info gone.asc").code, 3);
+}
+
+}  // namespace
+}  // namespace coupling
