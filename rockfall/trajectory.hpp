@@ -8,6 +8,7 @@
 
 #include "config/random/stream.hpp"
 #include "rockfall/motion/flight.hpp"
+#include "rockfall/motion/groove.hpp"
 #include "rockfall/motion/picus.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
@@ -159,8 +160,63 @@ private:
         observer_.flew(rock_, flight, time_s, stretches, spin_radps_);
     }
 
+    /// Whether the rock has come to rest between faces that each alone would let it go.
+    ///
+    /// Two steep faces that meet in a pit or a groove hand a rock to and fro in ever smaller steps. A rock
+    /// that has not left the circle of its own radius in so many impacts, or in so long a time, lies where it
+    /// is.
+    bool lies_still() {
+        constexpr std::uint32_t impacts_at_one_place = 16;
+        constexpr double seconds_at_one_place = 10.0;
+        if ((position_m_ - watched_place_m_).squaredNorm() > rock_.radius_m * rock_.radius_m) {
+            watched_place_m_ = position_m_;
+            impacts_here_ = 0;
+            rolled_here_s_ = 0.0;
+        }
+        return impacts_here_ > impacts_at_one_place || rolled_here_s_ > seconds_at_one_place;
+    }
+
+    /// Between two faces the only way on is along their edge; in a pit there is none.
+    void leave_groove_or_rest() {
+        auto run = run_along_groove(slope_.terrain, triangle_, position_m_, law_.ground.rolling.friction);
+        if (!run) {
+            stop(StopReason::at_rest);
+            return;
+        }
+        rolling_ = true;
+        if (meets_stem_rolling(*run) || is_caught_rolling(*run)) {
+            return;
+        }
+        observer_.rolled(rock_, *run, triangle_);
+        velocity_mps_ = run->velocity_at(run->duration_s);
+        // A centimetre on, clear of the vertex: which triangle lies there the walk tells.
+        position_m_ = run->position_m(run->duration_s) + 0.01 * velocity_mps_.normalized();
+        const auto beyond = slope_.terrain.locate(position_m_.x(), position_m_.y(), run->next_triangle);
+        if (!beyond) {
+            stop(StopReason::left_terrain);
+            return;
+        }
+        triangle_ = *beyond;
+        enter_face(slope_.terrain.plane_of(triangle_));
+    }
+
+    /// Puts the rock on a face and turns its motion into it, speed kept.
+    void enter_face(const Plane& plane) {
+        position_m_.z() = plane.height_m(position_m_.x(), position_m_.y());
+        const Eigen::Vector3d normal = plane.normal();
+        const Eigen::Vector3d along = velocity_mps_ - velocity_mps_.dot(normal) * normal;
+        const double along_mps = along.norm();
+        velocity_mps_ = along_mps > 0.0 ? Eigen::Vector3d{velocity_mps_.norm() / along_mps * along}
+                                        : Eigen::Vector3d::Zero();
+        spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
+    }
+
     void touch_ground(const Plane& plane) {
         const Eigen::Vector3d normal = plane.normal();
+        if (lies_still()) {
+            leave_groove_or_rest();
+            return;
+        }
         if (end_.ground_impacts >= law_.ground.stopping.most_impacts) {
             stop(StopReason::gave_up);
             return;
@@ -168,6 +224,7 @@ private:
         const SurfaceType& surface = slope_.type_at(position_m_.x(), position_m_.y());
         ContactDraws draws = next_draws();
         ++end_.ground_impacts;
+        ++impacts_here_;
         observer_.impacted(position_m_);
         if (velocity_mps_.dot(normal) >= 0.0) {
             return;  // grazes along a facet it does not press on: flies on
@@ -217,6 +274,10 @@ private:
     }
 
     void roll_on() {
+        if (lies_still()) {
+            leave_groove_or_rest();
+            return;
+        }
         if (++rolling_pieces_ > most_rolling_pieces) {
             stop(StopReason::gave_up);
             return;
@@ -236,6 +297,7 @@ private:
             return;
         }
         observer_.rolled(rock_, piece, triangle_);
+        rolled_here_s_ += piece.duration_s;
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
         position_m_.z() = plane.height_m(position_m_.x(), position_m_.y());
@@ -245,6 +307,15 @@ private:
         } else if (piece.end == RollingEnd::edge) {
             roll_over_edge(piece);
         }
+    }
+
+    /// The triangle in which a piece ends that ran over an edge; a short piece may have run on a little.
+    std::uint32_t triangle_beyond(const RollingPiece& piece) const {
+        if (piece.next_triangle == no_triangle || piece.duration_s > shortest_rolling_piece_s) {
+            return piece.next_triangle;
+        }
+        return slope_.terrain.locate(position_m_.x(), position_m_.y(), piece.next_triangle)
+            .value_or(no_triangle);
     }
 
     bool lifts_off(const Eigen::Vector3d& normal) {
@@ -261,19 +332,18 @@ private:
     }
 
     void roll_over_edge(const RollingPiece& piece) {
-        if (piece.next_triangle == no_triangle) {
+        const std::uint32_t beyond = triangle_beyond(piece);
+        if (beyond == no_triangle) {
             stop(StopReason::left_terrain);
             return;
         }
-        const std::uint32_t from = triangle_;
-        triangle_ = piece.next_triangle;
+        triangle_ = beyond;
         const Plane next = slope_.terrain.plane_of(triangle_);
+        position_m_.z() = next.height_m(position_m_.x(), position_m_.y());
         const Eigen::Vector3d normal = next.normal();
         const double off_mps = velocity_mps_.dot(normal);
-        const double speed_mps = velocity_mps_.norm();
-        const double edge_tangent = law_.ground.rolling.edge_angle_tangent;
-        const double along_mps = std::sqrt(std::max(0.0, speed_mps * speed_mps - off_mps * off_mps));
-        if (std::abs(off_mps) > edge_tangent * along_mps) {
+        const double along_mps = (velocity_mps_ - off_mps * normal).norm();
+        if (std::abs(off_mps) > law_.ground.rolling.edge_angle_tangent * along_mps) {
             if (off_mps > 0.0) {
                 rolling_ = false;  // convex: the ground falls away, no loss
             } else {
@@ -281,25 +351,7 @@ private:
             }
             return;
         }
-        const Eigen::Vector3d along = velocity_mps_ - off_mps * normal;
-        velocity_mps_ =
-            along_mps > 0.0 ? Eigen::Vector3d{speed_mps / along.norm() * along} : Eigen::Vector3d::Zero();
-        if (piece.duration_s == 0.0 && from == came_from_) {
-            step_inside(triangle_);  // pushed to and fro across one edge without moving
-        }
-        came_from_ = triangle_;
-    }
-
-    /// Moves the rock a millimetre towards the middle of a triangle: both faces press it into the edge.
-    void step_inside(std::uint32_t triangle) {
-        const Triangle& t = slope_.terrain.triangles()[triangle];
-        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-        for (const std::uint32_t corner : t.corners) {
-            const Vertex& v = slope_.terrain.vertices()[corner];
-            middle += Eigen::Vector3d{v.x_m, v.y_m, v.z_m} / 3.0;
-        }
-        const Eigen::Vector3d inward = middle - position_m_;
-        position_m_ += 1e-3 / std::max(1e-3, inward.norm()) * inward;
+        enter_face(next);
     }
 
     bool is_caught_rolling(RollingPiece& piece) {
@@ -417,11 +469,13 @@ private:
     bool stopped_ = false;
     FallEnd end_;
 
+    Eigen::Vector3d watched_place_m_ = Eigen::Vector3d::Constant(1e30);
+    std::uint32_t impacts_here_ = 0;
+    double rolled_here_s_ = 0.0;
     std::uint32_t contacts_ = 0;
     std::uint32_t rolls_ = 0;
     std::uint32_t rolling_pieces_ = 0;
     std::uint32_t last_stem_ = no_stem;
-    std::uint32_t came_from_ = no_triangle;
     double noise_of_rock_ = 0.0;
     double rolling_until_caught_ = 0.0;
     const SurfaceType* probability_of_ = nullptr;

@@ -26,13 +26,13 @@ Sighting sight(const Vertex& vertex, const Flight& flight) {
     return {vx * ry - vy * rx, vx * rx + vy * ry, vertex.z_m};
 }
 
-/// When the parabola meets the plane from above; `earliest_s` bounds rounding from below.
+/// When the parabola comes down through the plane. The start may lie below the plane where its triangle has
+/// not begun yet.
 double landing_time_s(const Plane& plane, const Flight& flight) {
-    const double above_m =
-        std::max(0.0, flight.start_m.z() - plane.height_m(flight.start_m.x(), flight.start_m.y()));
+    const double above_m = flight.start_m.z() - plane.height_m(flight.start_m.x(), flight.start_m.y());
     const double rising_mps = flight.velocity_mps.z() - plane.gradient.x() * flight.velocity_mps.x() -
                               plane.gradient.y() * flight.velocity_mps.y();
-    const double root = std::sqrt(rising_mps * rising_mps + 2.0 * gravity_mps2 * above_m);
+    const double root = std::sqrt(std::max(0.0, rising_mps * rising_mps + 2.0 * gravity_mps2 * above_m));
     // Two forms of one root: the sum of equal signs loses no digits.
     return rising_mps >= 0.0 ? (rising_mps + root) / gravity_mps2 : 2.0 * above_m / (root - rising_mps);
 }
@@ -87,7 +87,7 @@ void step_over(const Terrain& terrain, const Flight& flight, Gate& gate) {
 Landing fall_straight_down(const Terrain& terrain, const Flight& flight, std::uint32_t triangle,
                            std::vector<Stretch>& stretches) {
     const Plane plane = terrain.plane_of(triangle);
-    const double time_s = landing_time_s(plane, flight);
+    const double time_s = std::max(0.0, landing_time_s(plane, flight));
     stretches.push_back({time_s, plane.height_m(flight.start_m.x(), flight.start_m.y()), triangle});
     return {time_s, triangle, FlightEnd::ground};
 }
@@ -132,10 +132,15 @@ Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle
         const double ground_m = left.height_m + share * (right.height_m - left.height_m);
         if (flight.height_m(exit_s) < ground_m) {
             const Plane plane = terrain.plane_of(triangle);
-            const double time_s = std::clamp(landing_time_s(plane, flight), entry_s, exit_s);
-            const Eigen::Vector3d end = flight.position_m(time_s);
-            stretches.push_back({time_s, plane.height_m(end.x(), end.y()), triangle});
-            return {time_s, triangle, FlightEnd::ground};
+            const double landing_s = landing_time_s(plane, flight);
+            // A root beyond the exit: only rounding put the rock below ground there, as when it has just
+            // jumped off this edge.
+            if (landing_s <= exit_s) {
+                const double time_s = std::max(landing_s, entry_s);
+                const Eigen::Vector3d end = flight.position_m(time_s);
+                stretches.push_back({time_s, plane.height_m(end.x(), end.y()), triangle});
+                return {time_s, triangle, FlightEnd::ground};
+            }
         }
         stretches.push_back({exit_s, ground_m, triangle});
         if (gate.beyond == no_triangle) {

@@ -14,7 +14,6 @@ using config::gravity_mps2;
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double standing_mps = 1e-3;
 constexpr double largest_turn_rad = 0.03;
-constexpr double shortest_piece_s = 1e-3;
 constexpr double longest_curved_piece_s = 0.25;
 
 /// Gravity along the plane.
@@ -89,7 +88,7 @@ double longest_piece_s(const Eigen::Vector3d& velocity, double speed_mps, const 
     if (along < 0.0) {
         longest_s = std::min(longest_s, 0.5 * speed_mps / -along);
     }
-    return std::max(longest_s, shortest_piece_s);
+    return std::max(longest_s, shortest_rolling_piece_s);
 }
 
 }  // namespace
@@ -130,7 +129,7 @@ RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& p
     const Triangle& t = terrain.triangles()[triangle];
     const Leaving out = leaving(terrain, t, piece);
     if (out.time_s <= piece.duration_s) {
-        piece.duration_s = out.time_s;
+        piece.duration_s = std::min(piece.duration_s, std::max(out.time_s, shortest_rolling_piece_s));
         piece.end = RollingEnd::edge;
         piece.next_triangle = t.neighbours[out.edge];
     }

@@ -19,6 +19,10 @@ struct RollingLaw {
     double launch_factor = 1.0;  ///< a rolling rock faster than this times sqrt(g R cos b) jumps [-]
 };
 
+/// No piece is shorter unless the rock stops in it: where two faces press a rock into their edge it runs over
+/// the edge a little (millimetres) instead of being handed to and fro in ever smaller steps.
+inline constexpr double shortest_rolling_piece_s = 5e-3;
+
 enum class RollingEnd : std::uint8_t { edge, standstill, launch_speed, piece };
 
 /// A piece of rolling with constant acceleration on one triangle.
@@ -28,7 +32,7 @@ struct RollingPiece {
     Eigen::Vector3d acceleration_mps2;
     double duration_s;
     RollingEnd end;
-    std::uint32_t next_triangle;  ///< beyond the edge that ends the piece
+    std::uint32_t next_triangle;  ///< beyond the edge that ends the piece, or that a shortest piece ran over
 
     [[nodiscard]] Eigen::Vector3d position_m(double time_s) const {
         return start_m + time_s * velocity_mps + 0.5 * time_s * time_s * acceleration_mps2;

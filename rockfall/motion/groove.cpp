@@ -1,0 +1,97 @@
+#include "rockfall/motion/groove.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/units/constants.hpp"
+
+namespace rockfall {
+namespace {
+
+constexpr double hand_m = 0.1;
+
+Eigen::Vector3d place_of(const Vertex& vertex) {
+    return {vertex.x_m, vertex.y_m, vertex.z_m};
+}
+
+/// Plan distance from a point to an edge.
+double distance_to_edge_m(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const Eigen::Vector2d edge = (b - a).head<2>();
+    const Eigen::Vector2d to_point = (point - a).head<2>();
+    const double share = std::min(1.0, std::max(0.0, to_point.dot(edge) / edge.squaredNorm()));
+    return (to_point - share * edge).norm();
+}
+
+/// The steepest way seen so far: towards a vertex.
+struct Way {
+    double fall_tangent = 0.0;
+    Eigen::Vector3d end_m = Eigen::Vector3d::Zero();
+    std::uint32_t triangle = no_triangle;
+};
+
+void consider(const Eigen::Vector3d& from, const Eigen::Vector3d& to, std::uint32_t triangle, Way& best) {
+    const double length_m = (to - from).head<2>().norm();
+    const double tangent = length_m > hand_m ? (from.z() - to.z()) / length_m : 0.0;
+    if (tangent > best.fall_tangent) {
+        best = {tangent, to, triangle};
+    }
+}
+
+int corner_number(const Triangle& triangle, std::uint32_t vertex) {
+    return triangle.corners[0] == vertex ? 0 : (triangle.corners[1] == vertex ? 1 : 2);
+}
+
+/// Looks along all edges that meet at a vertex, turning counter-clockwise and then the other way if a border
+/// ends the turn.
+void consider_edges_at(const Terrain& terrain, std::uint32_t triangle, std::uint32_t vertex,
+                       const Eigen::Vector3d& position_m, Way& best) {
+    for (const int turn : {2, 0}) {  // across the edge that ends at the vertex, or the one that begins there
+        std::uint32_t t = triangle;
+        do {
+            const Triangle& here = terrain.triangles()[t];
+            const int k = corner_number(here, vertex);
+            for (const int other : {(k + 1) % 3, (k + 2) % 3}) {
+                consider(position_m, place_of(terrain.vertices()[here.corners[other]]), t, best);
+            }
+            t = here.neighbours[(k + turn) % 3];
+        } while (t != no_triangle && t != triangle);
+        if (t == triangle) {
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32_t triangle,
+                                             const Eigen::Vector3d& position_m, double friction) {
+    const Triangle& t = terrain.triangles()[triangle];
+    Way best;
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d a = place_of(terrain.vertices()[t.corners[i]]);
+        const Eigen::Vector3d b = place_of(terrain.vertices()[t.corners[(i + 1) % 3]]);
+        if (distance_to_edge_m(position_m, a, b) < hand_m) {
+            consider(position_m, a, triangle, best);
+            consider(position_m, b, triangle, best);
+        }
+        if ((a - position_m).head<2>().norm() < hand_m) {
+            consider_edges_at(terrain, triangle, t.corners[i], position_m, best);
+        }
+    }
+    if (best.fall_tangent <= friction) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d way = best.end_m - position_m;
+    const double length_m = way.norm();
+    const double cosine = 1.0 / std::sqrt(1.0 + best.fall_tangent * best.fall_tangent);
+    const double acceleration =
+        rolling_mass_factor * config::gravity_mps2 * cosine * (best.fall_tangent - friction);
+    return RollingPiece{position_m,
+                        Eigen::Vector3d::Zero(),
+                        acceleration / length_m * way,
+                        std::sqrt(2.0 * length_m / acceleration),
+                        RollingEnd::edge,
+                        best.triangle};
+}
+
+}  // namespace rockfall

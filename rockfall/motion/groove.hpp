@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "rockfall/motion/rolling.hpp"
+#include "rockfall/terrain/terrain.hpp"
+
+namespace rockfall {
+
+/// The way out of a groove: the run along the steepest edge of the mesh that falls away from a place.
+///
+/// Where two faces meet in a groove a rock rests on both, although each alone would let it go, and can only
+/// move along the edge between them. The run begins at rest, follows the edge to its lower end with the
+/// acceleration of rolling, 5/7 g (sin c - mu cos c) with c the dip of the edge, and leads into a triangle
+/// beyond that end. Choice; no published law.
+///
+/// Nothing if no edge within a hand's breadth falls away more steeply than the friction angle: then the rock
+/// lies in a pit. `end` of the piece is `edge`.
+std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32_t triangle,
+                                             const Eigen::Vector3d& position_m, double friction);
+
+}  // namespace rockfall
