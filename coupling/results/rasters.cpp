@@ -203,7 +203,7 @@ void write_kind(Writer& writer, const RasterKind& kind) {
         writer.write(kind, "bare", sentence_of(kind, "on the bare slope"), bare, style);
     }
     if (results.with_forest && kind.compared) {
-        const config::Raster<float> difference = difference_of(forest, bare);
+        const config::Raster<float> difference = difference_of(kind, results);
         writer.write(kind, "difference", sentence_of(kind, "with forest minus bare slope"), difference,
                      [&](std::ostream& out) { write_difference_style(out, kind, range_of(difference)); });
     }
@@ -244,15 +244,23 @@ config::Raster<float> raster_of(const RasterKind& kind, const RunResults& result
     return raster;
 }
 
-config::Raster<float> difference_of(const config::Raster<float>& forest, const config::Raster<float>& bare) {
-    config::Raster<float> difference{bare.frame, no_value};
-    for (std::size_t cell = 0; cell < bare.values.size(); ++cell) {
-        const float with = forest.values[cell];
-        const float without = bare.values[cell];
-        if (!std::isnan(with) || !std::isnan(without)) {
-            difference.values[cell] =
-                (std::isnan(with) ? 0.0F : with) - (std::isnan(without) ? 0.0F : without);
+config::Raster<float> difference_of(const RasterKind& kind, const RunResults& results) {
+    const std::vector<CellSums>& forest = results.tally.cells[index_of(Cover::forest)].cells;
+    const std::vector<CellSums>& bare = results.tally.cells[index_of(Cover::bare)].cells;
+    config::Raster<float> difference{results.site.map_frame, no_value};
+    for (std::size_t cell = 0; cell < bare.size(); ++cell) {
+        if (forest[cell].passages == 0 && bare[cell].passages == 0) {
+            continue;
         }
+        CellSums with = forest[cell];
+        CellSums without = bare[cell];
+        with.fed_rocks = without.fed_rocks = std::max(with.fed_rocks, without.fed_rocks);
+        const float of_forest =
+            with.passages > 0 ? kind.value(with, results.histograms[index_of(Cover::forest)], cell) : 0.0F;
+        const float of_bare = without.passages > 0
+                                  ? kind.value(without, results.histograms[index_of(Cover::bare)], cell)
+                                  : 0.0F;
+        difference.values[cell] = of_forest - of_bare;
     }
     return difference;
 }

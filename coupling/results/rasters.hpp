@@ -45,7 +45,11 @@ config::Raster<float> raster_of(const RasterKind& kind, const RunResults& result
 
 /// With forest minus bare slope; a cell that no rock passes on one of them counts as 0 there (no rock: no
 /// energy, no height). NaN where none passes on either.
-config::Raster<float> difference_of(const config::Raster<float>& forest, const config::Raster<float>& bare);
+///
+/// With forest fewer sources feed a cell, so that its reach probability, a share of their rocks, can rise
+/// although fewer rocks pass. The difference therefore takes both as shares of the same rocks: those of the
+/// slope on which more feed it.
+config::Raster<float> difference_of(const RasterKind& kind, const RunResults& results);
 
 /// Smallest and largest value; {0, 0} where all are NaN.
 struct ValueRange {

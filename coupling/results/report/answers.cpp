@@ -63,6 +63,19 @@ std::string protection_sentence(const TargetFigures& target) {
                   "</b> of the rocks that would arrive (95 % interval ", range_of(effect.interval), ").");
 }
 
+bool nothing_arrives(const TargetFigures& target) {
+    return target.at(Cover::bare).share.part == 0 && target.at(Cover::forest).share.part == 0;
+}
+
+std::string nothing(const TargetFigures& target, const RunResults& results) {
+    const Share& bare = target.at(Cover::bare).share;
+    return joined("<p class=\"answer\"><b>No rock</b> of ", grouped(bare.whole), " arrives here",
+                  results.with_forest ? ", neither with today's forest nor over the bare slope"
+                                      : " over the bare slope",
+                  ". With 95 % confidence fewer than ", percent(bare.interval.high),
+                  " of rocks released like these would.</p>");
+}
+
 std::string answer(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
     if (!results.with_forest) {
@@ -154,8 +167,12 @@ std::string answers(const RunResults& results, const Figures& figures) {
     const std::vector<Cover> covers = covers_of(results);
     for (const TargetFigures& target : figures.targets) {
         html += joined("<section class=\"card\"><h3>", escaped(target.name.empty() ? target.id : target.name),
-                       "</h3>", answer(target, results), "<div class=\"two\">", share_bars(target, covers),
-                       certainty(target, results), "</div>\n", figures_at(target, covers), "</section>\n");
+                       "</h3>");
+        html += nothing_arrives(target)
+                    ? nothing(target, results)
+                    : joined(answer(target, results), "<div class=\"two\">", share_bars(target, covers),
+                             certainty(target, results), "</div>\n", figures_at(target, covers));
+        html += "</section>\n";
     }
     return joined(
         html,

@@ -9,8 +9,8 @@
 namespace coupling::report {
 namespace {
 
-constexpr double left = 64.0;
-constexpr double right = 546.0;
+constexpr double left = 72.0;
+constexpr double right = 408.0;
 constexpr double top = 34.0;
 constexpr double bottom = 262.0;
 
@@ -104,14 +104,14 @@ std::string Chart::axes() const {
         const std::string x = place(x_of(tick));
         grid += joined("M", x, " ", place(bottom), "v5");
         labels += joined("<text text-anchor=\"middle\" x=\"", x, "\" y=\"", place(bottom + 19.0), "\">",
-                         three_digits(tick), "</text>");
+                         tick_text(tick), "</text>");
     }
     std::string lines;
     for (const double tick : y_.ticks()) {
         const std::string y = place(y_of(tick));
         lines += joined("M", place(left), " ", y, "H", place(right));
         labels += joined("<text text-anchor=\"end\" x=\"", place(left - 6.0), "\" y=\"",
-                         place(y_of(tick) + 4.0), "\">", three_digits(tick), "</text>");
+                         place(y_of(tick) + 4.0), "\">", tick_text(tick), "</text>");
     }
     const double middle = 0.5 * (top + bottom);
     return joined("<path class=\"grid\" d=\"", lines, "\"/><path class=\"axis\" d=\"M", place(left), " ",
@@ -127,14 +127,14 @@ std::string Chart::names() const {
     for (const Name& name : names_) {
         svg += joined("<path class=\"line ", name.series, "\" d=\"M", place(x), " 16h26\"/><text x=\"",
                       place(x + 32.0), "\" y=\"20\">", escaped(name.name), "</text>");
-        x += 150.0;
+        x += 140.0;
     }
     return svg;
 }
 
 std::string Chart::figure(const std::string& caption) const {
     return joined("<figure class=\"chart\"><figcaption><b>", escaped(title_),
-                  "</b></figcaption><svg viewBox=\"0 0 560 310\""
+                  "</b></figcaption><svg viewBox=\"0 0 430 310\""
                   " role=\"img\" aria-label=\"",
                   escaped(title_), "\">", axes(), drawing_, marks_, names(), "</svg>",
                   (caption.empty() ? "" : joined("<p>", caption, "</p>")), "</figure>\n");

@@ -12,6 +12,8 @@ namespace coupling::report {
 namespace {
 
 constexpr double j_per_kj = 1000.0;
+/// Where axes of energy begin: a rock of less is as good as at rest.
+constexpr double least_kj = 0.1;
 
 const char* title_of(Cover cover) {
     return cover == Cover::forest ? "with forest" : "bare slope";
@@ -56,10 +58,9 @@ std::string histogram(const RunResults& results, const std::string& title, Axis 
 
 std::string energy_histogram(const RunResults& results, std::size_t target) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
-    const double low_kj = 0.1;
     const double high_kj = std::max(1.0, tally.by_cover[index_of(Cover::bare)].energy_max_j / j_per_kj);
     const double most_kj = std::max(high_kj, tally.by_cover[index_of(Cover::forest)].energy_max_j / j_per_kj);
-    Axis x = Axis::powers_of_ten("Energy at the target, kJ", low_kj, most_kj);
+    Axis x = Axis::powers_of_ten("Energy at the target, kJ", least_kj, most_kj);
     constexpr int bars_a_decade = 8;
     const int bars = static_cast<int>(std::lround(bars_a_decade * std::log10(x.high / x.low)));
     std::vector<double> edges;
@@ -94,21 +95,21 @@ std::string exceedance(const RunResults& results, std::size_t target) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
     const double most_kj =
         std::max({1.0, tally.by_cover[0].energy_max_j / j_per_kj, tally.by_cover[1].energy_max_j / j_per_kj});
-    const auto rocks = static_cast<double>(results.tally.runs[index_of(Cover::bare)].rocks);
+    const double rocks = std::max(1.0, static_cast<double>(results.tally.runs[index_of(Cover::bare)].rocks));
     double highest_percent = 0.0;
     for (const rockfall::ArrivalTally& arrivals : tally.by_cover) {
-        highest_percent =
-            std::max(highest_percent, 100.0 * static_cast<double>(arrivals.reached) / std::max(1.0, rocks));
+        highest_percent = std::max(highest_percent, 100.0 * static_cast<double>(arrivals.reached) / rocks);
     }
-    const double least_percent = 100.0 / std::max(1.0, rocks);
-    Chart chart{"Energy exceeded at the target", Axis::powers_of_ten("Energy E, kJ", 0.1, most_kj),
-                Axis::powers_of_ten("% of all rocks arriving with more than E", least_percent,
+    const double least_percent = 100.0 / rocks;
+    Chart chart{"Energy exceeded at the target", Axis::powers_of_ten("Energy E, kJ", least_kj, most_kj),
+                Axis::powers_of_ten("% of all rocks with more than E", least_percent,
                                     std::max(highest_percent, 10.0 * least_percent))};
     for (const Cover cover : drawing_order(results)) {
         const auto& counts = tally.by_cover[index_of(cover)].energy;
-        std::vector<ChartPoint> points;
+        std::vector<ChartPoint> points{
+            {least_kj, 100.0 * static_cast<double>(tally.by_cover[index_of(cover)].reached) / rocks}};
         for (const auto& [energy_j, above] : exceeded(rockfall::fine_energy_bins, counts)) {
-            points.push_back({std::max(0.1, energy_j / j_per_kj), 100.0 * above / std::max(1.0, rocks)});
+            points.push_back({std::max(least_kj, energy_j / j_per_kj), 100.0 * above / rocks});
         }
         chart.add_line(name_of(cover), points);
         chart.add_name(name_of(cover), title_of(cover));
@@ -139,27 +140,35 @@ std::string run_out_histogram(const RunResults& results) {
         return sums;
     };
     Axis x = Axis::from_zero("Run-out in plan, m", edges.back());
-    return histogram(
-        results, "Run-out", std::move(x), edges, counts,
-        joined("Distance in plan from release to end, in bars of ", three_digits(width_m), " m."),
-        drawing_order(results), false);
+    return histogram(results, "Run-out", std::move(x), edges, counts,
+                     joined("Distance in plan from release to end, in bars of ", tick_text(width_m), " m."),
+                     drawing_order(results), false);
 }
 
 std::string tree_hit_histogram(const RunResults& results) {
-    const auto& hits = results.tally.runs[index_of(Cover::forest)].tree_hits;
-    const auto last = std::find_if(hits.rbegin(), hits.rend(), [](std::uint64_t count) { return count > 0; });
-    const auto bars = std::max<std::size_t>(1, static_cast<std::size_t>(hits.rend() - last));
+    const rockfall::RunTally& run = results.tally.runs[index_of(Cover::forest)];
+    // As many bars as hold all but one rock in a thousand; the last takes the rest.
+    std::vector<double> rocks_by_hits;
+    double left_over = static_cast<double>(run.rocks);
+    for (const std::uint64_t rocks : run.tree_hits) {
+        rocks_by_hits.push_back(static_cast<double>(rocks));
+        left_over -= static_cast<double>(rocks);
+        if (left_over <= 1e-3 * static_cast<double>(run.rocks)) {
+            break;
+        }
+    }
+    rocks_by_hits.back() += std::max(0.0, left_over);
+    const std::size_t bars = rocks_by_hits.size();
     std::vector<double> edges(bars + 1);
     for (std::size_t i = 0; i <= bars; ++i) {
         edges[i] = static_cast<double>(i) - 0.5;
     }
     Axis x{"Trees hit by a rock", -0.5, static_cast<double>(bars) - 0.5, false, true};
-    const auto counts = [&](Cover) {
-        return std::vector<double>(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(bars));
-    };
-    return histogram(results, "Tree hits per rock", std::move(x), edges, counts,
-                     bars == hits.size() ? "The last bar takes 40 hits and more." : "", {Cover::forest},
-                     false);
+    const std::string caption =
+        left_over > 0.0 ? joined("The last bar takes ", std::to_string(bars - 1), " hits and more.") : "";
+    return histogram(
+        results, "Tree hits per rock", std::move(x), edges, [&](Cover) { return rocks_by_hits; }, caption,
+        {Cover::forest}, false);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "config/text/numbers.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -23,21 +24,21 @@ std::string projection_name(const std::string& text) {
 std::string rock_size(const Scenario& scenario) {
     switch (scenario.diameter_kind) {
         case DiameterKind::fixed:
-            return joined(three_digits(scenario.diameter_m), " m");
+            return joined(config::to_text(scenario.diameter_m), " m");
         case DiameterKind::classes: {
             const auto [low, high] =
                 std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
             return low == scenario.diameter_classes_m.end()
                        ? "in classes"
-                       : joined(three_digits(*low), " to ", three_digits(*high), " m, in classes");
+                       : joined(config::to_text(*low), " to ", config::to_text(*high), " m, in classes");
         }
         case DiameterKind::uniform:
-            return joined(three_digits(scenario.diameter_low_m), " to ",
-                          three_digits(scenario.diameter_high_m), " m");
+            return joined(config::to_text(scenario.diameter_low_m), " to ",
+                          config::to_text(scenario.diameter_high_m), " m");
         case DiameterKind::lognormal:
             break;
     }
-    return joined("log-normal, mean ", three_digits(scenario.diameter_m), " m");
+    return joined("log-normal, mean ", config::to_text(scenario.diameter_m), " m");
 }
 
 std::size_t zones_of(const Site& site) {
@@ -165,8 +166,10 @@ std::string opening(const RunResults& results, const Figures&) {
     const Site& site = results.site;
     const config::GridFrame& frame = site.map_frame;
     std::string html = joined(
-        "<h1>Rockfall and forest: ", escaped(scenario.file.stem().string()), "</h1>\n<p class=\"lead\">",
-        grouped(results.rocks), " rocks were released from ", grouped(site.sources.size()), " places",
+        "<h1>", results.with_forest ? "Rockfall with and without forest" : "Rockfall over the bare slope",
+        "</h1>\n<p class=\"lead\">Scenario <b>", escaped(scenario.file.filename().string()),
+        "</b>: ", grouped(results.rocks), " rocks were released from ", grouped(site.sources.size()),
+        " places",
         (results.with_forest
              ? ", each falling twice with the same random numbers: through the forest as it stands and over "
                "the bare slope."

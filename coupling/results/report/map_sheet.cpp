@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/results/report/hillshade.hpp"
+#include "coupling/results/report/labels.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
 #include "coupling/results/report/png.hpp"
@@ -98,25 +99,29 @@ std::string MapSheet::picture(const config::Raster<float>& raster, const ColourS
     return image("class=\"values\"", png(drawn));
 }
 
-std::string MapSheet::paths(Cover cover, std::size_t most_paths) const {
-    std::vector<const rockfall::PathRecord*> chosen;
-    for (const rockfall::PathRecord& path : results_.paths) {
-        if (path.cover == cover) {
-            chosen.push_back(&path);
-        }
-    }
-    const std::size_t every = std::max<std::size_t>(1, (chosen.size() + most_paths - 1) / most_paths);
+std::string MapSheet::paths(std::span<const rockfall::PathRecord* const> chosen) const {
+    // Whole units of the sheet are finer than a pixel: smaller steps are drawn with the next one that is
+    // large enough.
+    constexpr double least_step = 2.0;
     std::array<PathText, energy_class_colours.size()> by_class;
     const Eigen::Vector2d origin_m = results_.site.origin_m();
-    for (std::size_t i = 0; i < chosen.size(); i += every) {
-        const std::vector<rockfall::PathPoint>& points = chosen[i]->points;
-        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-            const double energy_j = static_cast<double>(std::max(points[k].energy_j, points[k + 1].energy_j));
-            PathText& text = by_class[energy_class(energy_j / 1000.0)];
-            text.line(x_of(points[k].position_m.x() + origin_m.x()),
-                      y_of(points[k].position_m.y() + origin_m.y()),
-                      x_of(points[k + 1].position_m.x() + origin_m.x()),
-                      y_of(points[k + 1].position_m.y() + origin_m.y()));
+    const auto on_sheet = [&](const rockfall::PathPoint& point) {
+        return DrawnPoint{std::round(x_of(point.position_m.x() + origin_m.x())),
+                          std::round(y_of(point.position_m.y() + origin_m.y()))};
+    };
+    for (const rockfall::PathRecord* const path : chosen) {
+        float energy_j = 0.0F;
+        DrawnPoint last = on_sheet(path->points.front());
+        for (const rockfall::PathPoint& point : path->points) {
+            energy_j = std::max(energy_j, point.energy_j);
+            const DrawnPoint next = on_sheet(point);
+            if (std::hypot(next.x - last.x, next.y - last.y) >= least_step ||
+                &point == &path->points.back()) {
+                by_class[energy_class(static_cast<double>(energy_j) / 1000.0)].line(last.x, last.y, next.x,
+                                                                                    next.y);
+                energy_j = point.energy_j;
+                last = next;
+            }
         }
     }
     std::string svg = "<g class=\"paths\">";
@@ -192,20 +197,27 @@ std::string MapSheet::target_lines(bool halo) const {
 }
 
 std::string MapSheet::target_names(double lettering) const {
-    std::string svg;
+    std::vector<NamedShape> shapes;
     const Eigen::Vector2d origin_m = results_.site.origin_m();
     for (const rockfall::Target& target : results_.site.targets) {
-        if (target.parts.empty() || target.parts.front().empty()) {
-            continue;
+        NamedShape shape{target.name.empty() ? target.id : target.name, {}};
+        for (const auto& part : target.parts) {
+            shape.parts.emplace_back();
+            for (const Eigen::Vector2d& vertex : part) {
+                shape.parts.back().push_back(
+                    {x_of(vertex.x() + origin_m.x()), y_of(vertex.y() + origin_m.y())});
+            }
         }
-        const auto& part = target.parts.front();
-        const Eigen::Vector2d at =
-            (target.is_area ? 0.5 * (target.low_m + target.high_m) : part[part.size() / 2]) + origin_m;
-        const double x = std::clamp(x_of(at.x()), 0.12 * sheet_width, 0.88 * sheet_width);
-        const double y = std::clamp(y_of(at.y()) - 0.5 * lettering, 1.2 * lettering, height_ - lettering);
+        if (!shape.parts.empty() && !shape.parts.front().empty()) {
+            shapes.push_back(std::move(shape));
+        }
+    }
+    const std::vector<NamePlace> places = place_names(shapes, lettering, sheet_width, height_);
+    std::string svg;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
         svg += joined("<text class=\"name\" text-anchor=\"middle\"", attribute("font-size", lettering),
-                      attribute("x", x), attribute("y", y), ">",
-                      escaped(target.name.empty() ? target.id : target.name), "</text>");
+                      attribute("x", places[i].x), attribute("y", places[i].y), ">", escaped(shapes[i].name),
+                      "</text>");
     }
     return svg;
 }
@@ -275,8 +287,9 @@ std::string MapSheet::figure(const MapContent& content, MapSize size) const {
                   "\"><g clip-path=\"url(#sheet)\"><use class=\"shade\" href=\"#shade\"/>", content.drawing,
                   "<use class=\"sources\" href=\"#sources\"/><use class=\"targets\" href=\"#targets\"/></g>",
                   "<rect class=\"neat\"", attribute("width", sheet_width), attribute("height", height_), "/>",
-                  (large ? coordinates(lettering) : ""), "<g class=\"targets\">", target_names(lettering),
-                  "</g>", scale_bar(lettering), north_arrow(lettering), "</svg>",
+                  (large ? coordinates(lettering) : ""),
+                  (large ? joined("<g class=\"targets\">", target_names(lettering), "</g>") : ""),
+                  scale_bar(lettering), north_arrow(lettering), "</svg>",
                   (content.caption.empty() ? "" : joined("<p>", content.caption, "</p>")), "</figure>\n");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ enum class MapSize : std::uint8_t { third, half };
 /// One map: what is drawn between hillshade and lines, and how it is explained.
 struct MapContent {
     std::string title;
+    std::string label;    ///< the whole of what it shows, for those who cannot see it
     std::string drawing;  ///< SVG in the sheet's units
     std::string legend;   ///< SVG
     std::string caption;  ///< HTML
@@ -34,8 +36,8 @@ public:
     [[nodiscard]] std::string definitions() const;
     /// A grid as a picture in the colours of a scale.
     [[nodiscard]] std::string picture(const config::Raster<float>& raster, const ColourScale& scale) const;
-    /// Sampled paths of one slope, coloured by energy class. At most `most_paths`, evenly chosen.
-    [[nodiscard]] std::string paths(Cover cover, std::size_t most_paths) const;
+    /// Paths coloured by energy class. Requires at least one point in each.
+    [[nodiscard]] std::string paths(std::span<const rockfall::PathRecord* const> chosen) const;
     [[nodiscard]] std::string figure(const MapContent& content, MapSize size) const;
 
     /// How many cells a side a drawn block has: 1 where nothing is left out.

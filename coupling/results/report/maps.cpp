@@ -9,7 +9,7 @@
 namespace coupling::report {
 namespace {
 
-constexpr std::size_t most_drawn_paths = 250;
+constexpr std::size_t most_drawn_paths = 500;
 
 config::Raster<float> without_zeros(config::Raster<float> raster) {
     std::replace(raster.values.begin(), raster.values.end(), 0.0F, std::numeric_limits<float>::quiet_NaN());
@@ -47,20 +47,20 @@ public:
     }
 
     void paths();
-    void pair_with_difference(const char* stem, const std::string& name, const char* difference_unit,
-                              const std::string& caption);
-    void single_row();
+    /// A quantity on each slope in common colours, and what the forest changes.
+    void row(const char* stem, const std::string& name, const char* difference_unit,
+             const std::string& meaning);
+    void rests_and_hits();
+    [[nodiscard]] std::string about() const;
     [[nodiscard]] std::string html() const { return html_; }
 
 private:
     [[nodiscard]] std::string next_legend() { return joined("ramp", std::to_string(++legends_)); }
-    [[nodiscard]] config::Raster<float> raster(const char* stem, Cover cover) const {
-        return raster_of(raster_kind(stem), results_, cover);
-    }
-    [[nodiscard]] ColourScale scale_for(const RasterKind& kind, double high) const;
+    [[nodiscard]] ColourScale scale_for(const RasterKind& kind, ValueRange range) const;
+    [[nodiscard]] ValueRange common_range(const RasterKind& kind) const;
     std::string value_map(const RasterKind& kind, Cover cover, const ColourScale& scale,
-                          const std::string& title, const std::string& caption);
-    std::string difference_map(const RasterKind& kind, const std::string& name, const char* unit);
+                          const std::string& title);
+    std::string difference_map(const RasterKind& kind, const char* unit);
 
     const RunResults& results_;
     MapSheet sheet_;
@@ -81,28 +81,43 @@ std::string path_legend() {
     return joined(svg, "</svg>");
 }
 
+/// At most `most_drawn_paths` of the paths on one slope, evenly chosen.
+std::vector<const rockfall::PathRecord*> drawn_paths(const RunResults& results, Cover cover) {
+    std::vector<const rockfall::PathRecord*> kept;
+    for (const rockfall::PathRecord& path : results.paths) {
+        if (path.cover == cover && !path.points.empty()) {
+            kept.push_back(&path);
+        }
+    }
+    if (kept.size() <= most_drawn_paths) {
+        return kept;
+    }
+    std::vector<const rockfall::PathRecord*> chosen;
+    for (std::size_t i = 0; i < most_drawn_paths; ++i) {
+        chosen.push_back(kept[i * kept.size() / most_drawn_paths]);
+    }
+    return chosen;
+}
+
 void MapPage::paths() {
     if (results_.paths.empty()) {
         return;
     }
-    html_ += "<div class=\"halves\">";
+    html_ += "<h3>Sampled paths</h3>\n<div class=\"halves\">";
     for (const Cover cover : covers_) {
-        const auto kept =
-            std::count_if(results_.paths.begin(), results_.paths.end(),
-                          [&](const rockfall::PathRecord& path) { return path.cover == cover; });
-        const auto every = (static_cast<std::size_t>(kept) + most_drawn_paths - 1) / most_drawn_paths;
-        const std::size_t drawn = every > 0 ? (static_cast<std::size_t>(kept) + every - 1) / every : 0;
-        html_ +=
-            sheet_.figure({std::string{"Sampled paths, "} + title_of(cover),
-                           sheet_.paths(cover, most_drawn_paths), path_legend(),
-                           grouped(drawn) + " of " + grouped(results_.rocks) +
-                               " rocks, the same ones on each slope; colour and width by kinetic energy."},
-                          MapSize::half);
+        const std::vector<const rockfall::PathRecord*> drawn = drawn_paths(results_, cover);
+        const std::string caption = joined(grouped(drawn.size()), " of ", grouped(results_.rocks), " rocks",
+                                           covers_.size() > 1 ? ", the same ones on both slopes" : "",
+                                           "; colour and width by kinetic energy.");
+        html_ += sheet_.figure({title_of(cover), joined("Sampled paths, ", title_of(cover)),
+                                sheet_.paths(drawn), path_legend(), caption},
+                               MapSize::half);
     }
     html_ += "</div>\n";
 }
 
-ColourScale MapPage::scale_for(const RasterKind& kind, double high) const {
+ColourScale MapPage::scale_for(const RasterKind& kind, ValueRange range) const {
+    const auto high = static_cast<double>(range.high);
     switch (kind.style) {
         case RasterStyle::energy_classes:
             return ColourScale::energy_classes();
@@ -111,71 +126,103 @@ ColourScale MapPage::scale_for(const RasterKind& kind, double high) const {
         case RasterStyle::linear:
             break;
     }
-    const bool is_share = kind.stem == "Reach_probability";
-    return is_share
-               ? ColourScale::logarithmic(kind.palette, 0.1, std::min(high, 100.0), std::string{kind.unit})
-               : ColourScale::linear(kind.palette, high, std::string{kind.unit});
+    if (kind.stem != "Reach_probability") {
+        return ColourScale::linear(kind.palette, high, std::string{kind.unit});
+    }
+    // The fewest rocks that can show: one of those from a single source.
+    const double low = std::clamp(
+        std::pow(10.0, std::floor(std::log10(std::max(1e-3, static_cast<double>(range.low))))), 0.01, 10.0);
+    return ColourScale::logarithmic(kind.palette, low, high, std::string{kind.unit});
+}
+
+ValueRange MapPage::common_range(const RasterKind& kind) const {
+    ValueRange common{std::numeric_limits<float>::infinity(), 0.0F};
+    for (const Cover cover : covers_) {
+        const ValueRange range = range_of(without_zeros(raster_of(kind, results_, cover)));
+        common = {std::min(common.low, range.low), std::max(common.high, range.high)};
+    }
+    return common;
 }
 
 std::string MapPage::value_map(const RasterKind& kind, Cover cover, const ColourScale& scale,
-                               const std::string& title, const std::string& caption) {
+                               const std::string& title) {
     const config::Raster<float> shown = without_zeros(raster_of(kind, results_, cover));
-    return sheet_.figure({title, sheet_.picture(shown, scale), scale.legend(next_legend()), caption},
+    return sheet_.figure({title, joined(std::string{kind.meaning}, ", ", title_of(cover)),
+                          sheet_.picture(shown, scale), scale.legend(next_legend()), ""},
                          MapSize::third);
 }
 
-std::string MapPage::difference_map(const RasterKind& kind, const std::string& name, const char* unit) {
-    const config::Raster<float> difference =
-        difference_of(raster_of(kind, results_, Cover::forest), raster_of(kind, results_, Cover::bare));
-    const auto present = [](float value) { return !std::isnan(value); };
-    const auto cells = std::count_if(difference.values.begin(), difference.values.end(), present);
-    const auto more =
-        std::count_if(difference.values.begin(), difference.values.end(), [](float v) { return v > 0.0F; });
+std::string MapPage::difference_map(const RasterKind& kind, const char* unit) {
+    const config::Raster<float> difference = difference_of(kind, results_);
+    const auto share_where = [&](auto condition) {
+        const auto cells = std::count_if(difference.values.begin(), difference.values.end(),
+                                         [](float v) { return !std::isnan(v); });
+        const auto those = std::count_if(difference.values.begin(), difference.values.end(), condition);
+        return percent(cells == 0 ? 0.0 : static_cast<double>(those) / static_cast<double>(cells));
+    };
+    const std::string caption = joined(
+        "Blue: less with forest, in ", share_where([](float v) { return v < 0.0F; }),
+        " of the cells that rocks pass; red: more, in ", share_where([](float v) { return v > 0.0F; }), ".");
     const ColourScale scale = ColourScale::difference(bulk_of(difference), unit);
-    const std::string caption =
-        cells == 0 ? ""
-                   : "Blue: less with forest. It rises in " +
-                         percent(static_cast<double>(more) / static_cast<double>(cells)) + " of the cells.";
-    return sheet_.figure({joined("Forest effect: ", name, ", with forest minus bare slope"),
-                          sheet_.picture(difference, scale), scale.legend(next_legend()), caption},
-                         MapSize::third);
+    return sheet_.figure(
+        {"Forest effect (forest − bare)", joined(std::string{kind.meaning}, ", with forest minus bare slope"),
+         sheet_.picture(difference, scale), scale.legend(next_legend()), caption},
+        MapSize::third);
 }
 
-void MapPage::pair_with_difference(const char* stem, const std::string& name, const char* difference_unit,
-                                   const std::string& caption) {
+void MapPage::row(const char* stem, const std::string& name, const char* difference_unit,
+                  const std::string& meaning) {
     const RasterKind& kind = raster_kind(stem);
     if (kind.percentile && results_.histograms[index_of(Cover::bare)] == nullptr) {
         return;
     }
-    double high = 0.0;
+    const ColourScale scale = scale_for(kind, common_range(kind));
+    html_ += joined("<h3>", name, "</h3>\n<p class=\"soft\">", meaning, "</p>\n<div class=\"thirds\">");
     for (const Cover cover : covers_) {
-        high = std::max(high, static_cast<double>(range_of(raster_of(kind, results_, cover)).high));
-    }
-    const ColourScale scale = scale_for(kind, high);
-    html_ += "<div class=\"thirds\">";
-    for (const Cover cover : covers_) {
-        html_ += value_map(kind, cover, scale, name + ", " + title_of(cover), caption);
+        html_ += value_map(kind, cover, scale, title_of(cover));
     }
     if (results_.with_forest) {
-        html_ += difference_map(kind, name, difference_unit);
+        html_ += difference_map(kind, difference_unit);
     }
     html_ += "</div>\n";
 }
 
-void MapPage::single_row() {
-    html_ += "<div class=\"thirds\">";
-    const auto add = [&](const char* stem, Cover cover, const std::string& title,
-                         const std::string& caption) {
-        const RasterKind& kind = raster_kind(stem);
-        const double high = static_cast<double>(range_of(raster_of(kind, results_, cover)).high);
-        html_ += value_map(kind, cover, scale_for(kind, high), title, caption);
-    };
-    if (results_.with_forest) {
-        add("Nr_tree_impacts", Cover::forest, "Hits on trees", "Where on the slope the forest works.");
-        add("Nr_deposited", Cover::forest, "Rocks come to rest, with forest", "");
+void MapPage::rests_and_hits() {
+    const RasterKind& rests = raster_kind("Nr_deposited");
+    const ColourScale scale = scale_for(rests, common_range(rests));
+    html_ += joined(
+        "<h3>Where rocks come to rest", results_.with_forest ? ", and where they hit trees" : "",
+        "</h3>\n<p class=\"soft\">Rocks that stop, and hits on trees, in each cell; colours by powers of "
+        "ten.</p>\n<div class=\"thirds\">");
+    for (const Cover cover : covers_) {
+        html_ += value_map(rests, cover, scale, joined("Come to rest, ", title_of(cover)));
     }
-    add("Nr_deposited", Cover::bare, "Rocks come to rest, bare slope", "");
+    if (results_.with_forest) {
+        const RasterKind& hits = raster_kind("Nr_tree_impacts");
+        html_ +=
+            value_map(hits, Cover::forest,
+                      scale_for(hits, range_of(raster_of(hits, results_, Cover::forest))), "Hits on trees");
+    }
     html_ += "</div>\n";
+}
+
+std::string MapPage::about() const {
+    std::string text =
+        joined("North is up; coordinates and scale in metres; cells of ",
+               three_digits(results_.site.map_frame.cell_width_m),
+               " m. Light of the hillshade from the north-west, 45° high. Thin outlines: release sources. "
+               "Thick lines: targets. Colours of a forest effect end at its 99th percentile.");
+    if (sheet_.block() > 1) {
+        const std::string side = std::to_string(sheet_.block());
+        text += joined(" The pictures show blocks of ", side, " × ", side,
+                       " cells, of each the value farthest from 0; the grids in rasters/ hold every cell.");
+    }
+    return text;
+}
+
+std::string switch_for(const char* what) {
+    return joined("<label><input type=\"checkbox\" id=\"show-", what, "\" checked=\"checked\"/> ", what,
+                  "</label>");
 }
 
 }  // namespace
@@ -183,30 +230,20 @@ void MapPage::single_row() {
 std::string maps(const RunResults& results) {
     MapPage page{results};
     page.paths();
-    page.pair_with_difference("Reach_probability", "Reach probability", "% points",
-                              "Rocks that pass a cell, of all from the sources that feed it.");
-    page.pair_with_difference("E_95", "Energy, 95th percentile", "kJ", "");
-    page.pair_with_difference("Nr_passages", "Rocks that pass", "rocks", "");
-    page.single_row();
-    const MapSheet sheet{results};
-    const double cell_m = results.site.map_frame.cell_width_m;
-    std::string about = joined(
-        "<p class=\"soft\">North is up; coordinates and scale in metres; cells of ", three_digits(cell_m),
-        " m. Hillshade: light from the north-west, 45° high. Thin black outlines: release sources. Thick "
-        "black lines: targets. Colours end at the 99th percentile in the difference maps.");
-    if (sheet.block() > 1) {
-        about += joined(" The pictures show blocks of ", std::to_string(sheet.block()), " x ",
-                        std::to_string(sheet.block()),
-                        " cells, of each the largest value; the grids in rasters/ hold every cell.");
-    }
-    return joined(
-        "<h2>Maps</h2>\n", about,
-        "</p>\n<fieldset class=\"switches\"><label><input type=\"checkbox\" id=\"show-shade\" "
-        "checked=\"checked\"/> "
-        "hillshade</label><label><input type=\"checkbox\" id=\"show-sources\" checked=\"checked\"/> "
-        "sources</label><label><input type=\"checkbox\" id=\"show-targets\" checked=\"checked\"/> "
-        "targets</label></fieldset>\n",
-        page.html());
+    page.row("Reach_probability", "Reach probability", "points",
+             "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
+             "powers of ten. For "
+             "the forest effect both are shares of the same rocks.");
+    page.row("E_95", "Energy, 95th percentile", "kJ",
+             "Of the largest kinetic energy (translation and rotation) of each rock in a cell: one rock in "
+             "twenty has more. "
+             "For the forest effect, no rock counts as no energy.");
+    page.row("Nr_passages", "Rocks that pass", "rocks",
+             "Each rock counts once in a cell; colours by powers of ten.");
+    page.rests_and_hits();
+    return joined("<h2>Maps</h2>\n<p class=\"soft\">", page.about(), "</p>\n<fieldset class=\"switches\">",
+                  switch_for("hillshade"), switch_for("sources"), switch_for("targets"), "</fieldset>\n",
+                  page.html());
 }
 
 }  // namespace coupling::report

@@ -70,6 +70,17 @@ std::string three_digits(double value) {
     return with_groups(plain(std::round(value / unit) * unit, std::clamp(2 - exponent, 0, 9)));
 }
 
+std::string tick_text(double value) {
+    std::string digits = three_digits(value);
+    if (digits.find('.') != std::string::npos) {
+        digits.erase(digits.find_last_not_of('0') + 1);
+        if (digits.ends_with('.')) {
+            digits.pop_back();
+        }
+    }
+    return digits;
+}
+
 std::string grouped(std::uint64_t value) {
     return with_groups(std::to_string(value));
 }

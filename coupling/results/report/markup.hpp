@@ -15,6 +15,8 @@ std::string escaped(std::string_view text);
 std::string fixed(double value, int decimals);
 /// Three significant digits, no exponent: 12340 -> "12 300", 0.01234 -> "0.0123".
 std::string three_digits(double value);
+/// A round number of an axis without needless zeros: 0.1, 20, 1 000.
+std::string tick_text(double value);
 /// A whole number in groups of three: "12 345", with narrow no-break spaces.
 std::string grouped(std::uint64_t value);
 /// A share [0, 1] as "12.3 %"; small shares keep three digits.

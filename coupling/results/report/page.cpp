@@ -14,8 +14,8 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
            "'unsafe-inline'\"/>\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(results.version) << "\"/>\n<title>Rockfall and forest: " << name << "</title>\n<style>"
-        << style() << "</style>\n</head>\n<body>\n<main>\n"
+        << escaped(results.version) << "\"/>\n<title>Rockfall with and without forest: " << name
+        << "</title>\n<style>" << style() << "</style>\n</head>\n<body>\n<main>\n"
         << opening(results, figures) << answers(results, figures) << maps(results) << charts(results, figures)
         << key_figures(results, figures) << warnings(results) << settings(results)
         << sources_and_files(results, files) << "</main>\n</body>\n</html>\n";

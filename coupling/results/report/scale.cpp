@@ -69,7 +69,7 @@ std::vector<double> ColourScale::ticks() const {
              tick *= 10.0) {
             values.push_back(tick);
         }
-        if (values.back() < high_ / 1.9) {
+        if (place_of(values.back()) < 0.85) {
             values.push_back(high_);
         }
         return values;
@@ -96,8 +96,8 @@ std::string ColourScale::legend(const std::string& id) const {
     if (kind_ == Kind::classes) {
         return class_legend();
     }
-    constexpr double left = 14.0;
-    constexpr double width = 330.0;
+    constexpr double left = 26.0;
+    constexpr double width = 310.0;
     std::string svg = joined(
         "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\"><linearGradient "
         "id=\"",
@@ -108,15 +108,15 @@ std::string ColourScale::legend(const std::string& id) const {
                       fixed(static_cast<double>(i) / static_cast<double>(colours.size() - 1), 3),
                       "\" stop-color=\"", to_hex(colours[i]), "\"/>");
     }
-    svg += joined("</linearGradient><rect x=\"14\" y=\"6\" width=\"330\" height=\"14\" fill=\"url(#", id,
+    svg += joined("</linearGradient><rect x=\"26\" y=\"6\" width=\"310\" height=\"14\" fill=\"url(#", id,
                   ")\" stroke=\"#555\" stroke-width=\".5\"/>");
     for (const double tick : ticks()) {
         const std::string x = place(left + width * place_of(tick));
         const std::string sign = kind_ == Kind::difference && tick > 0.0 ? "+" : "";
-        svg += joined("<path d=\"M", x, " 20v4\"/><text x=\"", x, "\" y=\"37\" text-anchor=\"middle\">", sign,
-                      three_digits(tick), "</text>");
+        svg += joined("<path class=\"tick\" d=\"M", x, " 20v4\"/><text x=\"", x,
+                      "\" y=\"37\" text-anchor=\"middle\">", sign, tick_text(tick), "</text>");
     }
-    return joined(svg, "<text x=\"352\" y=\"18\">", escaped(unit_), "</text></svg>");
+    return joined(svg, "<text x=\"344\" y=\"18\">", escaped(unit_), "</text></svg>");
 }
 
 }  // namespace coupling::report

@@ -15,6 +15,8 @@ h1{font-size:1.9rem;line-height:1.2;margin:.2em 0 .3em}
 h2{font-size:1.3rem;margin:2.2em 0 .6em;border-bottom:2px solid var(--line);padding-bottom:.2em}
 h3{font-size:1.1rem;margin:0 0 .4em}
 p{margin:.5em 0;max-width:75ch}
+figure p:last-child,section p:last-child{margin-bottom:0}
+h2+h3,p+h3{margin-top:.6em}
 .lead{font-size:1.05rem}
 .soft,figure p,caption{color:var(--soft);font-size:.87rem}
 section.card,figure,.facts{background:var(--paper);border:1px solid var(--line);border-radius:6px;padding:14px 16px;margin:0 0 16px}
@@ -49,10 +51,10 @@ svg text{font-family:inherit;fill:var(--ink)}
 .map p{color:#566166}
 .map svg.legend{max-width:440px}
 .map svg.legend text{font-size:13px}
-.map svg.legend path{stroke:#555;stroke-width:.7}
+.map svg.legend .tick{stroke:#555;stroke-width:.7}
 .values{image-rendering:pixelated;mix-blend-mode:multiply}
 .sheet .neat{fill:none;stroke:#333;stroke-width:1.5}
-#sources .source{fill:none;stroke:#111;stroke-width:.7;vector-effect:non-scaling-stroke}
+#sources .source{fill:none;stroke:#222;stroke-width:.5;vector-effect:non-scaling-stroke}
 #targets .halo{fill:none;stroke:#fff;stroke-width:5.5;stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
 #targets .target{fill:none;stroke:#111;stroke-width:2.4;stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
 .sheet text.name{font-weight:700;stroke:#fff;stroke-width:6;stroke-linejoin:round;paint-order:stroke}
@@ -61,6 +63,7 @@ svg text{font-family:inherit;fill:var(--ink)}
 .sheet .hollow{fill:#fff;stroke:#1d2528;stroke-width:1}
 .sheet .coordinates path{stroke:#333;stroke-width:1}
 .paths path{fill:none;stroke-linejoin:round;vector-effect:non-scaling-stroke}
+.legend.paths path{stroke-opacity:1}
 .paths .class0{stroke:#2c7fb8;stroke-width:.6;stroke-opacity:.75}
 .paths .class1{stroke:#e66101;stroke-width:.9;stroke-opacity:.8}
 .paths .class2{stroke:#67001f;stroke-width:1.5;stroke-opacity:.85}
@@ -76,10 +79,10 @@ tr.changed td:first-child::after{content:" \25CF";color:var(--bare)}
 tr.group th{padding-top:1em;text-align:left;color:var(--soft)}
 code{font:.86em ui-monospace,"DejaVu Sans Mono",monospace}
 ul.notes{background:var(--note);border:1px solid var(--line);border-radius:6px;padding:.7em 1em .7em 2em;margin:0}
-fieldset.switches{border:0;margin:0;padding:0}
+fieldset.switches{border:0;margin:0 0 1em;padding:0}
 .switches label{margin-right:1.4em;white-space:nowrap}
 main:has(#show-sources:not(:checked)) use.sources,main:has(#show-targets:not(:checked)) .targets,
-main:has(#show-shade:not(:checked)) use.shade{display:none}
+main:has(#show-hillshade:not(:checked)) use.shade{display:none}
 @media print{
 @page{size:A4;margin:14mm}
 :root{color-scheme:light;--ink:#000;--soft:#444;--paper:#fff;--ground:#fff;--line:#bbb;--forest:#00664f;--bare:#b04a00;--note:#fff}
