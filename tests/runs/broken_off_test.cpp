@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/runs/program.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run of two parts on the bare slope; the first ends after 250 000 rocks.
+constexpr const char* two_parts =
+    "run scenario.ini --quiet --threads 2 --set trees.file= --set output.rock_table=no "
+    "--set release.rocks=500000";
+
+/// Starts that run, interrupts it once its first part is finished, and ends with its exit code.
+std::string interrupted_after_first_part(const std::string& out) {
+    return std::string{"\"$bannwald\" "} + two_parts + " --out " + out +
+           " &\n"
+           "while kill -0 $! 2>/dev/null && [ ! -e " +
+           out +
+           "/parts/checkpoint.part ]; do sleep 0.02; done\n"
+           "kill -INT $!\nwait $!\n";
+}
+
+TEST(FullDisk, EndsTheRunAndLeavesNothingBehind) {
+    // A limit on the size of files fails as a full disk does: in the middle of writing.
+    const SampleProject project;
+    const Outcome outcome =
+        shell(project, "trap '' XFSZ\nulimit -f 8\n\"$bannwald\" run scenario.ini --quiet\n");
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("cannot be written"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(project.file("out")));
+}
+
+TEST(OutputFolder, BelowAFileIsRefused) {
+    const SampleProject project;
+    const Outcome outcome = call(project, "run scenario.ini --quiet --out dem.asc/out");
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+}
+
+TEST(Interruption, LeavesNoResults) {
+    const SampleProject project;
+    const Outcome outcome = shell(project,
+                                  "timeout --preserve-status -s INT 1 \"$bannwald\" run scenario.ini --quiet "
+                                  "--set release.rocks=100000000\n");
+    EXPECT_EQ(outcome.code, 75) << outcome.err;
+    EXPECT_FALSE(fs::exists(project.file("out/report.html")));
+    EXPECT_FALSE(fs::exists(project.file("out/summary.json")));
+}
+
+TEST(Interruption, KeepsFinishedPartsForTheSameSettingsOnly) {
+    const SampleProject project;
+    const Outcome interrupted = shell(project, interrupted_after_first_part("out"));
+    ASSERT_EQ(interrupted.code, 75) << interrupted.err;
+    ASSERT_TRUE(fs::exists(project.file("out/parts")));
+    EXPECT_FALSE(fs::exists(project.file("out/report.html")));
+
+    const Outcome other = call(project, std::string{two_parts} + " --seed 2");
+    EXPECT_EQ(other.code, 2) << other.err;
+    EXPECT_TRUE(fs::exists(project.file("out/parts")));
+
+    EXPECT_EQ(call(project, two_parts).code, 0);
+    EXPECT_EQ(call(project, std::string{two_parts} + " --out whole").code, 0);
+    for (const std::string name :
+         {"rasters/bare/E_95.asc", "rasters/bare/Nr_passages.asc", "tables/targets.csv"}) {
+        EXPECT_EQ(project.read("out/" + name), project.read("whole/" + name)) << name;
+        EXPECT_NE(project.read("out/" + name), "") << name;
+    }
+    EXPECT_FALSE(fs::exists(project.file("out/parts")));
+}
+
+}  // namespace
+}  // namespace coupling
