@@ -20,8 +20,8 @@ struct GroundLaw {
 struct WrittenLaw {
     double jump_angle_coefficient_deg = 80.0;
     double jump_angle_cap_deg = 60.0;
-    double lateral_slow_deg = 12.0;
-    double lateral_fast_deg = 8.0;
+    double lateral_slow_deg = 16.0;
+    double lateral_fast_deg = 11.0;
     double rolling_edge_deg = 4.0;
     std::uint64_t most_impacts = 20'000;
 };

@@ -364,7 +364,7 @@ private:
             rolling_until_caught_ -= length_m * rate;
             return false;
         }
-        piece.duration_s *= rolling_until_caught_ / (length_m * rate);
+        piece.duration_s = piece.time_along_s(rolling_until_caught_ / (length_m * rate));
         observer_.rolled(rock_, piece, triangle_);
         position_m_ = piece.position_m(piece.duration_s);
         stop(StopReason::caught);
@@ -383,10 +383,10 @@ private:
         if (!hit) {
             return false;
         }
-        piece.duration_s = hit->time_s;
+        piece.duration_s = piece.time_along_s(hit->time_s / piece.duration_s);
         observer_.rolled(rock_, piece, triangle_);
-        position_m_ = piece.position_m(hit->time_s);
-        velocity_mps_ = piece.velocity_at(hit->time_s);
+        position_m_ = piece.position_m(piece.duration_s);
+        velocity_mps_ = piece.velocity_at(piece.duration_s);
         spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
         meet(*hit);
         return true;

@@ -30,7 +30,9 @@ RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path&
     : site_{site} {
     const auto open = [&](std::string name, std::string sentence, bool wanted,
                           void (*header)(std::ostream&)) {
-        auto table = std::make_unique<Table>(Table{std::move(name), std::move(sentence), std::nullopt});
+        auto table = std::make_unique<Table>();
+        table->name = std::move(name);
+        table->sentence = std::move(sentence);
         const std::size_t number = tables_.size();
         if (wanted) {
             const fs::path file = folder / table->name;

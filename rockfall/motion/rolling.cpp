@@ -93,6 +93,18 @@ double longest_piece_s(const Eigen::Vector3d& velocity, double speed_mps, const 
 
 }  // namespace
 
+double RollingPiece::time_along_s(double share) const {
+    const Eigen::Vector3d way = position_m(duration_s) - start_m;
+    const double length_m = way.norm();
+    if (length_m == 0.0) {
+        return share * duration_s;
+    }
+    const double speed = velocity_mps.dot(way) / length_m;
+    const double acceleration = acceleration_mps2.dot(way) / length_m;
+    const double root = std::sqrt(std::max(0.0, speed * speed + 2.0 * acceleration * share * length_m));
+    return std::clamp(2.0 * share * length_m / (speed + root), 0.0, duration_s);
+}
+
 Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction,
                                      double friction) {
     return rolling_mass_factor * (gravity_along(normal) - friction * gravity_mps2 * normal.z() * direction);

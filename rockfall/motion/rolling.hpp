@@ -40,6 +40,8 @@ struct RollingPiece {
     [[nodiscard]] Eigen::Vector3d velocity_at(double time_s) const {
         return velocity_mps + time_s * acceleration_mps2;
     }
+    /// When a share [0, 1] of the straight way to the end of the piece is covered.
+    [[nodiscard]] double time_along_s(double share) const;
 };
 
 /// Acceleration of a sphere that rolls on a plane: 5/7 (g_t - mu g n_z v/|v|) (Azzoni et al. 1995, in vector

@@ -43,7 +43,7 @@ std::optional<StemHit> first_hit_of_all(const StemIndex& index, const Flight& fl
         const double reach_m = radius_m + stem.breast_radius_m;
         const double abeam_s = r.dot(v) / v.squaredNorm();
         const double offset2 = (r - abeam_s * v).squaredNorm();
-        if (abeam_s <= 0.0 || offset2 >= reach_m * reach_m) {
+        if (stem.height_m == 0.0 || abeam_s <= 0.0 || offset2 >= reach_m * reach_m) {
             continue;
         }
         const double time_s = std::max(0.0, abeam_s - std::sqrt(reach_m * reach_m - offset2) / v.norm());

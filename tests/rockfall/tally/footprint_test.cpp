@@ -1,0 +1,180 @@
+#include "rockfall/tally/footprint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "tests/rockfall/slopes.hpp"
+
+namespace rockfall {
+namespace {
+
+using testing::deterministic_law;
+using testing::EventLog;
+using testing::heights_of;
+using testing::logged_fall;
+using testing::slope_over;
+using testing::start_at;
+
+Slope wavy_slope() {
+    const config::GridFrame frame{80, 40, 0.0, 0.0, 2.5, 2.5};
+    return slope_over(heights_of(frame,
+                                 [](double x, double y) {
+                                     return 300.0 - 0.7 * x + 1.5 * std::sin(x / 7.0) * std::cos(y / 9.0);
+                                 }),
+                      {0.35, 0.85}, 0.0);
+}
+
+FallLaw lively_law() {
+    FallLaw law;
+    law.tree.deviation = deterministic_law().tree.deviation;
+    return law;
+}
+
+struct Watched {
+    RockRecord record;
+    std::vector<CellVisit> visits;
+    std::vector<Arrival> arrivals;
+};
+
+Watched watch(const Slope& slope, const config::GridFrame& frame, const RockStart& start,
+              bool with_path = false, std::span<const Target> targets = {}) {
+    Footprint footprint{slope.terrain, frame, targets};
+    FallScratch scratch;
+    footprint.begin(start, with_path);
+    footprint.finish(fall(slope, Obstacles{}, lively_law(), {1, 0, 0, start.id}, start, scratch, footprint));
+    return {footprint.record(),
+            {footprint.visits().begin(), footprint.visits().end()},
+            {footprint.arrivals().begin(), footprint.arrivals().end()}};
+}
+
+config::GridFrame on_terrain(config::GridFrame frame, const Slope& slope) {
+    frame.x_west_m -= slope.terrain.origin_m().x();
+    frame.y_south_m -= slope.terrain.origin_m().y();
+    return frame;
+}
+
+TEST(Footprint, HoldsTheExactExtremesOfEachCell) {
+    // Every flight sampled a thousandfold finds nothing above what the cells hold, and nearly all of it.
+    const Slope slope = wavy_slope();
+    const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
+    for (std::uint64_t rock = 0; rock < 20; ++rock) {
+        const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5}, 0.9, rock);
+        const Watched watched = watch(slope, frame, start);
+        const auto [end, log] = logged_fall(slope, lively_law(), start);
+        std::map<std::uint32_t, std::array<double, 3>> sampled;
+        for (const EventLog::Jump& jump : log.jumps) {
+            for (int i = 0; i <= 1000; ++i) {
+                const double t = jump.until_s * i / 1000.0;
+                const Eigen::Vector3d p = jump.flight.position_m(t);
+                const config::Cell cell = frame.cell_at(p.x(), p.y());
+                const auto triangle = slope.terrain.locate(p.x(), p.y(), jump.stretches.front().triangle);
+                if (!frame.contains(cell) || !triangle) {
+                    continue;
+                }
+                auto& best = sampled[static_cast<std::uint32_t>(frame.index(cell))];
+                const double speed = std::sqrt(jump.flight.squared_speed_at(t));
+                const Plane plane = slope.terrain.plane_of(*triangle);
+                best[0] = std::max(best[0], kinetic_energy_j(start.rock, speed * speed, jump.spin_radps));
+                best[1] = std::max(best[1], speed);
+                best[2] = std::max(best[2], (p.z() - plane.height_m(p.x(), p.y())) * plane.normal().z());
+            }
+        }
+        for (const CellVisit& visit : watched.visits) {
+            const auto found = sampled.find(visit.cell);
+            if (found == sampled.end()) {
+                continue;  // a corner cut shorter than the sampling
+            }
+            EXPECT_GE(visit.energy_j, found->second[0] * (1.0 - 1e-5));
+            EXPECT_GE(visit.speed_mps, found->second[1] * (1.0 - 1e-5));
+            EXPECT_GE(visit.height_m, found->second[2] - 1e-4);
+            EXPECT_LE(visit.speed_mps, found->second[1] + 0.3);
+            EXPECT_LE(visit.height_m, found->second[2] + 0.1);
+        }
+        EXPECT_GE(watched.visits.size(), sampled.size());
+    }
+}
+
+TEST(Footprint, CountsARockOnceInACell) {
+    const Slope slope = wavy_slope();
+    const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
+    const Watched watched = watch(slope, frame, start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5}));
+    std::map<std::uint32_t, int> seen;
+    for (const CellVisit& visit : watched.visits) {
+        EXPECT_EQ(++seen[visit.cell], 1);
+    }
+}
+
+TEST(Footprint, DoesNotDependOnDrawing) {
+    const Slope slope = wavy_slope();
+    const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
+    const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5});
+    const Watched plain = watch(slope, frame, start, false);
+    const Watched drawn = watch(slope, frame, start, true);
+    ASSERT_EQ(plain.visits.size(), drawn.visits.size());
+    for (std::size_t i = 0; i < plain.visits.size(); ++i) {
+        EXPECT_EQ(plain.visits[i].energy_j, drawn.visits[i].energy_j);
+        EXPECT_EQ(plain.visits[i].height_m, drawn.visits[i].height_m);
+    }
+}
+
+TEST(Footprint, FindsTheSameLargestValuesWithAnyCellSize) {
+    // Refining the maps must not change what rocks do, nor lose a passage.
+    const Slope slope = wavy_slope();
+    const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5});
+    double coarse_max = 0.0;
+    for (const int side : {1, 2, 5, 20}) {
+        const config::GridFrame frame =
+            on_terrain({200 / side, 100 / side, 0.0, 0.0, 1.0 * side, 1.0 * side}, slope);
+        const Watched watched = watch(slope, frame, start);
+        float largest = 0.0F;
+        for (const CellVisit& visit : watched.visits) {
+            largest = std::max(largest, visit.energy_j);
+        }
+        coarse_max = coarse_max == 0.0 ? static_cast<double>(largest) : coarse_max;
+        EXPECT_FLOAT_EQ(largest, static_cast<float>(coarse_max));
+        EXPECT_FLOAT_EQ(largest, static_cast<float>(watched.record.max_energy_j));
+    }
+}
+
+TEST(Footprint, TellsHowARockArrivesAtALine) {
+    const Slope slope = wavy_slope();
+    const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
+    Target road;
+    const Eigen::Vector2d o = slope.terrain.origin_m();
+    road.parts = {{Eigen::Vector2d{150.0, 1.5} - o, Eigen::Vector2d{150.0, 98.0} - o}};
+    const std::vector<Target> targets{with_bounds(road)};
+    const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5});
+    const Watched watched = watch(slope, frame, start, false, targets);
+    ASSERT_TRUE(watched.arrivals[0].reached);
+    EXPECT_NEAR(watched.arrivals[0].x_m + o.x(), 150.0, 1e-3);
+    const auto [end, log] = logged_fall(slope, lively_law(), start);
+    for (const EventLog::Jump& jump : log.jumps) {
+        const double t = (150.0 - o.x() - jump.flight.start_m.x()) / jump.flight.velocity_mps.x();
+        if (t >= 0.0 && t <= jump.until_s) {
+            const double speed = std::sqrt(jump.flight.squared_speed_at(t));
+            EXPECT_NEAR(watched.arrivals[0].speed_mps, speed, 1e-3);
+            EXPECT_NEAR(watched.arrivals[0].energy_j,
+                        kinetic_energy_j(start.rock, speed * speed, jump.spin_radps), 1.0);
+            EXPECT_NEAR(watched.arrivals[0].translational_j, 0.5 * start.rock.mass_kg * speed * speed, 1.0);
+            break;
+        }
+    }
+}
+
+TEST(Footprint, MeasuresRunOutAndPathOfASlidingLine) {
+    const Slope slope = testing::plane_slope(20.0, {0.3, 0.75});
+    const config::GridFrame frame = on_terrain({100, 10, 0.0, 0.0, 10.0, 10.0}, slope);
+    const double b = config::Angle::from_degrees(20.0).in_radians();
+    const RockStart start =
+        start_at(slope, 100.0, 50.0, 0.0, 1.0 * Eigen::Vector3d{std::cos(b), 0.0, -std::sin(b)});
+    const Watched watched = watch(slope, frame, start);
+    EXPECT_NEAR(watched.record.path_m * std::cos(b), watched.record.run_out_m(), 1e-6);
+    EXPECT_EQ(watched.record.max_height_m, 0.0);
+    EXPECT_DOUBLE_EQ(watched.record.max_speed_mps, 1.0);
+    EXPECT_NEAR(watched.record.max_energy_j, 0.7 * start.rock.mass_kg, 1e-6);  // a rolling sphere: 0.7 m v^2
+}
+
+}  // namespace
+}  // namespace rockfall
