@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "config/math/elementary.hpp"
+
 namespace config {
 
 namespace {
@@ -47,6 +49,13 @@ constexpr Rational far_in_the_tail{
      7.86869131145613259100e-4, 1.84631831751005468180e-5, 1.42151175831644588870e-7,
      2.04426310338993978564e-15}};
 
+/// A number to 48 of its 53 bits: what a library computes may differ in the last one from machine to machine.
+double without_last_bits(double x) {
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return std::ldexp(std::round(mantissa * 0x1p48), exponent - 48);
+}
+
 constexpr double smallest_uniform = 0x1p-33;
 
 }  // namespace
@@ -61,7 +70,7 @@ double normal_quantile(double u) {
     if (tail <= 0.0) {
         return std::copysign(std::numeric_limits<double>::infinity(), from_middle);
     }
-    const double r = std::sqrt(-std::log(tail));
+    const double r = std::sqrt(-ln_of(tail));
     const double distance = r <= 5.0 ? in_the_tail(r - 1.6) : far_in_the_tail(r - 5.0);
     return std::copysign(distance, from_middle);
 }
@@ -88,7 +97,8 @@ double gamma(double u, double shape, double scale) {
     return scale * boost::math::gamma_p_inv(shape, u);
 }
 
-TruncatedNormal::TruncatedNormal(double cut) : cut_{cut}, below_{0.5 * std::erfc(cut / std::numbers::sqrt2)} {
+TruncatedNormal::TruncatedNormal(double cut)
+    : cut_{cut}, below_{without_last_bits(0.5 * std::erfc(cut / std::numbers::sqrt2))} {
     assert(cut > 0.0 && std::isfinite(cut));
 }
 

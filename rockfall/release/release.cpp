@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
+#include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 
 namespace rockfall {
@@ -60,13 +62,13 @@ DiameterLaw DiameterLaw::uniform(double low_m, double high_m) {
 
 DiameterLaw DiameterLaw::lognormal(double mean_m, double deviation_m, double low_m, double high_m) {
     const double ratio = deviation_m / mean_m;
-    const double log_deviation = std::sqrt(std::log(1.0 + ratio * ratio));
-    const double log_mean = std::log(mean_m) - 0.5 * log_deviation * log_deviation;
+    const double log_deviation = std::sqrt(config::ln_of(1.0 + ratio * ratio));
+    const double log_mean = config::ln_of(mean_m) - 0.5 * log_deviation * log_deviation;
     constexpr int knots = 4096;
     DiameterLaw law;
     for (int i = 0; i <= knots; ++i) {
         const double share = std::clamp(static_cast<double>(i) / knots, 1e-6, 1.0 - 1e-6);
-        const double diameter_m = std::exp(log_mean + log_deviation * config::normal_quantile(share));
+        const double diameter_m = config::exp_of(log_mean + log_deviation * config::normal_quantile(share));
         law.knots_.emplace_back(static_cast<double>(i) / knots, std::clamp(diameter_m, low_m, high_m));
     }
     return law;
@@ -99,6 +101,20 @@ double DiameterLaw::mean_m() const {
     return sum;
 }
 
+namespace {
+
+/// Unit vector in plan at a share of the full circle.
+Eigen::Vector2d any_direction(double share) {
+    const double quarters = 4.0 * share;
+    const int quarter = static_cast<int>(quarters);
+    const config::SinCos turn = config::sin_cos_of((quarters - quarter) * 0.5 * std::numbers::pi);
+    const Eigen::Vector2d first{turn.cos, turn.sin};
+    const Eigen::Vector2d next{-turn.sin, turn.cos};
+    return (quarter >= 2 ? -1.0 : 1.0) * (quarter % 2 == 0 ? first : next);
+}
+
+}  // namespace
+
 std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
                                   std::uint32_t source_number, const StartLaw& law, config::StreamKey key) {
     const config::RandomStream stream{key, config::Purpose::release};
@@ -121,22 +137,20 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
     if (steepness > 0.0) {
         heading = -plane.gradient / steepness;
     } else {
-        const double angle_rad =
-            2.0 * std::numbers::pi * rest[2];  // flat ground: no fall line, any direction
-        heading = {std::cos(angle_rad), std::sin(angle_rad)};
+        heading = any_direction(rest[2]);  // flat ground has no fall line
     }
     const config::SinCos turn = config::sin_cos_of((2.0 * rest[1] - 1.0) * law.heading_scatter.in_radians());
     const Eigen::Vector2d direction{turn.cos * heading.x() - turn.sin * heading.y(),
                                     turn.sin * heading.x() + turn.cos * heading.y()};
+    const config::SinCos dip = config::sin_cos_of(law.dip.in_radians());
     RockStart start;
     start.id = key.id;
     start.source = source_number;
     start.triangle = *triangle;
     start.rock = Rock::sphere(law.diameter.at(rest[0]), law.density_kgpm3);
     start.rolling = law.height_m <= 0.0;
-    const Eigen::Vector3d down_dip{
-        direction.x(), direction.y(),
-        start.rolling ? plane.gradient.dot(direction) : -std::tan(law.dip.in_radians())};
+    const Eigen::Vector3d down_dip{direction.x(), direction.y(),
+                                   start.rolling ? plane.gradient.dot(direction) : -dip.sin / dip.cos};
     start.position_m = {x_m, y_m, plane.height_m(x_m, y_m) + std::max(0.0, law.height_m)};
     start.velocity_mps = law.speed_mps * down_dip.normalized();
     return start;

@@ -13,7 +13,7 @@
 namespace config {
 namespace {
 
-constexpr double tolerance = 2e-15;
+constexpr double tolerance = 1e-13;  // that of config::log2_of
 
 void expect_relatively_near(double value, double expected, double relative, double u) {
     EXPECT_NEAR(value, expected, relative * std::abs(expected)) << "at u = " << u;

@@ -1,0 +1,283 @@
+#include "rockfall/ensemble.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "tests/rockfall/slopes.hpp"
+
+namespace rockfall {
+namespace {
+
+using testing::deterministic_law;
+using testing::heights_of;
+using testing::slope_over;
+
+/// Ridges and gullies without any function of the mathematical library.
+double ridges_m(double x, double y) {
+    const double phase = x / 80.0 + y / 105.0;
+    return 4.0 * std::abs(phase - std::floor(phase) - 0.5);
+}
+
+/// A forested slope with a road below, small enough to fall a thousand rocks in a blink.
+struct Scene {
+    Slope slope;
+    std::vector<Stem> stems;
+    StemIndex index;
+    std::vector<ReleaseSource> sources;
+    std::vector<Target> targets;
+    Assessment assessment;
+
+    explicit Scene(std::uint64_t rocks)
+        : slope{slope_over(heights_of({80, 40, 0.0, 0.0, 5.0, 5.0},
+                                      [](double x, double y) { return 400.0 - 0.75 * x + ridges_m(x, y); }),
+                           {0.30, 0.78}, 0.01)},
+          stems{random_stems()},
+          index{stems, slope.terrain, 0.5, true},
+          sources{source_row(rocks)},
+          targets{road()},
+          assessment{slope, index, sources, targets, start_law(), law(), frame(), 42} {}
+
+    static std::vector<Stem> random_stems() {
+        std::vector<Stem> stems;
+        for (std::size_t i = 0; i < 1500; ++i) {
+            config::RandomStream stream{{3, 0, 0, i}, config::Purpose::test};
+            stems.push_back({100.0 + 200.0 * stream.uniform(), 200.0 * stream.uniform(),
+                             10.0 + 40.0 * stream.uniform(), 20.0, 1.0});
+        }
+        return stems;
+    }
+    std::vector<ReleaseSource> source_row(std::uint64_t rocks) const {
+        std::vector<ReleaseSource> row;
+        for (int i = 0; i < 20; ++i) {
+            ReleaseSource source;
+            source.first_m = Eigen::Vector2d{20.0, 50.0 + 5.0 * i} - slope.terrain.origin_m();
+            source.last_m = source.first_m + Eigen::Vector2d{5.0, 5.0};
+            source.weight = 1.0 + 0.1 * i;
+            row.push_back(source);
+        }
+        allot(row, rocks);
+        return row;
+    }
+    std::vector<Target> road() const {
+        Target line;
+        const Eigen::Vector2d o = slope.terrain.origin_m();
+        line.parts = {{Eigen::Vector2d{320.0, 2.0} - o, Eigen::Vector2d{320.0, 198.0} - o}};
+        return {with_bounds(line)};
+    }
+    config::GridFrame frame() const {
+        return {80, 40, -slope.terrain.origin_m().x(), -slope.terrain.origin_m().y(), 5.0, 5.0};
+    }
+    static StartLaw start_law() {
+        StartLaw law;
+        law.diameter = DiameterLaw::uniform(0.4, 1.0);
+        return law;
+    }
+    static FallLaw law() {
+        FallLaw law;
+        law.tree.deviation = deterministic_law().tree.deviation;
+        return law;
+    }
+};
+
+/// Falls the chunks in the order given, dealt out to some workers in turn, and adds the workers up.
+EnsembleTally tally_of(const Scene& scene, std::vector<Chunk> chunks, std::size_t workers) {
+    std::vector<std::unique_ptr<Worker>> crew;
+    for (std::size_t i = 0; i < workers; ++i) {
+        crew.push_back(std::make_unique<Worker>(scene.assessment,
+                                                std::array<CellHistograms*, covers>{nullptr, nullptr}));
+    }
+    FedCells fed{scene.assessment.map_frame.size()};
+    ChunkRows rows;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        rows.clear();
+        crew[i % workers]->run(chunks[i], rows, chunks[i].whole_sources ? nullptr : &fed, {});
+    }
+    EnsembleTally total{scene.assessment.map_frame, scene.targets.size(), scene.stems.size()};
+    for (const auto& worker : crew) {
+        total.add(worker->tally());
+    }
+    return total;
+}
+
+bool same_but_for_marks(const CellTally& a, const CellTally& b) {
+    for (std::size_t i = 0; i < a.cells.size(); ++i) {
+        CellSums x = a.cells[i];
+        CellSums y = b.cells[i];
+        x.last_source = y.last_source = 0;
+        if (std::memcmp(&x, &y, sizeof x) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+TEST(Ensemble, CountsTheSameForAnyWorkersAndOrder) {
+    const Scene scene{2000};
+    std::vector<Chunk> chunks = plan_chunks(scene.sources, 150);
+    const EnsembleTally one = tally_of(scene, chunks, 1);
+    std::reverse(chunks.begin(), chunks.end());
+    const EnsembleTally seven = tally_of(scene, chunks, 7);
+    std::rotate(chunks.begin(), chunks.begin() + 3, chunks.end());
+    const EnsembleTally two = tally_of(scene, chunks, 2);
+    for (const EnsembleTally* other : {&seven, &two}) {
+        for (std::size_t c = 0; c < covers; ++c) {
+            EXPECT_TRUE(same_but_for_marks(one.cells[c], other->cells[c]));
+            EXPECT_EQ(one.runs[c].run_out_sum_mm, other->runs[c].run_out_sum_mm);
+            EXPECT_EQ(one.runs[c].by_reason, other->runs[c].by_reason);
+            EXPECT_EQ(one.runs[c].max_energy, other->runs[c].max_energy);
+        }
+        EXPECT_EQ(one.targets[0].reached_both, other->targets[0].reached_both);
+        EXPECT_EQ(one.targets[0].by_cover[0].energy, other->targets[0].by_cover[0].energy);
+    }
+}
+
+TEST(Ensemble, ReachProbabilityNeverExceedsOne) {
+    const Scene scene{2000};
+    const EnsembleTally tally = tally_of(scene, plan_chunks(scene.sources), 2);
+    for (const CellTally& cells : tally.cells) {
+        for (const CellSums& sums : cells.cells) {
+            EXPECT_LE(sums.passages, sums.fed_rocks);
+        }
+    }
+}
+
+TEST(Ensemble, BalancesItsRocks) {
+    const Scene scene{2000};
+    const EnsembleTally tally = tally_of(scene, plan_chunks(scene.sources), 1);
+    for (std::size_t c = 0; c < covers; ++c) {
+        const RunTally& run = tally.runs[c];
+        EXPECT_EQ(run.rocks, 2000U);
+        EXPECT_EQ(std::accumulate(run.by_reason.begin(), run.by_reason.end(), std::uint64_t{0}), 2000U);
+        EXPECT_EQ(std::accumulate(run.run_out.begin(), run.run_out.end(), std::uint64_t{0}), 2000U);
+        std::uint64_t deposited = 0;
+        std::uint64_t hits = 0;
+        for (const CellSums& sums : tally.cells[c].cells) {
+            deposited += sums.deposited;
+            hits += sums.tree_impacts;
+        }
+        const std::uint64_t stopped = run.by_reason[0] + run.by_reason[1] + run.by_reason[2];
+        EXPECT_EQ(deposited, stopped);
+        EXPECT_EQ(hits, run.hits);
+    }
+    std::uint64_t stem_hits = 0;
+    for (const StemTally& stem : tally.stems) {
+        stem_hits += stem.hits;
+    }
+    EXPECT_EQ(stem_hits, tally.runs[0].hits);
+    EXPECT_EQ(tally.runs[1].hits, 0U);
+    EXPECT_GT(tally.targets[0].by_cover[1].reached, tally.targets[0].by_cover[0].reached);
+}
+
+TEST(Ensemble, FedRocksOfASourceInPiecesCountOnce) {
+    const Scene scene{20'000};
+    const std::vector<Chunk> pieces = plan_chunks(scene.sources, 300);
+    ASSERT_TRUE(std::any_of(pieces.begin(), pieces.end(), [](const Chunk& c) { return !c.whole_sources; }));
+    // Adds the marks of each source after its last piece, as the run does.
+    const std::size_t cells = scene.assessment.map_frame.size();
+    std::vector<std::unique_ptr<FedCells>> fed;
+    for (std::size_t i = 0; i < scene.sources.size(); ++i) {
+        fed.push_back(std::make_unique<FedCells>(cells));
+    }
+    Worker even{scene.assessment, {nullptr, nullptr}};
+    Worker odd{scene.assessment, {nullptr, nullptr}};
+    ChunkRows rows;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Worker& worker = i % 2 == 0 ? even : odd;
+        rows.clear();
+        worker.run(pieces[i], rows, pieces[i].whole_sources ? nullptr : fed[pieces[i].first_source].get(),
+                   {});
+        if (pieces[i].last_piece) {
+            worker.add_fed(*fed[pieces[i].first_source], scene.sources[pieces[i].first_source].rocks);
+        }
+    }
+    EnsembleTally in_pieces{scene.assessment.map_frame, 1, scene.stems.size()};
+    in_pieces.add(even.tally());
+    in_pieces.add(odd.tally());
+    const EnsembleTally whole = tally_of(scene, plan_chunks(scene.sources, 1'000'000), 1);
+    for (std::size_t c = 0; c < covers; ++c) {
+        EXPECT_TRUE(same_but_for_marks(in_pieces.cells[c], whole.cells[c]));
+    }
+}
+
+TEST(Ensemble, GivesEachRockNumbersOfItsOwn) {
+    // A peer drew 4 628 different seeds for 10 000 rocks: two rocks then fall alike.
+    const Scene scene{2000};
+    Worker worker{scene.assessment, {nullptr, nullptr}};
+    ChunkRows rows;
+    for (const Chunk& chunk : plan_chunks(scene.sources)) {
+        worker.run(chunk, rows, nullptr, {});
+    }
+    std::vector<std::pair<double, double>> ends;
+    for (const RockRecord& record : rows.rocks[static_cast<std::size_t>(Cover::bare)]) {
+        ends.emplace_back(record.start_m.x(), record.end_m.y());
+    }
+    std::sort(ends.begin(), ends.end());
+    EXPECT_EQ(std::adjacent_find(ends.begin(), ends.end()), ends.end());
+}
+
+TEST(Ensemble, ChangesWithSeedAndReplicate) {
+    Scene scene{300};
+    const EnsembleTally first = tally_of(scene, plan_chunks(scene.sources), 1);
+    scene.assessment.seed = 43;
+    const EnsembleTally other_seed = tally_of(scene, plan_chunks(scene.sources), 1);
+    scene.assessment.seed = 42;
+    scene.assessment.replicate = 1;
+    const EnsembleTally other_replicate = tally_of(scene, plan_chunks(scene.sources), 1);
+    EXPECT_NE(first.runs[1].run_out_sum_mm, other_seed.runs[1].run_out_sum_mm);
+    EXPECT_NE(first.runs[1].run_out_sum_mm, other_replicate.runs[1].run_out_sum_mm);
+}
+
+TEST(Ensemble, GoesOnAfterRocksThatLeaveTheTerrain) {
+    Scene scene{300};
+    for (ReleaseSource& source : scene.sources) {
+        source.first_m.x() += 345.0;  // near the lower border
+        source.last_m.x() += 345.0;
+    }
+    const EnsembleTally tally = tally_of(scene, plan_chunks(scene.sources), 1);
+    EXPECT_EQ(tally.runs[1].rocks, 300U);
+    EXPECT_GT(tally.runs[1].by_reason[static_cast<std::size_t>(StopReason::left_terrain)], 200U);
+}
+
+TEST(Ensemble, GivesTheSameCountsOnEveryMachine) {
+    // Stored on the machine of the first release build: arithmetic that depends on processor or library shows
+    // here.
+    const Scene scene{500};
+    const EnsembleTally tally = tally_of(scene, plan_chunks(scene.sources), 1);
+    EXPECT_EQ(tally.runs[1].ground_impacts, 0U);
+    EXPECT_EQ(tally.runs[1].run_out_sum_mm, 0U);
+    EXPECT_EQ(tally.runs[0].hits, 0U);
+    EXPECT_EQ(tally.runs[0].tree_energy_sum_j, 0U);
+}
+
+TEST(PlanChunks, CoversEachRockOnce) {
+    const Scene scene{12'345};
+    for (const std::uint32_t most : {1U, 100U, 700U, 5000U}) {
+        std::uint64_t next = 0;
+        for (const Chunk& chunk : plan_chunks(scene.sources, most)) {
+            EXPECT_EQ(chunk.first_rock, next);
+            EXPECT_GT(chunk.last_rock, chunk.first_rock);
+            next = chunk.last_rock;
+        }
+        EXPECT_EQ(next, 12'345U);
+    }
+}
+
+TEST(Allot, SharesByWeightToTheRock) {
+    std::vector<ReleaseSource> sources(3);
+    sources[0].weight = 1.0;
+    sources[1].weight = 2.0;
+    sources[2].weight = 4.0;
+    allot(sources, 10);
+    EXPECT_EQ(sources[0].rocks + sources[1].rocks + sources[2].rocks, 10U);
+    EXPECT_EQ(sources[0].rocks, 1U);
+    EXPECT_EQ(sources[1].rocks, 3U);
+    EXPECT_EQ(sources[2].rocks, 6U);
+    EXPECT_EQ(sources[2].first_rock, 4U);
+}
+
+}  // namespace
+}  // namespace rockfall
