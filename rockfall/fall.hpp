@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rockfall/motion/flight.hpp"
+#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/rolling.hpp"
+#include "rockfall/obstacles/stem_index.hpp"
+#include "rockfall/obstacles/tree_impact.hpp"
+#include "rockfall/rock.hpp"
+
+namespace rockfall {
+
+/// All settings of the fall of a rock.
+struct FallLaw {
+    PicusLaw ground;
+    TreeImpactLaw tree;
+};
+
+/// A rock at the moment of its release, in coordinates of the terrain.
+struct RockStart {
+    std::uint64_t id = 0;                                  ///< key of its random numbers
+    std::uint32_t source = 0;                              ///< which release source
+    Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< underside
+    Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+    std::uint32_t triangle = 0;
+    bool rolling = false;  ///< begins on the ground
+    Rock rock;
+};
+
+/// Why a rock no longer moves.
+enum class StopReason : std::uint8_t {
+    at_rest,       ///< kinetic energy used up on the ground
+    caught,        ///< stopped by an obstacle of the surface (stopping probability)
+    tree,          ///< stopped by a stem
+    left_terrain,  ///< ran over the border or into a hole: not stopped
+    gave_up,       ///< more impacts than the limit: not stopped
+};
+
+/// How a fall ended.
+struct FallEnd {
+    StopReason reason = StopReason::at_rest;
+    Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+    std::uint32_t ground_impacts = 0;
+    std::uint32_t tree_hits = 0;
+    std::uint32_t crossings = 0;  ///< triangle stretches flown over, for benchmarks
+};
+
+/// What stands in the way. `gone` marks stems that no longer stand (empty: all stand).
+struct Obstacles {
+    const StemIndex* stems = nullptr;  ///< nullptr: bare slope
+    std::span<std::uint8_t> gone{};
+};
+
+/// Memory that falls reuse.
+struct FallScratch {
+    std::vector<Stretch> stretches;
+};
+
+/// Watches nothing: for falls of which only the end counts.
+struct NoObserver {
+    void flew(const Rock&, const Flight&, double, std::span<const Stretch>, double) {}
+    void rolled(const Rock&, const RollingPiece&, std::uint32_t) {}
+    void impacted(const Eigen::Vector3d&) {}
+    void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
+};
+
+}  // namespace rockfall

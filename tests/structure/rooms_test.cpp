@@ -1,0 +1,146 @@
+// The rules of the rooms, read off the sources: who may include whom, who opens files, who knows CGAL and
+// options.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+    std::string name;  ///< from the root, with slashes
+    std::string text;
+};
+
+std::vector<Source> sources_below(const std::string& room) {
+    const fs::path root{BANNWALD_SOURCE_DIR};
+    std::vector<Source> sources;
+    if (!fs::exists(root / room)) {
+        return sources;
+    }
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{root / room}) {
+        const std::string ending = entry.path().extension().string();
+        if (entry.is_regular_file() && (ending == ".hpp" || ending == ".cpp")) {
+            std::ifstream in{entry.path()};
+            std::ostringstream text;
+            text << in.rdbuf();
+            sources.push_back({fs::relative(entry.path(), root).generic_string(), text.str()});
+        }
+    }
+    return sources;
+}
+
+/// Names of the sources of a room in which a pattern occurs.
+std::vector<std::string> users_of(const std::string& pattern, const std::string& room) {
+    const std::regex wanted{pattern};
+    std::vector<std::string> users;
+    for (const Source& source : sources_below(room)) {
+        if (std::regex_search(source.text, wanted)) {
+            users.push_back(source.name);
+        }
+    }
+    std::sort(users.begin(), users.end());
+    return users;
+}
+
+const std::vector<std::string> nobody;
+
+TEST(Rooms, AreFoundAtAll) {
+    EXPECT_GT(sources_below("config").size(), 10U);
+    EXPECT_GT(sources_below("rockfall").size(), 20U);
+    EXPECT_GT(sources_below("coupling").size(), 20U);
+}
+
+TEST(Rooms, IncludeOnlyDownwards) {
+    EXPECT_EQ(users_of("#include \"(rockfall|forest|coupling|tests)/", "config"), nobody);
+    EXPECT_EQ(users_of("#include \"(forest|coupling|tests)/", "rockfall"), nobody);
+    EXPECT_EQ(users_of("#include \"(rockfall|coupling|tests)/", "forest"), nobody);
+    EXPECT_EQ(users_of("#include \"tests/", "coupling"), nobody);
+}
+
+TEST(Rooms, WriteIncludesFromTheRoot) {
+    for (const std::string room : {"config", "rockfall", "forest", "coupling"}) {
+        EXPECT_EQ(users_of("#include \"(?!config/|rockfall/|forest/|coupling/|[a-z_]+\\.inc\")", room),
+                  nobody);
+    }
+}
+
+TEST(Rooms, LeaveFilesToTheCouplingRoom) {
+    for (const std::string room : {"config", "rockfall", "forest"}) {
+        EXPECT_EQ(users_of("#include <(fstream|filesystem|cstdio)>|mapped_file", room), nobody);
+    }
+}
+
+TEST(Rooms, KnowNoThreadsInThePhysics) {
+    for (const std::string room : {"rockfall", "forest"}) {
+        EXPECT_EQ(users_of("#include <(thread|mutex|future|omp.h)>|#pragma omp", room), nobody);
+    }
+}
+
+TEST(Rooms, MeetOptionsInOnePlaceEach) {
+    for (const std::string room : {"rockfall", "forest"}) {
+        for (const std::string& user : users_of("config/options/options.hpp", room)) {
+            EXPECT_TRUE(user == room + "/parameters.cpp" || user == room + "/parameters.hpp") << user;
+        }
+    }
+    EXPECT_EQ(users_of("boost/program_options", "rockfall"), nobody);
+}
+
+TEST(Rooms, IncludeCgalInOneSource) {
+    EXPECT_EQ(users_of("#include <CGAL/", "rockfall"), std::vector<std::string>{"rockfall/terrain/mesh.cpp"});
+    for (const std::string room : {"config", "forest", "coupling"}) {
+        EXPECT_EQ(users_of("#include <CGAL/", room), nobody);
+    }
+}
+
+TEST(Rooms, IncludeTheJsonLibraryInOneSource) {
+    EXPECT_EQ(users_of("#include <nlohmann/", "coupling").size(), 1U);
+}
+
+TEST(Rooms, DrawFromNoDistributionOfTheStandardLibrary) {
+    // They give other numbers with other libraries.
+    for (const std::string room : {"config", "rockfall", "forest", "coupling"}) {
+        EXPECT_EQ(
+            users_of(
+                "std::(mt19937|uniform_real_distribution|normal_distribution|random_device)|\\brand\\(\\)",
+                room),
+            nobody);
+    }
+}
+
+TEST(Rooms, KeepTheMathematicalLibraryOutOfTheFall) {
+    // Elementary functions of the library may differ in the last bit between processors
+    // (config/math/elementary.hpp).
+    const std::string elementary =
+        "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|log|log2|log10|pow|cbrt|hypot)\\(";
+    for (const std::string room : {"rockfall/motion", "rockfall/obstacles", "rockfall/tally",
+                                   "rockfall/terrain", "rockfall/release"}) {
+        EXPECT_EQ(users_of(elementary, room), nobody) << room;
+    }
+    EXPECT_EQ(users_of(elementary, "config/math"), nobody);
+}
+
+TEST(Rooms, HaveATheoryChapter) {
+    for (const std::string room : {"config", "rockfall", "coupling", "tests"}) {
+        EXPECT_TRUE(fs::exists(fs::path{BANNWALD_SOURCE_DIR} / room / "README.md")) << room;
+    }
+}
+
+TEST(Rooms, StayReadable) {
+    for (const std::string room : {"config", "rockfall", "coupling"}) {
+        for (const Source& source : sources_below(room)) {
+            const auto lines = std::count(source.text.begin(), source.text.end(), '\n');
+            EXPECT_LE(lines, 450) << source.name;
+        }
+    }
+}
+
+}  // namespace
