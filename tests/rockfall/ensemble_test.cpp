@@ -219,6 +219,25 @@ TEST(Ensemble, GivesEachRockNumbersOfItsOwn) {
     EXPECT_EQ(std::adjacent_find(ends.begin(), ends.end()), ends.end());
 }
 
+TEST(Ensemble, KeepsNothingOfARockThatIsDone) {
+    // A peer kept every sample of every rock, 290 KiB each. Rows are handed on by chunk, and no chunk grows with the run.
+    const Scene small{2000};
+    const Scene large{40'000};
+    for (const Scene* scene : {&small, &large}) {
+        for (const Chunk& chunk : plan_chunks(scene->sources)) {
+            EXPECT_LE(chunk.last_rock - chunk.first_rock, 1024U);
+        }
+    }
+    Worker worker{large.assessment, {nullptr, nullptr}};
+    ChunkRows rows;
+    FedCells fed{large.assessment.map_frame.size()};
+    for (const Chunk& chunk : plan_chunks(large.sources)) {
+        rows.clear();
+        worker.run(chunk, rows, chunk.whole_sources ? nullptr : &fed, {});
+        EXPECT_LE(rows.rocks[0].capacity(), 2048U);
+    }
+}
+
 TEST(Ensemble, ChangesWithSeedAndReplicate) {
     Scene scene{300};
     const EnsembleTally first = tally_of(scene, plan_chunks(scene.sources), 1);

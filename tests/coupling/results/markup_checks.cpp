@@ -1,0 +1,96 @@
+#include "tests/coupling/results/markup_checks.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <vector>
+
+namespace coupling::testing {
+namespace {
+
+/// "" or what is wrong between two tags.
+std::string text_fault(const std::string& text) {
+    static const std::regex entity{"^&(amp|lt|gt|quot|#[0-9]+);"};
+    for (std::size_t at = text.find('&'); at != std::string::npos; at = text.find('&', at + 1)) {
+        if (!std::regex_search(text.substr(at, 10), entity)) {
+            return "bare & in: " + text.substr(at, 40);
+        }
+    }
+    return text.find('>') != std::string::npos ? "bare > in: " + text.substr(0, 80) : "";
+}
+
+std::string attributes_fault(const std::string& tag) {
+    static const std::regex attribute{"\\s+([A-Za-z][A-Za-z0-9:-]*)=\"[^\"<]*\""};
+    std::set<std::string> names;
+    std::string rest = tag.substr(std::min(tag.size(), tag.find_first_of(" \t\n/")));
+    for (std::smatch match; std::regex_search(rest, match, attribute, std::regex_constants::match_continuous);
+         rest = match.suffix()) {
+        if (!names.insert(match[1]).second) {
+            return "attribute twice in <" + tag.substr(0, 80) + ">";
+        }
+    }
+    const bool nothing_left = rest.find_first_not_of(" \n/") == std::string::npos;
+    return nothing_left ? "" : "attributes of <" + tag.substr(0, 80) + ">";
+}
+
+/// Where a tag ends: the next > outside quotes.
+std::size_t end_of_tag(const std::string& text, std::size_t at) {
+    for (char quote = '\0'; at < text.size(); ++at) {
+        const char c = text[at];
+        if (quote != '\0') {
+            quote = c == quote ? '\0' : quote;
+        } else if (c == '"') {
+            quote = c;
+        } else if (c == '>') {
+            return at;
+        }
+    }
+    return std::string::npos;
+}
+
+}  // namespace
+
+std::string markup_fault(const std::string& text) {
+    static const std::set<std::string> never_closed{"!DOCTYPE", "?xml"};
+    std::vector<std::string> open;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t next = std::min(text.find('<', at), text.size());
+        if (open.empty() || open.back() != "style") {
+            if (const std::string fault = text_fault(text.substr(at, next - at)); !fault.empty()) {
+                return fault;
+            }
+        }
+        if (next == text.size()) {
+            break;
+        }
+        const std::size_t last = end_of_tag(text, next);
+        if (last == std::string::npos) {
+            return "a tag does not end: " + text.substr(next, 80);
+        }
+        const std::string tag = text.substr(next + 1, last - next - 1);
+        const std::string name = tag.substr(tag.starts_with('/') ? 1 : 0,
+                                            tag.find_first_of(" \n/", 1) - (tag.starts_with('/') ? 1 : 0));
+        at = last + 1;
+        if (never_closed.contains(name)) {
+            continue;
+        }
+        if (tag.starts_with('/')) {
+            if (open.empty() || open.back() != tag.substr(1)) {
+                return "</" + tag.substr(1) + "> closes " +
+                       (open.empty() ? "nothing" : "<" + open.back() + ">");
+            }
+            open.pop_back();
+            continue;
+        }
+        if (const std::string fault = attributes_fault(tag); !fault.empty()) {
+            return fault;
+        }
+        if (!tag.ends_with('/')) {
+            open.push_back(name);
+        }
+    }
+    return open.empty() ? "" : "<" + open.back() + "> stays open";
+}
+
+}  // namespace coupling::testing

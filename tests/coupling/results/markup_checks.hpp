@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace coupling::testing {
+
+/// What is wrong with the tags of an XML or XHTML text: the first tag that closes another than the open one,
+/// attributes without quotes, bare ampersands; "" if all is well. Skips declarations, comments, and the
+/// contents of <style>.
+std::string markup_fault(const std::string& text);
+
+}  // namespace coupling::testing

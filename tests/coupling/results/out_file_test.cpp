@@ -1,0 +1,69 @@
+#include "coupling/results/out_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "config/errors/input_error.hpp"
+#include "tests/coupling/results/small_run.hpp"
+
+namespace coupling {
+namespace {
+
+using config::ExitCode;
+using config::InputError;
+using testing::TestFolder;
+
+TEST(OutFile, HoldsWhatWasWritten) {
+    const TestFolder folder;
+    OutFile file{folder.path() / "a.txt"};
+    file.stream() << "rocks\n";
+    file.close();
+    EXPECT_EQ(testing::text_of(folder.path() / "a.txt"), "rocks\n");
+}
+
+TEST(OutFile, NamesTheFileThatCannotBeOpened) {
+    const TestFolder folder;
+    const std::filesystem::path file = folder.path() / "missing" / "a.txt";
+    try {
+        const OutFile out{file};
+        FAIL() << "opened";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), ExitCode::file);
+        EXPECT_EQ(error.problems().front().place.file, file.string());
+    }
+}
+
+TEST(OutFile, TellsOfAFullDiskAtTheLatestOnClosing) {
+    if (!std::filesystem::exists("/dev/full")) {
+        GTEST_SKIP() << "no /dev/full here";
+    }
+    OutFile file{"/dev/full"};
+    file.stream() << "a few bytes that stay in the buffer\n";
+    try {
+        file.close();
+        FAIL() << "closed";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), ExitCode::file);
+        EXPECT_NE(std::string{error.what()}.find("/dev/full"), std::string::npos);
+        EXPECT_NE(std::string{error.what()}.find("No space left"), std::string::npos) << error.what();
+    }
+}
+
+TEST(OutFile, TellsOfAFullDiskWhileMuchIsWritten) {
+    if (!std::filesystem::exists("/dev/full")) {
+        GTEST_SKIP() << "no /dev/full here";
+    }
+    OutFile file{"/dev/full"};
+    const std::string much(1 << 20, 'x');
+    file.stream() << much;
+    EXPECT_THROW(file.check(), InputError);
+}
+
+TEST(MakeFolder, NamesTheFolderThatCannotBeMade) {
+    const TestFolder folder;
+    OutFile file{folder.path() / "taken"};
+    file.close();
+    EXPECT_THROW(make_folder(folder.path() / "taken" / "below"), InputError);
+}
+
+}  // namespace
+}  // namespace coupling
