@@ -230,16 +230,16 @@ std::string MapSheet::scale_bar(double lettering) const {
     const double y = height_ - 0.7 * lettering;
     const std::string half = place(0.5 * length);
     const std::string bar = place(0.35 * lettering);
-    return joined(
-        "<g class=\"bar\" transform=\"translate(", place(0.8 * lettering), " ", place(y),
-        ")\"><rect class=\"plate\"", attribute("x", -0.4 * lettering), attribute("y", -1.5 * lettering),
-        attribute("width", length + 3.6 * lettering), attribute("height", 1.9 * lettering),
-        "/><path class=\"filled\" d=\"M0 0v-", bar, "h", half, "v", bar, "z\"/><path class=\"hollow\" d=\"M",
-        half, " 0v-", bar, "h", half, "v", bar, "z\"/><text", attribute("font-size", 0.85 * lettering),
-        attribute("y", -0.6 * lettering), ">0</text><text", attribute("font-size", 0.85 * lettering),
-        attribute("x", length), attribute("y", -0.6 * lettering), " text-anchor=\"middle\">",
-        (length_m >= 1000.0 ? three_digits(length_m / 1000.0) + " km" : three_digits(length_m) + " m"),
-        "</text></g>");
+    return joined("<g class=\"bar\" transform=\"translate(", place(0.8 * lettering), " ", place(y),
+                  ")\"><rect class=\"plate\"", attribute("x", -0.4 * lettering),
+                  attribute("y", -1.5 * lettering), attribute("width", length + 3.6 * lettering),
+                  attribute("height", 1.9 * lettering), "/><path class=\"filled\" d=\"M0 0v-", bar, "h", half,
+                  "v", bar, "z\"/><path class=\"hollow\" d=\"M", half, " 0v-", bar, "h", half, "v", bar,
+                  "z\"/><text", attribute("font-size", 0.85 * lettering), attribute("y", -0.6 * lettering),
+                  ">0</text><text", attribute("font-size", 0.85 * lettering), attribute("x", length),
+                  attribute("y", -0.6 * lettering), " text-anchor=\"middle\">",
+                  (length_m >= 1000.0 ? tick_text(length_m / 1000.0) + " km" : tick_text(length_m) + " m"),
+                  "</text></g>");
 }
 
 std::string MapSheet::north_arrow(double lettering) const {

@@ -65,9 +65,12 @@ std::string three_digits(double value) {
     if (value == 0.0) {
         return "0";
     }
-    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
-    const double unit = std::pow(10.0, exponent - 2);
-    return with_groups(plain(std::round(value / unit) * unit, std::clamp(2 - exponent, 0, 9)));
+    const auto exponent_of = [](double number) {
+        return static_cast<int>(std::floor(std::log10(std::abs(number)) + 1e-12));
+    };
+    const double unit = std::pow(10.0, exponent_of(value) - 2);
+    const double rounded = std::round(value / unit) * unit;
+    return with_groups(plain(rounded, std::clamp(2 - exponent_of(rounded), 0, 9)));
 }
 
 std::string tick_text(double value) {

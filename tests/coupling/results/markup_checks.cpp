@@ -5,6 +5,8 @@
 #include <set>
 #include <vector>
 
+#include "coupling/results/joined.hpp"
+
 namespace coupling::testing {
 namespace {
 
@@ -13,10 +15,10 @@ std::string text_fault(const std::string& text) {
     static const std::regex entity{"^&(amp|lt|gt|quot|#[0-9]+);"};
     for (std::size_t at = text.find('&'); at != std::string::npos; at = text.find('&', at + 1)) {
         if (!std::regex_search(text.substr(at, 10), entity)) {
-            return "bare & in: " + text.substr(at, 40);
+            return joined("bare & in: ", text.substr(at, 40));
         }
     }
-    return text.find('>') != std::string::npos ? "bare > in: " + text.substr(0, 80) : "";
+    return text.find('>') != std::string::npos ? joined("bare > in: ", text.substr(0, 80)) : "";
 }
 
 std::string attributes_fault(const std::string& tag) {
@@ -26,11 +28,11 @@ std::string attributes_fault(const std::string& tag) {
     for (std::smatch match; std::regex_search(rest, match, attribute, std::regex_constants::match_continuous);
          rest = match.suffix()) {
         if (!names.insert(match[1]).second) {
-            return "attribute twice in <" + tag.substr(0, 80) + ">";
+            return joined("attribute twice in <", tag.substr(0, 80), ">");
         }
     }
     const bool nothing_left = rest.find_first_not_of(" \n/") == std::string::npos;
-    return nothing_left ? "" : "attributes of <" + tag.substr(0, 80) + ">";
+    return nothing_left ? "" : joined("attributes of <", tag.substr(0, 80), ">");
 }
 
 /// Where a tag ends: the next > outside quotes.
@@ -66,7 +68,7 @@ std::string markup_fault(const std::string& text) {
         }
         const std::size_t last = end_of_tag(text, next);
         if (last == std::string::npos) {
-            return "a tag does not end: " + text.substr(next, 80);
+            return joined("a tag does not end: ", text.substr(next, 80));
         }
         const std::string tag = text.substr(next + 1, last - next - 1);
         const std::string name = tag.substr(tag.starts_with('/') ? 1 : 0,
@@ -77,8 +79,7 @@ std::string markup_fault(const std::string& text) {
         }
         if (tag.starts_with('/')) {
             if (open.empty() || open.back() != tag.substr(1)) {
-                return "</" + tag.substr(1) + "> closes " +
-                       (open.empty() ? "nothing" : "<" + open.back() + ">");
+                return joined("</", tag.substr(1), "> closes ", open.empty() ? "nothing" : open.back());
             }
             open.pop_back();
             continue;
@@ -90,7 +91,7 @@ std::string markup_fault(const std::string& text) {
             open.push_back(name);
         }
     }
-    return open.empty() ? "" : "<" + open.back() + "> stays open";
+    return open.empty() ? "" : joined("<", open.back(), "> stays open");
 }
 
 }  // namespace coupling::testing

@@ -1,0 +1,65 @@
+#include "coupling/results/report/map_sheet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/coupling/results/markup_checks.hpp"
+#include "tests/coupling/results/small_run.hpp"
+
+namespace coupling::report {
+namespace {
+
+TEST(InBlocks, ShowsTheValueFarthestFromZero) {
+    config::Raster<float> raster{{3, 2, 0.0, 0.0, 1.0, 1.0}, std::nanf("")};
+    raster.values = {1.0F, -5.0F, std::nanf(""), 2.0F, std::nanf(""), std::nanf("")};
+    const config::Raster<float> blocks = in_blocks(raster, 2);
+    EXPECT_EQ(blocks.frame.columns, 2);
+    EXPECT_EQ(blocks.frame.rows, 1);
+    EXPECT_EQ(blocks.values[0], -5.0F);
+    EXPECT_TRUE(std::isnan(blocks.values[1]));
+}
+
+TEST(MapSheet, DrawsSmallGridsCellByCellAndLargeOnesInBlocks) {
+    testing::SmallRun run;
+    EXPECT_EQ(MapSheet{run.results()}.block(), 1);
+    run.site.map_frame.columns = 1401;
+    EXPECT_EQ(MapSheet{run.results()}.block(), 3);
+}
+
+TEST(MapSheet, DefinesHillshadeSourcesAndTargetsOnce) {
+    const testing::SmallRun run;
+    const std::string definitions = MapSheet{run.results()}.definitions();
+    for (const char* name :
+         {"id=\"shade\"", "id=\"sources\"", "id=\"targets\"", "data:image/png;base64,iVBORw0KGgo"}) {
+        EXPECT_NE(definitions.find(name), std::string::npos) << name;
+    }
+    // The source cell 30-40 m east, 70-80 m north of the corner lies in the fourth column of the first row.
+    EXPECT_NE(definitions.find("M375 0l125 0"), std::string::npos) << definitions;
+    EXPECT_EQ(testing::markup_fault(definitions), "");
+}
+
+TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
+    const testing::SmallRun run;
+    const std::string figure =
+        MapSheet{run.results()}.figure({"Title", "Label", "<g></g>", "", "Caption"}, MapSize::half);
+    for (const char* text :
+         {">Title<", ">N<", ">20 m<", "177\u202f020", "Road &amp; &lt;bridge&gt;", ">House<", "Caption"}) {
+        EXPECT_NE(figure.find(text), std::string::npos) << text;
+    }
+    EXPECT_EQ(testing::markup_fault(figure), "");
+}
+
+TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
+    testing::SmallRun run;
+    run.fall(1);
+    const MapSheet sheet{run.results()};
+    const std::string paths =
+        sheet.paths(std::array{static_cast<const rockfall::PathRecord*>(&run.paths[0])});
+    // 1 to 50 kJ on the first stretch, up to 400 kJ on the second.
+    EXPECT_NE(paths.find("class=\"class1\" d=\"M438 63"), std::string::npos) << paths;
+    EXPECT_NE(paths.find("class=\"class2\" d=\"M450 500"), std::string::npos) << paths;
+}
+
+}  // namespace
+}  // namespace coupling::report

@@ -1,0 +1,99 @@
+#include "coupling/results/report/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+
+#include "tests/coupling/results/markup_checks.hpp"
+#include "tests/coupling/results/small_run.hpp"
+
+namespace coupling::report {
+namespace {
+
+using testing::SmallRun;
+
+std::string page_of(const SmallRun& run) {
+    std::ostringstream out;
+    write_page(out, run.results(), figures_of(run.results()), {{"tables/targets.csv", "What arrives."}});
+    return out.str();
+}
+
+SmallRun some_rocks() {
+    SmallRun run;
+    run.fall(400);
+    return run;
+}
+
+TEST(WritePage, IsWellFormed) {
+    EXPECT_EQ(testing::markup_fault(page_of(some_rocks())), "");
+    EXPECT_EQ(testing::markup_fault(page_of(SmallRun{})), "") << "no rocks at all";
+}
+
+TEST(WritePage, IsWellFormedWithoutForestTargetsPercentilesAndPaths) {
+    SmallRun run = some_rocks();
+    run.with_forest = false;
+    run.histograms[1].reset();
+    run.site.targets.clear();
+    run.tally.targets.clear();
+    run.paths.clear();
+    const std::string page = page_of(run);
+    EXPECT_EQ(testing::markup_fault(page), "");
+    EXPECT_EQ(page.find("with forest"), std::string::npos) << page.substr(page.find("with forest"), 100);
+}
+
+TEST(WritePage, ReachesOutToNothing) {
+    const std::string page = page_of(some_rocks());
+    for (const char* outside : {"http:", "https:", "url(//", "<script", "<link", "@import", "javascript:"}) {
+        EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+    }
+    EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(WritePage, RefersOnlyToWhatItDefinesAndDefinesItOnce) {
+    const std::string page = page_of(some_rocks());
+    std::set<std::string> ids;
+    const std::regex id{" id=\"([^\"]+)\""};
+    for (std::sregex_iterator it{page.begin(), page.end(), id}; it != std::sregex_iterator{}; ++it) {
+        EXPECT_TRUE(ids.insert((*it)[1]).second) << (*it)[1];
+    }
+    const std::regex use{"(?:href=\"#|url\\(#)([A-Za-z0-9-]+)"};
+    for (std::sregex_iterator it{page.begin(), page.end(), use}; it != std::sregex_iterator{}; ++it) {
+        EXPECT_TRUE(ids.contains((*it)[1])) << (*it)[1];
+    }
+}
+
+TEST(WritePage, AnswersBeforeItExplains) {
+    const std::string page = page_of(some_rocks());
+    const std::size_t answer = page.find("The forest keeps away <b>75.0\u00a0%</b>");
+    ASSERT_NE(answer, std::string::npos);
+    EXPECT_LT(answer, page.find("<h2>Maps"));
+    EXPECT_LT(page.find("<h2>Maps"), page.find("<h2>Settings"));
+    EXPECT_NE(page.find("<b>No rock</b> of 400 arrives here"), std::string::npos) << "at the house";
+}
+
+TEST(WritePage, EscapesWhatTheUserWrote) {
+    const std::string page = page_of(some_rocks());
+    EXPECT_EQ(page.find("<bridge>"), std::string::npos);
+    EXPECT_NE(page.find("Road &amp; &lt;bridge&gt;"), std::string::npos);
+    EXPECT_NE(page.find("2 trees lie outside the terrain &amp; were left out"), std::string::npos);
+    EXPECT_NE(page.find("density of the rocks &lt;dry&gt;"), std::string::npos);
+}
+
+TEST(WritePage, MarksChangedSettings) {
+    const std::string page = page_of(some_rocks());
+    EXPECT_NE(page.find("<tr class=\"changed\"><td><code>density_kgpm3</code></td><td>2500</td>"),
+              std::string::npos);
+    EXPECT_NE(page.find("<tr><td><code>seed</code></td><td>1</td>"), std::string::npos);
+}
+
+TEST(WritePage, CarriesHashesProjectionVersionAndSeed) {
+    const std::string page = page_of(some_rocks());
+    for (const char* text :
+         {"0123456789abcdef", "MGI_Austria_Lambert", "Bannwald 0.1.0", "seed 1", "What arrives."}) {
+        EXPECT_NE(page.find(text), std::string::npos) << text;
+    }
+}
+
+}  // namespace
+}  // namespace coupling::report
