@@ -1,0 +1,49 @@
+// Lets rocks fall over a terrain from a file, for tools that count instructions. CGAL, which fails under
+// them, is not linked.
+//
+//   impacts_counted bare|forest TERRAIN ROCKS
+//
+// bare: ends only; forest: 290 stems per hectare with maps and records. Prints the number of ground impacts.
+
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "tests/benchmarks/flat_terrain.hpp"
+#include "tests/benchmarks/one_cover.hpp"
+#include "tests/benchmarks/scene.hpp"
+
+namespace {
+
+int count(const std::string& cover, const std::string& file, std::uint64_t rocks) {
+    std::ifstream in{file, std::ios::binary};
+    const rockfall::Slope slope = benchmarks::slope_of(benchmarks::read_flat(in));
+    const rockfall::FallLaw law = benchmarks::compared_law();
+    std::vector<rockfall::ReleaseSource> sources = benchmarks::bench_sources(slope.terrain);
+    rockfall::allot(sources, rocks);
+    const rockfall::StemIndex stems{benchmarks::bench_trees(), slope.terrain,
+                                    0.5 * benchmarks::compared_start().diameter.largest_m(), law.tree.taper};
+    const config::GridFrame frame = benchmarks::map_frame(benchmarks::bench_heights().frame, slope.terrain);
+    benchmarks::OneCover forest{slope, law, &stems, frame, nullptr};
+    const benchmarks::Totals totals =
+        cover == "forest" ? forest.fall(sources) : benchmarks::fall_bare(slope, sources, law);
+    std::cout << totals.impacts << '\n';
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 4) {
+        std::cerr << "impacts_counted bare|forest TERRAIN ROCKS\n";
+        return 2;
+    }
+    try {
+        return count(argv[1], argv[2], std::strtoull(argv[3], nullptr, 10));
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        return 3;
+    }
+}
