@@ -167,7 +167,7 @@ Json run(const RunResults& results) {
             {"trees", site.trees.size()},
             {"with_forest", results.with_forest},
             {"map", map_frame(site.map_frame)},
-            {"projection", site.projection}};
+            {"projection", site.projection.empty() ? Json(nullptr) : Json(site.projection)}};
 }
 
 }  // namespace

@@ -147,13 +147,13 @@ std::string run_out_histogram(const RunResults& results) {
 
 std::string tree_hit_histogram(const RunResults& results) {
     const rockfall::RunTally& run = results.tally.runs[index_of(Cover::forest)];
-    // As many bars as hold all but one rock in a thousand; the last takes the rest.
+    // As many bars as hold all but one rock in two hundred; the last takes the rest.
     std::vector<double> rocks_by_hits;
     double left_over = static_cast<double>(run.rocks);
     for (const std::uint64_t rocks : run.tree_hits) {
         rocks_by_hits.push_back(static_cast<double>(rocks));
         left_over -= static_cast<double>(rocks);
-        if (left_over <= 1e-3 * static_cast<double>(run.rocks)) {
+        if (left_over <= 5e-3 * static_cast<double>(run.rocks)) {
             break;
         }
     }

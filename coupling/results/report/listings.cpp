@@ -17,8 +17,9 @@ std::string fact(std::string_view name, const std::string& value) {
 std::string projection_name(const std::string& text) {
     const std::size_t first = text.find('"');
     const std::size_t last = text.find('"', first + 1);
-    return first == std::string::npos || last == std::string::npos ? "none given"
-                                                                   : text.substr(first + 1, last - first - 1);
+    return first == std::string::npos || last == std::string::npos
+               ? "none: the DEM has no .prj file, so the grids have none either"
+               : text.substr(first + 1, last - first - 1);
 }
 
 std::string rock_size(const Scenario& scenario) {

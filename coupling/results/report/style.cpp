@@ -28,8 +28,8 @@ section.card p.answer{font-size:1.12rem;max-width:none}
 dl.facts{margin-bottom:0}
 .two{display:grid;grid-template-columns:minmax(260px,2fr) 3fr;gap:22px;align-items:center}
 .halves,.thirds{display:grid;gap:14px;align-items:start;margin-bottom:14px}
-.halves{grid-template-columns:repeat(auto-fit,minmax(430px,1fr))}
-.thirds{grid-template-columns:repeat(auto-fit,minmax(300px,1fr))}
+.halves{grid-template-columns:repeat(auto-fit,minmax(min(430px,100%),1fr))}
+.thirds{grid-template-columns:repeat(auto-fit,minmax(min(300px,100%),1fr))}
 .halves>*,.thirds>*{margin:0;min-width:0}
 svg{display:block;width:100%;height:auto}
 svg.definitions{position:absolute;width:0;height:0}
@@ -73,7 +73,7 @@ caption{text-align:left;padding:0 0 .4em}
 th,td{padding:.28em .6em;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
 thead th{border-bottom:2px solid var(--line);font-weight:600;vertical-align:bottom}
 th:first-child,td:first-child,td.text,th.text{text-align:left}
-td.text{overflow-wrap:anywhere}
+td.text{overflow-wrap:break-word}
 tr.changed td:first-child{font-weight:700}
 tr.changed td:first-child::after{content:" \25CF";color:var(--bare)}
 tr.group th{padding-top:1em;text-align:left;color:var(--soft)}
@@ -83,14 +83,16 @@ fieldset.switches{border:0;margin:0 0 1em;padding:0}
 .switches label{margin-right:1.4em;white-space:nowrap}
 main:has(#show-sources:not(:checked)) use.sources,main:has(#show-targets:not(:checked)) .targets,
 main:has(#show-hillshade:not(:checked)) use.shade{display:none}
+@media (max-width:700px){main{padding:14px 10px 40px}.two{grid-template-columns:1fr}}
 @media print{
-@page{size:A4;margin:14mm}
-:root{color-scheme:light;--ink:#000;--soft:#444;--paper:#fff;--ground:#fff;--line:#bbb;--forest:#00664f;--bare:#b04a00;--note:#fff}
-body{font-size:10.5pt}main{max-width:none;padding:0}
+@page{size:A4;margin:12mm}
+:root{font-size:13px;color-scheme:light;--ink:#000;--soft:#444;--paper:#fff;--ground:#fff;--line:#bbb;--forest:#00664f;--bare:#b04a00;--note:#fff}
+body{font-size:1rem}main{max-width:none;padding:0}h2+p,h3+p{break-after:avoid}
+section.card,figure,.facts{padding:7px 8px;margin-bottom:8px}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}
 figure,section.card,tr{break-inside:avoid}h2,h3{break-after:avoid}
-.halves{grid-template-columns:1fr 1fr}.thirds{grid-template-columns:1fr 1fr 1fr}
-.switches{display:none}.wide{overflow:visible}table{font-size:8.5pt}th,td{padding:.2em .35em}}
+.halves{grid-template-columns:1fr 1fr}.thirds{grid-template-columns:1fr 1fr 1fr}.thirds:has(.chart){grid-template-columns:1fr 1fr}.thirds,.halves{gap:8px}
+.switches{display:none}.wide{overflow:visible}table{font-size:.85rem}th,td{padding:.2em .35em}}
 )css";
 }
 
