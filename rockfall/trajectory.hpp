@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -70,9 +71,9 @@ private:
         const Landing landing = fly(slope_.terrain, flight, triangle_, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
         if (obstacles_.stems != nullptr) {
-            forget_stem_left_behind();
-            const auto hit = obstacles_.stems->first_hit(flight, landing.time_s, rock_.radius_m, last_stem_,
-                                                         obstacles_.gone);
+            forget_stems_left_behind();
+            const auto hit = obstacles_.stems->first_hit(flight, landing.time_s, rock_.radius_m,
+                                                         stems_touched(), obstacles_.gone);
             if (hit) {
                 end_flight_at(flight, hit->time_s);
                 meet(*hit);
@@ -88,7 +89,7 @@ private:
             return;
         }
         position_m_.z() = scratch_.stretches.back().ground_end_m;
-        touch_ground(slope_.terrain.plane_of(triangle_));
+        touch_ground(landing.plane);
     }
 
     /// Cuts the flight and the profile below it at a time.
@@ -197,7 +198,7 @@ private:
     }
 
     ContactDraws next_draws() {
-        ContactDraws draws = contact_draws(ground_draws_.uniforms_of(contacts_++));
+        ContactDraws draws = contact_draws(ground_draws_.uniforms_of(contacts_++), law_.ground);
         if (law_.ground.noise == NoiseScope::rock) {
             draws.noise = noise_of_rock_;
         }
@@ -270,7 +271,7 @@ private:
             return false;  // without a law for the angle nothing lifts a rolling rock off even ground
         }
         const Eigen::Vector3d leaving_mps = lift_off(velocity_mps_, normal, law_.ground, next_draws());
-        if (hop_length_m(leaving_mps, normal) < rock_.radius_m) {
+        if (!hops_far(leaving_mps, normal, rock_.radius_m)) {
             return false;
         }
         velocity_mps_ = leaving_mps;
@@ -322,11 +323,11 @@ private:
         if (obstacles_.stems == nullptr || piece.duration_s <= 0.0) {
             return false;
         }
-        forget_stem_left_behind();
+        forget_stems_left_behind();
         const Eigen::Vector3d mean_mps =
             (piece.position_m(piece.duration_s) - piece.start_m) / piece.duration_s;
-        const auto hit = obstacles_.stems->first_hit_rolling(piece.start_m, mean_mps, piece.duration_s,
-                                                             rock_.radius_m, last_stem_, obstacles_.gone);
+        const auto hit = obstacles_.stems->first_hit_rolling(
+            piece.start_m, mean_mps, piece.duration_s, rock_.radius_m, stems_touched(), obstacles_.gone);
         if (!hit) {
             return false;
         }
@@ -349,7 +350,7 @@ private:
         const TreeImpact impact =
             meet_stem(energy_j, hit, stem, law_.tree, tree_draws_.uniforms_of(end_.tree_hits));
         ++end_.tree_hits;
-        last_stem_ = hit.stem;
+        remember(hit.stem);
         observer_.met_stem(position_m_, hit, impact, energy_j);
         if (impact.broken && law_.tree.remove_broken && !obstacles_.gone.empty()) {
             obstacles_.gone[hit.stem] = 1;
@@ -382,18 +383,31 @@ private:
         }
     }
 
+    /// The stems that the rock has hit and not yet left: it slides along them and cannot hit them anew.
+    [[nodiscard]] std::span<const std::uint32_t> stems_touched() const {
+        return {touched_.data(), touched_count_};
+    }
+
+    void remember(std::uint32_t stem) {
+        if (touched_count_ == touched_.size()) {  // wedged among many: the first one makes room
+            std::move(touched_.begin() + 1, touched_.end(), touched_.begin());
+            --touched_count_;
+        }
+        touched_[touched_count_++] = stem;
+    }
+
     /// A stem counts again once the rock has left it by a centimetre.
-    void forget_stem_left_behind() {
-        if (last_stem_ == no_stem) {
-            return;
-        }
-        const PlacedStem& stem = obstacles_.stems->placed()[last_stem_];
-        const double dx = position_m_.x() - stem.x_m;
-        const double dy = position_m_.y() - stem.y_m;
-        const double clear_m = rock_.radius_m + taper_at_ground * stem.breast_radius_m + 0.01;
-        if (dx * dx + dy * dy > clear_m * clear_m) {
-            last_stem_ = no_stem;
-        }
+    void forget_stems_left_behind() {
+        const auto is_left = [&](std::uint32_t touched) {
+            const PlacedStem& stem = obstacles_.stems->placed()[touched];
+            const double dx = position_m_.x() - stem.x_m;
+            const double dy = position_m_.y() - stem.y_m;
+            const double clear_m = rock_.radius_m + taper_at_ground * stem.breast_radius_m + 0.01;
+            return dx * dx + dy * dy > clear_m * clear_m;
+        };
+        const auto end = touched_.begin() + static_cast<std::ptrdiff_t>(touched_count_);
+        touched_count_ =
+            static_cast<std::size_t>(std::remove_if(touched_.begin(), end, is_left) - touched_.begin());
     }
 
     static constexpr std::uint32_t most_rolling_pieces = 200'000;
@@ -422,7 +436,8 @@ private:
     std::uint32_t contacts_ = 0;
     std::uint32_t rolls_ = 0;
     std::uint32_t rolling_pieces_ = 0;
-    std::uint32_t last_stem_ = no_stem;
+    std::array<std::uint32_t, 4> touched_{};
+    std::size_t touched_count_ = 0;
     double noise_of_rock_ = 0.0;
     double rolling_until_caught_ = 0.0;
     const SurfaceType* probability_of_ = nullptr;

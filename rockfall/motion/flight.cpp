@@ -18,13 +18,28 @@ struct Sighting {
     double height_m;
 };
 
-Sighting sight(const Vertex& vertex, const Flight& flight) {
-    const double rx = vertex.x_m - flight.start_m.x();
-    const double ry = vertex.y_m - flight.start_m.y();
-    const double vx = flight.velocity_mps.x();
-    const double vy = flight.velocity_mps.y();
-    return {vx * ry - vy * rx, vx * rx + vy * ry, vertex.z_m};
-}
+/// Looks at the terrain along the plan view of a flight.
+struct View {
+    const Vertex* vertices;
+    const Triangle* triangles;
+    double x_m, y_m;
+    double vx_mps, vy_mps;
+
+    View(const Terrain& terrain, const Flight& flight)
+        : vertices{terrain.vertices().data()},
+          triangles{terrain.triangles().data()},
+          x_m{flight.start_m.x()},
+          y_m{flight.start_m.y()},
+          vx_mps{flight.velocity_mps.x()},
+          vy_mps{flight.velocity_mps.y()} {}
+
+    [[nodiscard]] Sighting sight(std::uint32_t vertex) const {
+        const Vertex& v = vertices[vertex];
+        const double rx = v.x_m - x_m;
+        const double ry = v.y_m - y_m;
+        return {vx_mps * ry - vy_mps * rx, vx_mps * rx + vy_mps * ry, v.z_m};
+    }
+};
 
 /// When the parabola comes down through the plane. The start may lie below the plane where its triangle has
 /// not begun yet.
@@ -47,32 +62,33 @@ struct Gate {
 };
 
 /// The gate out of the first triangle; false if, by rounding, the path misses it.
-bool first_gate(const Terrain& terrain, const Flight& flight, std::uint32_t triangle, Gate& gate) {
-    const Triangle& t = terrain.triangles()[triangle];
-    Sighting seen[3];
-    for (int i = 0; i < 3; ++i) {
-        seen[i] = sight(terrain.vertices()[t.corners[i]], flight);
+inline bool first_gate(const View& view, std::uint32_t triangle, Gate& gate) {
+    const Triangle& t = view.triangles[triangle];
+    const auto [a, b, c] = t.corners;
+    const Sighting seen_a = view.sight(a);
+    const Sighting seen_b = view.sight(b);
+    const Sighting seen_c = view.sight(c);
+    if (seen_a.side < 0.0 && seen_b.side >= 0.0) {
+        gate = {a, b, t.neighbours[0], seen_a, seen_b};
+    } else if (seen_b.side < 0.0 && seen_c.side >= 0.0) {
+        gate = {b, c, t.neighbours[1], seen_b, seen_c};
+    } else if (seen_c.side < 0.0 && seen_a.side >= 0.0) {
+        gate = {c, a, t.neighbours[2], seen_c, seen_a};
+    } else {
+        return false;
     }
-    for (int i = 0; i < 3; ++i) {
-        const int j = i == 2 ? 0 : i + 1;
-        if (seen[i].side < 0.0 && seen[j].side >= 0.0) {
-            gate = {t.corners[i], t.corners[j], t.neighbours[i], seen[i], seen[j]};
-            return true;
-        }
-    }
-    return false;
+    return true;
 }
 
 /// Steps over the gate: the third corner of the next triangle decides which of its other edges is next.
-void step_over(const Terrain& terrain, const Flight& flight, Gate& gate) {
-    const Triangle& t = terrain.triangles()[gate.beyond];
+inline void step_over(const View& view, Gate& gate) {
+    const Triangle& t = view.triangles[gate.beyond];
+    const auto [a, b, c] = t.corners;
+    // Two of the corners are the ends of the gate and cancel out, whichever they are.
+    const std::uint32_t third = a ^ b ^ c ^ gate.left ^ gate.right;
+    const Sighting seen = view.sight(third);
     // Counter-clockwise the shared edge runs from the left end to the right end; then comes the third corner.
-    int k = 0;
-    while (t.corners[k] == gate.left || t.corners[k] == gate.right) {
-        ++k;
-    }
-    const std::uint32_t third = t.corners[k];
-    const Sighting seen = sight(terrain.vertices()[third], flight);
+    const std::size_t k = third == c ? 2 : third == b ? 1 : 0;
     if (seen.side < 0.0) {
         gate.right = third;
         gate.right_end = seen;
@@ -89,7 +105,7 @@ Landing fall_straight_down(const Terrain& terrain, const Flight& flight, std::ui
     const Plane plane = terrain.plane_of(triangle);
     const double time_s = std::max(0.0, landing_time_s(plane, flight));
     stretches.push_back({time_s, plane.height_m(flight.start_m.x(), flight.start_m.y()), triangle});
-    return {time_s, triangle, FlightEnd::ground};
+    return {time_s, triangle, FlightEnd::ground, plane};
 }
 
 /// The first gate when the start lies a rounding error outside its triangle: looks from a hair further along
@@ -100,7 +116,7 @@ bool first_gate_nearby(const Terrain& terrain, const Flight& flight, std::uint32
         const double time_s = ahead_m / plan_speed_mps;
         const auto found = terrain.locate(flight.start_m.x() + time_s * flight.velocity_mps.x(),
                                           flight.start_m.y() + time_s * flight.velocity_mps.y(), triangle);
-        if (found && first_gate(terrain, flight, *found, gate)) {
+        if (found && first_gate({terrain, flight}, *found, gate)) {
             triangle = *found;
             return true;
         }
@@ -113,13 +129,18 @@ bool first_gate_nearby(const Terrain& terrain, const Flight& flight, std::uint32
 Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle,
             std::vector<Stretch>& stretches) {
     stretches.clear();
-    const double squared_plan_speed = flight.velocity_mps.head<2>().squaredNorm();
+    const View view{terrain, flight};
+    const double squared_plan_speed = view.vx_mps * view.vx_mps + view.vy_mps * view.vy_mps;
     if (squared_plan_speed < vertical_flight_mps * vertical_flight_mps) {
         return fall_straight_down(terrain, flight, triangle, stretches);
     }
     Gate gate;
-    if (!first_gate(terrain, flight, triangle, gate) && !first_gate_nearby(terrain, flight, triangle, gate)) {
-        return {0.0, triangle, FlightEnd::left_terrain};
+    if (!first_gate(view, triangle, gate)) {
+        Gate nearby;
+        if (!first_gate_nearby(terrain, flight, triangle, nearby)) {
+            return {0.0, triangle, FlightEnd::left_terrain, {}};
+        }
+        gate = nearby;
     }
     const double per_squared_speed = 1.0 / squared_plan_speed;
     double entry_s = 0.0;
@@ -139,15 +160,15 @@ Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle
                 const double time_s = std::max(landing_s, entry_s);
                 const Eigen::Vector3d end = flight.position_m(time_s);
                 stretches.push_back({time_s, plane.height_m(end.x(), end.y()), triangle});
-                return {time_s, triangle, FlightEnd::ground};
+                return {time_s, triangle, FlightEnd::ground, plane};
             }
         }
         stretches.push_back({exit_s, ground_m, triangle});
         if (gate.beyond == no_triangle) {
-            return {exit_s, triangle, FlightEnd::left_terrain};
+            return {exit_s, triangle, FlightEnd::left_terrain, {}};
         }
         triangle = gate.beyond;
-        step_over(terrain, flight, gate);
+        step_over(view, gate);
         entry_s = exit_s;
     }
 }

@@ -24,7 +24,11 @@ struct Flight {
     [[nodiscard]] Eigen::Vector3d velocity_at(double time_s) const {
         return {velocity_mps.x(), velocity_mps.y(), velocity_mps.z() - config::gravity_mps2 * time_s};
     }
-    [[nodiscard]] double squared_speed_at(double time_s) const { return velocity_at(time_s).squaredNorm(); }
+    [[nodiscard]] double squared_speed_at(double time_s) const {
+        const double rising_mps = velocity_mps.z() - config::gravity_mps2 * time_s;
+        return velocity_mps.x() * velocity_mps.x() + velocity_mps.y() * velocity_mps.y() +
+               rising_mps * rising_mps;
+    }
 };
 
 /// The stretch of a flight over one triangle: until when, and the height of the ground there.
@@ -44,6 +48,7 @@ struct Landing {
     double time_s;
     std::uint32_t triangle;  ///< under the end; the last one inside if the rock left the terrain
     FlightEnd end;
+    Plane plane;  ///< of that triangle, where the flight ended on the ground
 };
 
 /// Flies until the rock meets the ground or the border, in closed form and without time steps.

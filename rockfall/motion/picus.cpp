@@ -14,9 +14,17 @@ namespace {
 /// Spin after a contact: that of rolling along the ground, as far as energy allows.
 double spin_after(const Rock& rock, double energy_before_j, double squared_speed_after,
                   double along_slope_mps) {
-    const double left_j = energy_before_j - 0.5 * rock.mass_kg * squared_speed_after;
-    const double affordable_radps = std::sqrt(2.0 * std::max(0.0, left_j) / rock.inertia_kgm2);
-    return std::min(along_slope_mps / rock.radius_m, affordable_radps);
+    const double left_j = std::max(0.0, energy_before_j - 0.5 * rock.mass_kg * squared_speed_after);
+    const double rolling_radps = along_slope_mps / rock.radius_m;
+    return 0.5 * rock.inertia_kgm2 * rolling_radps * rolling_radps <= left_j
+               ? rolling_radps
+               : std::sqrt(2.0 * left_j / rock.inertia_kgm2);
+}
+
+/// Whether rocks do not begin to roll by themselves: the tangent of the slope lies below the friction.
+bool holds_rocks(const Eigen::Vector3d& normal, double friction) {
+    const double squared_cosine = normal.z() * normal.z();
+    return 1.0 - squared_cosine < friction * friction * squared_cosine;
 }
 
 /// Goes over to rolling with the tangential part of the impact.
@@ -46,23 +54,27 @@ Eigen::Vector3d velocity_off_ground(const Impact& impact, Restitution restitutio
 
 }  // namespace
 
-ContactDraws contact_draws(const config::FourUniforms& uniforms) {
+ContactDraws contact_draws(const config::FourUniforms& uniforms, const PicusLaw& law) {
     static const config::TruncatedNormal within_two_deviations{2.0};
-    return {2.0 * uniforms[0] - 1.0, 2.0 * uniforms[1] - 1.0, uniforms[2],
-            within_two_deviations(uniforms[3])};
+    const double angle = law.jump_angle.scatter > 0.0 ? within_two_deviations(uniforms[3]) : 0.0;
+    return {2.0 * uniforms[0] - 1.0, 2.0 * uniforms[1] - 1.0, uniforms[2], angle};
 }
 
 double rolling_speed_scale_mps(double normal_z, double radius_m) {
     return std::sqrt(config::gravity_mps2 * radius_m * normal_z);
 }
 
-double hop_length_m(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal) {
+bool hops_far(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, double least_m) {
+    // On a plane that goes on for ever the jump takes t = 2 v_n / (g n_z) and leads to t v_t + t^2 g_t / 2.
+    // As v_t lies in the plane, v_t . g_t = -g v_t.z.
     const double rising_mps = velocity_mps.dot(normal);
     const double time_s = 2.0 * rising_mps / (config::gravity_mps2 * normal.z());
-    const Eigen::Vector3d along_mps = velocity_mps - rising_mps * normal;
-    const Eigen::Vector3d gravity_along =
-        -config::gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
-    return (time_s * along_mps + 0.5 * time_s * time_s * gravity_along).norm();
+    const double squared_along = velocity_mps.squaredNorm() - rising_mps * rising_mps;
+    const double falling_mps = rising_mps * normal.z() - velocity_mps.z();
+    const double half_fall_mps = 0.5 * config::gravity_mps2 * time_s;
+    const double squared_pace = squared_along + 2.0 * half_fall_mps * falling_mps +
+                                half_fall_mps * half_fall_mps * (1.0 - normal.z() * normal.z());
+    return time_s * time_s * squared_pace >= least_m * least_m;
 }
 
 Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
@@ -82,9 +94,7 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
         draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
     const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
 
-    const double steepness_squared = (1.0 - normal.z() * normal.z()) / (normal.z() * normal.z());
-    const bool holds_rocks = steepness_squared < law.rolling.friction * law.rolling.friction;
-    if (speed_mps < law.stopping.slow_mps && holds_rocks) {
+    if (speed_mps < law.stopping.slow_mps && holds_rocks(normal, law.rolling.friction)) {
         return {Onward::rests, Eigen::Vector3d::Zero(), 0.0};
     }
     if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(normal.z(), rock.radius_m)) {
@@ -92,7 +102,7 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
     }
     const Eigen::Vector3d leaving_mps =
         velocity_off_ground(impact, restitution, speed_mps, direction, normal, law, draws.angle);
-    if (hop_length_m(leaving_mps, normal) < rock.radius_m) {
+    if (!hops_far(leaving_mps, normal, rock.radius_m)) {
         return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
     }
     return {Onward::flies, leaving_mps,

@@ -46,8 +46,9 @@ struct ContactDraws {
     double angle = 0.0;    ///< standard normal, cut at two deviations
 };
 
-/// The draws of a contact from four uniforms.
-ContactDraws contact_draws(const config::FourUniforms& uniforms);
+/// The draws of a contact from four uniforms. The normal deviate takes longer than all others: it is made
+/// only for a law with scatter.
+ContactDraws contact_draws(const config::FourUniforms& uniforms, const PicusLaw& law);
 
 /// Meets the ground with a velocity into it: restitution, jump angle, deviation, chance to stop, change to
 /// rolling.
@@ -62,8 +63,9 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
 Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,
                          const PicusLaw& law, const ContactDraws& draws);
 
-/// Length along the plane of the jump that a velocity leads to, if the plane went on for ever.
-double hop_length_m(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal);
+/// Whether the jump that a velocity leads to is at least so long, along the plane and if the plane went on
+/// for ever.
+bool hops_far(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, double least_m);
 
 /// Speeds at which a rock begins to roll and to jump on a plane: factor * sqrt(g R cos b).
 double rolling_speed_scale_mps(double normal_z, double radius_m);

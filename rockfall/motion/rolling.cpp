@@ -12,7 +12,7 @@ namespace {
 using config::gravity_mps2;
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double standing_mps = 1e-3;
+constexpr double standing_mps = 1e-2;
 constexpr double largest_turn_rad = 0.03;
 constexpr double longest_curved_piece_s = 0.25;
 
@@ -84,11 +84,14 @@ double longest_piece_s(const Eigen::Vector3d& velocity, double speed_mps, const 
     if (straight) {
         return along < 0.0 ? speed_mps / -along : never;
     }
-    double longest_s = std::min(longest_curved_piece_s, largest_turn_rad * velocity.norm() / across);
-    if (along < 0.0) {
-        longest_s = std::min(longest_s, 0.5 * speed_mps / -along);
+    const double longest_s = std::min(longest_curved_piece_s, largest_turn_rad * velocity.norm() / across);
+    if (along >= 0.0) {
+        return std::max(longest_s, shortest_rolling_piece_s);
     }
-    return std::max(longest_s, shortest_rolling_piece_s);
+    // Friction brings a rock to rest but never drives it back.
+    const double until_rest_s = speed_mps / -along;
+    return std::min(std::max(std::min(longest_s, 0.5 * until_rest_s), shortest_rolling_piece_s),
+                    until_rest_s);
 }
 
 }  // namespace

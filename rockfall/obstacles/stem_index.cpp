@@ -104,9 +104,13 @@ struct StemIndex::Path {
     double z_m;  // height of the underside at the start
     double rising_mps;
     double falling_mps2;
-    std::uint32_t ignored;
+    std::span<const std::uint32_t> ignored;
     std::span<const std::uint8_t> gone;
 
+    [[nodiscard]] bool passes_over(std::uint32_t stem) const {
+        return std::find(ignored.begin(), ignored.end(), stem) != ignored.end() ||
+               (!gone.empty() && gone[stem] != 0);
+    }
     [[nodiscard]] double underside_m(double time_s) const {
         return z_m + time_s * (rising_mps - 0.5 * falling_mps2 * time_s);
     }
@@ -126,7 +130,7 @@ void StemIndex::look_into(std::size_t bin, const Path& path, StemHit& first) con
             continue;
         }
         const double abeam_m = path.direction_x * rx + path.direction_y * ry;
-        if (abeam_m <= 0.0 || i == path.ignored || (!path.gone.empty() && path.gone[i] != 0)) {
+        if (abeam_m <= 0.0 || path.passes_over(i)) {
             continue;  // the axis lies behind: the rock moves away
         }
         // The radius depends on the height of the hit and the height on where the circle begins: begin with
@@ -154,36 +158,37 @@ void StemIndex::look_into(std::size_t bin, const Path& path, StemHit& first) con
 
 std::optional<StemHit> StemIndex::search(const Path& path) const {
     StemHit first{no_stem, std::numeric_limits<double>::infinity(), 0.0, 0.0, 0.0};
-    const double length_m = path.plan_speed_mps * path.until_s;
-    config::Cell cell = bins_.cell_at(path.x_m, path.y_m);
-    const config::Cell last =
-        bins_.cell_at(path.x_m + path.direction_x * length_m, path.y_m + path.direction_y * length_m);
-    const int step_x = path.direction_x >= 0.0 ? 1 : -1;
-    const int step_y = path.direction_y >= 0.0 ? 1 : -1;
     constexpr double never = std::numeric_limits<double>::infinity();
-    // Distance along the path to the next bin border, and from one to the next.
-    const double border_x_m = bins_.x_west_m + (cell.column + (step_x > 0 ? 1 : 0)) * bin_size_m;
-    const double border_y_m = bins_.y_north_m() - (cell.row + (step_y > 0 ? 0 : 1)) * bin_size_m;
-    double to_x_m = path.direction_x != 0.0 ? (border_x_m - path.x_m) / path.direction_x : never;
-    double to_y_m = path.direction_y != 0.0 ? (border_y_m - path.y_m) / path.direction_y : never;
-    const double per_x_m = path.direction_x != 0.0 ? bin_size_m / std::abs(path.direction_x) : never;
-    const double per_y_m = path.direction_y != 0.0 ? bin_size_m / std::abs(path.direction_y) : never;
-    int bins_left = std::abs(last.column - cell.column) + std::abs(last.row - cell.row);
+    constexpr double bins_per_m = 1.0 / bin_size_m;
+    // Place in units of bins, from the north-western corner: columns to the east, rows to the south.
+    const double column = (path.x_m - bins_.x_west_m) * bins_per_m;
+    const double row = (bins_.y_north_m() - path.y_m) * bins_per_m;
+    config::Cell cell{static_cast<int>(std::floor(column)), static_cast<int>(std::floor(row))};
+    const int step_column = path.direction_x >= 0.0 ? 1 : -1;
+    const int step_row = path.direction_y >= 0.0 ? -1 : 1;
+    // Distance along the path from one bin border to the next, and to the first one.
+    const double per_column_m = path.direction_x != 0.0 ? bin_size_m / std::abs(path.direction_x) : never;
+    const double per_row_m = path.direction_y != 0.0 ? bin_size_m / std::abs(path.direction_y) : never;
+    const double into_column = step_column > 0 ? cell.column + 1 - column : column - cell.column;
+    const double into_row = step_row > 0 ? cell.row + 1 - row : row - cell.row;
+    double to_column_m = path.direction_x != 0.0 ? into_column * per_column_m : never;
+    double to_row_m = path.direction_y != 0.0 ? into_row * per_row_m : never;
+    const double length_m = path.plan_speed_mps * path.until_s;
     while (true) {
         if (bins_.contains(cell)) {
             look_into(bins_.index(cell), path, first);
         }
-        const double next_border_m = std::min(to_x_m, to_y_m);
+        const double next_border_m = std::min(to_column_m, to_row_m);
         // A hit before the border of this bin cannot be undercut by stems of a later one.
-        if (bins_left-- <= 0 || first.time_s * path.plan_speed_mps <= next_border_m) {
+        if (next_border_m >= length_m || first.time_s * path.plan_speed_mps <= next_border_m) {
             break;
         }
-        if (to_x_m <= to_y_m) {
-            cell.column += step_x;
-            to_x_m += per_x_m;
+        if (to_column_m <= to_row_m) {
+            cell.column += step_column;
+            to_column_m += per_column_m;
         } else {
-            cell.row -= step_y;
-            to_y_m += per_y_m;
+            cell.row += step_row;
+            to_row_m += per_row_m;
         }
     }
     if (first.stem == no_stem) {
@@ -193,7 +198,8 @@ std::optional<StemHit> StemIndex::search(const Path& path) const {
 }
 
 std::optional<StemHit> StemIndex::first_hit(const Flight& flight, double until_s, double rock_radius_m,
-                                            std::uint32_t ignored, std::span<const std::uint8_t> gone) const {
+                                            std::span<const std::uint32_t> ignored,
+                                            std::span<const std::uint8_t> gone) const {
     const double plan_speed_mps = flight.velocity_mps.head<2>().norm();
     constexpr double vertical_mps = 1e-6;  // such a rock has no path in plan that could meet a stem
     if (stems_.empty() || plan_speed_mps < vertical_mps) {
@@ -206,7 +212,8 @@ std::optional<StemHit> StemIndex::first_hit(const Flight& flight, double until_s
 
 std::optional<StemHit> StemIndex::first_hit_rolling(const Eigen::Vector3d& start_m,
                                                     const Eigen::Vector3d& velocity_mps, double until_s,
-                                                    double rock_radius_m, std::uint32_t ignored,
+                                                    double rock_radius_m,
+                                                    std::span<const std::uint32_t> ignored,
                                                     std::span<const std::uint8_t> gone) const {
     const double plan_speed_mps = velocity_mps.head<2>().norm();
     constexpr double standing_mps = 1e-9;

@@ -55,18 +55,18 @@ public:
     /// The first stem that a rock meets between the start of a flight and `until_s`.
     ///
     /// A hit is where the rock's centre comes as near to the axis as rock radius + stem radius at that
-    /// height, the rock's underside below the tree top. `ignored` (the stem hit last) is passed over, as are
-    /// stems marked in `gone` (empty: none). A rock that starts within reach of a stem meets it at once if it
-    /// moves towards the axis.
+    /// height, the rock's underside below the tree top. `ignored` (stems hit and not yet left) are passed
+    /// over, as are stems marked in `gone` (empty: none). A rock that starts within reach of a stem meets it
+    /// at once if it moves towards the axis.
     [[nodiscard]] std::optional<StemHit> first_hit(const Flight& flight, double until_s, double rock_radius_m,
-                                                   std::uint32_t ignored,
+                                                   std::span<const std::uint32_t> ignored,
                                                    std::span<const std::uint8_t> gone) const;
 
     /// The same for a rock that rolls on the ground along a straight piece, `velocity_mps` constant.
     [[nodiscard]] std::optional<StemHit> first_hit_rolling(const Eigen::Vector3d& start_m,
                                                            const Eigen::Vector3d& velocity_mps,
                                                            double until_s, double rock_radius_m,
-                                                           std::uint32_t ignored,
+                                                           std::span<const std::uint32_t> ignored,
                                                            std::span<const std::uint8_t> gone) const;
 
 private:

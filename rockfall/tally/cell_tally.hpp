@@ -39,13 +39,19 @@ struct CellSums {
     void add(const CellVisit& visit) {
         ++passages;
         tree_impacts += visit.tree_impacts;
-        energy_sum_j += static_cast<std::uint64_t>(std::lround(visit.energy_j));
-        speed_sum_mmps += static_cast<std::uint64_t>(std::lround(1000.0F * visit.speed_mps));
-        height_sum_mm += static_cast<std::uint64_t>(std::lround(1000.0F * visit.height_m));
+        energy_sum_j += nearest(visit.energy_j);
+        speed_sum_mmps += nearest(1000.0F * visit.speed_mps);
+        height_sum_mm += nearest(1000.0F * visit.height_m);
         energy_max_j = std::max(energy_max_j, visit.energy_j);
         speed_max_mps = std::max(speed_max_mps, visit.speed_mps);
         height_max_m = std::max(height_max_m, visit.height_m);
         energy_line_slope_min = std::min(energy_line_slope_min, visit.energy_line_slope);
+    }
+
+    /// The nearest whole number of one that is not negative. As std::lround, which is a call on old
+    /// processors.
+    static std::uint64_t nearest(float value) {
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(static_cast<double>(value) + 0.5));
     }
 
     /// Adds what another worker counted; which sources fed a cell must not be split between workers.

@@ -24,14 +24,16 @@ public:
         : cell_{frame.cell_at(x_m, y_m)}, step_column_{vx >= 0.0 ? 1 : -1}, step_row_{vy >= 0.0 ? -1 : 1} {
         if (vx != 0.0) {
             const double border_m = frame.x_west_m + (cell_.column + (vx > 0.0 ? 1 : 0)) * frame.cell_width_m;
-            to_column_ = (border_m - x_m) / vx;
-            per_column_ = frame.cell_width_m / std::abs(vx);
+            const double per_vx = 1.0 / vx;
+            to_column_ = (border_m - x_m) * per_vx;
+            per_column_ = frame.cell_width_m * std::abs(per_vx);
         }
         if (vy != 0.0) {
             const double border_m =
                 frame.y_north_m() - (cell_.row + (vy > 0.0 ? 0 : 1)) * frame.cell_height_m;
-            to_row_ = (border_m - y_m) / vy;
-            per_row_ = frame.cell_height_m / std::abs(vy);
+            const double per_vy = 1.0 / vy;
+            to_row_ = (border_m - y_m) * per_vy;
+            per_row_ = frame.cell_height_m * std::abs(per_vy);
         }
     }
     [[nodiscard]] const config::Cell& cell() const { return cell_; }
@@ -56,44 +58,55 @@ private:
     double per_row_ = never;
 };
 
-/// The ground under a flight: a straight line in time over each stretch.
+/// A flight and the ground under it, which is a straight line in time over each stretch.
 class GroundBelow {
 public:
-    GroundBelow(std::span<const Stretch> stretches, double ground_start_m)
-        : stretches_{stretches}, begin_m_{ground_start_m} {
+    GroundBelow(const Flight& flight, std::span<const Stretch> stretches, double ground_start_m)
+        : stretch_{stretches.data()},
+          last_{stretches.data() + stretches.size() - 1},
+          start_m_{flight.start_m.z()},
+          rising_mps_{flight.velocity_mps.z()},
+          begin_m_{ground_start_m} {
         take_slope();
     }
-    [[nodiscard]] double end_s() const { return stretches_[k_].end_s; }
-    [[nodiscard]] std::uint32_t triangle() const { return stretches_[k_].triangle; }
-    [[nodiscard]] double at(double time_s) const { return begin_m_ + rise_ * (time_s - begin_s_); }
-    [[nodiscard]] double rise_mps() const { return rise_; }
-    [[nodiscard]] bool last() const { return k_ + 1 >= stretches_.size(); }
+    [[nodiscard]] double end_s() const { return stretch_->end_s; }
+    [[nodiscard]] std::uint32_t triangle() const { return stretch_->triangle; }
+    [[nodiscard]] bool last() const { return stretch_ == last_; }
+    [[nodiscard]] double at(double time_s) const { return begin_m_ + rise_mps_ * (time_s - begin_s_); }
+
+    /// Largest height of the flight above this stretch between two times: concave, so one candidate suffices.
+    [[nodiscard]] double highest_m(double from_s, double to_s) const {
+        const double time_s = std::min(std::max(apex_s_, from_s), to_s);
+        const double above_m = above_m_ + time_s * (parting_mps_ - 0.5 * config::gravity_mps2 * time_s);
+        return std::max(0.0, above_m);
+    }
     void next() {
-        begin_s_ = stretches_[k_].end_s;
-        begin_m_ = stretches_[k_].ground_end_m;
-        ++k_;
+        begin_s_ = stretch_->end_s;
+        begin_m_ = stretch_->ground_end_m;
+        ++stretch_;
         take_slope();
     }
 
 private:
     void take_slope() {
-        const double duration_s = stretches_[k_].end_s - begin_s_;
-        rise_ = duration_s > 0.0 ? (stretches_[k_].ground_end_m - begin_m_) / duration_s : 0.0;
+        const double duration_s = stretch_->end_s - begin_s_;
+        rise_mps_ = duration_s > 0.0 ? (stretch_->ground_end_m - begin_m_) / duration_s : 0.0;
+        above_m_ = start_m_ - begin_m_ + rise_mps_ * begin_s_;
+        parting_mps_ = rising_mps_ - rise_mps_;
+        apex_s_ = parting_mps_ * (1.0 / config::gravity_mps2);
     }
-    std::span<const Stretch> stretches_;
-    std::size_t k_ = 0;
+    const Stretch* stretch_;
+    const Stretch* last_;
+    double start_m_;
+    double rising_mps_;
     double begin_s_ = 0.0;
     double begin_m_;
-    double rise_ = 0.0;
+    // Over the stretch the height above ground is above + parting t - g t^2 / 2.
+    double rise_mps_ = 0.0;
+    double above_m_ = 0.0;
+    double parting_mps_ = 0.0;
+    double apex_s_ = 0.0;
 };
-
-/// Largest height of a flight above one stretch of ground between two times; concave, so one candidate
-/// suffices.
-double highest_m(const Flight& flight, const GroundBelow& ground, double from_s, double to_s) {
-    const double apex_s = (flight.velocity_mps.z() - ground.rise_mps()) / config::gravity_mps2;
-    const double time_s = std::clamp(apex_s, from_s, to_s);
-    return std::max(0.0, flight.height_m(time_s) - ground.at(time_s));
-}
 
 }  // namespace
 
@@ -170,10 +183,11 @@ void Footprint::raise(std::size_t cell, double energy_j, double squared_speed, d
 double Footprint::walk_cells(const Rock& rock, const Flight& flight, double until_s,
                              std::span<const Stretch> stretches, double rotation_j) {
     GroundBelow ground{
-        stretches,
+        flight, stretches,
         terrain_.plane_of(stretches.front().triangle).height_m(flight.start_m.x(), flight.start_m.y())};
-    CellSteps steps{frame_, flight.start_m.x(), flight.start_m.y(), flight.velocity_mps.x(),
-                    flight.velocity_mps.y()};
+    const double x_m = flight.start_m.x(), y_m = flight.start_m.y();
+    const double vx_mps = flight.velocity_mps.x(), vy_mps = flight.velocity_mps.y();
+    CellSteps steps{frame_, x_m, y_m, vx_mps, vy_mps};
     double time_s = 0.0;
     double squared_speed = flight.squared_speed_at(0.0);
     double highest_of_flight_m = 0.0;
@@ -182,7 +196,7 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
         double highest_normal_m = 0.0;
         while (true) {
             const double piece_end_s = ground.last() ? cell_end_s : std::min(ground.end_s(), cell_end_s);
-            const double height_m = highest_m(flight, ground, std::min(time_s, piece_end_s), piece_end_s);
+            const double height_m = ground.highest_m(time_s, piece_end_s);
             highest_of_flight_m = std::max(highest_of_flight_m, height_m);
             highest_normal_m =
                 std::max(highest_normal_m,
@@ -198,8 +212,8 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
             // The square of the speed is convex in time: its maximum lies at an end.
             const double largest = std::max(squared_speed, squared_speed_end);
             raise(frame_.index(steps.cell()), 0.5 * rock.mass_kg * largest + rotation_j, largest,
-                  highest_normal_m, flight.start_m.x() + cell_end_s * flight.velocity_mps.x(),
-                  flight.start_m.y() + cell_end_s * flight.velocity_mps.y(), ground.at(cell_end_s));
+                  highest_normal_m, x_m + cell_end_s * vx_mps, y_m + cell_end_s * vy_mps,
+                  ground.at(cell_end_s));
         }
         if (cell_end_s >= until_s) {
             return highest_of_flight_m;
@@ -224,7 +238,9 @@ void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
     ++record_.jumps;
     record_.path_m += path_length_m(flight, until_s);
     record_.time_s += until_s;
-    watch_targets(rock, flight, until_s, stretches, rotation_j);
+    if (!targets_.empty()) {
+        watch_targets(rock, flight, until_s, stretches, rotation_j);
+    }
     if (with_path_) {
         draw(flight, until_s, stretches, rock, rotation_j);
     }
@@ -232,9 +248,6 @@ void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
 
 void Footprint::watch_targets(const Rock& rock, const Flight& flight, double until_s,
                               std::span<const Stretch> stretches, double rotation_j) {
-    if (targets_.empty()) {
-        return;
-    }
     const Eigen::Vector2d from = flight.start_m.head<2>();
     const Eigen::Vector2d to = flight.position_m(until_s).head<2>();
     for (std::size_t i = 0; i < targets_.size(); ++i) {
@@ -334,7 +347,7 @@ void Footprint::draw(const Flight& flight, double until_s, std::span<const Stret
                      const Rock& rock, double rotation_j) {
     constexpr int pieces = 8;
     GroundBelow ground{
-        stretches,
+        flight, stretches,
         terrain_.plane_of(stretches.front().triangle).height_m(flight.start_m.x(), flight.start_m.y())};
     for (int i = 0; i <= pieces; ++i) {
         const double time_s = until_s * i / pieces;

@@ -70,7 +70,7 @@ TEST(StemIndex, MeetsTheMeanFreePath) {
         // Falls 2 km in that time: hits count in plan only, so the height of the flight is kept by short
         // legs.
         const auto hit =
-            index.first_hit_rolling(flight.start_m, flight.velocity_mps, until_s, 0.475, no_stem, {});
+            index.first_hit_rolling(flight.start_m, flight.velocity_mps, until_s, 0.475, {}, {});
         travelled_m += 10.0 * (hit ? hit->time_s : until_s);
         hits += hit ? 1 : 0;
     }
@@ -85,10 +85,10 @@ TEST(StemIndex, TakesBothTreesOfOnePatch) {
     const std::vector<Stem> pair{{50.0, 50.0, 30.0, 20.0, 1.0}, {52.0, 50.5, 30.0, 20.0, 1.0}};
     const StemIndex index{pair, flat.terrain, 0.5, false};
     const Flight flight = along(flat, 45.0, 50.2, 0.0, 10.0);
-    const auto first = index.first_hit(flight, 0.3 + 1.0, 0.5, no_stem, {});
+    const auto first = index.first_hit(flight, 0.3 + 1.0, 0.5, {}, {});
     ASSERT_TRUE(first);
     EXPECT_EQ(first->stem, 0U);
-    const auto second = index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, 0, {});
+    const auto second = index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, std::array{0U}, {});
     ASSERT_TRUE(second);
     EXPECT_EQ(second->stem, 1U);
 }
@@ -99,7 +99,7 @@ TEST(StemIndex, IsMetByTheEdgeOfTheRock) {
     const StemIndex index{std::vector<Stem>{{50.0, 50.0, 30.0, 20.0, 1.0}}, flat.terrain, 0.5, false};
     const auto hit_at_offset = [&](double offset_m) {
         const Flight flight = along(flat, 45.0, 50.0 + offset_m, 0.0, 10.0);
-        return index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, no_stem, {});
+        return index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, {}, {});
     };
     ASSERT_TRUE(hit_at_offset(0.649));
     EXPECT_FALSE(hit_at_offset(0.651));
@@ -112,18 +112,18 @@ TEST(StemIndex, IsFlownOver) {
     const StemIndex index{std::vector<Stem>{{50.0, 50.0, 30.0, 8.0, 1.0}}, flat.terrain, 0.5, false};
     Flight flight = along(flat, 45.0, 50.0, 0.0, 20.0);
     flight.start_m.z() += 8.0;  // underside 9 m above ground, falls 0.23 m until the stem
-    EXPECT_FALSE(index.first_hit(flight, 1.0, 0.5, no_stem, {}));
+    EXPECT_FALSE(index.first_hit(flight, 1.0, 0.5, {}, {}));
     flight.start_m.z() -= 1.0;
-    EXPECT_TRUE(index.first_hit(flight, 1.0, 0.5, no_stem, {}));
+    EXPECT_TRUE(index.first_hit(flight, 1.0, 0.5, {}, {}));
 }
 
 TEST(StemIndex, IgnoresTheStemJustHitAndThoseGone) {
     const Slope flat = plane_slope(0.0, {0.3, 0.75}, 0.0, 100.0, 100.0);
     const StemIndex index{std::vector<Stem>{{50.0, 50.0, 30.0, 20.0, 1.0}}, flat.terrain, 0.5, false};
     const Flight flight = along(flat, 45.0, 50.0, 0.0, 10.0);
-    EXPECT_FALSE(index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, 0, {}));
+    EXPECT_FALSE(index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, std::array{0U}, {}));
     const std::vector<std::uint8_t> gone{1};
-    EXPECT_FALSE(index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, no_stem, gone));
+    EXPECT_FALSE(index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, {}, gone));
 }
 
 TEST(StemIndex, ReportsStemsWithoutGround) {
@@ -145,7 +145,7 @@ RC_GTEST_PROP(StemIndex, FindsWhatALookAtEveryStemFinds, ()) {
     const double until_s = 3.0 * stream.uniform();
     const double radius_m = 0.05 + 0.95 * stream.uniform();
     const auto found =
-        index.first_hit_rolling(flight.start_m, flight.velocity_mps, until_s, radius_m, no_stem, {});
+        index.first_hit_rolling(flight.start_m, flight.velocity_mps, until_s, radius_m, {}, {});
     const auto expected = first_hit_of_all(index, flight, until_s, radius_m);
     RC_ASSERT(found.has_value() == expected.has_value());
     if (found) {
