@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -14,6 +13,7 @@
 #include "rockfall/motion/picus.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
+#include "rockfall/obstacles/touched_stems.hpp"
 #include "rockfall/obstacles/tree_impact.hpp"
 #include "rockfall/rock.hpp"
 #include "rockfall/slope.hpp"
@@ -71,9 +71,9 @@ private:
         const Landing landing = fly(slope_.terrain, flight, triangle_, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
         if (obstacles_.stems != nullptr) {
-            forget_stems_left_behind();
+            touched_.forget_left_behind(*obstacles_.stems, position_m_, rock_.radius_m);
             const auto hit = obstacles_.stems->first_hit(flight, landing.time_s, rock_.radius_m,
-                                                         stems_touched(), obstacles_.gone);
+                                                         touched_.stems(), obstacles_.gone);
             if (hit) {
                 end_flight_at(flight, hit->time_s);
                 meet(*hit);
@@ -323,11 +323,11 @@ private:
         if (obstacles_.stems == nullptr || piece.duration_s <= 0.0) {
             return false;
         }
-        forget_stems_left_behind();
+        touched_.forget_left_behind(*obstacles_.stems, position_m_, rock_.radius_m);
         const Eigen::Vector3d mean_mps =
             (piece.position_m(piece.duration_s) - piece.start_m) / piece.duration_s;
         const auto hit = obstacles_.stems->first_hit_rolling(
-            piece.start_m, mean_mps, piece.duration_s, rock_.radius_m, stems_touched(), obstacles_.gone);
+            piece.start_m, mean_mps, piece.duration_s, rock_.radius_m, touched_.stems(), obstacles_.gone);
         if (!hit) {
             return false;
         }
@@ -350,7 +350,7 @@ private:
         const TreeImpact impact =
             meet_stem(energy_j, hit, stem, law_.tree, tree_draws_.uniforms_of(end_.tree_hits));
         ++end_.tree_hits;
-        remember(hit.stem);
+        touched_.remember(hit.stem);
         observer_.met_stem(position_m_, hit, impact, energy_j);
         if (impact.broken && law_.tree.remove_broken && !obstacles_.gone.empty()) {
             obstacles_.gone[hit.stem] = 1;
@@ -383,33 +383,6 @@ private:
         }
     }
 
-    /// The stems that the rock has hit and not yet left: it slides along them and cannot hit them anew.
-    [[nodiscard]] std::span<const std::uint32_t> stems_touched() const {
-        return {touched_.data(), touched_count_};
-    }
-
-    void remember(std::uint32_t stem) {
-        if (touched_count_ == touched_.size()) {  // wedged among many: the first one makes room
-            std::move(touched_.begin() + 1, touched_.end(), touched_.begin());
-            --touched_count_;
-        }
-        touched_[touched_count_++] = stem;
-    }
-
-    /// A stem counts again once the rock has left it by a centimetre.
-    void forget_stems_left_behind() {
-        const auto is_left = [&](std::uint32_t touched) {
-            const PlacedStem& stem = obstacles_.stems->placed()[touched];
-            const double dx = position_m_.x() - stem.x_m;
-            const double dy = position_m_.y() - stem.y_m;
-            const double clear_m = rock_.radius_m + taper_at_ground * stem.breast_radius_m + 0.01;
-            return dx * dx + dy * dy > clear_m * clear_m;
-        };
-        const auto end = touched_.begin() + static_cast<std::ptrdiff_t>(touched_count_);
-        touched_count_ =
-            static_cast<std::size_t>(std::remove_if(touched_.begin(), end, is_left) - touched_.begin());
-    }
-
     static constexpr std::uint32_t most_rolling_pieces = 200'000;
 
     const Slope& slope_;
@@ -436,8 +409,7 @@ private:
     std::uint32_t contacts_ = 0;
     std::uint32_t rolls_ = 0;
     std::uint32_t rolling_pieces_ = 0;
-    std::array<std::uint32_t, 4> touched_{};
-    std::size_t touched_count_ = 0;
+    TouchedStems touched_;
     double noise_of_rock_ = 0.0;
     double rolling_until_caught_ = 0.0;
     const SurfaceType* probability_of_ = nullptr;

@@ -241,6 +241,19 @@ TEST(Fall, HitsTreesWhileRolling) {
     EXPECT_NEAR((start.position_m - end.position_m).head<2>().norm(), 5.0 - 0.475 - 0.30, 0.01);
 }
 
+TEST(Fall, MeetsTwoTouchingStemsOnceEach) {
+    // Within reach of both it once hit one and the other in turn, hundreds of times on one spot.
+    const Slope slope = plane_slope(38.0, {0.30, 0.75});
+    const StemIndex stems{std::vector<Stem>{{110.0, 49.5, 30.0, 20.0, 1.0}, {110.0, 50.5, 30.0, 20.0, 1.0}},
+                          slope.terrain, 0.5, false};
+    for (std::uint64_t rock = 0; rock < 200; ++rock) {
+        const RockStart start = start_at(slope, 100.0, 49.8 + 0.002 * static_cast<double>(rock), 1.0,
+                                         {12.0, 0.0, -6.0}, 0.95, rock);
+        const auto [end, log] = logged_fall(slope, lively_law(), start, &stems);
+        EXPECT_LE(log.hits.size(), 4U) << rock;
+    }
+}
+
 TEST(Fall, RemovesBrokenTreesOnlyIfAsked) {
     const Slope slope = plane_slope(38.0, {0.30, 0.75});
     const std::vector<Stem> thin{{140.0, 50.0, 12.0, 12.0, 1.0}};
