@@ -126,7 +126,8 @@ private:
 
     /// Between two faces the only way on is along their edge; in a pit there is none.
     void leave_groove_or_rest() {
-        auto run = run_along_groove(slope_.terrain, triangle_, position_m_, law_.ground.rolling.friction);
+        auto run = run_along_groove(slope_.terrain, triangle_, position_m_, rock_.radius_m,
+                                    law_.ground.rolling.friction);
         if (!run) {
             stop(StopReason::at_rest);
             return;

@@ -8,8 +8,6 @@
 namespace rockfall {
 namespace {
 
-constexpr double hand_m = 0.1;
-
 Eigen::Vector3d place_of(const Vertex& vertex) {
     return {vertex.x_m, vertex.y_m, vertex.z_m};
 }
@@ -29,9 +27,11 @@ struct Way {
     std::uint32_t triangle = no_triangle;
 };
 
-void consider(const Eigen::Vector3d& from, const Eigen::Vector3d& to, std::uint32_t triangle, Way& best) {
+/// Ends nearer than `reach_m` lead nowhere.
+void consider(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double reach_m, std::uint32_t triangle,
+              Way& best) {
     const double length_m = (to - from).head<2>().norm();
-    const double tangent = length_m > hand_m ? (from.z() - to.z()) / length_m : 0.0;
+    const double tangent = length_m > reach_m ? (from.z() - to.z()) / length_m : 0.0;
     if (tangent > best.fall_tangent) {
         best = {tangent, to, triangle};
     }
@@ -44,14 +44,14 @@ int corner_number(const Triangle& triangle, std::uint32_t vertex) {
 /// Looks along all edges that meet at a vertex, turning counter-clockwise and then the other way if a border
 /// ends the turn.
 void consider_edges_at(const Terrain& terrain, std::uint32_t triangle, std::uint32_t vertex,
-                       const Eigen::Vector3d& position_m, Way& best) {
+                       const Eigen::Vector3d& position_m, double reach_m, Way& best) {
     for (const int turn : {2, 0}) {  // across the edge that ends at the vertex, or the one that begins there
         std::uint32_t t = triangle;
         do {
             const Triangle& here = terrain.triangles()[t];
             const int k = corner_number(here, vertex);
             for (const int other : {(k + 1) % 3, (k + 2) % 3}) {
-                consider(position_m, place_of(terrain.vertices()[here.corners[other]]), t, best);
+                consider(position_m, place_of(terrain.vertices()[here.corners[other]]), reach_m, t, best);
             }
             t = here.neighbours[(k + turn) % 3];
         } while (t != no_triangle && t != triangle);
@@ -64,18 +64,19 @@ void consider_edges_at(const Terrain& terrain, std::uint32_t triangle, std::uint
 }  // namespace
 
 std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32_t triangle,
-                                             const Eigen::Vector3d& position_m, double friction) {
+                                             const Eigen::Vector3d& position_m, double reach_m,
+                                             double friction) {
     const Triangle& t = terrain.triangles()[triangle];
     Way best;
     for (int i = 0; i < 3; ++i) {
         const Eigen::Vector3d a = place_of(terrain.vertices()[t.corners[i]]);
         const Eigen::Vector3d b = place_of(terrain.vertices()[t.corners[(i + 1) % 3]]);
-        if (distance_to_edge_m(position_m, a, b) < hand_m) {
-            consider(position_m, a, triangle, best);
-            consider(position_m, b, triangle, best);
+        if (distance_to_edge_m(position_m, a, b) < reach_m) {
+            consider(position_m, a, reach_m, triangle, best);
+            consider(position_m, b, reach_m, triangle, best);
         }
-        if ((a - position_m).head<2>().norm() < hand_m) {
-            consider_edges_at(terrain, triangle, t.corners[i], position_m, best);
+        if ((a - position_m).head<2>().norm() < reach_m) {
+            consider_edges_at(terrain, triangle, t.corners[i], position_m, reach_m, best);
         }
     }
     if (best.fall_tangent <= friction) {

@@ -16,9 +16,10 @@ namespace rockfall {
 /// acceleration of rolling, 5/7 g (sin c - mu cos c) with c the dip of the edge, and leads into a triangle
 /// beyond that end. Choice; no published law.
 ///
-/// Nothing if no edge within a hand's breadth falls away more steeply than the friction angle: then the rock
-/// lies in a pit. `end` of the piece is `edge`.
+/// Nothing if no edge within `reach_m` (the rock's radius) falls away more steeply than the friction angle:
+/// then the rock lies in a pit. `end` of the piece is `edge`.
 std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32_t triangle,
-                                             const Eigen::Vector3d& position_m, double friction);
+                                             const Eigen::Vector3d& position_m, double reach_m,
+                                             double friction);
 
 }  // namespace rockfall
