@@ -30,6 +30,7 @@ struct MapContent {
 /// drawn in blocks of cells: a block shows the value of its cells that lies farthest from 0.
 class MapSheet {
 public:
+    /// Refers to the results as long as it lives.
     explicit MapSheet(const RunResults& results);
 
     /// Hillshade and lines that every map refers to. Once on a page, before the first map.

@@ -53,7 +53,8 @@ TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
 TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
     testing::SmallRun run;
     run.fall(1);
-    const MapSheet sheet{run.results()};
+    const RunResults results = run.results();
+    const MapSheet sheet{results};
     const std::string paths =
         sheet.paths(std::array{static_cast<const rockfall::PathRecord*>(&run.paths[0])});
     // 1 to 50 kJ on the first stretch, up to 400 kJ on the second.
