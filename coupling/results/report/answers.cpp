@@ -160,7 +160,8 @@ std::string without_targets(const RunResults& results, const Figures& figures) {
 }  // namespace
 
 std::string answers(const RunResults& results, const Figures& figures) {
-    std::string html = "<h2>What arrives, and what the forest keeps away</h2>\n";
+    std::string html = results.with_forest ? "<h2>What arrives, and what the forest keeps away</h2>\n"
+                                           : "<h2>What arrives</h2>\n";
     if (figures.targets.empty()) {
         return html + without_targets(results, figures);
     }

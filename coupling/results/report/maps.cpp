@@ -48,8 +48,8 @@ public:
 
     void paths();
     /// A quantity on each slope in common colours, and what the forest changes.
-    void row(const char* stem, const std::string& name, const char* difference_unit,
-             const std::string& meaning);
+    void row(const char* stem, const char* name, const char* difference_unit, const char* meaning,
+             const char* about_effect);
     void rests_and_hits();
     [[nodiscard]] std::string about() const;
     [[nodiscard]] std::string html() const { return html_; }
@@ -170,14 +170,15 @@ std::string MapPage::difference_map(const RasterKind& kind, const char* unit) {
         MapSize::third);
 }
 
-void MapPage::row(const char* stem, const std::string& name, const char* difference_unit,
-                  const std::string& meaning) {
+void MapPage::row(const char* stem, const char* name, const char* difference_unit, const char* meaning,
+                  const char* about_effect) {
     const RasterKind& kind = raster_kind(stem);
     if (kind.percentile && results_.histograms[index_of(Cover::bare)] == nullptr) {
         return;
     }
     const ColourScale scale = scale_for(kind, common_range(kind));
-    html_ += joined("<h3>", name, "</h3>\n<p class=\"soft\">", meaning, "</p>\n<div class=\"thirds\">");
+    html_ += joined("<h3>", name, "</h3>\n<p class=\"soft\">", meaning,
+                    results_.with_forest ? about_effect : "", "</p>\n<div class=\"thirds\">");
     for (const Cover cover : covers_) {
         html_ += value_map(kind, cover, scale, title_of(cover));
     }
@@ -211,7 +212,8 @@ std::string MapPage::about() const {
         joined("North is up; coordinates and scale in metres; cells of ",
                three_digits(results_.site.map_frame.cell_width_m),
                " m. Light of the hillshade from the north-west, 45° high. Thin outlines: release sources. "
-               "Thick lines: targets. Colours of a forest effect end at its 99th percentile.");
+               "Thick lines: targets.",
+               results_.with_forest ? " Colours of a forest effect end at its 99th percentile." : "");
     if (sheet_.block() > 1) {
         const std::string side = std::to_string(sheet_.block());
         text += joined(" The pictures show blocks of ", side, " × ", side,
@@ -232,14 +234,14 @@ std::string maps(const RunResults& results) {
     page.paths();
     page.row("Reach_probability", "Reach probability", "points",
              "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
-             "powers of ten. For "
-             "the forest effect both are shares of the same rocks.");
+             "powers of ten.",
+             " For the forest effect both are shares of the same rocks.");
     page.row("E_95", "Energy, 95th percentile", "kJ",
              "Of the largest kinetic energy (translation and rotation) of each rock in a cell: one rock in "
-             "twenty has more. "
-             "For the forest effect, no rock counts as no energy.");
+             "twenty has more.",
+             " For the forest effect, no rock counts as no energy.");
     page.row("Nr_passages", "Rocks that pass", "rocks",
-             "Each rock counts once in a cell; colours by powers of ten.");
+             "Each rock counts once in a cell; colours by powers of ten.", "");
     page.rests_and_hits();
     return joined("<h2>Maps</h2>\n<p class=\"soft\">", page.about(), "</p>\n<fieldset class=\"switches\">",
                   switch_for("hillshade"), switch_for("sources"), switch_for("targets"), "</fieldset>\n",

@@ -28,8 +28,8 @@ section.card p.answer{font-size:1.12rem;max-width:none}
 dl.facts{margin-bottom:0}
 .two{display:grid;grid-template-columns:minmax(260px,2fr) 3fr;gap:22px;align-items:center}
 .halves,.thirds{display:grid;gap:14px;align-items:start;margin-bottom:14px}
-.halves{grid-template-columns:repeat(auto-fit,minmax(min(430px,100%),1fr))}
-.thirds{grid-template-columns:repeat(auto-fit,minmax(min(300px,100%),1fr))}
+.halves{grid-template-columns:repeat(auto-fill,minmax(min(430px,100%),1fr))}
+.thirds{grid-template-columns:repeat(auto-fill,minmax(min(300px,100%),1fr))}
 .halves>*,.thirds>*{margin:0;min-width:0}
 svg{display:block;width:100%;height:auto}
 svg.definitions{position:absolute;width:0;height:0}
