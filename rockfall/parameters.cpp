@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/data/shipped_tables.hpp"
+#include "config/math/elementary.hpp"
 #include "config/table/table.hpp"
 
 namespace rockfall {
@@ -277,8 +278,9 @@ void take_over(Parameters& parameters, const config::Options& options) {
     law.jump_angle.cap = config::Angle::from_degrees(written.jump_angle_cap_deg);
     law.lateral.at_rest = config::Angle::from_degrees(written.lateral_slow_deg);
     law.lateral.when_fast = config::Angle::from_degrees(written.lateral_fast_deg);
-    law.rolling.edge_angle_tangent =
-        std::tan(config::Angle::from_degrees(written.rolling_edge_deg).in_radians());
+    const config::SinCos edge =
+        config::sin_cos_of(config::Angle::from_degrees(written.rolling_edge_deg).in_radians());
+    law.rolling.edge_angle_tangent = edge.sin / edge.cos;
     law.stopping.most_impacts = static_cast<std::uint32_t>(written.most_impacts);
 
     config::Problems problems;

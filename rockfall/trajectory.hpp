@@ -70,7 +70,7 @@ private:
         const Flight flight{position_m_, velocity_mps_};
         const Landing landing = fly(slope_.terrain, flight, triangle_, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
-        if (obstacles_.stems != nullptr) {
+        if (obstacles_.stems != nullptr && !scratch_.stretches.empty()) {
             touched_.forget_left_behind(*obstacles_.stems, position_m_, rock_.radius_m);
             const auto hit = obstacles_.stems->first_hit(flight, landing.time_s, rock_.radius_m,
                                                          touched_.stems(), obstacles_.gone);
@@ -132,14 +132,18 @@ private:
             stop(StopReason::at_rest);
             return;
         }
-        rolling_ = true;
+        velocity_mps_.setZero();
+        begin_rolling();
         if (meets_stem_rolling(*run) || is_caught_rolling(*run)) {
             return;
         }
         observer_.rolled(rock_, *run, triangle_);
         velocity_mps_ = run->velocity_at(run->duration_s);
         // A centimetre on, clear of the vertex: which triangle lies there the walk tells.
-        position_m_ = run->position_m(run->duration_s) + 0.01 * velocity_mps_.normalized();
+        const RollingPiece step{run->position_m(run->duration_s), velocity_mps_,     Eigen::Vector3d::Zero(),
+                                0.01 / velocity_mps_.norm(),      RollingEnd::piece, run->next_triangle};
+        observer_.rolled(rock_, step, run->next_triangle);
+        position_m_ = step.position_m(step.duration_s);
         const auto beyond = slope_.terrain.locate(position_m_.x(), position_m_.y(), run->next_triangle);
         if (!beyond) {
             stop(StopReason::left_terrain);
@@ -333,6 +337,9 @@ private:
             return false;
         }
         piece.duration_s = piece.time_along_s(hit->time_s / piece.duration_s);
+        if (is_caught_rolling(piece)) {
+            return true;  // caught on the way to the stem
+        }
         observer_.rolled(rock_, piece, triangle_);
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);

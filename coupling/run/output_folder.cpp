@@ -14,8 +14,19 @@ namespace fs = std::filesystem;
 /// Everything that a run puts into its folder.
 constexpr std::array run_writes{"report.html", "summary.json", "rasters", "tables", "parts", ".writing"};
 
+/// Says that a run of this program keeps the folder: without it nothing in there is ours to delete.
+constexpr const char* mark_of_a_run = ".bannwald";
+
 /// Written last, so its presence says that results are whole.
 constexpr const char* mark_of_results = "summary.json";
+
+void delete_entry(const fs::path& entry) {
+    std::error_code error;
+    fs::remove_all(entry, error);
+    if (error) {
+        config::fail(config::ExitCode::file, {entry.string()}, "cannot be deleted: " + error.message());
+    }
+}
 
 }  // namespace
 
@@ -25,6 +36,7 @@ OutputFolder::OutputFolder(fs::path folder, const std::string& settings_hash, bo
         config::fail(config::ExitCode::settings, {folder_.string()}, "the output folder is a file",
                      "a folder");
     }
+    refuse_what_others_wrote();
     if (overwrite) {
         delete_results();
     }
@@ -41,7 +53,11 @@ OutputFolder::OutputFolder(fs::path folder, const std::string& settings_hash, bo
             "the same settings to go on with it, another folder by --out, or --overwrite to begin anew");
     }
     has_parts_ = hash.has_value();
+    delete_entry(staging());  // left by a run that was killed while it wrote
     make_folder(parts());
+    OutFile mark{folder_ / mark_of_a_run};
+    mark.stream() << "Results of a run of bannwald; bannwald may replace them.\n";
+    mark.close();
 }
 
 OutputFolder::~OutputFolder() {
@@ -49,20 +65,31 @@ OutputFolder::~OutputFolder() {
     fs::remove_all(staging(), ignored);
     if (published_ || !fs::exists(checkpoint(), ignored)) {
         fs::remove_all(parts(), ignored);
+        if (!published_) {
+            fs::remove(folder_ / mark_of_a_run, ignored);
+        }
         if (!existed_ && !published_) {
             fs::remove(folder_, ignored);  // removes an empty folder only
         }
     }
 }
 
+void OutputFolder::refuse_what_others_wrote() const {
+    if (fs::exists(folder_ / mark_of_a_run)) {
+        return;
+    }
+    for (const char* name : run_writes) {
+        if (fs::exists(folder_ / name)) {
+            config::fail(config::ExitCode::settings, {(folder_ / name).string()},
+                         "the output folder holds something of this name that no run wrote",
+                         "another folder by --out");
+        }
+    }
+}
+
 void OutputFolder::delete_results() const {
     for (const char* name : run_writes) {
-        std::error_code error;
-        fs::remove_all(folder_ / name, error);
-        if (error) {
-            config::fail(config::ExitCode::file, {(folder_ / name).string()},
-                         "cannot be deleted: " + error.message());
-        }
+        delete_entry(folder_ / name);
     }
 }
 

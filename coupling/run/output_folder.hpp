@@ -15,8 +15,8 @@ namespace coupling {
 class OutputFolder {
 public:
     /// Looks at what is there. Finished results, or parts of other settings, throw config::InputError
-    /// (settings) unless `overwrite`; then they are deleted (only what a run writes, nothing else in the
-    /// folder).
+    /// (settings) unless `overwrite`; then they are deleted. A folder with `tables`, `rasters` or the like
+    /// that no run wrote is refused in any case.
     OutputFolder(std::filesystem::path folder, const std::string& settings_hash, bool overwrite);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
@@ -32,6 +32,7 @@ public:
     void publish();
 
 private:
+    void refuse_what_others_wrote() const;
     void delete_results() const;
 
     std::filesystem::path folder_;

@@ -101,7 +101,7 @@ public:
     }
 
     Ended fall(OutputFolder& folder);
-    void write(OutputFolder& folder);
+    Ended write(OutputFolder& folder);
 
 private:
     const RunRequest& request_;
@@ -130,7 +130,6 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
     const std::uint64_t done_before =
         state_.parts_done < parts.size() ? parts[state_.parts_done].front().first_rock : rocks_;
     Progress progress{"falling", rocks_, done_before, request_.quiet};
-    const InterruptGuard guard;
     const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
     for (; state_.parts_done < parts.size();) {
         const auto keep_rows = [&](const rockfall::ChunkRows& rows) {
@@ -146,7 +145,7 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
             return Ended::interrupted;
         }
         ++state_.parts_done;
-        if (state_.parts_done < parts.size()) {
+        if (parts.size() > 1) {
             state_.table_bytes = tables_->flush();
             write_checkpoint(folder.checkpoint(), state_, total_, histograms_.pointers());
         }
@@ -155,24 +154,32 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
     return Ended::done;
 }
 
-void AssessmentRun::write(OutputFolder& folder) {
+Ended AssessmentRun::write(OutputFolder& folder) {
     if (state_.not_started > 0) {
         warnings_.add(std::to_string(state_.not_started) +
                       " rocks were not released: their place in the source lies outside the terrain");
     }
     make_folder(folder.staging() / "tables");
     const std::vector<WrittenFile> streamed = tables_->close();
+    const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
     const RunResults results{
-        scenario_,    site_,     total_, {histograms_.pointers()[0], histograms_.pointers()[1]},
-        state_.paths, warnings_, rocks_, !stems_.empty(),
+        scenario_,    site_,     total_,   {histograms_.pointers()[0], histograms_.pointers()[1]},
+        state_.paths, warnings_, released, !stems_.empty(),
         version()};
+    if (InterruptGuard::requested()) {
+        return Ended::interrupted;
+    }
     const std::vector<WrittenFile> written = write_results(results, folder.staging(), streamed);
-    // Last, when nothing can fail for want of space: until here the parts could still be continued.
+    if (InterruptGuard::requested()) {
+        return Ended::interrupted;
+    }
+    // Last, when nothing can fail for want of space: until here finished parts can still be continued.
     tables_->move_to(folder.staging() / "tables");
     folder.publish();
     if (!request_.quiet) {
         print_summary(results, folder.path(), written);
     }
+    return Ended::done;
 }
 
 }  // namespace
@@ -189,14 +196,14 @@ int run_assessment(const RunRequest& request) {
     const std::filesystem::path out =
         request.out.empty() ? scenario->file.parent_path() / "out" : request.out;
     OutputFolder folder{out, hash_of(*scenario, site), request.overwrite};
+    const InterruptGuard guard;
     AssessmentRun run{request, *scenario, site, warnings};
-    if (run.fall(folder) == Ended::interrupted) {
+    if (run.fall(folder) == Ended::interrupted || run.write(folder) == Ended::interrupted) {
         std::fprintf(
             stderr,
             "bannwald: interrupted; the finished parts are kept, run the same command again to go on\n");
         return static_cast<int>(config::ExitCode::interrupted);
     }
-    run.write(folder);
     return static_cast<int>(config::ExitCode::done);
 }
 

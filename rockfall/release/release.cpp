@@ -113,24 +113,34 @@ Eigen::Vector2d any_direction(double share) {
     return (quarter >= 2 ? -1.0 : 1.0) * (quarter % 2 == 0 ? first : next);
 }
 
+/// A place in a source: anywhere, or its middle.
+Eigen::Vector2d place_in(const ReleaseSource& source, bool anywhere, const config::FourUniforms& draws) {
+    const double u = anywhere ? draws[0] : 0.5;
+    const double v = anywhere ? draws[1] : 0.5;
+    const Eigen::Vector2d span_m = source.last_m - source.first_m;
+    const bool cell = source.kind == ReleaseSource::Kind::cell;
+    return source.first_m + Eigen::Vector2d{u * span_m.x(), (cell ? v : u) * span_m.y()};
+}
+
 }  // namespace
 
 std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
                                   std::uint32_t source_number, const StartLaw& law, config::StreamKey key) {
     const config::RandomStream stream{key, config::Purpose::release};
-    const config::FourUniforms place = stream.uniforms_of(0);
     const config::FourUniforms rest = stream.uniforms_of(1);
-    const double u = law.random_place ? place[0] : 0.5;
-    const double v = law.random_place ? place[1] : 0.5;
-    const Eigen::Vector2d span_m = source.last_m - source.first_m;
-    const bool cell = source.kind == ReleaseSource::Kind::cell;
-    const double x_m = source.first_m.x() + u * span_m.x();
-    const double y_m = source.first_m.y() + (cell ? v : u) * span_m.y();
-
-    const std::optional<std::uint32_t> triangle = slope.terrain.locate(x_m, y_m);
+    // A source may reach over the border of the terrain: places beyond it are drawn anew.
+    constexpr std::uint32_t most_places = 16;
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    std::optional<std::uint32_t> triangle;
+    for (std::uint32_t k = 0; k < most_places && !triangle; ++k) {
+        place = place_in(source, law.random_place, stream.uniforms_of(k == 0 ? 0 : k + 1));
+        triangle = slope.terrain.locate(place.x(), place.y());
+    }
     if (!triangle) {
         return std::nullopt;
     }
+    const double x_m = place.x();
+    const double y_m = place.y();
     const Plane plane = slope.terrain.plane_of(*triangle);
     const double steepness = plane.gradient.norm();
     Eigen::Vector2d heading = Eigen::Vector2d::UnitX();
