@@ -3,10 +3,10 @@
 #include <omp.h>
 
 #include <atomic>
-#include <exception>
 #include <map>
 #include <mutex>
 
+#include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
 
 namespace coupling {
@@ -36,36 +36,6 @@ private:
     std::size_t cells_;
     std::mutex mutex_;
     std::map<std::uint32_t, std::unique_ptr<rockfall::FedCells>> fed_;
-};
-
-/// The first exception of any thread; once there is one, the others have nothing to do.
-class FirstError {
-public:
-    template <class Work>
-    void guard(const Work& work) {
-        if (failed_) {
-            return;
-        }
-        try {
-            work();
-        } catch (...) {
-            const std::lock_guard lock{mutex_};
-            if (!error_) {
-                error_ = std::current_exception();
-            }
-            failed_ = true;
-        }
-    }
-    void rethrow() const {
-        if (error_) {
-            std::rethrow_exception(error_);
-        }
-    }
-
-private:
-    std::atomic<bool> failed_ = false;
-    std::mutex mutex_;
-    std::exception_ptr error_;
 };
 
 }  // namespace

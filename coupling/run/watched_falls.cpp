@@ -1,0 +1,81 @@
+#include "coupling/run/watched_falls.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+
+#include "coupling/run/first_error.hpp"
+
+namespace coupling {
+namespace {
+
+/// One thread's instruments.
+class Watch {
+public:
+    Watch(const rockfall::Assessment& assessment, rockfall::Cover cover)
+        : assessment_{assessment},
+          obstacles_{cover == rockfall::Cover::forest ? &assessment.stems : nullptr, {}},
+          footprint_{assessment.slope.terrain, assessment.map_frame, assessment.targets},
+          jumps_{assessment.slope.terrain} {}
+
+    void fall(std::uint64_t rock, std::uint32_t source, WatchedFall& out) {
+        const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, rock};
+        const auto start =
+            start_of(assessment_.slope, assessment_.sources[source], source, assessment_.start, key);
+        out.started = start.has_value();
+        if (!start) {
+            return;
+        }
+        footprint_.begin(*start, assessment_.path_every > 0 && rock % assessment_.path_every == 0);
+        jumps_.begin();
+        rockfall::BothWatch<rockfall::Footprint, rockfall::JumpLog> both{footprint_, jumps_};
+        footprint_.finish(
+            rockfall::fall(assessment_.slope, obstacles_, assessment_.law, key, *start, scratch_, both));
+        out.record = footprint_.record();
+        out.arrivals.assign(footprint_.arrivals().begin(), footprint_.arrivals().end());
+        out.tree_hits.assign(footprint_.tree_hits().begin(), footprint_.tree_hits().end());
+        out.jumps.assign(jumps_.jumps().begin(), jumps_.jumps().end());
+        out.path.assign(footprint_.path().begin(), footprint_.path().end());
+    }
+
+private:
+    const rockfall::Assessment& assessment_;
+    rockfall::Obstacles obstacles_;
+    rockfall::Footprint footprint_;
+    rockfall::JumpLog jumps_;
+    rockfall::FallScratch scratch_;
+};
+
+}  // namespace
+
+void watch_falls(const rockfall::Assessment& assessment, rockfall::Cover cover, int threads,
+                 const WatchedFallSink& sink) {
+    constexpr std::uint32_t rocks_at_once = 64;
+    const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(assessment.sources, rocks_at_once);
+    const auto count = static_cast<std::int64_t>(chunks.size());
+    FirstError error;
+#pragma omp parallel num_threads(threads)
+    {
+        Watch watch{assessment, cover};
+        std::vector<WatchedFall> falls;
+#pragma omp for ordered schedule(dynamic, 1)
+        for (std::int64_t i = 0; i < count; ++i) {
+            const rockfall::Chunk& chunk = chunks[static_cast<std::size_t>(i)];
+            falls.resize(chunk.last_rock - chunk.first_rock);
+            error.guard([&] {
+                std::uint32_t source = chunk.first_source;
+                for (std::uint64_t rock = chunk.first_rock; rock < chunk.last_rock; ++rock) {
+                    while (rock >= assessment.sources[source].first_rock + assessment.sources[source].rocks) {
+                        ++source;
+                    }
+                    watch.fall(rock, source, falls[rock - chunk.first_rock]);
+                }
+            });
+#pragma omp ordered
+            error.guard([&] { std::for_each(falls.begin(), falls.end(), sink); });
+        }
+    }
+    error.rethrow();
+}
+
+}  // namespace coupling

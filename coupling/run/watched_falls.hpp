@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "rockfall/ensemble.hpp"
+#include "rockfall/tally/jump_log.hpp"
+
+namespace coupling {
+
+/// One rock, followed from release to rest.
+struct WatchedFall {
+    bool started = false;  ///< false: its place lies outside the terrain; nothing else is filled
+    rockfall::RockRecord record;
+    std::vector<rockfall::Arrival> arrivals;  ///< target by target
+    std::vector<rockfall::TreeHitRecord> tree_hits;
+    std::vector<rockfall::Jump> jumps;
+    std::vector<rockfall::PathPoint> path;  ///< of every assessment.path_every-th rock
+};
+
+using WatchedFallSink = std::function<void(const WatchedFall&)>;
+
+/// Lets all rocks of the assessment's sources fall over one slope, on several threads, and hands each fall to
+/// the sink in rock order. For ensembles of which every jump is wanted; maps come from fall_rocks().
+///
+/// Cover::forest meets the assessment's stems, Cover::bare does not. Exceptions of the sink are passed on.
+void watch_falls(const rockfall::Assessment& assessment, rockfall::Cover cover, int threads,
+                 const WatchedFallSink& sink);
+
+}  // namespace coupling

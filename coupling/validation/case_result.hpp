@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coupling::validation {
+
+/// A figure of a case: over all rocks, and between series of few rocks as an experiment has them.
+struct Value {
+    double value = 0.0;               ///< of the one large ensemble; NaN where no rock gives it
+    std::optional<double> series;     ///< mean over the small series
+    std::optional<double> deviation;  ///< standard deviation between the small series
+};
+
+/// Figures by the name of their quantity.
+using Values = std::map<std::string, Value>;
+
+/// The jumps that end in one stretch of slope.
+struct SegmentJumps {
+    double from_m = 0.0;  ///< along the slope from its upper end
+    double to_m = 0.0;
+    std::uint64_t jumps = 0;
+    double shortest_m = 0.0;  ///< straight from impact to impact
+    double mean_m = 0.0;
+    double longest_m = 0.0;
+};
+
+/// A corner of a curve.
+struct CurvePoint {
+    double x;
+    double y;
+};
+
+/// What one set of settings gives on one case.
+struct VariantOutcome {
+    std::string variant;  ///< "strict", "default", "paper_initial", ...
+    std::string meaning;
+    Values values;
+    std::vector<CurvePoint> run_out;  ///< (plan distance [m], share of rocks that get further)
+    std::vector<CurvePoint> run_out_low, run_out_high;  ///< 5 and 95 % of the small series
+    std::vector<double> tree_hits;    ///< share of rocks by number of hits; empty without stand
+    std::vector<double> hit_heights;  ///< share of hits by height, bins of 0.5 m; empty without
+    std::vector<SegmentJumps> jumps;
+};
+
+/// A free choice of the rebuilding, moved, and what that does to the figures.
+struct ChoiceOutcome {
+    std::string choice;
+    std::string overrides;
+    std::string reason;
+    Values strict_values;
+    Values default_values;
+};
+
+enum class Verdict : std::uint8_t { inside, missed, no_criterion };
+
+/// A line of the verdict table.
+struct VerdictRow {
+    std::string quantity;
+    std::string label;  ///< for people, such as "mean of maximum speeds"
+    std::string unit;
+    std::optional<double> observed;
+    std::string observed_source;
+    std::optional<double> published;
+    std::optional<double> published_deviation;
+    std::string published_source;
+    Value strict_value;
+    Value default_value;
+    std::optional<double> low, high;  ///< criterion
+    std::string rests_on;             ///< "independent" or "rebuilding"
+    std::string rule;                 ///< where the criterion comes from
+    Verdict strict_verdict = Verdict::no_criterion;
+    Verdict default_verdict = Verdict::no_criterion;
+    std::string cause;  ///< likely cause of a miss, as the case's folder states it
+};
+
+/// The slope as it was used, for the page.
+struct ProfileCorner {
+    double distance_m;
+    double height_m;
+    std::string surface;
+};
+
+/// Everything that validating a case has found.
+struct CaseResult {
+    std::string name;
+    std::string title;
+    std::string citation;
+    std::string rebuilt;  ///< one paragraph: what is rebuilt and what that means for the verdicts
+    std::vector<ProfileCorner> profile;
+    std::vector<VerdictRow> rows;
+    std::vector<VariantOutcome> variants;  ///< strict and default first
+    std::vector<ChoiceOutcome> choices;
+    std::vector<std::string> notes;  ///< such as "profile.csv replaced by surveyed.csv"
+    std::uint64_t rocks = 0;
+    std::uint64_t series = 0;
+    std::uint64_t rocks_per_series = 0;
+    double seconds = 0.0;
+};
+
+}  // namespace coupling::validation

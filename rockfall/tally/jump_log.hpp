@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rockfall/fall.hpp"
+
+namespace rockfall {
+
+/// A flight of a rock's underside, from the ground or a stem to the next of either.
+struct Jump {
+    Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d to_m = Eigen::Vector3d::Zero();
+    double highest_m = 0.0;  ///< largest vertical height above ground
+    double launch_mps = 0.0;
+    double impact_mps = 0.0;
+    double time_s = 0.0;
+    bool landed = false;  ///< ended with a ground impact; false: at a stem, at the border
+
+    [[nodiscard]] double length_m() const { return (to_m - from_m).norm(); }
+    [[nodiscard]] double plan_length_m() const { return (to_m - from_m).head<2>().norm(); }
+};
+
+/// Watches one rock and keeps each of its jumps. Reused from rock to rock.
+class JumpLog {
+public:
+    explicit JumpLog(const Terrain& terrain) : terrain_{&terrain} {}
+    void begin() { jumps_.clear(); }
+
+    void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
+              double spin_radps);
+    void rolled(const Rock&, const RollingPiece&, std::uint32_t) {}
+    void impacted(const Eigen::Vector3d&);
+    void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
+
+    [[nodiscard]] std::span<const Jump> jumps() const { return jumps_; }
+
+private:
+    const Terrain* terrain_;
+    std::vector<Jump> jumps_;
+};
+
+/// Two observers of one fall.
+template <class First, class Second>
+struct BothWatch {
+    First& first;
+    Second& second;
+
+    void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
+              double spin_radps) {
+        first.flew(rock, flight, until_s, stretches, spin_radps);
+        second.flew(rock, flight, until_s, stretches, spin_radps);
+    }
+    void rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle) {
+        first.rolled(rock, piece, triangle);
+        second.rolled(rock, piece, triangle);
+    }
+    void impacted(const Eigen::Vector3d& place_m) {
+        first.impacted(place_m);
+        second.impacted(place_m);
+    }
+    void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
+                  double energy_j) {
+        first.met_stem(position_m, hit, impact, energy_j);
+        second.met_stem(position_m, hit, impact, energy_j);
+    }
+};
+
+}  // namespace rockfall
