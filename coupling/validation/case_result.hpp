@@ -84,6 +84,41 @@ struct ProfileCorner {
     std::string surface;
 };
 
+/// A stretch of slope that rocks may stop in.
+struct SectionShare {
+    std::string section;
+    double from_m = 0.0;  ///< in plan from the start
+    double to_m = 0.0;
+    std::optional<double> observed;  ///< share of rocks that stop in it
+    std::optional<double> published;
+};
+
+/// A figure with its 95 % interval.
+struct Estimate {
+    double value = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// One combination of stand and rock on a slope, and what the forest does there.
+struct FactorRow {
+    std::vector<double> settings;  ///< in the order of CaseResult::factor_settings
+    std::map<std::string, Estimate> figures;
+};
+
+/// Whether a figure goes the way the literature has it when a setting grows.
+struct DirectionRow {
+    std::string figure;
+    std::string setting;
+    bool rises = true;  ///< as the literature has it
+    std::string source;
+    std::vector<double> steps;        ///< values of the setting
+    std::vector<Estimate> at_steps;   ///< the figure there, mean over all other settings
+    std::uint64_t steps_against = 0;  ///< steps that go the other way by more than their interval
+    Estimate change;                  ///< from the first step to the last
+    Verdict verdict = Verdict::no_criterion;
+};
+
 /// Everything that validating a case has found.
 struct CaseResult {
     std::string name;
@@ -94,6 +129,13 @@ struct CaseResult {
     std::vector<VerdictRow> rows;
     std::vector<VariantOutcome> variants;  ///< strict and default first
     std::vector<ChoiceOutcome> choices;
+    std::vector<SectionShare> sections;
+    std::vector<CurvePoint> observed_run_out;  ///< as run_out of the variants
+    std::vector<double> observed_tree_hits;    ///< as tree_hits of the variants
+    std::vector<double> published_tree_hits;
+    std::vector<std::string> factor_settings;  ///< such as "stand.stems_per_ha"; empty without factors
+    std::vector<FactorRow> factors;
+    std::vector<DirectionRow> directions;
     std::vector<std::string> notes;  ///< such as "profile.csv replaced by surveyed.csv"
     std::uint64_t rocks = 0;
     std::uint64_t series = 0;
