@@ -13,6 +13,14 @@ constexpr double left = 72.0;
 constexpr double right = 408.0;
 constexpr double top = 34.0;
 constexpr double bottom = 262.0;
+/// Between the names of two series in the drawing.
+constexpr double name_width = 140.0;
+/// Of a name that leaves room for its neighbour.
+constexpr std::size_t short_name = 16;
+
+std::string dot_at(const std::string& series, double x, double y) {
+    return joined("<circle class=\"dot ", series, "\" cx=\"", place(x), "\" cy=\"", place(y), "\" r=\"4\"/>");
+}
 
 }  // namespace
 
@@ -83,6 +91,39 @@ void Chart::add_line(const std::string& series, std::span<const ChartPoint> poin
     drawing_ += joined("<path class=\"line ", series, "\" d=\"", line.text(), "\"/>");
 }
 
+void Chart::add_band(const std::string& series, std::span<const ChartRange> ranges) {
+    if (ranges.empty()) {
+        return;
+    }
+    PathText rim;
+    for (std::size_t i = 0; i + 1 < ranges.size(); ++i) {
+        rim.line(x_of(ranges[i].x), y_of(ranges[i].high), x_of(ranges[i + 1].x), y_of(ranges[i + 1].high));
+    }
+    const ChartRange& last = ranges.back();
+    rim.line(x_of(last.x), y_of(last.high), x_of(last.x), y_of(last.low));
+    for (std::size_t i = ranges.size(); i-- > 1;) {
+        rim.line(x_of(ranges[i].x), y_of(ranges[i].low), x_of(ranges[i - 1].x), y_of(ranges[i - 1].low));
+    }
+    drawing_ += joined("<path class=\"band ", series, "\" d=\"", rim.text(), "\"/>");
+}
+
+void Chart::add_whiskers(const std::string& series, std::span<const ChartRange> ranges) {
+    std::string strokes;
+    for (const ChartRange& range : ranges) {
+        const std::string cap = joined("M", place(x_of(range.x) - 3.0), " ");
+        strokes +=
+            joined("M", place(x_of(range.x)), " ", place(y_of(range.low)), "V", place(y_of(range.high)), cap,
+                   place(y_of(range.low)), "h6", cap, place(y_of(range.high)), "h6");
+    }
+    drawing_ += joined("<path class=\"whiskers ", series, "\" d=\"", strokes, "\"/>");
+}
+
+void Chart::add_dots(const std::string& series, std::span<const ChartPoint> points) {
+    for (const ChartPoint& point : points) {
+        drawing_ += dot_at(series, x_of(point.x), y_of(point.y));
+    }
+}
+
 void Chart::add_mark(double x, const std::string& label) {
     if (x_.share_of(x) <= 0.0 || x_.share_of(x) >= 1.0) {
         return;
@@ -94,7 +135,21 @@ void Chart::add_mark(double x, const std::string& label) {
 }
 
 void Chart::add_name(const std::string& series, const std::string& name) {
-    names_.push_back({series, name});
+    names_.push_back({series, name, Sample::line});
+}
+
+void Chart::add_band_name(const std::string& series, const std::string& name) {
+    names_.push_back({series, name, Sample::band});
+}
+
+void Chart::add_dot_name(const std::string& series, const std::string& name) {
+    names_.push_back({series, name, Sample::dot});
+}
+
+bool Chart::names_fit() const {
+    return names_.size() <= 2 && std::all_of(names_.begin(), names_.end(), [](const Name& name) {
+               return name.sample == Sample::line && name.name.size() <= short_name;
+           });
 }
 
 std::string Chart::axes() const {
@@ -127,16 +182,34 @@ std::string Chart::names() const {
     for (const Name& name : names_) {
         svg += joined("<path class=\"line ", name.series, "\" d=\"M", place(x), " 16h26\"/><text x=\"",
                       place(x + 32.0), "\" y=\"20\">", escaped(name.name), "</text>");
-        x += 140.0;
+        x += name_width;
     }
     return svg;
 }
 
+std::string Chart::list_of_names() const {
+    std::string items;
+    for (const Name& name : names_) {
+        std::string sample;
+        if (name.sample == Sample::line) {
+            sample = joined("<path class=\"line ", name.series, "\" d=\"M1 7h28\"/>");
+        } else if (name.sample == Sample::band) {
+            sample = joined("<path class=\"band ", name.series, "\" d=\"M1 2h28v10h-28z\"/>");
+        } else {
+            sample = dot_at(name.series, 15.0, 7.0);
+        }
+        items += joined("<li><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">", sample, "</svg>",
+                        escaped(name.name), "</li>");
+    }
+    return joined("<ul class=\"names\">", items, "</ul>");
+}
+
 std::string Chart::figure(const std::string& caption) const {
-    return joined("<figure class=\"chart\"><figcaption><b>", escaped(title_),
-                  "</b></figcaption><svg viewBox=\"0 0 430 310\""
+    return joined("<figure class=\"chart\"><figcaption><b>", escaped(title_), "</b></figcaption>",
+                  (names_fit() ? "" : list_of_names()),
+                  "<svg viewBox=\"0 0 430 310\""
                   " role=\"img\" aria-label=\"",
-                  escaped(title_), "\">", axes(), drawing_, marks_, names(), "</svg>",
+                  escaped(title_), "\">", axes(), drawing_, marks_, (names_fit() ? names() : ""), "</svg>",
                   (caption.empty() ? "" : joined("<p>", caption, "</p>")), "</figure>\n");
 }
 

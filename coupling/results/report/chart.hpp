@@ -29,10 +29,20 @@ struct ChartPoint {
     double y;
 };
 
+/// A range at a place.
+struct ChartRange {
+    double x;
+    double low;
+    double high;
+};
+
 /// A chart as inline SVG: every series has its colour and its line style, so that it reads without colour
 /// too.
 ///
-/// Series are named by a class that the page's style knows: "forest" (solid, filled), "bare" (dashed).
+/// Series are named by a class that the page's style knows: "forest" (solid, filled), "bare" (dashed). Bands
+/// and dots need a style of their own: "band" and "dot" beside the class of the series.
+///
+/// Two short names stand in the drawing; more, or longer ones, in a list above it.
 class Chart {
 public:
     Chart(std::string title, Axis x, Axis y);
@@ -40,9 +50,16 @@ public:
     /// Heights over bins; edges has one number more than heights.
     void add_steps(const std::string& series, std::span<const double> edges, std::span<const double> heights);
     void add_line(const std::string& series, std::span<const ChartPoint> points);
+    /// The area between the lower and the upper ends of ranges, in the order of x.
+    void add_band(const std::string& series, std::span<const ChartRange> ranges);
+    /// A vertical stroke with caps at each range.
+    void add_whiskers(const std::string& series, std::span<const ChartRange> ranges);
+    void add_dots(const std::string& series, std::span<const ChartPoint> points);
     /// A thin vertical line with a small label at its top.
     void add_mark(double x, const std::string& label);
     void add_name(const std::string& series, const std::string& name);
+    void add_band_name(const std::string& series, const std::string& name);
+    void add_dot_name(const std::string& series, const std::string& name);
 
     [[nodiscard]] std::string figure(const std::string& caption) const;
 
@@ -50,16 +67,20 @@ private:
     [[nodiscard]] double x_of(double value) const;
     [[nodiscard]] double y_of(double value) const;
     [[nodiscard]] std::string axes() const;
+    [[nodiscard]] bool names_fit() const;
     [[nodiscard]] std::string names() const;
+    [[nodiscard]] std::string list_of_names() const;
 
     std::string title_;
     Axis x_;
     Axis y_;
     std::string drawing_;
     std::string marks_;
+    enum class Sample : std::uint8_t { line, band, dot };
     struct Name {
         std::string series;
         std::string name;
+        Sample sample = Sample::line;
     };
     std::vector<Name> names_;
 };

@@ -44,6 +44,45 @@ TEST(Chart, NamesBothAxesAndEverySeries) {
     EXPECT_EQ(testing::markup_fault(figure), "");
 }
 
+TEST(Chart, DrawsABandAsOneClosedRim) {
+    Chart chart{"Jumps", Axis{"Distance, m", 0.0, 10.0}, Axis{"Length, m", 0.0, 10.0}};
+    chart.add_band("strict", std::array{ChartRange{0.0, 0.0, 10.0}, ChartRange{10.0, 0.0, 10.0}});
+    // 336 x 228 units of drawing: along the top, down, and back along the bottom.
+    EXPECT_NE(chart.figure("").find("<path class=\"band strict\" d=\"M72 34l336 0l0 228l-336 0\"/>"),
+              std::string::npos)
+        << chart.figure("");
+}
+
+TEST(Chart, DrawsNoBandOfNothing) {
+    Chart chart{"Jumps", Axis{"Distance, m", 0.0, 10.0}, Axis{"Length, m", 0.0, 10.0}};
+    chart.add_band("strict", {});
+    EXPECT_EQ(chart.figure("").find("band"), std::string::npos);
+}
+
+TEST(Chart, PutsDotsAndWhiskersWhereTheirValuesAre) {
+    Chart chart{"Jumps", Axis{"Distance, m", 0.0, 10.0}, Axis{"Length, m", 0.0, 10.0}};
+    chart.add_dots("observed", std::array{ChartPoint{5.0, 5.0}});
+    chart.add_whiskers("observed", std::array{ChartRange{5.0, 0.0, 10.0}});
+    const std::string figure = chart.figure("");
+    EXPECT_NE(figure.find("<circle class=\"dot observed\" cx=\"240\" cy=\"148\""), std::string::npos)
+        << figure;
+    EXPECT_NE(figure.find("M240 262V34M237 262h6M237 34h6"), std::string::npos) << figure;
+}
+
+TEST(Chart, ListsNamesThatDoNotFitIntoTheDrawing) {
+    Chart chart{"Run-out", Axis{"Distance, m", 0.0, 10.0}, Axis{"%", 0.0, 10.0}};
+    chart.add_name("strict", "strict");
+    EXPECT_EQ(chart.figure("").find("<ul"), std::string::npos);
+    chart.add_band_name("strict", "strict, 90 % of series");
+    chart.add_dot_name("observed", "observed");
+    const std::string figure = chart.figure("");
+    EXPECT_NE(figure.find("<ul class=\"names\">"), std::string::npos);
+    for (const char* sample : {"line strict", "band strict", "dot observed"}) {
+        EXPECT_NE(figure.find(sample), std::string::npos) << sample;
+    }
+    EXPECT_EQ(testing::markup_fault(figure), "");
+}
+
 TEST(Chart, KeepsMarksOutsideTheAxisAway) {
     Chart chart{"Energy", Axis::powers_of_ten("Energy, kJ", 1.0, 9.0), Axis::from_zero("%", 1.0)};
     chart.add_mark(300.0, "300 kJ");
