@@ -1,0 +1,60 @@
+#include "coupling/validation/page.hpp"
+
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/sections.hpp"
+#include "coupling/validation/page_parts.hpp"
+#include "coupling/version.hpp"
+
+namespace coupling::validation {
+namespace {
+
+using report::escaped;
+
+std::string notes_of(const CaseResult& result) {
+    std::string items;
+    for (const std::string& note : result.notes) {
+        items += joined("<li>", escaped(note), "</li>\n");
+    }
+    return items.empty() ? "" : joined("<ul class=\"notes\">\n", items, "</ul>\n");
+}
+
+std::string case_part(const CaseResult& result) {
+    const Score strict = score_of(result, &VerdictRow::strict_verdict);
+    const Score ours = score_of(result, &VerdictRow::default_verdict);
+    const auto met_of = [](const Score& score) {
+        return joined(std::to_string(score.met), " of ", std::to_string(score.met + score.missed));
+    };
+    std::string html = joined("<h2 id=\"", escaped(result.name), "\">",
+                              escaped(result.title.empty() ? result.name : result.title),
+                              "</h2>\n<p class=\"soft\">", escaped(result.citation), "</p>\n");
+    if (strict.met + strict.missed + ours.met + ours.missed > 0) {
+        html += joined("<p class=\"lead\">Criteria met: <b>", met_of(strict), "</b> in strict, <b>",
+                       met_of(ours), "</b> in default.</p>\n");
+    }
+    html += nearness(result);
+    if (!result.rebuilt.empty()) {
+        html += joined("<p><b>What is rebuilt.</b> ", escaped(result.rebuilt), "</p>\n");
+    }
+    html += notes_of(result);
+    return joined(html, "<section class=\"card\">", verdict_table(result), misses(result), "</section>\n",
+                  case_charts(result), factors_part(result), variants_table(result), choices_table(result));
+}
+
+}  // namespace
+
+void write_validation_page(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+           "'unsafe-inline'\"/>\n"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+           "<meta name=\"generator\" content=\"Bannwald "
+        << escaped(version()) << "\"/>\n<title>Bannwald against the published cases</title>\n<style>"
+        << report::style() << page_style() << "</style>\n</head>\n<body>\n<main>\n"
+        << page_opening(cases);
+    for (const CaseResult& result : cases) {
+        out << case_part(result);
+    }
+    out << "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace coupling::validation

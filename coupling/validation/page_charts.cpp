@@ -1,0 +1,282 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/validation/page_parts.hpp"
+
+namespace coupling::validation {
+namespace {
+
+using report::Axis;
+using report::Chart;
+using report::ChartPoint;
+using report::ChartRange;
+using report::escaped;
+
+constexpr double per_cent = 100.0;
+
+const VariantOutcome* variant_named(const CaseResult& result, const std::string& name) {
+    const auto found = std::find_if(result.variants.begin(), result.variants.end(),
+                                    [&](const VariantOutcome& variant) { return variant.variant == name; });
+    return found == result.variants.end() ? nullptr : &*found;
+}
+
+/// Default last, so that it is drawn over the others.
+std::vector<std::size_t> drawing_order(const CaseResult& result) {
+    std::vector<std::size_t> order(result.variants.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        order[i] = order.size() - 1 - i;
+    }
+    std::stable_partition(order.begin(), order.end(),
+                          [&](std::size_t i) { return result.variants[i].variant != "default"; });
+    return order;
+}
+
+std::vector<ChartPoint> in_percent(const std::vector<CurvePoint>& curve) {
+    std::vector<ChartPoint> points;
+    points.reserve(curve.size());
+    for (const CurvePoint& corner : curve) {
+        points.push_back({corner.x, per_cent * corner.y});
+    }
+    return points;
+}
+
+/// Share of rocks that get further than a distance: straight between the corners of the curve.
+double further_than(const std::vector<CurvePoint>& curve, double distance_m) {
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        if (curve[i].x < distance_m) {
+            continue;
+        }
+        if (i == 0 || curve[i].x == curve[i - 1].x) {
+            return curve[i].y;
+        }
+        const double part = (distance_m - curve[i - 1].x) / (curve[i].x - curve[i - 1].x);
+        return curve[i - 1].y + part * (curve[i].y - curve[i - 1].y);
+    }
+    return curve.empty() ? NAN : curve.back().y;
+}
+
+/// "Stopped in B (240 to 340 m): observed 33.0 %, strict 31.2 %, default 30.1 %."
+std::string section_shares(const CaseResult& result) {
+    std::string sentences;
+    for (const SectionShare& section : result.sections) {
+        sentences += joined("Stopped in ", escaped(section.section), " (", report::tick_text(section.from_m),
+                            " to ", report::tick_text(section.to_m), "\u00a0m): ");
+        if (section.observed) {
+            sentences += joined("observed ", report::percent(*section.observed), ", ");
+        }
+        if (section.published) {
+            sentences += joined("published ", report::percent(*section.published), ", ");
+        }
+        std::string ours;
+        for (const VariantOutcome& variant : result.variants) {
+            if (variant.variant == "strict" || variant.variant == "default") {
+                ours += joined((ours.empty() ? "" : ", "), variant.variant, " ",
+                               report::percent(further_than(variant.run_out, section.from_m) -
+                                               further_than(variant.run_out, section.to_m)));
+            }
+        }
+        sentences += joined(ours, ". ");
+    }
+    return sentences;
+}
+
+std::vector<ChartRange> series_band(const VariantOutcome& variant) {
+    std::vector<ChartRange> ranges;
+    for (const CurvePoint& low : variant.run_out_low) {
+        ranges.push_back({low.x, per_cent * low.y, per_cent * further_than(variant.run_out_high, low.x)});
+    }
+    return ranges;
+}
+
+std::string run_out_chart(const CaseResult& result) {
+    double most_m = 0.0;
+    for (const VariantOutcome& variant : result.variants) {
+        most_m = std::max(most_m, variant.run_out.empty() ? 0.0 : variant.run_out.back().x);
+    }
+    if (most_m <= 0.0) {
+        return "";
+    }
+    Chart chart{"Run-out", Axis::from_zero("Distance in plan from the start, m", most_m),
+                Axis{"% of rocks that get further", 0.0, per_cent}};
+    const std::vector<std::size_t> order = drawing_order(result);
+    for (const std::size_t i : order) {
+        chart.add_band(series_of(result, i), series_band(result.variants[i]));
+    }
+    for (const std::size_t i : order) {
+        chart.add_line(series_of(result, i), in_percent(result.variants[i].run_out));
+    }
+    for (std::size_t i = 0; i < result.variants.size(); ++i) {
+        chart.add_name(series_of(result, i), result.variants[i].variant);
+    }
+    for (std::size_t i = 0; i < result.variants.size(); ++i) {
+        if (!result.variants[i].run_out_low.empty()) {
+            chart.add_band_name(series_of(result, i), joined(result.variants[i].variant, ", 90 % of series"));
+        }
+    }
+    if (!result.observed_run_out.empty()) {
+        chart.add_dots("observed", in_percent(result.observed_run_out));
+        chart.add_dot_name("observed", "observed");
+    }
+    for (const SectionShare& section : result.sections) {
+        chart.add_mark(section.from_m, section.section);
+    }
+    if (!result.sections.empty()) {
+        chart.add_mark(result.sections.back().to_m, "");
+    }
+    return chart.figure(section_shares(result));
+}
+
+/// Strict and default as steps, what others saw as dots in the middle of the bins.
+std::string shares_chart(const CaseResult& result, Chart chart, const std::vector<double>& edges,
+                         std::vector<double> VariantOutcome::*shares, const std::string& caption) {
+    for (const std::string name : {"strict", "default"}) {
+        const VariantOutcome* variant = variant_named(result, name);
+        if (variant == nullptr) {
+            continue;
+        }
+        std::vector<double> heights(edges.size() - 1, 0.0);
+        for (std::size_t i = 0; i < (variant->*shares).size(); ++i) {
+            heights[std::min(i, heights.size() - 1)] += per_cent * (variant->*shares)[i];
+        }
+        chart.add_steps(name, edges, heights);
+        chart.add_name(name, name);
+    }
+    return chart.figure(caption);
+}
+
+void add_seen(Chart& chart, const std::string& series, const std::vector<double>& shares) {
+    std::vector<ChartPoint> points;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        points.push_back({static_cast<double>(i), per_cent * shares[i]});
+    }
+    if (!points.empty()) {
+        chart.add_dots(series, points);
+        chart.add_dot_name(series, series);
+    }
+}
+
+double largest(const std::vector<double>& values) {
+    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+/// Bins that hold all but the last half per cent of any variant.
+std::size_t bins_worth_showing(const CaseResult& result, std::vector<double> VariantOutcome::*shares) {
+    std::size_t bins = 0;
+    for (const VariantOutcome& variant : result.variants) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < (variant.*shares).size() && sum < 0.995; ++i) {
+            sum += (variant.*shares)[i];
+            bins = std::max(bins, i + 1);
+        }
+    }
+    return bins;
+}
+
+double highest_percent(const CaseResult& result, std::vector<double> VariantOutcome::*shares) {
+    double most = 0.0;
+    for (const VariantOutcome& variant : result.variants) {
+        most = std::max(most, largest(variant.*shares));
+    }
+    return per_cent * most;
+}
+
+std::string tree_hit_chart(const CaseResult& result) {
+    const std::size_t bins = std::max({bins_worth_showing(result, &VariantOutcome::tree_hits),
+                                       result.observed_tree_hits.size(), result.published_tree_hits.size()});
+    if (bins == 0) {
+        return "";
+    }
+    std::vector<double> edges;
+    for (std::size_t i = 0; i <= bins; ++i) {
+        edges.push_back(static_cast<double>(i) - 0.5);
+    }
+    const double most = std::max({highest_percent(result, &VariantOutcome::tree_hits),
+                                  per_cent * largest(result.observed_tree_hits),
+                                  per_cent * largest(result.published_tree_hits)});
+    Chart chart{"Tree hits per rock", Axis{"Trees hit by a rock", -0.5, edges.back(), false, true},
+                Axis::from_zero("% of rocks", most)};
+    add_seen(chart, "observed", result.observed_tree_hits);
+    add_seen(chart, "published", result.published_tree_hits);
+    return shares_chart(result, chart, edges, &VariantOutcome::tree_hits,
+                        joined("The last bar takes ", std::to_string(bins - 1), " hits and more."));
+}
+
+std::string hit_height_chart(const CaseResult& result) {
+    constexpr double bin_m = 0.5;
+    const std::size_t bins = bins_worth_showing(result, &VariantOutcome::hit_heights);
+    if (bins == 0) {
+        return "";
+    }
+    std::vector<double> edges;
+    for (std::size_t i = 0; i <= bins; ++i) {
+        edges.push_back(bin_m * static_cast<double>(i));
+    }
+    Chart chart{"Heights of tree hits", Axis{"Height of the hit above ground, m", 0.0, edges.back()},
+                Axis::from_zero("% of hits", highest_percent(result, &VariantOutcome::hit_heights))};
+    return shares_chart(result, chart, edges, &VariantOutcome::hit_heights,
+                        "In bars of 0.5 m; the last one takes all above.");
+}
+
+std::string jump_chart(const VariantOutcome& variant, double most_m, double end_m) {
+    Chart chart{joined("Jump lengths, ", variant.variant),
+                Axis::from_zero("Distance along the slope, m", end_m),
+                Axis::from_zero("Length of a jump, m", most_m)};
+    // Stretches in which no jump ends part the curve.
+    std::vector<ChartRange> ranges;
+    std::vector<ChartPoint> means;
+    const auto draw = [&] {
+        chart.add_band(variant.variant, ranges);
+        chart.add_line(variant.variant, means);
+        ranges.clear();
+        means.clear();
+    };
+    for (const SegmentJumps& segment : variant.jumps) {
+        if (segment.jumps == 0) {
+            draw();
+            continue;
+        }
+        for (const double at_m : {segment.from_m, segment.to_m}) {
+            ranges.push_back({at_m, segment.shortest_m, segment.longest_m});
+            means.push_back({at_m, segment.mean_m});
+        }
+    }
+    draw();
+    chart.add_name(variant.variant, "mean");
+    chart.add_band_name(variant.variant, "shortest to longest");
+    return chart.figure("Straight from impact to impact, by the stretch of slope in which the jump ends.");
+}
+
+std::string jump_charts(const CaseResult& result) {
+    double most_m = 0.0;
+    double end_m = 0.0;
+    std::vector<const VariantOutcome*> drawn;
+    for (const std::string name : {"strict", "default"}) {
+        const VariantOutcome* variant = variant_named(result, name);
+        if (variant == nullptr || variant->jumps.empty()) {
+            continue;
+        }
+        drawn.push_back(variant);
+        for (const SegmentJumps& segment : variant->jumps) {
+            most_m = std::max(most_m, segment.jumps > 0 ? segment.longest_m : 0.0);
+            end_m = std::max(end_m, segment.jumps > 0 ? segment.to_m : 0.0);
+        }
+    }
+    std::string html;
+    for (const VariantOutcome* variant : drawn) {
+        html += end_m > 0.0 ? jump_chart(*variant, most_m, end_m) : "";
+    }
+    return html;
+}
+
+}  // namespace
+
+std::string case_charts(const CaseResult& result) {
+    const std::string charts =
+        joined(run_out_chart(result), tree_hit_chart(result), hit_height_chart(result), jump_charts(result));
+    return joined(profile_drawing(result),
+                  (charts.empty() ? "" : joined("<div class=\"halves\">", charts, "</div>\n")));
+}
+
+}  // namespace coupling::validation

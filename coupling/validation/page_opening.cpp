@@ -1,0 +1,88 @@
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/validation/page_parts.hpp"
+
+namespace coupling::validation {
+namespace {
+
+using report::escaped;
+
+Score sum_of(std::span<const CaseResult> cases, Verdict VerdictRow::*verdict) {
+    Score sum;
+    for (const CaseResult& result : cases) {
+        const Score score = score_of(result, verdict);
+        sum.met += score.met;
+        sum.missed += score.missed;
+        sum.met_independent += score.met_independent;
+        sum.independent += score.independent;
+    }
+    return sum;
+}
+
+std::string met_of(const Score& score) {
+    return joined(std::to_string(score.met), " of ", std::to_string(score.met + score.missed));
+}
+
+std::string independent_of(const Score& score) {
+    return joined(std::to_string(score.met_independent), " of ", std::to_string(score.independent));
+}
+
+/// Names of the figures missed, such as "mean speed, m/s; tree hits per rock".
+std::string missed_in(const CaseResult& result, Verdict VerdictRow::*verdict) {
+    std::string names;
+    for (const VerdictRow& row : result.rows) {
+        if (row.*verdict == Verdict::missed) {
+            names += joined((names.empty() ? "" : "; "), row_name(row));
+        }
+    }
+    return names.empty() ? "none" : names;
+}
+
+std::string overview(std::span<const CaseResult> cases) {
+    report::HtmlTable table{"", {"case", "strict", "default", "missed in strict", "missed in default"}};
+    table.text_columns({3, 4});
+    for (const CaseResult& result : cases) {
+        table.row({joined("<a href=\"#", escaped(result.name), "\">",
+                          escaped(result.title.empty() ? result.name : result.title), "</a>"),
+                   met_of(score_of(result, &VerdictRow::strict_verdict)),
+                   met_of(score_of(result, &VerdictRow::default_verdict)),
+                   missed_in(result, &VerdictRow::strict_verdict),
+                   missed_in(result, &VerdictRow::default_verdict)});
+    }
+    return table.html();
+}
+
+std::string how_to_read() {
+    return "<h2>How to read this page</h2>\n<dl class=\"facts\">"
+           "<div><dt>observed</dt><dd>measured in the field</dd></div>"
+           "<div><dt>published</dt><dd>simulated by the authors of the model with their own "
+           "program</dd></div>"
+           "<div><dt>strict</dt><dd>Bannwald with exactly what the paper states; where it is silent, our "
+           "choices</dd></div>"
+           "<div><dt>default</dt><dd>Bannwald as it is shipped: our best</dd></div>"
+           "<div><dt>independent</dt><dd>the figure was not used to rebuild slope or stand: a hit "
+           "counts</dd></div>"
+           "<div><dt>rebuilding</dt><dd>the figure was used to rebuild slope or stand: a hit proves "
+           "little</dd></div></dl>\n"
+           "<p>Criteria come from the published spread and were set before our model was run on the case. A "
+           "miss "
+           "is printed as a miss, with its likely cause. A figure marked ± has the standard deviation "
+           "between series of "
+           "few rocks, as an experiment would have them.</p>\n";
+}
+
+}  // namespace
+
+std::string page_opening(std::span<const CaseResult> cases) {
+    const Score strict = sum_of(cases, &VerdictRow::strict_verdict);
+    const Score ours = sum_of(cases, &VerdictRow::default_verdict);
+    return joined(
+        "<h1>Bannwald against the published cases</h1>\n<section class=\"card\"><p "
+        "class=\"answer\"><b>strict</b> "
+        "meets <b>",
+        met_of(strict), "</b> criteria, of the independent ones ", independent_of(strict),
+        ". <b>default</b> meets <b>", met_of(ours), "</b>, of the independent ones ", independent_of(ours),
+        ".</p>\n", overview(cases), "</section>\n", how_to_read());
+}
+
+}  // namespace coupling::validation

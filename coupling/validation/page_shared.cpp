@@ -1,0 +1,87 @@
+#include <array>
+#include <cmath>
+
+#include "coupling/results/report/markup.hpp"
+#include "coupling/validation/page_parts.hpp"
+
+namespace coupling::validation {
+
+Score score_of(const CaseResult& result, Verdict VerdictRow::*verdict) {
+    Score score;
+    for (const VerdictRow& row : result.rows) {
+        if (row.*verdict == Verdict::no_criterion) {
+            continue;
+        }
+        const bool met = row.*verdict == Verdict::inside;
+        const bool independent = row.rests_on == "independent";
+        score.met += met ? 1U : 0U;
+        score.missed += met ? 0U : 1U;
+        score.independent += independent ? 1U : 0U;
+        score.met_independent += met && independent ? 1U : 0U;
+    }
+    return score;
+}
+
+std::string badge(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::inside:
+            return "<span class=\"badge\">met</span>";
+        case Verdict::missed:
+            return "<span class=\"badge missed\">missed</span>";
+        case Verdict::no_criterion:
+            break;
+    }
+    return "–";
+}
+
+std::string criterion_text(const VerdictRow& row) {
+    if (row.low && row.high) {
+        return joined(figure_text(*row.low), " to ", figure_text(*row.high));
+    }
+    if (row.low) {
+        return joined("at least ", figure_text(*row.low));
+    }
+    return row.high ? joined("at most ", figure_text(*row.high)) : "–";
+}
+
+Verdict judge(const VerdictRow& row, double value) {
+    if (!row.low && !row.high) {
+        return Verdict::no_criterion;
+    }
+    const bool inside =
+        !std::isnan(value) && (!row.low || value >= *row.low) && (!row.high || value <= *row.high);
+    return inside ? Verdict::inside : Verdict::missed;
+}
+
+std::string row_name(const VerdictRow& row) {
+    const std::string& name = row.label.empty() ? row.quantity : row.label;
+    return row.unit.empty() || row.unit == "-"
+               ? report::escaped(name)
+               : joined(report::escaped(name), ", ", report::escaped(row.unit));
+}
+
+std::string series_of(const CaseResult& result, std::size_t variant) {
+    const std::string& name = result.variants[variant].variant;
+    if (name == "strict" || name == "default") {
+        return name;
+    }
+    constexpr std::size_t styles = 5;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < variant; ++i) {
+        const std::string& before = result.variants[i].variant;
+        others += before != "strict" && before != "default" ? 1U : 0U;
+    }
+    return joined("other", std::to_string(others % styles));
+}
+
+std::string figure_text(double value) {
+    const double size = std::abs(value);
+    if (size < 0.1) {
+        return report::three_digits(value);
+    }
+    // 0.9995 must not become 1.00.
+    const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size < 1.0 ? 3 : 2;
+    return report::fixed(value, decimals);
+}
+
+}  // namespace coupling::validation

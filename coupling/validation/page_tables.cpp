@@ -1,0 +1,273 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/validation/page_parts.hpp"
+
+namespace coupling::validation {
+namespace {
+
+using report::escaped;
+using report::HtmlTable;
+
+/// Sources in the order of their first mention, each with one number however often it is cited.
+class Notes {
+public:
+    /// The number as a raised sign with the source as its tooltip; empty for an empty source.
+    std::string cite(const std::string& source) {
+        if (source.empty()) {
+            return "";
+        }
+        const auto found = std::find(sources_.begin(), sources_.end(), source);
+        const auto number = std::to_string(found - sources_.begin() + 1);
+        if (found == sources_.end()) {
+            sources_.push_back(source);
+        }
+        return joined("<sup title=\"", escaped(source), "\">", number, "</sup>");
+    }
+    [[nodiscard]] std::string html() const {
+        std::string items;
+        for (const std::string& source : sources_) {
+            items += joined("<li>", escaped(source), "</li>\n");
+        }
+        return items.empty() ? "" : joined("<ol class=\"sources\">\n", items, "</ol>\n");
+    }
+
+private:
+    std::vector<std::string> sources_;
+};
+
+std::string with_deviation(double value, std::optional<double> deviation) {
+    return deviation ? joined(figure_text(value), "\u00a0±\u00a0", figure_text(*deviation))
+                     : figure_text(value);
+}
+
+/// The figure of all rocks with its verdict, and below it what the small series give.
+std::string ours(const Value& value, Verdict verdict) {
+    std::string cell = figure_text(value.value);
+    if (verdict != Verdict::no_criterion) {
+        cell += joined(" ", badge(verdict));
+    }
+    if (value.series) {
+        cell += joined("<small>", with_deviation(*value.series, value.deviation), "</small>");
+    } else if (value.deviation) {
+        cell += joined("<small>±\u00a0", figure_text(*value.deviation), "</small>");
+    }
+    return cell;
+}
+
+std::string miss_of(const char* set, const Value& value) {
+    return joined(set, " ", figure_text(value.value));
+}
+
+const VerdictRow* row_named(const CaseResult& result, const std::string& quantity) {
+    const auto found = std::find_if(result.rows.begin(), result.rows.end(),
+                                    [&](const VerdictRow& row) { return row.quantity == quantity; });
+    return found == result.rows.end() ? nullptr : &*found;
+}
+
+std::string value_in(const Values& values, const std::string& quantity) {
+    const auto found = values.find(quantity);
+    return found == values.end() ? "–" : figure_text(found->second.value);
+}
+
+/// Observed and published of a quantity without a row in the verdict table are not known: an en dash.
+std::string known(const VerdictRow* row, std::optional<double> VerdictRow::*figure) {
+    return row != nullptr && row->*figure ? figure_text(*(row->*figure)) : "–";
+}
+
+/// Quantities of the rows first, in their order; then those that only variants have.
+std::vector<std::string> quantities_of(const CaseResult& result) {
+    std::vector<std::string> names;
+    for (const VerdictRow& row : result.rows) {
+        names.push_back(row.quantity);
+    }
+    for (const VariantOutcome& variant : result.variants) {
+        for (const auto& [name, value] : variant.values) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) {
+                names.push_back(name);
+            }
+        }
+    }
+    return names;
+}
+
+std::vector<const VerdictRow*> rows_with_criterion(const CaseResult& result) {
+    std::vector<const VerdictRow*> rows;
+    for (const VerdictRow& row : result.rows) {
+        if (row.low || row.high) {
+            rows.push_back(&row);
+        }
+    }
+    return rows;
+}
+
+/// A figure with a choice moved; where that turns its verdict, it says so.
+std::string moved_cell(const VerdictRow& row, const Values& values, Verdict before) {
+    const auto found = values.find(row.quantity);
+    if (found == values.end()) {
+        return "–";
+    }
+    const Verdict now = judge(row, found->second.value);
+    const std::string figure = figure_text(found->second.value);
+    return now == before ? figure : joined("<b>", figure, "</b> ", badge(now));
+}
+
+void add_choices(HtmlTable& table, const CaseResult& result, const std::vector<const VerdictRow*>& rows,
+                 const char* set, Value VerdictRow::*value, Verdict VerdictRow::*verdict,
+                 Values ChoiceOutcome::*moved) {
+    table.group(set);
+    std::vector<std::string> cells{"as it stands"};
+    for (const VerdictRow* row : rows) {
+        cells.push_back(joined(figure_text((row->*value).value), " ", badge(row->*verdict)));
+    }
+    table.row(cells);
+    for (const ChoiceOutcome& choice : result.choices) {
+        cells = {joined(escaped(choice.choice), "<small>", escaped(choice.overrides), "</small>")};
+        for (const VerdictRow* row : rows) {
+            cells.push_back(moved_cell(*row, choice.*moved, row->*verdict));
+        }
+        table.row(cells);
+    }
+}
+
+std::size_t flips(const CaseResult& result, const std::vector<const VerdictRow*>& rows,
+                  Verdict VerdictRow::*verdict, Values ChoiceOutcome::*moved) {
+    std::size_t count = 0;
+    for (const VerdictRow* row : rows) {
+        count += std::any_of(result.choices.begin(), result.choices.end(),
+                             [&](const ChoiceOutcome& choice) {
+                                 const auto found = (choice.*moved).find(row->quantity);
+                                 return found != (choice.*moved).end() &&
+                                        judge(*row, found->second.value) != row->*verdict;
+                             })
+                     ? 1U
+                     : 0U;
+    }
+    return count;
+}
+
+}  // namespace
+
+std::string verdict_table(const CaseResult& result) {
+    HtmlTable table{
+        joined("Large figures: all ", report::grouped(result.rocks),
+               " rocks; small ones: mean ± standard deviation of ", report::grouped(result.series),
+               " series of ", report::grouped(result.rocks_per_series), " rocks."),
+        {"quantity", "observed", "published", "strict", "default", "criterion", "rests on"}};
+    table.text_columns({6});
+    Notes notes;
+    for (const VerdictRow& row : result.rows) {
+        const std::string observed =
+            row.observed ? joined(figure_text(*row.observed), notes.cite(row.observed_source)) : "–";
+        const std::string published = row.published
+                                          ? joined(with_deviation(*row.published, row.published_deviation),
+                                                   notes.cite(row.published_source))
+                                          : "–";
+        table.row({row_name(row), observed, published, ours(row.strict_value, row.strict_verdict),
+                   ours(row.default_value, row.default_verdict),
+                   joined(criterion_text(row), notes.cite(row.rule)), escaped(row.rests_on)});
+    }
+    return result.rows.empty() ? "" : joined(table.html(), notes.html());
+}
+
+std::string misses(const CaseResult& result) {
+    std::string items;
+    for (const VerdictRow& row : result.rows) {
+        const bool strict = row.strict_verdict == Verdict::missed;
+        const bool ours_missed = row.default_verdict == Verdict::missed;
+        if (!strict && !ours_missed) {
+            continue;
+        }
+        items += joined(
+            "<li><b>", row_name(row), "</b>: ", (strict ? miss_of("strict", row.strict_value) : ""),
+            (strict && ours_missed ? " and " : ""),
+            (ours_missed ? miss_of("default", row.default_value) : ""), " instead of ", criterion_text(row),
+            ". ", (row.cause.empty() ? "The cause is not known." : escaped(row.cause)), "</li>\n");
+    }
+    return items.empty() ? "" : joined("<h4>Missed</h4>\n<ul class=\"causes\">\n", items, "</ul>\n");
+}
+
+std::string nearness(const CaseResult& result) {
+    std::size_t compared = 0;
+    std::size_t strict = 0;
+    std::size_t ours_nearer = 0;
+    for (const VerdictRow& row : result.rows) {
+        if (!row.observed || !row.published) {
+            continue;
+        }
+        const double published_off = std::abs(*row.published - *row.observed);
+        ++compared;
+        strict += std::abs(row.strict_value.value - *row.observed) < published_off ? 1U : 0U;
+        ours_nearer += std::abs(row.default_value.value - *row.observed) < published_off ? 1U : 0U;
+    }
+    return compared == 0
+               ? ""
+               : joined("<p>Of ", std::to_string(compared),
+                        " figures that are both observed and published, <b>default</b> is nearer to the "
+                        "observed "
+                        "one than the published model in <b>",
+                        std::to_string(ours_nearer), "</b>, strict in ", std::to_string(strict), ".</p>\n");
+}
+
+std::string variants_table(const CaseResult& result) {
+    if (result.variants.size() < 2) {
+        return "";
+    }
+    std::vector<std::string> head{"quantity", "observed", "published"};
+    for (const VariantOutcome& variant : result.variants) {
+        head.push_back(escaped(variant.variant));
+    }
+    HtmlTable table{"All rocks.", head};
+    for (const std::string& quantity : quantities_of(result)) {
+        const VerdictRow* row = row_named(result, quantity);
+        std::vector<std::string> cells{row == nullptr ? escaped(quantity) : row_name(*row),
+                                       known(row, &VerdictRow::observed), known(row, &VerdictRow::published)};
+        for (const VariantOutcome& variant : result.variants) {
+            cells.push_back(value_in(variant.values, quantity));
+        }
+        table.row(cells);
+    }
+    std::string meanings;
+    for (const VariantOutcome& variant : result.variants) {
+        meanings += variant.meaning.empty() ? ""
+                                            : joined("<li><b>", escaped(variant.variant),
+                                                     "</b>: ", escaped(variant.meaning), "</li>\n");
+    }
+    return joined("<h4>Variants of the model side by side</h4>\n", table.html(),
+                  (meanings.empty() ? "" : joined("<ul class=\"causes soft\">\n", meanings, "</ul>\n")));
+}
+
+std::string choices_table(const CaseResult& result) {
+    const std::vector<const VerdictRow*> rows = rows_with_criterion(result);
+    if (result.choices.empty() || rows.empty()) {
+        return "";
+    }
+    std::vector<std::string> head{"free choice"};
+    for (const VerdictRow* row : rows) {
+        head.push_back(joined(row_name(*row), "<small>", criterion_text(*row), "</small>"));
+    }
+    HtmlTable table{"A badge stands where the verdict turns.", head};
+    add_choices(table, result, rows, "strict", &VerdictRow::strict_value, &VerdictRow::strict_verdict,
+                &ChoiceOutcome::strict_values);
+    add_choices(table, result, rows, "default", &VerdictRow::default_value, &VerdictRow::default_verdict,
+                &ChoiceOutcome::default_values);
+    std::string reasons;
+    for (const ChoiceOutcome& choice : result.choices) {
+        reasons += joined("<li><b>", escaped(choice.choice), "</b>: ", escaped(choice.reason), "</li>\n");
+    }
+    const auto count = [&](Verdict VerdictRow::*verdict, Values ChoiceOutcome::*moved) {
+        return std::to_string(flips(result, rows, verdict, moved));
+    };
+    return joined(
+        "<h4>Free choices moved</h4>\n<p>What is not public had to be chosen. Moved within reason, one at "
+        "a time, these choices turn the verdict of ",
+        count(&VerdictRow::strict_verdict, &ChoiceOutcome::strict_values), " of ",
+        std::to_string(rows.size()), " criteria in strict and of ",
+        count(&VerdictRow::default_verdict, &ChoiceOutcome::default_values),
+        " in default. Those prove little.</p>\n", table.html(), "<ul class=\"causes soft\">\n", reasons,
+        "</ul>\n");
+}
+
+}  // namespace coupling::validation
