@@ -128,9 +128,9 @@ std::string run_out_chart(const CaseResult& result) {
     return chart.figure(section_shares(result));
 }
 
-/// Strict and default as steps, what others saw as dots in the middle of the bins.
-std::string shares_chart(const CaseResult& result, Chart chart, const std::vector<double>& edges,
-                         std::vector<double> VariantOutcome::*shares, const std::string& caption) {
+/// Strict and default as steps; the last takes all that lies above.
+void add_shares(Chart& chart, const CaseResult& result, const std::vector<double>& edges,
+                std::vector<double> VariantOutcome::*shares) {
     for (const std::string name : {"strict", "default"}) {
         const VariantOutcome* variant = variant_named(result, name);
         if (variant == nullptr) {
@@ -143,7 +143,6 @@ std::string shares_chart(const CaseResult& result, Chart chart, const std::vecto
         chart.add_steps(name, edges, heights);
         chart.add_name(name, name);
     }
-    return chart.figure(caption);
 }
 
 void add_seen(Chart& chart, const std::string& series, const std::vector<double>& shares) {
@@ -197,10 +196,10 @@ std::string tree_hit_chart(const CaseResult& result) {
                                   per_cent * largest(result.published_tree_hits)});
     Chart chart{"Tree hits per rock", Axis{"Trees hit by a rock", -0.5, edges.back(), false, true},
                 Axis::from_zero("% of rocks", most)};
+    add_shares(chart, result, edges, &VariantOutcome::tree_hits);
     add_seen(chart, "observed", result.observed_tree_hits);
     add_seen(chart, "published", result.published_tree_hits);
-    return shares_chart(result, chart, edges, &VariantOutcome::tree_hits,
-                        joined("The last bar takes ", std::to_string(bins - 1), " hits and more."));
+    return chart.figure(joined("The last bar takes ", std::to_string(bins - 1), " hits and more."));
 }
 
 std::string hit_height_chart(const CaseResult& result) {
@@ -215,8 +214,8 @@ std::string hit_height_chart(const CaseResult& result) {
     }
     Chart chart{"Heights of tree hits", Axis{"Height of the hit above ground, m", 0.0, edges.back()},
                 Axis::from_zero("% of hits", highest_percent(result, &VariantOutcome::hit_heights))};
-    return shares_chart(result, chart, edges, &VariantOutcome::hit_heights,
-                        "In bars of 0.5 m; the last one takes all above.");
+    add_shares(chart, result, edges, &VariantOutcome::hit_heights);
+    return chart.figure("In bars of 0.5 m; the last one takes all above.");
 }
 
 std::string jump_chart(const VariantOutcome& variant, double most_m, double end_m) {
@@ -273,10 +272,11 @@ std::string jump_charts(const CaseResult& result) {
 }  // namespace
 
 std::string case_charts(const CaseResult& result) {
-    const std::string charts =
-        joined(run_out_chart(result), tree_hit_chart(result), hit_height_chart(result), jump_charts(result));
-    return joined(profile_drawing(result),
-                  (charts.empty() ? "" : joined("<div class=\"halves\">", charts, "</div>\n")));
+    const auto beside = [](const std::string& charts) {
+        return charts.empty() ? "" : joined("<div class=\"halves\">", charts, "</div>\n");
+    };
+    return joined(profile_drawing(result), beside(joined(run_out_chart(result), tree_hit_chart(result))),
+                  beside(hit_height_chart(result)), beside(jump_charts(result)));
 }
 
 }  // namespace coupling::validation

@@ -53,7 +53,7 @@ std::string overview(std::span<const CaseResult> cases) {
 }
 
 std::string how_to_read() {
-    return "<h2>How to read this page</h2>\n<dl class=\"facts\">"
+    return "<h2>How to read this page</h2>\n<dl class=\"facts words\">"
            "<div><dt>observed</dt><dd>measured in the field</dd></div>"
            "<div><dt>published</dt><dd>simulated by the authors of the model with their own "
            "program</dd></div>"

@@ -58,5 +58,7 @@ std::string row_name(const VerdictRow& row);
 std::string series_of(const CaseResult& result, std::size_t variant);
 /// Two decimals below 10, one below 100, none above; an en dash where it is not finite.
 std::string figure_text(double value);
+/// "6.80 ± 1.20": the deviation has the decimals of the value.
+std::string figure_text(double value, double deviation);
 
 }  // namespace coupling::validation

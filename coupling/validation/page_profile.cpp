@@ -5,6 +5,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
 #include "coupling/validation/page_parts.hpp"
+#include "coupling/validation/profile.hpp"
 
 namespace coupling::validation {
 namespace {
@@ -12,10 +13,10 @@ namespace {
 using report::Axis;
 using report::place;
 
-constexpr double left = 60.0;
+constexpr double left = 64.0;
 constexpr double top = 24.0;
-constexpr double plot_width = 780.0;
-constexpr double plot_height = 440.0;
+constexpr double plot_width = 560.0;
+constexpr double plot_height = 330.0;
 constexpr double letter_height = 15.0;
 constexpr double letter_width = 13.0;
 
@@ -81,17 +82,6 @@ std::vector<std::string> surfaces_of(const std::vector<ProfileCorner>& profile) 
 std::string letter_of(const std::vector<std::string>& surfaces, const std::string& surface) {
     const auto place_in_list = std::find(surfaces.begin(), surfaces.end(), surface) - surfaces.begin();
     return {static_cast<char>('a' + place_in_list % 26)};
-}
-
-double height_at(const std::vector<ProfileCorner>& profile, double distance_m) {
-    for (std::size_t i = 1; i < profile.size(); ++i) {
-        if (profile[i].distance_m >= distance_m) {
-            const double length_m = profile[i].distance_m - profile[i - 1].distance_m;
-            const double part = length_m > 0.0 ? (distance_m - profile[i - 1].distance_m) / length_m : 0.0;
-            return profile[i - 1].height_m + part * (profile[i].height_m - profile[i - 1].height_m);
-        }
-    }
-    return profile.back().height_m;
 }
 
 /// Letters above the middle of each stretch of one ground type; a narrow stretch has its letter higher up.

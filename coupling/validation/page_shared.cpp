@@ -5,6 +5,14 @@
 #include "coupling/validation/page_parts.hpp"
 
 namespace coupling::validation {
+namespace {
+
+/// 0.9995 must not become 1.00.
+int decimals_of(double size) {
+    return size >= 100.0 ? 0 : size >= 10.0 ? 1 : size < 1.0 ? 3 : 2;
+}
+
+}  // namespace
 
 Score score_of(const CaseResult& result, Verdict VerdictRow::*verdict) {
     Score score;
@@ -76,12 +84,13 @@ std::string series_of(const CaseResult& result, std::size_t variant) {
 
 std::string figure_text(double value) {
     const double size = std::abs(value);
-    if (size < 0.1) {
-        return report::three_digits(value);
-    }
-    // 0.9995 must not become 1.00.
-    const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size < 1.0 ? 3 : 2;
-    return report::fixed(value, decimals);
+    return size < 0.1 ? report::three_digits(value) : report::fixed(value, decimals_of(size));
+}
+
+std::string figure_text(double value, double deviation) {
+    const std::string text = std::abs(value) < 0.1 ? report::three_digits(deviation)
+                                                   : report::fixed(deviation, decimals_of(std::abs(value)));
+    return joined(figure_text(value), "\u00a0±\u00a0", text);
 }
 
 }  // namespace coupling::validation

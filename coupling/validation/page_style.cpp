@@ -34,14 +34,17 @@ std::string_view page_style() {
 .profile .change{stroke:var(--soft);stroke-width:1;fill:none}
 .profile text{font-size:13px}
 .profile .letter{font-weight:700}
-.profile ul.names svg{display:none}
+.chart.profile>svg{max-width:860px}
+ul.notes+section.card{margin-top:14px}
+.words dt{color:var(--ink);font-weight:600;font-size:.95rem}
+.words dd{font-weight:400;font-size:.92rem}
 .badge{display:inline-block;border:1.5px solid var(--forest);border-radius:4px;padding:0 .4em;font-size:.82rem;font-weight:600;
 line-height:1.35;color:var(--forest);white-space:nowrap}
 .badge.missed{background:var(--bare);border-color:var(--bare);color:var(--paper)}
 td .badge{margin-left:.3em}
 td .soft,td small{font-size:.8rem;color:var(--soft)}
-td small{display:block;white-space:nowrap}
-td.flips{font-weight:700}
+td small,th small{display:block}
+td small{white-space:nowrap}
 sup{font-size:.7em;line-height:0;color:var(--soft)}
 ol.sources{font-size:.82rem;color:var(--soft);margin:.4em 0 1em;padding-left:1.6em}
 ul.causes{margin:.4em 0 1em;padding-left:1.3em}

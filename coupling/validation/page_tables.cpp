@@ -39,8 +39,7 @@ private:
 };
 
 std::string with_deviation(double value, std::optional<double> deviation) {
-    return deviation ? joined(figure_text(value), "\u00a0±\u00a0", figure_text(*deviation))
-                     : figure_text(value);
+    return deviation ? figure_text(value, *deviation) : figure_text(value);
 }
 
 /// The figure of all rocks with its verdict, and below it what the small series give.
@@ -51,8 +50,6 @@ std::string ours(const Value& value, Verdict verdict) {
     }
     if (value.series) {
         cell += joined("<small>", with_deviation(*value.series, value.deviation), "</small>");
-    } else if (value.deviation) {
-        cell += joined("<small>±\u00a0", figure_text(*value.deviation), "</small>");
     }
     return cell;
 }
@@ -186,7 +183,7 @@ std::string misses(const CaseResult& result) {
             (ours_missed ? miss_of("default", row.default_value) : ""), " instead of ", criterion_text(row),
             ". ", (row.cause.empty() ? "The cause is not known." : escaped(row.cause)), "</li>\n");
     }
-    return items.empty() ? "" : joined("<h4>Missed</h4>\n<ul class=\"causes\">\n", items, "</ul>\n");
+    return items.empty() ? "" : joined("<h3>Missed</h3>\n<ul class=\"causes\">\n", items, "</ul>\n");
 }
 
 std::string nearness(const CaseResult& result) {
@@ -235,8 +232,9 @@ std::string variants_table(const CaseResult& result) {
                                             : joined("<li><b>", escaped(variant.variant),
                                                      "</b>: ", escaped(variant.meaning), "</li>\n");
     }
-    return joined("<h4>Variants of the model side by side</h4>\n", table.html(),
-                  (meanings.empty() ? "" : joined("<ul class=\"causes soft\">\n", meanings, "</ul>\n")));
+    return joined("<section class=\"card\"><h3>Variants of the model side by side</h3>\n", table.html(),
+                  (meanings.empty() ? "" : joined("<ul class=\"causes soft\">\n", meanings, "</ul>\n")),
+                  "</section>\n");
 }
 
 std::string choices_table(const CaseResult& result) {
@@ -261,13 +259,14 @@ std::string choices_table(const CaseResult& result) {
         return std::to_string(flips(result, rows, verdict, moved));
     };
     return joined(
-        "<h4>Free choices moved</h4>\n<p>What is not public had to be chosen. Moved within reason, one at "
+        "<section class=\"card\"><h3>Free choices moved</h3>\n<p>What is not public had to be chosen. Moved "
+        "within reason, one at "
         "a time, these choices turn the verdict of ",
         count(&VerdictRow::strict_verdict, &ChoiceOutcome::strict_values), " of ",
         std::to_string(rows.size()), " criteria in strict and of ",
         count(&VerdictRow::default_verdict, &ChoiceOutcome::default_values),
         " in default. Those prove little.</p>\n", table.html(), "<ul class=\"causes soft\">\n", reasons,
-        "</ul>\n");
+        "</ul>\n</section>\n");
 }
 
 }  // namespace coupling::validation

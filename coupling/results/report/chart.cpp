@@ -205,12 +205,13 @@ std::string Chart::list_of_names() const {
 }
 
 std::string Chart::figure(const std::string& caption) const {
+    const bool fit = names_fit();
+    // Without names in it the drawing begins lower.
     return joined("<figure class=\"chart\"><figcaption><b>", escaped(title_), "</b></figcaption>",
-                  (names_fit() ? "" : list_of_names()),
-                  "<svg viewBox=\"0 0 430 310\""
-                  " role=\"img\" aria-label=\"",
-                  escaped(title_), "\">", axes(), drawing_, marks_, (names_fit() ? names() : ""), "</svg>",
-                  (caption.empty() ? "" : joined("<p>", caption, "</p>")), "</figure>\n");
+                  (fit ? "" : list_of_names()), "<svg viewBox=\"", (fit ? "0 0 430 310" : "0 18 430 292"),
+                  "\" role=\"img\" aria-label=\"", escaped(title_), "\">", axes(), drawing_, marks_,
+                  (fit ? names() : ""), "</svg>", (caption.empty() ? "" : joined("<p>", caption, "</p>")),
+                  "</figure>\n");
 }
 
 }  // namespace coupling::report

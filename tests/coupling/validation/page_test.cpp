@@ -77,7 +77,7 @@ TEST(WriteValidationPage, EscapesWhatTheFoldersSay) {
 TEST(VerdictTable, SaysEachVerdictInAWord) {
     const std::string table = verdict_table(testing::forested_case());
     EXPECT_NE(
-        table.find("4.90 <span class=\"badge missed\">missed</span><small>4.80\u00a0±\u00a00.400</small>"),
+        table.find("4.90 <span class=\"badge missed\">missed</span><small>4.80\u00a0±\u00a00.40</small>"),
         std::string::npos)
         << table;
     EXPECT_NE(table.find("7.60 <span class=\"badge\">met</span>"), std::string::npos);
@@ -175,8 +175,8 @@ TEST(CaseCharts, PartTheCurveWhereNoJumpEnds) {
 TEST(ProfileDrawing, HasOneScaleForBothAxes) {
     CaseResult result;
     result.profile = {{0.0, 100.0, "road"}, {100.0, 0.0, "road"}};
-    // The height sets the scale here: 440 units for 100 m either way.
-    EXPECT_NE(profile_drawing(result).find("class=\"ground\" d=\"M60 24l440 440\""), std::string::npos)
+    // The height sets the scale here: 330 units for 100 m either way.
+    EXPECT_NE(profile_drawing(result).find("class=\"ground\" d=\"M64 24l330 330\""), std::string::npos)
         << profile_drawing(result);
 }
 
