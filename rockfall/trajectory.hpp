@@ -250,7 +250,7 @@ private:
             return;
         }
         observer_.rolled(rock_, piece, triangle_);
-        rolled_here_s_ += piece.duration_s;
+        rolled_here_s_ += std::max(piece.duration_s, shortest_rolling_piece_s);  // even if it gets nowhere
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
         position_m_.z() = plane.height_m(position_m_.x(), position_m_.y());
@@ -264,7 +264,7 @@ private:
 
     /// The triangle in which a piece ends that ran over an edge; a short piece may have run on a little.
     std::uint32_t triangle_beyond(const RollingPiece& piece) const {
-        if (piece.next_triangle == no_triangle || piece.duration_s > shortest_rolling_piece_s) {
+        if (piece.next_triangle == no_triangle || !piece.ran_over) {
             return piece.next_triangle;
         }
         return slope_.terrain.locate(position_m_.x(), position_m_.y(), piece.next_triangle)

@@ -63,6 +63,12 @@ Leaving leaving(const Terrain& terrain, const Triangle& triangle, const RollingP
     return first;
 }
 
+/// Whether a neighbour goes on steeply up or down where a piece runs over to it.
+bool is_cliff_or_wall(const Terrain& terrain, const Plane& here, std::uint32_t neighbour) {
+    return neighbour != no_triangle &&
+           (terrain.plane_of(neighbour).gradient - here.gradient).norm() > largest_overrun_tangent;
+}
+
 /// First time at which |v + a t| rises to a speed.
 double time_to_speed(const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration, double speed) {
     const double a = acceleration.squaredNorm();
@@ -147,6 +153,11 @@ RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& p
         piece.duration_s = std::min(piece.duration_s, std::max(out.time_s, shortest_rolling_piece_s));
         piece.end = RollingEnd::edge;
         piece.next_triangle = t.neighbours[out.edge];
+        piece.ran_over = piece.duration_s > out.time_s;
+        if (piece.ran_over && is_cliff_or_wall(terrain, plane, piece.next_triangle)) {
+            piece.duration_s = out.time_s;
+            piece.ran_over = false;
+        }
     }
     return piece;
 }

@@ -20,8 +20,11 @@ struct RollingLaw {
 };
 
 /// No piece is shorter unless the rock stops in it: where two faces press a rock into their edge it runs over
-/// the edge a little (millimetres) instead of being handed to and fro in ever smaller steps.
+/// the edge a little (millimetres) instead of being handed to and fro in ever smaller steps. Where the ground
+/// beyond rises or falls more steeply than `largest_overrun_tangent` against the face, at a cliff or a wall,
+/// the piece ends at the edge after all.
 inline constexpr double shortest_rolling_piece_s = 5e-3;
+inline constexpr double largest_overrun_tangent = 3.0;
 
 enum class RollingEnd : std::uint8_t { edge, standstill, launch_speed, piece };
 
@@ -33,6 +36,7 @@ struct RollingPiece {
     double duration_s;
     RollingEnd end;
     std::uint32_t next_triangle;  ///< beyond the edge that ends the piece, or that a shortest piece ran over
+    bool ran_over = false;        ///< ends a little beyond its edge
 
     [[nodiscard]] Eigen::Vector3d position_m(double time_s) const {
         return start_m + time_s * velocity_mps + 0.5 * time_s * time_s * acceleration_mps2;

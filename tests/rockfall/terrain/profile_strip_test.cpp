@@ -1,0 +1,380 @@
+#include "rockfall/terrain/profile_strip.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rockfall/terrain/contact_zone.hpp"
+#include "tests/rockfall/slopes.hpp"
+
+namespace rockfall {
+namespace {
+
+using testing::deterministic_law;
+using testing::EventLog;
+using testing::logged_fall;
+using testing::start_at;
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+SurfaceType ground(Restitution restitution, double stop_probability = 0.0) {
+    SurfaceType type;
+    type.restitution = restitution;
+    type.stopping = StopCurve{{{1.0, stop_probability}}};
+    return type;
+}
+
+/// An even profile that falls by an angle, with corners at uneven distances.
+std::vector<ProfilePoint> even_profile(double slope_deg, double length_m) {
+    const double tangent = std::tan(config::Angle::from_degrees(slope_deg).in_radians());
+    std::vector<ProfilePoint> profile;
+    for (double x_m = 0.0; x_m < length_m; x_m += 7.0 + 0.3 * static_cast<double>(profile.size() % 5)) {
+        profile.push_back({x_m, 2000.0 - tangent * x_m, 0});
+    }
+    profile.push_back({length_m, 2000.0 - tangent * length_m, 0});
+    return profile;
+}
+
+/// Slopes, a road, a cliff of 1 cm in plan, a counter-slope; different for each seed. Begins below 0 and
+/// falls by 30 degrees there.
+std::vector<ProfilePoint> random_profile(std::uint64_t seed) {
+    config::RandomStream shape{{seed, 0, 0, 0}, config::Purpose::test};
+    std::vector<ProfilePoint> profile{{-12.5, 800.0, 0}, {20.0, 781.0, 0}};
+    for (int k = 0; k < 25; ++k) {
+        const double kind = shape.uniform();
+        double step_m = 1.0 + 25.0 * shape.uniform();
+        double drop = -0.1 + 1.2 * shape.uniform();  // per metre; some rise
+        if (kind < 0.1) {
+            step_m = 0.01;
+            drop = 4000.0 * (shape.uniform() - 0.2);  // a cliff of up to 32 m, or a wall
+        } else if (kind < 0.2) {
+            drop = 0.0;
+        }
+        const ProfilePoint last = profile.back();
+        profile.push_back({last.distance_m + step_m, last.height_m - step_m * drop,
+                           static_cast<std::uint8_t>(shape.uniform() < 0.5 ? 0 : 1)});
+    }
+    return profile;
+}
+
+double height_on(const std::vector<ProfilePoint>& profile, double distance_m) {
+    const auto next = std::upper_bound(profile.begin() + 1, profile.end() - 1, distance_m,
+                                       [](double x, const ProfilePoint& p) { return x < p.distance_m; });
+    const ProfilePoint& a = *(next - 1);
+    return a.height_m +
+           (distance_m - a.distance_m) * (next->height_m - a.height_m) / (next->distance_m - a.distance_m);
+}
+
+/// Chance at full strength, but nothing that turns a rock sideways.
+FallLaw lively_law() {
+    FallLaw law;
+    law.ground.lateral = {config::Angle{}, config::Angle{}};
+    return law;
+}
+
+/// A rock on the middle line of a strip, down the fall line.
+RockStart on_profile(const Slope& slope, double distance_m, double height_m, std::uint64_t id = 0) {
+    RockStart start = start_at(slope, distance_m, 0.0, height_m, {3.0, 0.0, -1.7}, 0.95, id);
+    if (start.rolling) {
+        const double rise = slope.terrain.plane_of(start.triangle).gradient.x();
+        start.velocity_mps = Eigen::Vector3d{1.0, 0.0, rise}.normalized();
+    }
+    return start;
+}
+
+RC_GTEST_PROP(ProfileStrip, HasTheHeightsOfTheProfileEverywhere, ()) {
+    const auto profile = random_profile(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000)));
+    const Slope slope = strip_slope(profile, {ground({0.3, 0.8}), ground({0.35, 0.9})});
+    const double length_m = profile.back().distance_m - profile.front().distance_m;
+    for (int i = 0; i <= 1000; ++i) {
+        const double x_m =
+            std::min(profile.front().distance_m + length_m * i / 1000.0, profile.back().distance_m);
+        for (const double y_m : {-10.0, -3.7, 0.0, 9.9}) {
+            const auto height_m = slope.terrain.height_m(x_m, y_m);
+            RC_ASSERT(height_m.has_value());
+            RC_ASSERT(std::abs(*height_m - height_on(profile, x_m)) < 1e-6);
+        }
+    }
+    for (const double outside_m : {profile.front().distance_m - 1e-3, profile.back().distance_m + 1e-3}) {
+        RC_ASSERT(!slope.terrain.height_m(outside_m, 0.0).has_value());
+    }
+}
+
+RC_GTEST_PROP(ProfileStrip, HasTrianglesThatKnowTheirNeighbours, ()) {
+    const auto profile = random_profile(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000)));
+    const Slope slope = strip_slope(profile, {ground({0.3, 0.8}), ground({0.35, 0.9})});
+    const auto triangles = slope.terrain.triangles();
+    const auto vertices = slope.terrain.vertices();
+    std::size_t borders = 0;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles[i];
+        const Vertex& a = vertices[t.corners[0]];
+        const Vertex& b = vertices[t.corners[1]];
+        const Vertex& c = vertices[t.corners[2]];
+        RC_ASSERT((b.x_m - a.x_m) * (c.y_m - a.y_m) - (b.y_m - a.y_m) * (c.x_m - a.x_m) > 0.0);
+        RC_ASSERT(slope.terrain.plane_of(i).gradient.y() == 0.0);
+        for (int k = 0; k < 3; ++k) {
+            if (t.neighbours[k] == no_triangle) {
+                ++borders;
+                continue;
+            }
+            // The same edge, run the other way, leads back.
+            const Triangle& other = triangles[t.neighbours[k]];
+            bool leads_back = false;
+            for (int m = 0; m < 3; ++m) {
+                leads_back =
+                    leads_back || (other.neighbours[m] == i && other.corners[m] == t.corners[(k + 1) % 3] &&
+                                   other.corners[(m + 1) % 3] == t.corners[k]);
+            }
+            RC_ASSERT(leads_back);
+        }
+    }
+    RC_ASSERT(triangles.size() == 2 * (profile.size() - 1));
+    RC_ASSERT(borders == triangles.size() + 2);
+}
+
+RC_GTEST_PROP(ProfileStrip, HasBordersOfGroundTypesWithinACell, ()) {
+    const auto profile = random_profile(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000)));
+    const Slope slope = strip_slope(profile, {ground({0.3, 0.8}), ground({0.35, 0.9})});
+    for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
+        const double from_m = profile[k].distance_m + profile_surface_cell_m;
+        const double to_m = profile[k + 1].distance_m - profile_surface_cell_m;
+        for (const double x_m : {from_m, 0.5 * (from_m + to_m), to_m}) {
+            if (from_m < to_m) {
+                RC_ASSERT(static_cast<std::uint8_t>(slope.surface.at(x_m, 0.0)) == profile[k].surface);
+            }
+        }
+    }
+}
+
+RC_GTEST_PROP(FallAlongAProfile, StaysOnTheMiddleLineToTheBit, ()) {
+    const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
+    const auto profile = random_profile(seed);
+    const Slope slope = strip_slope(profile, {ground({0.3, 0.8}), ground({0.35, 0.9}, 0.01)});
+    for (const double height_m : {0.0, 1.5}) {
+        const auto [end, log] = logged_fall(slope, lively_law(), on_profile(slope, -10.0, height_m, seed));
+        RC_ASSERT(end.reason != StopReason::gave_up);
+        RC_ASSERT(end.position_m.y() == 0.0);
+        for (const EventLog::Jump& jump : log.jumps) {
+            RC_ASSERT(jump.flight.start_m.y() == 0.0);
+            RC_ASSERT(jump.flight.velocity_mps.y() == 0.0);
+        }
+        for (const EventLog::Roll& roll : log.rolls) {
+            RC_ASSERT(roll.piece.velocity_mps.y() == 0.0);
+            RC_ASSERT(roll.piece.acceleration_mps2.y() == 0.0);
+        }
+    }
+}
+
+RC_GTEST_PROP(FallAlongAProfile, NeverGainsEnergyAndStaysOnTheSurface, ()) {
+    const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
+    const auto profile = random_profile(seed);
+    const Slope slope = strip_slope(profile, {ground({0.3, 0.8}), ground({0.35, 0.9}, 0.01)});
+    const RockStart start = on_profile(slope, -10.0, 1.5, seed);
+    const auto [end, log] = logged_fall(slope, lively_law(), start);
+    const auto energy_per_mass = [&](const Eigen::Vector3d& velocity, double spin, double height_m) {
+        return kinetic_energy_j(start.rock, velocity.squaredNorm(), spin) / start.rock.mass_kg +
+               9.81 * height_m;
+    };
+    double last = energy_per_mass(start.velocity_mps, 0.0, start.position_m.z());
+    for (const EventLog::Jump& jump : log.jumps) {
+        const double begin =
+            energy_per_mass(jump.flight.velocity_mps, jump.spin_radps, jump.flight.start_m.z());
+        RC_ASSERT(begin <= last + 1e-6);
+        last = begin;
+        for (int i = 1; i < 20; ++i) {
+            const Eigen::Vector3d p = jump.flight.position_m(jump.until_s * i / 20.0);
+            RC_ASSERT(p.z() >= height_on(profile, p.x()) - 1e-5);
+        }
+    }
+    RC_ASSERT(std::abs(end.position_m.z() - height_on(profile, end.position_m.x())) < 1e-5 ||
+              end.reason == StopReason::left_terrain);
+}
+
+TEST(FallAlongAProfile, ReachesTheFixedPointOfAnEvenSlope) {
+    // Endless plane of 38 deg, r_n 0.30, r_t 0.75: v 8.59 m/s after and 12.25 m/s before an impact, jumps of
+    // 6.31 m along the slope.
+    const Slope slope = strip_slope(even_profile(38.0, 3000.0), {ground({0.30, 0.75})});
+    const auto [end, log] = logged_fall(slope, deterministic_law(), on_profile(slope, 5.0, 1.5));
+    EXPECT_EQ(end.reason, StopReason::left_terrain);
+    ASSERT_GT(log.jumps.size(), 100U);
+    const EventLog::Jump& jump = log.jumps[log.jumps.size() - 2];
+    EXPECT_NEAR(jump.flight.velocity_mps.norm(), 8.59, 0.005);
+    EXPECT_NEAR(jump.flight.velocity_at(jump.until_s).norm(), 12.25, 0.005);
+    EXPECT_NEAR((jump.flight.position_m(jump.until_s) - jump.flight.start_m).norm(), 6.31, 0.005);
+}
+
+TEST(FallAlongAProfile, IsThatOverAPlaneWithoutDeviation) {
+    const double length_m = 600.0;
+    const Slope strip = strip_slope(even_profile(33.0, length_m), {ground({0.30, 0.80}, 0.01)});
+    const Slope plane = testing::plane_slope(33.0, {0.30, 0.80}, 0.01, 1000.0);
+    const double from_m = plane.terrain.origin_m().x();
+    for (std::uint64_t rock = 0; rock < 50; ++rock) {
+        RockStart on_strip = on_profile(strip, 20.0, 1.5, rock);
+        RockStart on_plane = start_at(plane, 20.0, 50.0, 1.5, on_strip.velocity_mps, 0.95, rock);
+        const auto [strip_end, strip_log] = logged_fall(strip, lively_law(), on_strip);
+        const auto [plane_end, plane_log] = logged_fall(plane, lively_law(), on_plane);
+        const std::size_t jumps = std::min(strip_log.jumps.size(), plane_log.jumps.size());
+        for (std::size_t i = 0; i + 1 < jumps; ++i) {
+            EXPECT_NEAR(strip_log.jumps[i].flight.start_m.x(), plane_log.jumps[i].flight.start_m.x() + from_m,
+                        1e-6)
+                << rock << ' ' << i;
+            EXPECT_NEAR(strip_log.jumps[i].spin_radps, plane_log.jumps[i].spin_radps, 1e-6);
+        }
+        if (strip_end.reason != StopReason::left_terrain) {
+            EXPECT_EQ(plane_end.reason, strip_end.reason) << rock;
+            EXPECT_NEAR(strip_end.position_m.x(), plane_end.position_m.x() + from_m, 1e-6) << rock;
+        }
+    }
+}
+
+TEST(FallAlongAProfile, LandsOnACornerAsBesideIt) {
+    // Two flights onto the edge between two pieces of one plane, and a hair beside it.
+    const std::vector<ProfilePoint> profile{{0.0, 100.0, 0}, {16.0, 92.0, 0}, {64.0, 68.0, 0}};
+    const Slope slope = strip_slope(profile, {ground({0.30, 0.80})});
+    for (const double beside_m : {-1e-9, 0.0, 1e-9}) {
+        // Falls onto x = 16: straight down from there and along a parabola that ends there.
+        const Flight down{{16.0 + beside_m, 0.0, 96.0}, Eigen::Vector3d::Zero()};
+        const double time_s = 2.0;
+        const double sink_mps = 0.5 * 9.81 * time_s;
+        const Flight along{{16.0 + beside_m - 4.0 * time_s, 0.0, 96.0}, {4.0, 0.0, sink_mps - 4.0 / time_s}};
+        for (const Flight& flight : {down, along}) {
+            std::vector<Stretch> stretches;
+            const std::uint32_t under = slope.terrain.locate(flight.start_m.x(), 0.0).value();
+            const Landing landing = fly(slope.terrain, flight, under, stretches);
+            EXPECT_EQ(landing.end, FlightEnd::ground);
+            EXPECT_NEAR(flight.position_m(landing.time_s).x(), 16.0, 1e-6);
+            EXPECT_NEAR(stretches.back().ground_end_m, 92.0, 1e-6);
+            EXPECT_EQ(landing.plane.gradient, Eigen::Vector2d(-0.5, 0.0));
+        }
+    }
+}
+
+TEST(FallAlongAProfile, RollsOverEveryDiagonalWithoutNoticing) {
+    // Even ground of 20 deg with friction below its tangent: v^2 grows evenly, whatever the corners.
+    const Slope slope = strip_slope(even_profile(20.0, 400.0), {ground({0.30, 0.80})});
+    FallLaw law = deterministic_law();
+    law.ground.rolling.friction = 0.3;
+    law.ground.rolling.launch_factor = 1e9;
+    const RockStart start = on_profile(slope, 3.0, 0.0);
+    const auto [end, log] = logged_fall(slope, law, start);
+    EXPECT_EQ(end.reason, StopReason::left_terrain);
+    EXPECT_NEAR(end.position_m.x(), 400.0, 1e-6);
+    const double b = config::Angle::from_degrees(20.0).in_radians();
+    const double acceleration = 5.0 / 7.0 * 9.81 * (std::sin(b) - 0.3 * std::cos(b));
+    for (const EventLog::Roll& roll : log.rolls) {
+        const double way_m = (roll.piece.start_m - start.position_m).norm();
+        EXPECT_NEAR(roll.piece.velocity_mps.squaredNorm(), 1.0 + 2.0 * acceleration * way_m, 1e-6);
+    }
+    EXPECT_GT(log.rolls.size(), 90U);
+}
+
+TEST(FallAlongAProfile, LeavesOverEitherEnd) {
+    const std::vector<ProfilePoint> ridge{{0.0, 0.0, 0}, {40.0, 30.0, 0}, {80.0, 0.0, 0}};
+    const Slope slope = strip_slope(ridge, {ground({0.30, 0.85})});
+    for (const double height_m : {0.0, 2.0}) {
+        for (const double x_m : {30.0, 50.0}) {
+            const double way = x_m < 40.0 ? -1.0 : 1.0;
+            RockStart start = start_at(slope, x_m, 0.0, height_m, way * Eigen::Vector3d{2.0, 0.0, 0.0});
+            start.velocity_mps.z() = -1.5;  // down the fall line
+            const auto [end, log] = logged_fall(slope, deterministic_law(), start);
+            EXPECT_EQ(end.reason, StopReason::left_terrain);
+            EXPECT_NEAR(end.position_m.x(), x_m < 40.0 ? 0.0 : 80.0, 1e-6);
+        }
+    }
+}
+
+TEST(FallAlongAProfile, JumpsOffACliffAndLandsAtItsFoot) {
+    // Rolls at 3 m/s over the edge of a cliff of 20 m in 1 cm: thrown x = v_x t with t from the drop.
+    const double slope = -0.5;
+    const std::vector<ProfilePoint> profile{
+        {0.0, 110.0, 0}, {20.0, 100.0, 0}, {20.01, 80.0, 0}, {80.0, 50.005, 0}};
+    const Slope strip = strip_slope(profile, {ground({0.30, 0.80})});
+    FallLaw law = deterministic_law();
+    law.ground.rolling.launch_factor = 1e9;
+    for (const double ahead_m : {15.0, 1.0, 0.02, 0.008, 0.001, 1e-6}) {
+        RockStart start =
+            start_at(strip, 20.0 - ahead_m, 0.0, 0.0, 3.0 * Eigen::Vector3d{1.0, 0.0, slope}.normalized());
+        const auto [end, log] = logged_fall(strip, law, start);
+        ASSERT_FALSE(log.jumps.empty()) << ahead_m;
+        const Flight& flight = log.jumps.front().flight;
+        const double until_s = log.jumps.front().until_s;
+        EXPECT_NEAR(flight.start_m.x(), 20.0, 0.011) << ahead_m;
+        EXPECT_NEAR(flight.start_m.z(), 100.0, 0.02) << ahead_m;
+        // Meets the slope below: z = 80 - 0.5 (x - 20.01).
+        EXPECT_NEAR(flight.height_m(until_s), 80.0 - 0.5 * (flight.position_m(until_s).x() - 20.01), 1e-3);
+        EXPECT_GT(flight.position_m(until_s).x(), 24.0) << ahead_m;
+    }
+}
+
+TEST(FallAlongAProfile, RestsBeforeACounterSlope) {
+    const std::vector<ProfilePoint> dam{{0.0, 60.0, 0}, {80.0, 0.0, 0}, {120.0, 0.0, 0}, {122.0, 40.0, 0}};
+    const Slope slope = strip_slope(dam, {ground({0.30, 0.75})});
+    for (std::uint64_t rock = 0; rock < 100; ++rock) {
+        const auto [end, log] = logged_fall(slope, lively_law(), on_profile(slope, 2.0, 1.5, rock));
+        EXPECT_EQ(end.reason, StopReason::at_rest) << rock;
+        EXPECT_GE(end.position_m.x(), 70.0) << rock;
+        EXPECT_LE(end.position_m.x(), 122.0) << rock;
+    }
+}
+
+TEST(ContactZoneOfAProfile, ReturnsTheProfileWithoutSupport) {
+    const auto profile = random_profile(4);
+    const auto felt = contact_zone(profile, 0.0, 1.0);
+    ASSERT_EQ(felt.size(), profile.size());
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        EXPECT_EQ(felt[i].distance_m, profile[i].distance_m);
+        EXPECT_EQ(felt[i].height_m, profile[i].height_m);
+        EXPECT_EQ(felt[i].surface, profile[i].surface);
+    }
+}
+
+TEST(ContactZoneOfAProfile, LeavesPlanesAsTheyAre) {
+    const auto profile = even_profile(38.0, 300.0);
+    for (const double support_m : {0.4, 2.0, 4.0, 9.5}) {
+        for (const ProfilePoint& point : contact_zone(profile, support_m, no_limit)) {
+            EXPECT_NEAR(point.height_m, height_on(profile, point.distance_m), 1e-9);
+        }
+    }
+}
+
+RC_GTEST_PROP(ContactZoneOfAProfile, KeepsCornersAndGroundTypesAndItsLimit, ()) {
+    const auto profile = random_profile(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000)));
+    const auto felt = contact_zone(profile, 4.0, 1.0);
+    std::size_t corner = 0;
+    for (std::size_t i = 0; i < felt.size(); ++i) {
+        if (i > 0) {
+            const double step_m = felt[i].distance_m - felt[i - 1].distance_m;
+            RC_ASSERT(step_m > 0.0);
+            RC_ASSERT(step_m < 1.0 + 1e-9);
+        }
+        if (corner + 1 < profile.size() && felt[i].distance_m >= profile[corner + 1].distance_m) {
+            ++corner;
+            RC_ASSERT(felt[i].distance_m == profile[corner].distance_m);
+        }
+        RC_ASSERT(felt[i].surface == profile[corner].surface);
+        RC_ASSERT(std::abs(felt[i].height_m - height_on(profile, felt[i].distance_m)) < 1.0 + 1e-6);
+    }
+    RC_ASSERT(corner + 1 == profile.size());
+}
+
+TEST(ContactZoneOfAProfile, IsThatOfTheSlopeInTheMiddleOfTheStrip) {
+    // A step of 0.5 m, seen by the same zone on a grid of 1 m.
+    std::vector<ProfilePoint> profile;
+    for (int i = 0; i <= 40; ++i) {
+        profile.push_back({1.0 * i, i < 20 ? 10.0 : 9.5, 0});
+    }
+    const config::GridFrame frame{41, 15, -0.5, -7.5, 1.0, 1.0};
+    const auto grid = contact_zone(
+        testing::heights_of(frame, [](double x, double) { return x < 19.5 ? 10.0 : 9.5; }), 4.0, 1.0);
+    const auto felt = contact_zone(profile, 4.0, 1.0);
+    for (int i = 0; i <= 40; ++i) {
+        EXPECT_NEAR(felt[static_cast<std::size_t>(i)].height_m, grid.at({i, 7}), 1e-9) << i;
+    }
+}
+
+}  // namespace
+}  // namespace rockfall
