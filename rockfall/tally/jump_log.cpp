@@ -9,6 +9,7 @@ namespace rockfall {
 
 void JumpLog::flew(const Rock&, const Flight& flight, double until_s, std::span<const Stretch> stretches,
                    double) {
+    in_flight_ = false;
     if (stretches.empty()) {
         return;
     }
@@ -29,11 +30,14 @@ void JumpLog::flew(const Rock&, const Flight& flight, double until_s, std::span<
     jumps_.push_back({flight.start_m, flight.position_m(until_s), highest_m,
                       std::sqrt(flight.squared_speed_at(0.0)), std::sqrt(flight.squared_speed_at(until_s)),
                       until_s, false});
+    in_flight_ = true;
 }
 
 void JumpLog::impacted(const Eigen::Vector3d&) {
-    if (!jumps_.empty()) {
+    // A rolling rock too may run into the ground: that ends no jump.
+    if (in_flight_) {
         jumps_.back().landed = true;
+        in_flight_ = false;
     }
 }
 

@@ -9,7 +9,8 @@
 
 namespace rockfall {
 
-/// A flight of a rock's underside, from the ground or a stem to the next of either.
+/// A flight of a rock's underside, from the ground or a stem to the next of either. The first flight of a
+/// rock released above the ground begins at its release.
 struct Jump {
     Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
     Eigen::Vector3d to_m = Eigen::Vector3d::Zero();
@@ -17,7 +18,7 @@ struct Jump {
     double launch_mps = 0.0;
     double impact_mps = 0.0;
     double time_s = 0.0;
-    bool landed = false;  ///< ended with a ground impact; false: at a stem, at the border
+    bool landed = false;  ///< ended with a ground impact; false: at a stem, at the border, at rest in a pit
 
     [[nodiscard]] double length_m() const { return (to_m - from_m).norm(); }
     [[nodiscard]] double plan_length_m() const { return (to_m - from_m).head<2>().norm(); }
@@ -27,19 +28,23 @@ struct Jump {
 class JumpLog {
 public:
     explicit JumpLog(const Terrain& terrain) : terrain_{&terrain} {}
-    void begin() { jumps_.clear(); }
+    void begin() {
+        jumps_.clear();
+        in_flight_ = false;
+    }
 
     void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
               double spin_radps);
-    void rolled(const Rock&, const RollingPiece&, std::uint32_t) {}
+    void rolled(const Rock&, const RollingPiece&, std::uint32_t) { in_flight_ = false; }
     void impacted(const Eigen::Vector3d&);
-    void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
+    void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) { in_flight_ = false; }
 
     [[nodiscard]] std::span<const Jump> jumps() const { return jumps_; }
 
 private:
     const Terrain* terrain_;
     std::vector<Jump> jumps_;
+    bool in_flight_ = false;  ///< the last event was a flight: an impact now is its end
 };
 
 /// Two observers of one fall.
