@@ -56,6 +56,7 @@ const std::vector<std::string> nobody;
 TEST(Rooms, AreFoundAtAll) {
     EXPECT_GT(sources_below("config").size(), 10U);
     EXPECT_GT(sources_below("rockfall").size(), 20U);
+    EXPECT_GT(sources_below("forest").size(), 1U);
     EXPECT_GT(sources_below("coupling").size(), 20U);
 }
 
@@ -129,13 +130,13 @@ TEST(Rooms, KeepTheMathematicalLibraryOutOfTheFall) {
 }
 
 TEST(Rooms, HaveATheoryChapter) {
-    for (const std::string room : {"config", "rockfall", "coupling", "tests"}) {
+    for (const std::string room : {"config", "rockfall", "forest", "coupling", "tests"}) {
         EXPECT_TRUE(fs::exists(fs::path{BANNWALD_SOURCE_DIR} / room / "README.md")) << room;
     }
 }
 
 TEST(Rooms, StayReadable) {
-    for (const std::string room : {"config", "rockfall", "coupling"}) {
+    for (const std::string room : {"config", "rockfall", "forest", "coupling"}) {
         for (const Source& source : sources_below(room)) {
             const auto lines = std::count(source.text.begin(), source.text.end(), '\n');
             EXPECT_LE(lines, 450) << source.name;
