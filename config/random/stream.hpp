@@ -16,6 +16,7 @@ enum class Purpose : std::uint8_t {
     rolling = 4,        ///< stop and deviation on one stretch of rolling
     stand = 5,          ///< positions of artificial trees
     sampling = 6,       ///< which rocks a sample shows
+    relief = 7,         ///< height of one node of a synthetic relief
     block = 20,         ///< size and place of one block of a virtual surface
     rock_throw = 21,    ///< start of one throw at a virtual surface
     test = 255,

@@ -23,6 +23,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"init", {"example"}},
         {"check", {"set", "seed", "threads", "print-settings"}},
         {"run", {"set", "seed", "threads", "out", "overwrite"}},
+        {"validate", {"set", "seed", "threads", "out", "overwrite", "cases", "profile", "rocks", "list"}},
         {"info", {}},
     };
     return options;
@@ -44,7 +45,7 @@ po::options_description described(const std::string& command) {
     for (const std::string& name : options_of_commands().at(command)) {
         if (name == "set") {
             add("set", po::value<std::vector<std::string>>());
-        } else if (name == "overwrite" || name == "print-settings") {
+        } else if (name == "overwrite" || name == "print-settings" || name == "list") {
             add(name.c_str(), "");
         } else {
             add(name.c_str(), text());
@@ -91,6 +92,14 @@ int thread_count(const std::string& text) {
     return static_cast<int>(*count);
 }
 
+std::uint64_t rock_count(const std::string& text) {
+    const auto count = config::parse_whole(text);
+    if (!count || *count < 2 || *count > 10'000'000) {
+        refuse("--rocks " + config::in_quotes(text), "a whole number in [2, 10000000]");
+    }
+    return static_cast<std::uint64_t>(*count);
+}
+
 std::string argument_of(const std::string& command, const po::variables_map& values) {
     const std::string& expected = arguments_of_commands().at(command);
     if (values.count("argument") == 0) {
@@ -112,6 +121,23 @@ std::vector<std::string> texts(const po::variables_map& values, const std::strin
                          : std::vector<std::string>{values[name].as<std::string>()};
 }
 
+/// Words and options of validate alone.
+void add_validate(CommandLine& line, const po::variables_map& values) {
+    if (values.count("argument") > 0) {
+        line.cases = values["argument"].as<std::vector<std::string>>();
+    }
+    for (const std::string& folder : texts(values, "cases")) {
+        line.cases_folder = folder;
+    }
+    for (const std::string& profile : texts(values, "profile")) {
+        line.profile = profile;
+    }
+    for (const std::string& rocks : texts(values, "rocks")) {
+        line.rocks = rock_count(rocks);
+    }
+    line.list = values.count("list") > 0;
+}
+
 CommandLine parse_command(const std::string& command, const std::vector<std::string>& arguments) {
     const po::variables_map values = parse(command, arguments);
     CommandLine line;
@@ -121,10 +147,15 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         return line;
     }
     line.command = command;
-    line.argument = argument_of(command, values);
+    const bool validates = command == "validate";
+    if (validates) {
+        add_validate(line, values);
+    } else {
+        line.argument = argument_of(command, values);
+    }
     line.overrides = texts(values, "set");
     for (const std::string& seed : texts(values, "seed")) {
-        line.overrides.push_back("run.seed=" + seed);
+        line.overrides.push_back((validates ? "series.seed=" : "run.seed=") + seed);
     }
     for (const std::string& example : texts(values, "example")) {
         line.example = example;
@@ -159,13 +190,14 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty() ? "init, check, run or info; see `bannwald --help`" : config::in_quotes(nearest));
+           nearest.empty() ? "init, check, run, validate or info; see `bannwald --help`"
+                           : config::in_quotes(nearest));
 }
 
 }  // namespace
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init", "check", "run", "info"};
+    static const std::vector<std::string> names{"init", "check", "run", "validate", "info"};
     return names;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,7 +10,7 @@ namespace coupling {
 
 /// A call of the program, understood but not yet carried out.
 struct CommandLine {
-    std::string command;             ///< init, check, run, info; help, help-all or version
+    std::string command;             ///< init, check, run, validate, info; help, help-all or version
     std::string help_for;            ///< command whose help is wanted, "" for the short help
     std::filesystem::path argument;  ///< folder, scenario or file
     std::string example = "tyrol";
@@ -19,6 +21,13 @@ struct CommandLine {
     bool print_settings = false;
     bool quiet = false;
     bool verbose = false;
+
+    // validate
+    std::vector<std::string> cases;  ///< names; none: all
+    std::filesystem::path cases_folder;
+    std::filesystem::path profile;
+    std::optional<std::uint64_t> rocks;
+    bool list = false;
 };
 
 /// Understands the arguments after the program's name. Throws InputError (settings) for an unknown command or

@@ -19,6 +19,7 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald init DIR [--example NAME]   writes an example project, ready to run
   bannwald check SCENARIO              reads everything, tells size, memory and time; writes nothing
   bannwald run SCENARIO                lets the rocks fall and writes maps, tables and a report
+  bannwald validate [CASE...|all]      holds the model against published experiments
   bannwald info FILE                   tells what a grid or a table holds
 
 Everywhere
@@ -69,6 +70,22 @@ Interrupted by Ctrl-C it keeps finished parts; the same call goes on from there.
   --overwrite               replaces results or parts that the folder holds
 )";
 
+constexpr std::string_view validate_help = R"(bannwald validate [CASE...|all] [options]
+
+Lets the rocks of published experiments fall with the settings of the paper (strict) and with ours (default),
+prints every figure beside what was observed and published, and says which criteria are met.
+Ends with exit code 5 if strict or default misses a criterion of any case, with 0 otherwise.
+  --list                    the cases, one a line
+  --out DIR                 folder of report.html, summary.md and the tables (default: validation-results)
+  --overwrite               replaces results that the folder holds
+  --cases DIR               cases of this folder instead of the built-in ones
+  --profile FILE            takes the place of the profile of the one case named: a surveyed slope
+  --rocks N                 rocks of the large ensemble; series and moved choices shrink with it
+  --set section.key=value   changes a setting of case.ini, [rockfall] or [tree_impact]; again for more
+  --seed N                  the same as --set series.seed=N
+  --threads N               threads to use; results do not depend on it (default: all of the machine)
+)";
+
 constexpr std::string_view info_help = R"(bannwald info FILE
 
 Tells what an ESRI ASCII grid (frame, range, NODATA, projection) or a CSV table (columns, rows, units)
@@ -80,8 +97,11 @@ holds. The name of a shipped table prints that table:
 }  // namespace
 
 void write_help(std::ostream& out, const std::string& command) {
-    const std::map<std::string, std::string_view> texts{
-        {"init", init_help}, {"check", check_help}, {"run", run_help}, {"info", info_help}};
+    const std::map<std::string, std::string_view> texts{{"init", init_help},
+                                                        {"check", check_help},
+                                                        {"run", run_help},
+                                                        {"validate", validate_help},
+                                                        {"info", info_help}};
     const auto text = texts.find(command);
     if (text == texts.end()) {
         out << short_help << exit_codes;
@@ -95,7 +115,8 @@ void write_help(std::ostream& out, const std::string& command) {
 
 void write_help_all(std::ostream& out) {
     out << short_help;
-    for (const std::string_view text : {init_help, check_help, run_help, scenario_options, info_help}) {
+    for (const std::string_view text :
+         {init_help, check_help, run_help, scenario_options, validate_help, info_help}) {
         out << text << '\n';
     }
     out << exit_codes << "\nSettings of a scenario file\n\n";

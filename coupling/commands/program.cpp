@@ -11,6 +11,7 @@
 #include "coupling/commands/help.hpp"
 #include "coupling/commands/info.hpp"
 #include "coupling/commands/init.hpp"
+#include "coupling/commands/validate.hpp"
 #include "coupling/run/run.hpp"
 
 namespace coupling {
@@ -69,6 +70,9 @@ int carry_out(const CommandLine& line) {
     }
     if (line.command == "run") {
         return run(line);
+    }
+    if (line.command == "validate") {
+        return validate_cases(line, std::cout);
     }
     if (line.command == "info") {
         write_info(line.argument.string(), std::cout);

@@ -1,0 +1,205 @@
+#include "coupling/validation/screen.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/validation/verdict.hpp"
+
+namespace coupling::validation {
+
+namespace {
+
+constexpr std::size_t screen_columns = 110;
+
+int decimals_of(double value, const std::string& unit) {
+    const double size = std::abs(value);
+    return unit == "-" && size <= 1.0 ? 3 : size < 10.0 ? 2 : size < 100.0 ? 1 : 0;
+}
+
+std::string fixed_text(double value, int decimals) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+/// Characters of a UTF-8 text.
+std::size_t width_of(const std::string& text) {
+    std::size_t width = 0;
+    for (const char c : text) {
+        width += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+    }
+    return width;
+}
+
+/// Fields of one width below each other: the first from the left, the others from the right.
+class AlignedTable {
+public:
+    void add(std::vector<std::string> row) {
+        widths_.resize(std::max(widths_.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            widths_[i] = std::max(widths_[i], width_of(row[i]));
+        }
+        rows_.push_back(std::move(row));
+    }
+    void print(std::ostream& out) const {
+        for (const std::vector<std::string>& row : rows_) {
+            std::string line;
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                const std::string blanks(widths_[i] - width_of(row[i]), ' ');
+                line += i == 0 ? joined("  ", row[i], blanks) : joined("  ", blanks, row[i]);
+            }
+            line.erase(line.find_last_not_of(' ') + 1);
+            out << line << '\n';
+        }
+    }
+
+private:
+    std::vector<std::vector<std::string>> rows_;
+    std::vector<std::size_t> widths_;
+};
+
+/// A paragraph in lines of the screen's width.
+void print_wrapped(std::ostream& out, const std::string& indent, const std::string& text) {
+    std::istringstream words{text};
+    std::string line = indent;
+    for (std::string word; words >> word;) {
+        const bool begins = line.size() == indent.size();
+        if (!begins && width_of(line) + 1 + width_of(word) > screen_columns) {
+            out << line << '\n';
+            line = indent;
+        }
+        line += line.size() == indent.size() ? word : joined(" ", word);
+    }
+    if (line.size() > indent.size()) {
+        out << line << '\n';
+    }
+}
+
+std::string value_text(std::optional<double> value, const std::string& unit) {
+    return value ? figure_text(*value, unit) : "";
+}
+
+std::string with_deviation(double value, std::optional<double> deviation, const std::string& unit) {
+    return deviation ? figure_text(value, *deviation, unit) : figure_text(value, unit);
+}
+
+std::string criterion_text(const VerdictRow& row) {
+    if (!row.low || !row.high) {
+        return "";
+    }
+    return joined(config::to_text(*row.low), " to ", config::to_text(*row.high),
+                  row.rests_on == "rebuilding" ? " r" : "  ");
+}
+
+std::string verdict_text(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::inside:
+            return "in";
+        case Verdict::missed:
+            return "MISS";
+        case Verdict::no_criterion:
+            break;
+    }
+    return "";
+}
+
+void print_verdicts(std::ostream& out, const CaseResult& result) {
+    AlignedTable table;
+    table.add({"", "unit", "observed", "published", "strict", "default", "criterion  ", "strict", "default"});
+    for (const VerdictRow& row : result.rows) {
+        table.add({row.label, row.unit, value_text(row.observed, row.unit),
+                   row.published ? with_deviation(*row.published, row.published_deviation, row.unit) : "",
+                   with_deviation(row.strict_value.value, row.strict_value.deviation, row.unit),
+                   with_deviation(row.default_value.value, row.default_value.deviation, row.unit),
+                   criterion_text(row), verdict_text(row.strict_verdict), verdict_text(row.default_verdict)});
+    }
+    table.print(out);
+    out << "  ±: between series of " << result.rocks_per_series
+        << " rocks (published: as the source says). r: used to rebuild the slope, a hit proves little.\n";
+}
+
+void print_miss(std::ostream& out, const VerdictRow& row, const char* variant, const Value& value) {
+    const std::string by = figure_text(
+        std::abs(value.value < *row.low ? *row.low - value.value : value.value - *row.high), row.unit);
+    const std::string unit = row.unit == "-" ? "" : joined(" ", row.unit);
+    print_wrapped(
+        out, "  ",
+        std::isfinite(value.value)
+            ? joined("missed by ", variant, ": ", row.label, " ", figure_text(value.value, row.unit), unit,
+                     ", ", by, unit, value.value < *row.low ? " below " : " above ",
+                     config::to_text(*row.low), " to ", config::to_text(*row.high))
+            : joined("missed by ", variant, ": ", row.label, " is given by no rock"));
+}
+
+void print_misses(std::ostream& out, const CaseResult& result) {
+    for (const VerdictRow& row : result.rows) {
+        const bool strict = row.strict_verdict == Verdict::missed;
+        const bool ours = row.default_verdict == Verdict::missed;
+        if (strict) {
+            print_miss(out, row, "strict", row.strict_value);
+        }
+        if (ours) {
+            print_miss(out, row, "default", row.default_value);
+        }
+        if ((strict || ours) && !row.cause.empty()) {
+            print_wrapped(out, "      ", joined("likely cause: ", row.cause));
+        }
+    }
+}
+
+void print_flips(std::ostream& out, const CaseResult& result) {
+    if (result.choices.empty()) {
+        return;
+    }
+    out << "  free choices of the rebuilding, moved one at a time: " << result.choices.size() - 1 << '\n';
+    const std::vector<Flip> flips = flips_of(result);
+    for (std::size_t c = 1; c < result.choices.size(); ++c) {
+        const ChoiceOutcome& choice = result.choices[c];
+        std::string text;
+        for (const Flip& flip : flips) {
+            if (flip.choice == choice.choice) {
+                const auto figure = parse_figure(flip.quantity);
+                const std::string label = figure ? figure->label() : flip.quantity;
+                const std::string unit = figure ? figure->unit() : "";
+                text += joined(text.empty() ? "" : "; ", flip.strict ? "strict " : "default ", label, " ",
+                               figure_text(flip.before, unit), " → ", figure_text(flip.after, unit), " ",
+                               flip.becomes == Verdict::inside ? "comes in" : "goes out");
+            }
+        }
+        print_wrapped(out, "    ",
+                      joined(choice.choice, ": ", text.empty() ? std::string{"no verdict changes"} : text));
+    }
+}
+
+}  // namespace
+
+std::string figure_text(double value, const std::string& unit) {
+    return std::isfinite(value) ? fixed_text(value, decimals_of(value, unit)) : "-";
+}
+
+std::string figure_text(double value, double deviation, const std::string& unit) {
+    return std::isfinite(value)
+               ? joined(figure_text(value, unit), " ± ", fixed_text(deviation, decimals_of(value, unit)))
+               : "-";
+}
+
+void print_case(std::ostream& out, const CaseResult& result) {
+    out << result.name << ": " << result.title << '\n';
+    print_wrapped(out, "  ", result.rebuilt);
+    out << "  " << result.rocks << " rocks; " << result.series << " series of " << result.rocks_per_series
+        << '\n';
+    for (const std::string& note : result.notes) {
+        print_wrapped(out, "  ", joined("note: ", note));
+    }
+    print_verdicts(out, result);
+    print_misses(out, result);
+    print_flips(out, result);
+    out << '\n';
+}
+
+}  // namespace coupling::validation

@@ -1,0 +1,304 @@
+#include "coupling/validation/validation_case.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "config/table/table.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::validation {
+
+namespace {
+
+/// The texts between blanks.
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in{text};
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) {
+        words.push_back(word);
+    }
+    return words;
+}
+
+/// Reads the tables of a case one after the other and collects what is wrong in any of them.
+class CaseReader {
+public:
+    CaseReader(ValidationCase& out, const Recipe& recipe) : out_{out}, recipe_{recipe} {}
+
+    void read() {
+        read_profile_file();
+        read_sections();
+        frame_.sections = out_.sections;
+        for (const Station& station : recipe_.stations) {
+            frame_.stations.push_back(station.name);
+        }
+        check_stations();
+        table("criteria.csv", {"quantity", "low", "high", "rests_on", "rule"},
+              [this](const config::Table& t, std::size_t row) { read_criterion(t, row); });
+        table("observed.csv", {"quantity", "value", "source"},
+              [this](const config::Table& t, std::size_t row) { read_observed(t, row); });
+        table("published.csv", {"quantity", "value", "deviation", "series", "source"},
+              [this](const config::Table& t, std::size_t row) { read_published(t, row); });
+        out_.variants = {{"strict", "strict", {}, "exactly what the paper states"},
+                         {"default", "default", {}, "our best settings"}};
+        table("variants.csv", {"variant", "preset", "overrides", "meaning"},
+              [this](const config::Table& t, std::size_t row) { read_variant(t, row); });
+        table("choices.csv", {"choice", "overrides", "reason"},
+              [this](const config::Table& t, std::size_t row) { read_choice(t, row); });
+        problems_.throw_if_any();
+    }
+
+private:
+    template <class Row>
+    void table(const std::string& file, const std::vector<std::string>& columns, Row read_row) {
+        const auto text = out_.files.texts.find(file);
+        if (text == out_.files.texts.end()) {
+            return;
+        }
+        try {
+            std::istringstream in{text->second};
+            const config::Table rows = config::Table::read(in, out_.files.shown(file));
+            if (!rows.require(columns, problems_)) {
+                return;
+            }
+            for (std::size_t row = 0; row < rows.rows(); ++row) {
+                read_row(rows, row);
+            }
+        } catch (const config::InputError& error) {
+            problems_.add(error);
+        }
+    }
+
+    void refuse(const config::Table& table, std::size_t row, const std::string& column,
+                std::string expected) {
+        problems_.add(config::ExitCode::data, table.place(row, column),
+                      config::in_quotes(table.text(row, column)), std::move(expected));
+    }
+
+    void read_profile_file() {
+        if (out_.kind == CaseKind::factors) {
+            return;
+        }
+        try {
+            profile_ = out_.profile(recipe_);
+        } catch (const config::InputError& error) {
+            problems_.add(error);
+        }
+        if (out_.replaces_profile()) {
+            out_.notes.push_back(joined(recipe_.profile, " replaced by ", out_.changes.profile_file));
+        }
+    }
+
+    void read_sections() {
+        table("sections.csv", {"section", "from_m", "to_m"}, [this](const config::Table& t, std::size_t row) {
+            const auto from_m = t.number(row, "from_m", {}, problems_);
+            const auto to_m = t.number(row, "to_m", {}, problems_);
+            if (from_m && to_m && *to_m <= *from_m) {
+                refuse(t, row, "to_m", "a distance beyond from_m");
+            }
+            out_.sections.push_back({t.text(row, "section"), from_m.value_or(0.0), to_m.value_or(1.0)});
+        });
+    }
+
+    void check_stations() {
+        if (profile_.empty()) {
+            return;
+        }
+        for (const Station& station : recipe_.stations) {
+            if (station.distance_m < profile_.front().distance_m ||
+                station.distance_m > profile_.back().distance_m) {
+                problems_.add(config::ExitCode::data, recipe_.options->place_of("stations.distances_m"),
+                              joined("station ", config::in_quotes(station.name), " at ",
+                                     config::to_text(station.distance_m), " m"),
+                              joined("a distance on the profile, which ends at ",
+                                     config::to_text(profile_.back().distance_m), " m"));
+            }
+        }
+    }
+
+    /// The name of a figure that the program computes; "" with a problem for any other.
+    std::string figure(const config::Table& table, std::size_t row) {
+        const std::string& name = table.text(row, "quantity");
+        if (out_.kind != CaseKind::factors) {
+            const std::vector<std::string> names = figure_names(frame_, recipe_.has_stand());
+            if (std::find(names.begin(), names.end(), name) == names.end()) {
+                const std::string nearest = config::nearest_word(name, names);
+                refuse(table, row, "quantity",
+                       nearest.empty() ? "a figure of `bannwald validate --help`, with a section or station "
+                                         "of this case where it needs one"
+                                       : config::in_quotes(nearest));
+                return "";
+            }
+        }
+        if (std::find(out_.figures.begin(), out_.figures.end(), name) == out_.figures.end()) {
+            out_.figures.push_back(name);
+        }
+        return name;
+    }
+
+    void read_criterion(const config::Table& t, std::size_t row) {
+        const std::string name = figure(t, row);
+        const auto low = t.number(row, "low", {}, problems_);
+        const auto high = t.number(row, "high", {}, problems_);
+        const std::string& rests_on = t.text(row, "rests_on");
+        if (low && high && *high < *low) {
+            refuse(t, row, "high", "a number not below low");
+        }
+        if (rests_on != "independent" && rests_on != "rebuilding") {
+            refuse(t, row, "rests_on", "independent or rebuilding");
+        }
+        if (low && high && !name.empty()) {
+            const bool is_new = out_.criteria
+                                    .emplace(name, Criterion{*low, *high, rests_on, t.text(row, "rule"),
+                                                             t.has("cause") ? t.text(row, "cause") : ""})
+                                    .second;
+            if (!is_new) {
+                refuse(t, row, "quantity", "one criterion for each figure");
+            }
+        }
+    }
+
+    void read_observed(const config::Table& t, std::size_t row) {
+        const std::string name = figure(t, row);
+        const auto value = t.number(row, "value", {}, problems_);
+        if (value && !name.empty() &&
+            !out_.observed.emplace(name, ObservedFigure{*value, t.text(row, "source")}).second) {
+            refuse(t, row, "quantity", "one row for each figure");
+        }
+    }
+
+    void read_published(const config::Table& t, std::size_t row) {
+        const std::string name = figure(t, row);
+        const auto value = t.number(row, "value", {}, problems_);
+        std::optional<double> deviation;
+        if (!t.text(row, "deviation").empty()) {
+            deviation = t.number(row, "deviation", {.low = 0.0}, problems_);
+        }
+        if (!value || name.empty()) {
+            return;
+        }
+        PublishedFigure& published = out_.published[name];
+        const bool of_series = t.text(row, "series").find('x') != std::string::npos;
+        if (of_series) {
+            published.series_mean = value;
+            published.deviation = deviation;
+        } else {
+            published.value = value;
+            published.deviation = deviation ? deviation : published.deviation;
+        }
+        if (!published.value) {
+            published.value = value;
+        }
+        if (published.source.empty()) {
+            published.source = t.text(row, "source");
+        }
+    }
+
+    /// Tries the overrides with a preset; what is wrong with them becomes a problem of the field.
+    void try_out(const config::Table& t, std::size_t row, const std::string& preset,
+                 const std::vector<std::string>& overrides) {
+        try {
+            const std::unique_ptr<Recipe> moved = out_.recipe(preset, overrides);
+            if (moved->kind != out_.kind) {
+                refuse(t, row, "overrides", "the kind of the case unchanged");
+            } else if (out_.kind != CaseKind::factors && moved->profile != recipe_.profile) {
+                static_cast<void>(out_.profile(*moved));
+            }
+        } catch (const config::InputError& error) {
+            for (const config::Problem& problem : error.problems()) {
+                problems_.add(problem.code, t.place(row, "overrides"), problem.found, problem.expected);
+            }
+        }
+    }
+
+    void read_variant(const config::Table& t, std::size_t row) {
+        VariantSpec variant{t.text(row, "variant"), t.text(row, "preset"), words_of(t.text(row, "overrides")),
+                            t.text(row, "meaning")};
+        try_out(t, row, variant.preset, variant.overrides);
+        const auto same = std::find_if(out_.variants.begin(), out_.variants.end(),
+                                       [&](const VariantSpec& v) { return v.name == variant.name; });
+        if (same == out_.variants.end()) {
+            out_.variants.push_back(std::move(variant));
+        } else if (same - out_.variants.begin() < 2) {
+            *same = std::move(variant);  // a case may say more of strict and default
+        } else {
+            refuse(t, row, "variant", "a name of its own for each variant");
+        }
+    }
+
+    void read_choice(const config::Table& t, std::size_t row) {
+        ChoiceSpec choice{t.text(row, "choice"), words_of(t.text(row, "overrides")), t.text(row, "reason")};
+        try_out(t, row, "strict", choice.overrides);
+        const bool other_profile =
+            std::any_of(choice.overrides.begin(), choice.overrides.end(),
+                        [](const std::string& text) { return text.starts_with("terrain.profile="); });
+        if (other_profile && out_.replaces_profile()) {
+            out_.notes.push_back(joined("choice ", config::in_quotes(choice.name),
+                                        " left out: the profile is the user's own"));
+            return;
+        }
+        out_.choices.push_back(std::move(choice));
+    }
+
+    ValidationCase& out_;
+    const Recipe& recipe_;
+    Profile profile_;
+    FigureFrame frame_;
+    config::Problems problems_;
+};
+
+/// Fewer rocks of everything: no part of the case falls more than the large ensemble does.
+void shrink(Recipe& recipe, std::uint64_t most_rocks) {
+    recipe.rocks = most_rocks;
+    recipe.choice_rocks = std::min(recipe.choice_rocks, most_rocks);
+    recipe.rocks_per_series = std::min(recipe.rocks_per_series, std::max<std::uint64_t>(1, most_rocks / 2));
+    recipe.series = std::min(recipe.series, most_rocks / recipe.rocks_per_series);
+    recipe.stands = std::min(recipe.stands, most_rocks);
+}
+
+}  // namespace
+
+std::unique_ptr<Recipe> ValidationCase::recipe(const std::string& preset,
+                                               const std::vector<std::string>& overrides) const {
+    std::vector<std::string> all{joined("rockfall.preset=", preset)};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    all.insert(all.end(), changes.overrides.begin(), changes.overrides.end());
+    std::unique_ptr<Recipe> recipe = read_recipe(files, all);
+    if (changes.most_rocks) {
+        shrink(*recipe, *changes.most_rocks);
+    }
+    return recipe;
+}
+
+Profile ValidationCase::profile(const Recipe& recipe) const {
+    if (replaces_profile()) {
+        return read_profile(changes.profile_text, changes.profile_file);
+    }
+    const auto text = files.texts.find(recipe.profile);
+    if (text == files.texts.end()) {
+        config::fail(config::ExitCode::file, recipe.options->place_of("terrain.profile"),
+                     joined("no file ", config::in_quotes(recipe.profile), " in ", files.folder),
+                     "the profile of the slope");
+    }
+    return read_profile(text->second, files.shown(recipe.profile));
+}
+
+bool ValidationCase::needs_open() const {
+    return std::any_of(figures.begin(), figures.end(), [](const std::string& name) {
+        const auto figure = parse_figure(name);
+        return figure && figure->cover != FigureName::Cover::as_is;
+    });
+}
+
+ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
+    ValidationCase out;
+    out.files = files;
+    out.changes = changes;
+    const std::unique_ptr<Recipe> recipe = out.recipe("default");
+    out.kind = recipe->kind;
+    CaseReader{out, *recipe}.read();
+    return out;
+}
+
+}  // namespace coupling::validation

@@ -1,0 +1,105 @@
+#include "coupling/validation/verdict.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace coupling::validation {
+
+namespace {
+
+Value value_in(const Values& values, const std::string& name) {
+    const auto found = values.find(name);
+    return found != values.end() ? found->second : Value{std::numeric_limits<double>::quiet_NaN(), {}, {}};
+}
+
+template <class Map>
+auto* find_in(const Map& map, const std::string& name) {
+    const auto found = map.find(name);
+    return found != map.end() ? &found->second : nullptr;
+}
+
+VerdictRow row_of(const ValidationCase& of, const std::string& name, const Values& strict_values,
+                  const Values& default_values) {
+    VerdictRow row;
+    row.quantity = name;
+    if (const auto figure = parse_figure(name)) {
+        row.label = figure->label();
+        row.unit = figure->unit();
+    }
+    if (const ObservedFigure* observed = find_in(of.observed, name)) {
+        row.observed = observed->value;
+        row.observed_source = observed->source;
+    }
+    if (const PublishedFigure* published = find_in(of.published, name)) {
+        row.published = published->value;
+        row.published_deviation = published->deviation;
+        row.published_source = published->source;
+    }
+    row.strict_value = value_in(strict_values, name);
+    row.default_value = value_in(default_values, name);
+    if (const Criterion* criterion = find_in(of.criteria, name)) {
+        row.low = criterion->low;
+        row.high = criterion->high;
+        row.rests_on = criterion->rests_on;
+        row.rule = criterion->rule;
+        row.cause = criterion->cause;
+        row.strict_verdict = verdict_of(row.strict_value.value, *criterion);
+        row.default_verdict = verdict_of(row.default_value.value, *criterion);
+    }
+    return row;
+}
+
+void add_flip(std::vector<Flip>& flips, const VerdictRow& row, const ChoiceOutcome& moved, bool strict,
+              double before, double after) {
+    const Criterion criterion{*row.low, *row.high, {}, {}, {}};
+    const Verdict becomes = verdict_of(after, criterion);
+    if (verdict_of(before, criterion) != becomes) {
+        flips.push_back({moved.choice, row.quantity, strict, before, after, becomes});
+    }
+}
+
+}  // namespace
+
+Verdict verdict_of(double value, const Criterion& criterion) {
+    return value >= criterion.low && value <= criterion.high ? Verdict::inside : Verdict::missed;
+}
+
+std::vector<VerdictRow> verdict_rows(const ValidationCase& of, const Values& strict_values,
+                                     const Values& default_values) {
+    std::vector<VerdictRow> rows;
+    for (const std::string& name : of.figures) {
+        rows.push_back(row_of(of, name, strict_values, default_values));
+    }
+    return rows;
+}
+
+std::vector<Flip> flips_of(const CaseResult& result) {
+    std::vector<Flip> flips;
+    if (result.choices.empty()) {
+        return flips;
+    }
+    const ChoiceOutcome& base = result.choices.front();
+    for (const ChoiceOutcome& moved : result.choices) {
+        for (const VerdictRow& row : result.rows) {
+            if (row.low && row.high) {
+                add_flip(flips, row, moved, true, value_in(base.strict_values, row.quantity).value,
+                         value_in(moved.strict_values, row.quantity).value);
+                add_flip(flips, row, moved, false, value_in(base.default_values, row.quantity).value,
+                         value_in(moved.default_values, row.quantity).value);
+            }
+        }
+    }
+    return flips;
+}
+
+bool misses_any(const CaseResult& result) {
+    return std::any_of(result.rows.begin(), result.rows.end(),
+                       [](const VerdictRow& row) {
+                           return row.strict_verdict == Verdict::missed ||
+                                  row.default_verdict == Verdict::missed;
+                       }) ||
+           std::any_of(result.directions.begin(), result.directions.end(),
+                       [](const DirectionRow& row) { return row.verdict == Verdict::missed; });
+}
+
+}  // namespace coupling::validation
