@@ -10,15 +10,20 @@ namespace config {
 /// What a random number is for. Each purpose of each rock or tree has numbers of its own, so that
 /// one more draw here moves nothing there.
 enum class Purpose : std::uint8_t {
-    release = 1,        ///< start point, size and direction of a rock
-    ground_impact = 2,  ///< noise, jump angle, deviation and stop at one ground contact
-    tree_impact = 3,    ///< deviation at one tree hit
-    rolling = 4,        ///< stop and deviation on one stretch of rolling
-    stand = 5,          ///< positions of artificial trees
-    sampling = 6,       ///< which rocks a sample shows
-    relief = 7,         ///< height of one node of a synthetic relief
-    block = 20,         ///< size and place of one block of a virtual surface
-    rock_throw = 21,    ///< start of one throw at a virtual surface
+    release = 1,         ///< start point, size and direction of a rock
+    ground_impact = 2,   ///< noise, jump angle, deviation and stop at one ground contact
+    tree_impact = 3,     ///< deviation at one tree hit
+    rolling = 4,         ///< stop and deviation on one stretch of rolling
+    stand = 5,           ///< positions of artificial trees
+    sampling = 6,        ///< which rocks a sample shows
+    relief = 7,          ///< height of one node of a synthetic relief
+    block = 20,          ///< size and place of one block of a virtual surface
+    rock_throw = 21,     ///< start of one throw at a virtual surface
+    tree_place = 40,     ///< where a tree stands that leaves a group of young ones
+    tree_death = 41,     ///< whether a tree dies this year: of age, of stress
+    tree_rank = 42,      ///< scatter of a tree's place in the order of self-thinning
+    starting_tree = 43,  ///< size and place of one tree of a starting stand
+    group_centre = 44,   ///< centre of one group of young trees of a starting stand
     test = 255,
 };
 

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "forest/tree.hpp"
+
+namespace forest {
+
+/// Why stems or saplings leave the stand.
+enum class Cause : std::uint8_t {
+    background,     ///< age and what no process here explains
+    stress,         ///< years without growth
+    self_thinning,  ///< more trees than the site bears
+    wind,
+    snow,
+    beetle,
+    rock,   ///< broken or uprooted by a rock
+    wound,  ///< late consequence of a wound
+    felled,
+    browsing,
+};
+inline constexpr std::size_t cause_count = 10;
+
+constexpr std::size_t index_of(Cause cause) {
+    return static_cast<std::size_t>(cause);
+}
+
+/// As it stands in tables, such as "self_thinning".
+std::string_view name_of(Cause cause);
+
+/// What came and went, in stems and dry above-ground mass. Trees and saplings have accounts of their own; a
+/// sapling that becomes a tree leaves the one and enters the other.
+///
+/// Mass is taken when it is known: what a year's production gave (`grown_kg`), what came of itself
+/// (`shed_kg`: foliage lost or gained as the crown changes, and production that a full-grown tree cannot
+/// place), what died (`lost_kg`).
+struct Book {
+    std::array<std::uint64_t, origin_count> stems_in{};  ///< ingrowth and planted trees, by origin
+    std::array<std::uint64_t, cause_count> stems_out{};
+    double mass_in_kg = 0.0;
+    double grown_kg = 0.0;
+    double shed_kg = 0.0;
+    std::array<double, cause_count> lost_kg{};
+
+    std::uint64_t saplings_in = 0;         ///< germinated, sprouted, planted
+    std::uint64_t saplings_recruited = 0;  ///< became trees
+    std::array<std::uint64_t, cause_count> saplings_out{};
+
+    [[nodiscard]] std::uint64_t all_stems_in() const;
+    [[nodiscard]] std::uint64_t all_stems_out() const;
+    [[nodiscard]] double all_lost_kg() const;
+    [[nodiscard]] std::uint64_t all_saplings_out() const;
+
+    Book& operator+=(const Book& other);
+};
+
+}  // namespace forest

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "forest/tree.hpp"
+
+namespace forest {
+
+/// A dead tree or what is left of it, still upright: a snag, a broken stem, a stump.
+struct Snag {
+    TreeId tree{};  ///< the tree it was
+    double x_m = 0.0;
+    double y_m = 0.0;
+    SpeciesId species{};
+    bool cut = false;            ///< a stump of felling
+    double dbh_cm = 0.0;         ///< at 1.3 m while it lived
+    double tree_height_m = 0.0;  ///< while it lived
+    double height_m = 0.0;       ///< of what stands; below tree_height_m = broken off
+    std::int32_t year = 0;       ///< of death
+    double density_share = 1.0;  ///< (0, 1], wood density relative to sound wood
+};
+
+/// Why a log lies there.
+enum class LogOrigin : std::uint8_t { fallen, windthrow, felled_crosswise, broken_by_rock };
+
+/// A lying stem or piece of one, straight from the thick to the thin end.
+struct Log {
+    TreeId tree{};
+    double x_m = 0.0;  ///< thick end
+    double y_m = 0.0;
+    double direction_rad = 0.0;  ///< from the thick to the thin end, counter-clockwise from east, on the map
+    double length_m = 0.0;       ///< along the log
+    double thick_end_cm = 0.0;
+    double thin_end_cm = 0.0;
+    double clearance_m = 0.0;    ///< between ground and underside
+    double density_share = 1.0;  ///< (0, 1]
+    SpeciesId species{};
+    LogOrigin origin = LogOrigin::fallen;
+    bool anchored = false;  ///< behind stumps or by cables
+    std::int32_t year = 0;  ///< since when it lies
+};
+
+/// All dead wood of a stand, oldest first.
+struct SnagsAndLogs {
+    std::vector<Snag> snags;
+    std::vector<Log> logs;
+};
+
+}  // namespace forest

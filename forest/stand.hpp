@@ -1,0 +1,165 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "forest/book.hpp"
+#include "forest/cohort.hpp"
+#include "forest/dead_wood.hpp"
+#include "forest/patch.hpp"
+#include "forest/tree.hpp"
+
+namespace forest {
+
+/// What a year did to a tree, per stem.
+struct TreeGrowth {
+    double dbh_cm = 0.0;           ///< >= 0, increment
+    double height_m = 0.0;         ///< >= 0, increment
+    TreeCrown crown{};             ///< after the year
+    double above_ground_kg = 0.0;  ///< after the year
+    double gain_kg = 0.0;          ///< above-ground share of its production
+};
+
+/// Stems to take out of a tree record: all of them, or some of a group.
+struct Removal {
+    TreeId tree{};
+    Cause cause = Cause::background;
+    std::uint32_t stems = 0;  ///< 0 = all
+};
+
+/// A tree that left the stand this year, as it was when it did. `tree.stems` is how many of its group left.
+struct DeadTree {
+    Tree tree;
+    Cause cause = Cause::background;
+};
+
+/// What a year did to a cohort.
+struct CohortGrowth {
+    double height_m = 0.0;           ///< after the year, > 0
+    std::uint16_t stress_years = 0;  ///< after the year
+};
+
+/// Saplings to take out of a cohort.
+struct SaplingRemoval {
+    std::size_t cohort = 0;  ///< place in cohorts()
+    std::uint32_t stems = 0;
+    Cause cause = Cause::background;
+};
+
+/// The living and the dead of a forest: the only owner of its trees, cohorts, snags, logs and patches.
+///
+/// Processes read what is here, work out what happens, and tell it: nobody changes a tree from outside. Every
+/// stem comes and goes through the functions below, which keep the books, so that
+///     stems at the start + stems in = stems out + stems standing
+/// holds at any time, and the same for saplings and for mass.
+///
+/// Trees stand in the order of their ids, cohorts in the order they came: nothing depends on the order in
+/// which they were given, and sums over trees have the same bits on every machine. Lists of trees that one
+/// function returns stay valid until the next one that adds or removes.
+class Stand {
+public:
+    /// Trees keep the ids they have; they need not be sorted. `first_year` is the calendar year of this
+    /// state. Requires trees on patches with different ids, and species below species_count.
+    Stand(PatchGrid grid, std::size_t species_count, std::vector<Tree> trees, int first_year);
+
+    // --- what there is
+    // ---------------------------------------------------------------------------------------
+    [[nodiscard]] const PatchGrid& grid() const { return grid_; }
+    [[nodiscard]] std::size_t species_count() const { return species_count_; }
+    [[nodiscard]] int year() const { return year_; }
+    [[nodiscard]] std::span<const Tree> trees() const { return trees_; }
+    [[nodiscard]] std::span<const Cohort> cohorts() const { return cohorts_; }
+    [[nodiscard]] std::span<const PatchState> patch_states() const { return patch_states_; }
+    [[nodiscard]] const SnagsAndLogs& dead_wood() const { return dead_wood_; }
+    /// Place in trees(), nothing if it does not stand any more.
+    [[nodiscard]] std::optional<std::size_t> find(TreeId id) const;
+    /// Open and healing scars of a tree, from below to above.
+    [[nodiscard]] std::span<const Wound> wounds_of(TreeId id) const;
+    /// All scars, by tree and height.
+    [[nodiscard]] std::span<const Wound> wounds() const { return wounds_; }
+
+    // --- the books
+    // -------------------------------------------------------------------------------------------
+    /// Of the running year.
+    [[nodiscard]] const Book& book() const { return book_; }
+    /// Since the start, the running year included.
+    [[nodiscard]] Book total_book() const;
+    [[nodiscard]] std::uint64_t stems_standing() const;
+    [[nodiscard]] double mass_standing_kg() const;
+    [[nodiscard]] std::uint64_t saplings_standing() const;
+    [[nodiscard]] std::uint64_t stems_at_start() const { return stems_at_start_; }
+    [[nodiscard]] double mass_at_start_kg() const { return mass_at_start_kg_; }
+    /// Who left this year, in the order of leaving. Dead wood is made of them.
+    [[nodiscard]] std::span<const DeadTree> deaths() const { return deaths_; }
+
+    // --- a year
+    // ----------------------------------------------------------------------------------------------
+    /// The next calendar year begins: a new page in the books, the list of deaths empty.
+    void begin_year();
+
+    /// One entry a tree, in their order. Trees become one year older.
+    /// Requires what TreeGrowth says, and a height that stays above 1.3 m.
+    void grow(std::span<const TreeGrowth> growth);
+    /// One value a tree in [0, 1].
+    void set_light_ratios(std::span<const double> light_ratios);
+    /// One number of bad years in a row for each tree.
+    void set_stress_years(std::span<const std::uint16_t> stress_years);
+    /// One value a tree in [0, 1].
+    void set_vitalities(std::span<const double> vitalities);
+    /// One entry a tree.
+    void set_rots(std::span<const Rot> rots);
+    void set_flags(TreeId tree, TreeFlags flags);
+    /// One entry a patch.
+    void set_patch_states(std::span<const PatchState> states);
+
+    /// New trees; their ids are given here, in their order. Trees outside every patch are not allowed.
+    void add_trees(std::span<const Tree> trees);
+    /// Takes trees out and keeps them in deaths(). A tree named twice leaves for the first cause.
+    void remove_trees(std::span<const Removal> removals);
+    /// Groups that have reached `dbh_cm` become single trees with places of their own on their patch, drawn
+    /// by id.
+    void split_groups(double dbh_cm, std::uint64_t seed, std::uint32_t replicate);
+
+    /// New scars; those of trees that do not stand are left out.
+    void add_wounds(std::span<const Wound> wounds);
+    /// All scars after healing; sorted here.
+    void set_wounds(std::vector<Wound> wounds);
+
+    void add_cohorts(std::span<const Cohort> cohorts);
+    /// One entry a cohort; cohorts become one year older.
+    void grow_cohorts(std::span<const CohortGrowth> growth);
+    /// Empty cohorts go. The places of cohorts change.
+    void remove_saplings(std::span<const SaplingRemoval> removals);
+    /// Cohorts (places in cohorts(), rising) become the trees given for them, one record each with the
+    /// cohort's stems.
+    void recruit(std::span<const std::size_t> cohorts, std::span<const Tree> trees);
+
+    void add_snags(std::span<const Snag> snags);
+    void add_logs(std::span<const Log> logs);
+    /// Dead wood after a year of decay and falls.
+    void set_dead_wood(SnagsAndLogs dead_wood) { dead_wood_ = std::move(dead_wood); }
+
+private:
+    void enter(Tree tree);
+    void drop_wounds_of_the_dead();
+
+    PatchGrid grid_;
+    std::size_t species_count_;
+    int year_;
+    std::vector<Tree> trees_;
+    std::vector<Wound> wounds_;
+    std::vector<Cohort> cohorts_;
+    std::vector<PatchState> patch_states_;
+    SnagsAndLogs dead_wood_;
+    std::vector<DeadTree> deaths_;
+    Book book_;
+    Book earlier_;  ///< years before the running one
+    std::uint64_t next_id_ = 0;
+    std::uint64_t stems_at_start_ = 0;
+    double mass_at_start_kg_ = 0.0;
+};
+
+}  // namespace forest
