@@ -1,0 +1,113 @@
+#include "forest/tables.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "forest/allometry.hpp"
+
+namespace forest {
+
+namespace {
+
+constexpr double kg_per_t = 1000.0;
+
+/// Mean height of the thickest stems: 100 on a hectare.
+double dominant_height_m(std::span<const Tree> trees, double area_ha) {
+    struct Stem {
+        double dbh_cm;
+        double height_m;
+        double number;
+    };
+    std::vector<Stem> stems;
+    stems.reserve(trees.size());
+    for (const Tree& tree : trees) {
+        stems.push_back({tree.dbh_cm, tree.height_m, static_cast<double>(tree.stems)});
+    }
+    const auto thicker = [](const Stem& a, const Stem& b) {
+        return a.dbh_cm != b.dbh_cm ? a.dbh_cm > b.dbh_cm : a.height_m > b.height_m;
+    };
+    const double wanted = 100.0 * area_ha;
+    // Each record has at least one stem, so this many records are enough.
+    const auto enough = std::min(stems.size(), static_cast<std::size_t>(std::ceil(wanted)));
+    const auto middle = stems.begin() + static_cast<std::ptrdiff_t>(enough);
+    std::partial_sort(stems.begin(), middle, stems.end(), thicker);
+    double number = 0.0;
+    double sum_m = 0.0;
+    for (auto stem = stems.begin(); stem != middle && number < wanted; ++stem) {
+        const double taken = std::min(stem->number, wanted - number);
+        number += taken;
+        sum_m += taken * stem->height_m;
+    }
+    return number > 0.0 ? sum_m / number : 0.0;
+}
+
+}  // namespace
+
+std::size_t dbh_class_of(double dbh_cm) {
+    const auto number = static_cast<std::size_t>(std::max(0.0, dbh_cm / dbh_class_cm));
+    return std::min(number, dbh_classes - 1);
+}
+
+StandFigures figures_of(std::span<const Tree> trees, const SpeciesTable& species, double area_ha) {
+    assert(area_ha > 0.0);
+    constexpr double m2_per_ha = 10'000.0;
+    StandFigures figures;
+    double basal_area_height_m3 = 0.0;
+    for (const Tree& tree : trees) {
+        const double stems_pha = tree.stems / area_ha;
+        const double basal_area = stems_pha * basal_area_m2(tree.dbh_cm);
+        figures.stems_pha += stems_pha;
+        figures.stems_pha_by_class[dbh_class_of(tree.dbh_cm)] += stems_pha;
+        figures.basal_area_m2pha += basal_area;
+        basal_area_height_m3 += basal_area * tree.height_m;
+        figures.volume_m3pha +=
+            stems_pha * stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m);
+        figures.above_ground_tpha += stems_pha * tree.above_ground_kg / kg_per_t;
+        figures.leaf_area_index += stems_pha * tree.crown.leaf_area_m2 / m2_per_ha;
+    }
+    if (figures.stems_pha > 0.0) {
+        figures.mean_dbh_cm = std::sqrt(figures.basal_area_m2pha / figures.stems_pha / basal_area_m2(1.0));
+        figures.lorey_height_m = basal_area_height_m3 / figures.basal_area_m2pha;
+        figures.dominant_height_m = dominant_height_m(trees, area_ha);
+    }
+    return figures;
+}
+
+std::vector<StandFigures> figures_by_species(std::span<const Tree> trees, const SpeciesTable& species,
+                                             double area_ha) {
+    std::vector<std::vector<Tree>> own(species.size());
+    for (const Tree& tree : trees) {
+        own[index_of(tree.species)].push_back(tree);
+    }
+    std::vector<StandFigures> figures;
+    figures.reserve(own.size());
+    for (const std::vector<Tree>& trees_of_one : own) {
+        figures.push_back(figures_of(trees_of_one, species, area_ha));
+    }
+    return figures;
+}
+
+StandYear year_of(const Stand& stand, const SpeciesTable& species, double volume_increment_m3) {
+    const double area_ha = stand.grid().area_ha();
+    StandYear year;
+    year.year = stand.year();
+    year.all = figures_of(stand.trees(), species, area_ha);
+    year.by_species = figures_by_species(stand.trees(), species, area_ha);
+    year.volume_increment_m3pha = volume_increment_m3 / area_ha;
+    year.ingrowth_stems_pha = static_cast<double>(stand.book().all_stems_in()) / area_ha;
+    for (const DeadTree& dead : stand.deaths()) {
+        const double stems_pha = dead.tree.stems / area_ha;
+        Loss& loss = year.losses[index_of(dead.cause)];
+        loss.stems_pha += stems_pha;
+        loss.volume_m3pha += stems_pha * stem_volume_m3(species[dead.tree.species].allometry,
+                                                        dead.tree.dbh_cm, dead.tree.height_m);
+        loss.above_ground_tpha += stems_pha * dead.tree.above_ground_kg / kg_per_t;
+    }
+    year.saplings_pha = static_cast<double>(stand.saplings_standing()) / area_ha;
+    year.snags_pha = static_cast<double>(stand.dead_wood().snags.size()) / area_ha;
+    year.logs_pha = static_cast<double>(stand.dead_wood().logs.size()) / area_ha;
+    return year;
+}
+
+}  // namespace forest

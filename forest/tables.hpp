@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "forest/book.hpp"
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+
+namespace forest {
+
+/// Diameter classes of stand tables: 4 cm wide, the last one open; the first begins at the smallest tree.
+inline constexpr double dbh_class_cm = 4.0;
+inline constexpr std::size_t dbh_classes = 30;
+
+/// Class of a diameter: 0 for [0, 4) cm, ...
+std::size_t dbh_class_of(double dbh_cm);
+
+/// What foresters say of a stand, per hectare. Of trees of at least 1 cm diameter.
+struct StandFigures {
+    double stems_pha = 0.0;
+    double basal_area_m2pha = 0.0;
+    double volume_m3pha = 0.0;       ///< stem wood over bark
+    double above_ground_tpha = 0.0;  ///< dry mass
+    double mean_dbh_cm = 0.0;        ///< quadratic; 0 without trees
+    double lorey_height_m = 0.0;     ///< mean weighted by basal area; 0 without trees
+    double dominant_height_m =
+        0.0;  ///< mean of the 100 thickest stems per hectare, of all where there are fewer
+    double leaf_area_index = 0.0;  ///< projected, as the light model has it
+    std::array<double, dbh_classes> stems_pha_by_class{};
+};
+
+/// Figures of some trees on an area. Requires an area above 0.
+StandFigures figures_of(std::span<const Tree> trees, const SpeciesTable& species, double area_ha);
+
+/// The same by species, in the order of the table. Dominant height is that of the species' own thickest
+/// stems.
+std::vector<StandFigures> figures_by_species(std::span<const Tree> trees, const SpeciesTable& species,
+                                             double area_ha);
+
+/// What left a stand in a year for one cause, per hectare.
+struct Loss {
+    double stems_pha = 0.0;
+    double volume_m3pha = 0.0;
+    double above_ground_tpha = 0.0;
+};
+
+/// A stand in one year: what stands, what came, what went.
+struct StandYear {
+    int year = 0;
+    StandFigures all;
+    std::vector<StandFigures> by_species;
+    double volume_increment_m3pha = 0.0;  ///< by growth of the trees that began the year
+    double ingrowth_stems_pha = 0.0;      ///< trees that passed 1 cm or were planted
+    std::array<Loss, cause_count> losses{};
+    double saplings_pha = 0.0;  ///< below 1 cm
+    double snags_pha = 0.0;
+    double logs_pha = 0.0;
+};
+
+/// The year of a whole landscape. `volume_increment_m3` is of its whole area.
+StandYear year_of(const Stand& stand, const SpeciesTable& species, double volume_increment_m3);
+
+}  // namespace forest

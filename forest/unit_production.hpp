@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "forest/species.hpp"
+#include "forest/tree.hpp"
+
+namespace forest {
+
+/// What a month of a production unit offers to leaves.
+struct MonthConditions {
+    double mean_degc = 0.0;
+    double frost_days = 0.0;
+    double vpd_kpa = 0.0;          ///< mean of daytime
+    double water_modifier = 1.0;   ///< [0, 1], soil water
+    double co2_modifier = 1.0;     ///< > 0, of quantum efficiency, 1 = at 350 ppm
+    double supply = 1.0;           ///< [0, 1], actual / potential evapotranspiration
+    double slope_radiation = 1.0;  ///< > 0, radiation on the slope / on the flat
+};
+
+/// What a species makes of light in a production unit, month by month, its age aside.
+struct YearOfLightUse {
+    std::array<double, 12> npp_gpmj{};    ///< net primary production, dry matter per absorbed solar radiation
+    std::array<double, 12> physiology{};  ///< [0, 1], limits of air and soil water
+};
+
+/// Radiation-use efficiency of 3-PG (Landsberg & Waring 1997; physiology as a product, Forrester & Tang 2016)
+/// times the species' calibrated multiplier. Light is used less well where there is much of it: times
+/// (radiation on the slope / on the flat)^-0.3 [choice], so that a steep shady slope loses less production
+/// than light. `fertility` in [0, 1] is lowered where the top soil is more acid than the species likes.
+YearOfLightUse light_use_of_year(const Species& species, const std::array<MonthConditions, 12>& months,
+                                 double fertility, double ph);
+
+/// Radiation that a tree record absorbed, all its stems together, by month [MJ].
+using AbsorbedByMonth = std::array<double, 12>;
+
+/// A tree's share of what its production unit made, per stem.
+struct TreeProduction {
+    double npp_kg = 0.0;
+    double physiology = 1.0;  ///< [0, 1], of the year, weighted by absorbed light, its age included
+};
+
+/// Shares the production of each unit and species among its trees.
+///
+/// A species makes in a unit what its trees absorb times its efficiency, each tree's light discounted by its
+/// age; a tree's part of it is in proportion to leaf area * light response * age modifier, not to the light
+/// it absorbed: shaded leaves use their light worse than that [choice in the spirit of PICUS v1.4]. Where no
+/// tree gets enough light for growth, leaf area alone decides.
+///
+/// `absorbed` and `unit` have one entry a tree, `light_use` one a unit and species (unit by unit).
+std::vector<TreeProduction> share_production(std::span<const Tree> trees, const SpeciesTable& species,
+                                             std::span<const AbsorbedByMonth> absorbed,
+                                             std::span<const std::uint32_t> unit,
+                                             std::span<const YearOfLightUse> light_use);
+
+}  // namespace forest
