@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+
+#include "forest/species.hpp"
+
+namespace forest {
+
+/// Height by diameter in a stand: H = 1.3 + (D / (a + b D))^3 (Petterson 1955), D in cm, H in m.
+struct HeightCurve {
+    double a = 1.0;  ///< > 0
+    double b = 0.3;  ///< > 0
+
+    /// Requires a diameter above 0. Above 1.3 m.
+    [[nodiscard]] double height_m(double dbh_cm) const;
+};
+
+/// The curve through the mean tree on which a tree twice as thick is a quarter taller [choice].
+/// Requires a diameter above 0 and a height above 1.5 m.
+HeightCurve curve_through(double mean_dbh_cm, double mean_height_m);
+
+/// A tree whose height was measured.
+struct MeasuredHeight {
+    double dbh_cm = 0.0;    ///< > 0
+    double height_m = 0.0;  ///< > 1.3
+};
+
+/// A fitted curve and how well it fits.
+struct HeightFit {
+    HeightCurve curve;
+    std::size_t trees = 0;          ///< it rests on; 0 = no fit possible
+    double standard_error_m = 0.0;  ///< of a single height
+};
+
+/// Trees that a fit needs [choice].
+inline constexpr std::size_t fewest_fitted_trees = 5;
+
+/// Least squares on the straight form of the law, D / (H - 1.3)^(1/3) = a + b D. No fit (trees = 0) from
+/// fewer than five trees, or where the best straight line does not rise from above 0.
+HeightFit fit_heights(std::span<const MeasuredHeight> measured);
+
+/// Height of a tree that has grown from nothing to its diameter in half light on a site: where nobody
+/// measured a height (forest/growth.hpp integrated over diameter), at most the greatest height.
+double height_by_growth(const Species& species, double dbh_cm, double site_factor);
+
+}  // namespace forest
