@@ -24,6 +24,7 @@ public:
             start_of(assessment_.slope, assessment_.sources[source], source, assessment_.start, key);
         out.started = start.has_value();
         if (!start) {
+            out = {};  // nothing of the rock that used this memory before
             return;
         }
         footprint_.begin(*start, assessment_.path_every > 0 && rock % assessment_.path_every == 0);
@@ -35,6 +36,7 @@ public:
         out.arrivals.assign(footprint_.arrivals().begin(), footprint_.arrivals().end());
         out.tree_hits.assign(footprint_.tree_hits().begin(), footprint_.tree_hits().end());
         out.jumps.assign(jumps_.jumps().begin(), jumps_.jumps().end());
+        out.visits.assign(footprint_.visits().begin(), footprint_.visits().end());
         out.path.assign(footprint_.path().begin(), footprint_.path().end());
     }
 

@@ -15,6 +15,7 @@ struct WatchedFall {
     std::vector<rockfall::Arrival> arrivals;  ///< target by target
     std::vector<rockfall::TreeHitRecord> tree_hits;
     std::vector<rockfall::Jump> jumps;
+    std::vector<rockfall::CellVisit> visits;  ///< cells of assessment.map_frame that it passed
     std::vector<rockfall::PathPoint> path;  ///< of every assessment.path_every-th rock
 };
 
