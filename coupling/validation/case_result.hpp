@@ -103,13 +103,12 @@ struct Estimate {
 /// One combination of stand and rock on a slope, and what the forest does there.
 struct FactorRow {
     std::string variant;           ///< "strict" or "default"
+    std::string alone;             ///< the setting that moved alone; empty where all moved together
     std::vector<double> settings;  ///< in the order of CaseResult::factor_settings
     std::map<std::string, Estimate> figures;
 };
 
 /// Whether a figure goes the way the literature has it when a setting grows.
-///
-/// Each is a row of the verdict table too, by its change.
 struct DirectionRow {
     std::string variant;  ///< "strict" or "default"
     std::string figure;

@@ -19,17 +19,14 @@ std::string notes_of(const CaseResult& result) {
 }
 
 std::string case_part(const CaseResult& result) {
-    const Score strict = score_of(result, &VerdictRow::strict_verdict);
-    const Score ours = score_of(result, &VerdictRow::default_verdict);
-    const auto met_of = [](const Score& score) {
-        return joined(std::to_string(score.met), " of ", std::to_string(score.met + score.missed));
-    };
+    const Score strict = score_of(result, strict_side);
+    const Score ours = score_of(result, default_side);
     std::string html = joined("<h2 id=\"", escaped(result.name), "\">",
                               escaped(result.title.empty() ? result.name : result.title),
                               "</h2>\n<p class=\"soft\">", escaped(result.citation), "</p>\n");
     if (strict.met + strict.missed + ours.met + ours.missed > 0) {
-        html += joined("<p class=\"lead\">Criteria met: <b>", met_of(strict), "</b> in strict, <b>",
-                       met_of(ours), "</b> in default.</p>\n");
+        html += joined("<p class=\"lead\">Criteria met: <b>", strict.text(), "</b> in strict, <b>",
+                       ours.text(), "</b> in default.</p>\n");
     }
     html += nearness(result);
     if (!result.rebuilt.empty()) {

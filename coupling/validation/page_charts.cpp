@@ -212,7 +212,8 @@ std::string hit_height_chart(const CaseResult& result) {
     for (std::size_t i = 0; i <= bins; ++i) {
         edges.push_back(bin_m * static_cast<double>(i));
     }
-    Chart chart{"Heights of tree hits", Axis{"Height of the hit above ground, m", 0.0, edges.back()},
+    Chart chart{"Heights of tree hits",
+                Axis{"Height of the rock's centre above ground, m", 0.0, edges.back()},
                 Axis::from_zero("% of hits", highest_percent(result, &VariantOutcome::hit_heights))};
     add_shares(chart, result, edges, &VariantOutcome::hit_heights);
     return chart.figure("In bars of 0.5 m; the last one takes all above.");
@@ -232,8 +233,10 @@ std::string jump_chart(const VariantOutcome& variant, double most_m, double end_
         means.clear();
     };
     for (const SegmentJumps& segment : variant.jumps) {
-        if (segment.jumps == 0) {
+        if (segment.jumps == 0 || (!ranges.empty() && ranges.back().x < segment.from_m)) {
             draw();
+        }
+        if (segment.jumps == 0) {
             continue;
         }
         for (const double at_m : {segment.from_m, segment.to_m}) {

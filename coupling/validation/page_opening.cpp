@@ -7,20 +7,12 @@ namespace {
 
 using report::escaped;
 
-Score sum_of(std::span<const CaseResult> cases, Verdict VerdictRow::*verdict) {
+Score sum_of(std::span<const CaseResult> cases, const Side& side) {
     Score sum;
     for (const CaseResult& result : cases) {
-        const Score score = score_of(result, verdict);
-        sum.met += score.met;
-        sum.missed += score.missed;
-        sum.met_independent += score.met_independent;
-        sum.independent += score.independent;
+        sum.add(score_of(result, side));
     }
     return sum;
-}
-
-std::string met_of(const Score& score) {
-    return joined(std::to_string(score.met), " of ", std::to_string(score.met + score.missed));
 }
 
 std::string independent_of(const Score& score) {
@@ -28,11 +20,16 @@ std::string independent_of(const Score& score) {
 }
 
 /// Names of the figures missed, such as "mean speed, m/s; tree hits per rock".
-std::string missed_in(const CaseResult& result, Verdict VerdictRow::*verdict) {
+std::string missed_in(const CaseResult& result, const Side& side) {
     std::string names;
     for (const VerdictRow& row : result.rows) {
-        if (row.*verdict == Verdict::missed) {
+        if (row.*side.verdict == Verdict::missed) {
             names += joined((names.empty() ? "" : "; "), row_name(row));
+        }
+    }
+    for (const DirectionRow& row : result.directions) {
+        if (row.variant == side.name && row.verdict == Verdict::missed) {
+            names += joined((names.empty() ? "" : "; "), escaped(direction_name(row)));
         }
     }
     return names.empty() ? "none" : names;
@@ -44,10 +41,8 @@ std::string overview(std::span<const CaseResult> cases) {
     for (const CaseResult& result : cases) {
         table.row({joined("<a href=\"#", escaped(result.name), "\">",
                           escaped(result.title.empty() ? result.name : result.title), "</a>"),
-                   met_of(score_of(result, &VerdictRow::strict_verdict)),
-                   met_of(score_of(result, &VerdictRow::default_verdict)),
-                   missed_in(result, &VerdictRow::strict_verdict),
-                   missed_in(result, &VerdictRow::default_verdict)});
+                   score_of(result, strict_side).text(), score_of(result, default_side).text(),
+                   missed_in(result, strict_side), missed_in(result, default_side)});
     }
     return table.html();
 }
@@ -74,14 +69,14 @@ std::string how_to_read() {
 }  // namespace
 
 std::string page_opening(std::span<const CaseResult> cases) {
-    const Score strict = sum_of(cases, &VerdictRow::strict_verdict);
-    const Score ours = sum_of(cases, &VerdictRow::default_verdict);
+    const Score strict = sum_of(cases, strict_side);
+    const Score ours = sum_of(cases, default_side);
     return joined(
         "<h1>Bannwald against the published cases</h1>\n<section class=\"card\"><p "
         "class=\"answer\"><b>strict</b> "
         "meets <b>",
-        met_of(strict), "</b> criteria, of the independent ones ", independent_of(strict),
-        ". <b>default</b> meets <b>", met_of(ours), "</b>, of the independent ones ", independent_of(ours),
+        strict.text(), "</b> criteria, of the independent ones ", independent_of(strict),
+        ". <b>default</b> meets <b>", ours.text(), "</b>, of the independent ones ", independent_of(ours),
         ".</p>\n", overview(cases), "</section>\n", how_to_read());
 }
 

@@ -36,15 +36,30 @@ std::string_view page_style();
 
 // What the parts share.
 
-/// Criteria of a case met and missed by one set of settings.
+/// One of the two sets of settings that are judged, and where results keep it.
+struct Side {
+    const char* name;
+    Value VerdictRow::*value;
+    Verdict VerdictRow::*verdict;
+    Values ChoiceOutcome::*moved;
+};
+inline constexpr Side strict_side{"strict", &VerdictRow::strict_value, &VerdictRow::strict_verdict,
+                                  &ChoiceOutcome::strict_values};
+inline constexpr Side default_side{"default", &VerdictRow::default_value, &VerdictRow::default_verdict,
+                                   &ChoiceOutcome::default_values};
+
+/// Criteria of a case met and missed by one side; directions of factors count as criteria.
 struct Score {
     std::size_t met = 0;
     std::size_t missed = 0;
     std::size_t met_independent = 0;  ///< of those that do not rest on the rebuilding
     std::size_t independent = 0;
+
+    void add(Verdict verdict, bool rests_on_nothing);
+    void add(const Score& other);
+    [[nodiscard]] std::string text() const;  ///< "3 of 4"
 };
-/// `verdict` is the row's verdict for that set.
-Score score_of(const CaseResult& result, Verdict VerdictRow::*verdict);
+Score score_of(const CaseResult& result, const Side& side);
 
 /// "met" or "missed" as a badge; "no criterion" as an en dash.
 std::string badge(Verdict verdict);
@@ -54,6 +69,10 @@ std::string criterion_text(const VerdictRow& row);
 Verdict judge(const VerdictRow& row, double value);
 /// Label and unit of a row, escaped: "mean speed, m/s".
 std::string row_name(const VerdictRow& row);
+/// A setting or figure of factors for people, with its unit: "stems/ha", "protection effect".
+std::string factor_name(const std::string& key);
+/// "protection effect rises with stems/ha".
+std::string direction_name(const DirectionRow& row);
 /// The class of a variant's series in the charts: by name for strict and default, by place for others.
 std::string series_of(const CaseResult& result, std::size_t variant);
 /// Two decimals below 10, one below 100, none above; an en dash where it is not finite.

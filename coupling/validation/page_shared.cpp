@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_parts.hpp"
@@ -14,18 +15,37 @@ int decimals_of(double size) {
 
 }  // namespace
 
-Score score_of(const CaseResult& result, Verdict VerdictRow::*verdict) {
+void Score::add(Verdict verdict, bool rests_on_nothing) {
+    if (verdict == Verdict::no_criterion) {
+        return;
+    }
+    const bool is_met = verdict == Verdict::inside;
+    met += is_met ? 1U : 0U;
+    missed += is_met ? 0U : 1U;
+    independent += rests_on_nothing ? 1U : 0U;
+    met_independent += is_met && rests_on_nothing ? 1U : 0U;
+}
+
+void Score::add(const Score& other) {
+    met += other.met;
+    missed += other.missed;
+    independent += other.independent;
+    met_independent += other.met_independent;
+}
+
+std::string Score::text() const {
+    return joined(std::to_string(met), " of ", std::to_string(met + missed));
+}
+
+Score score_of(const CaseResult& result, const Side& side) {
     Score score;
     for (const VerdictRow& row : result.rows) {
-        if (row.*verdict == Verdict::no_criterion) {
-            continue;
+        score.add(row.*side.verdict, row.rests_on == "independent");
+    }
+    for (const DirectionRow& row : result.directions) {
+        if (row.variant == side.name) {
+            score.add(row.verdict, true);
         }
-        const bool met = row.*verdict == Verdict::inside;
-        const bool independent = row.rests_on == "independent";
-        score.met += met ? 1U : 0U;
-        score.missed += met ? 0U : 1U;
-        score.independent += independent ? 1U : 0U;
-        score.met_independent += met && independent ? 1U : 0U;
     }
     return score;
 }
@@ -66,6 +86,28 @@ std::string row_name(const VerdictRow& row) {
     return row.unit.empty() || row.unit == "-"
                ? report::escaped(name)
                : joined(report::escaped(name), ", ", report::escaped(row.unit));
+}
+
+std::string factor_name(const std::string& key) {
+    static const std::map<std::string, std::string> names{
+        {"stand.stems_per_ha", "stems/ha"},
+        {"stand.dbh_mean_cm", "mean DBH, cm"},
+        {"stand.basal_area_m2pha", "basal area, m²/ha"},
+        {"stand.from_m", "upper end of the forest, m"},
+        {"stand.to_m", "lower end of the forest, m"},
+        {"rock.diameter_m", "rock diameter, m"},
+        {"protection_effect", "protection effect"},
+        {"energy_kept_share", "share of energy kept from the foot"},
+        {"residual_energy_kj", "mean energy of rocks that arrive, kJ"},
+        {"hits_per_rock", "tree hits per rock"},
+        {"free_path_m", "way between tree hits, m"}};
+    const auto found = names.find(key);
+    return found == names.end() ? key : found->second;
+}
+
+std::string direction_name(const DirectionRow& row) {
+    return joined(factor_name(row.figure), row.rises ? " rises with " : " falls with ",
+                  factor_name(row.setting));
 }
 
 std::string series_of(const CaseResult& result, std::size_t variant) {

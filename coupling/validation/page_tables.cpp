@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_parts.hpp"
+#include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
 namespace {
@@ -100,49 +102,51 @@ std::vector<const VerdictRow*> rows_with_criterion(const CaseResult& result) {
     return rows;
 }
 
-/// A figure with a choice moved; where that turns its verdict, it says so.
-std::string moved_cell(const VerdictRow& row, const Values& values, Verdict before) {
-    const auto found = values.find(row.quantity);
-    if (found == values.end()) {
+/// A figure with a choice moved; where that turns the verdict that it has with the same few rocks and nothing
+/// moved, it says so.
+std::string moved_cell(const VerdictRow& row, const Values& moved, const Values& base) {
+    const auto found = moved.find(row.quantity);
+    if (found == moved.end()) {
         return "–";
     }
     const Verdict now = judge(row, found->second.value);
     const std::string figure = figure_text(found->second.value);
-    return now == before ? figure : joined("<b>", figure, "</b> ", badge(now));
+    const auto before = base.find(row.quantity);
+    const bool turns = before != base.end() && judge(row, before->second.value) != now;
+    return turns ? joined("<b>", figure, "</b> ", badge(now)) : figure;
 }
 
 void add_choices(HtmlTable& table, const CaseResult& result, const std::vector<const VerdictRow*>& rows,
-                 const char* set, Value VerdictRow::*value, Verdict VerdictRow::*verdict,
-                 Values ChoiceOutcome::*moved) {
-    table.group(set);
-    std::vector<std::string> cells{"as it stands"};
-    for (const VerdictRow* row : rows) {
-        cells.push_back(joined(figure_text((row->*value).value), " ", badge(row->*verdict)));
-    }
-    table.row(cells);
+                 const Side& side) {
+    table.group(side.name);
+    const Values& base = result.choices.front().*side.moved;
     for (const ChoiceOutcome& choice : result.choices) {
-        cells = {joined(escaped(choice.choice), "<small>", escaped(choice.overrides), "</small>")};
+        std::vector<std::string> cells{
+            choice.overrides.empty()
+                ? escaped(choice.choice)
+                : joined(escaped(choice.choice), "<small>", escaped(choice.overrides), "</small>")};
         for (const VerdictRow* row : rows) {
-            cells.push_back(moved_cell(*row, choice.*moved, row->*verdict));
+            const bool is_base = &choice == &result.choices.front();
+            const std::string cell = moved_cell(*row, choice.*side.moved, base);
+            const auto value = base.find(row->quantity);
+            cells.push_back(is_base && value != base.end()
+                                ? joined(cell, " ", badge(judge(*row, value->second.value)))
+                                : cell);
         }
         table.row(cells);
     }
 }
 
-std::size_t flips(const CaseResult& result, const std::vector<const VerdictRow*>& rows,
-                  Verdict VerdictRow::*verdict, Values ChoiceOutcome::*moved) {
-    std::size_t count = 0;
-    for (const VerdictRow* row : rows) {
-        count += std::any_of(result.choices.begin(), result.choices.end(),
-                             [&](const ChoiceOutcome& choice) {
-                                 const auto found = (choice.*moved).find(row->quantity);
-                                 return found != (choice.*moved).end() &&
-                                        judge(*row, found->second.value) != row->*verdict;
-                             })
-                     ? 1U
-                     : 0U;
+/// How many criteria have a verdict that any of the choices turns.
+std::size_t turned(const CaseResult& result, const std::vector<const VerdictRow*>& rows, const Side& side) {
+    std::set<std::string> quantities;
+    for (const Flip& flip : flips_of(result)) {
+        if (flip.strict == (&side == &strict_side)) {
+            quantities.insert(flip.quantity);
+        }
     }
-    return count;
+    return static_cast<std::size_t>(std::count_if(
+        rows.begin(), rows.end(), [&](const VerdictRow* row) { return quantities.contains(row->quantity); }));
 }
 
 }  // namespace
@@ -246,25 +250,22 @@ std::string choices_table(const CaseResult& result) {
     for (const VerdictRow* row : rows) {
         head.push_back(joined(row_name(*row), "<small>", criterion_text(*row), "</small>"));
     }
-    HtmlTable table{"A badge stands where the verdict turns.", head};
-    add_choices(table, result, rows, "strict", &VerdictRow::strict_value, &VerdictRow::strict_verdict,
-                &ChoiceOutcome::strict_values);
-    add_choices(table, result, rows, "default", &VerdictRow::default_value, &VerdictRow::default_verdict,
-                &ChoiceOutcome::default_values);
+    HtmlTable table{
+        "The first line holds the verdicts with nothing moved, on as few rocks; further down a badge stands "
+        "where one turns.",
+        head};
+    add_choices(table, result, rows, strict_side);
+    add_choices(table, result, rows, default_side);
     std::string reasons;
     for (const ChoiceOutcome& choice : result.choices) {
         reasons += joined("<li><b>", escaped(choice.choice), "</b>: ", escaped(choice.reason), "</li>\n");
     }
-    const auto count = [&](Verdict VerdictRow::*verdict, Values ChoiceOutcome::*moved) {
-        return std::to_string(flips(result, rows, verdict, moved));
-    };
     return joined(
         "<section class=\"card\"><h3>Free choices moved</h3>\n<p>What is not public had to be chosen. Moved "
-        "within reason, one at "
-        "a time, these choices turn the verdict of ",
-        count(&VerdictRow::strict_verdict, &ChoiceOutcome::strict_values), " of ",
-        std::to_string(rows.size()), " criteria in strict and of ",
-        count(&VerdictRow::default_verdict, &ChoiceOutcome::default_values),
+        "within "
+        "reason, one at a time, these choices turn the verdict of ",
+        std::to_string(turned(result, rows, strict_side)), " of ", std::to_string(rows.size()),
+        " criteria in strict and of ", std::to_string(turned(result, rows, default_side)),
         " in default. Those prove little.</p>\n", table.html(), "<ul class=\"causes soft\">\n", reasons,
         "</ul>\n</section>\n");
 }

@@ -2,6 +2,7 @@
 
 #include "coupling/results/joined.hpp"
 #include "coupling/run/progress.hpp"
+#include "coupling/validation/factors.hpp"
 #include "coupling/validation/outcome.hpp"
 #include "coupling/validation/verdict.hpp"
 
@@ -136,7 +137,8 @@ private:
 }  // namespace
 
 CaseResult validate(const ValidationCase& of, const ValidateRequest& request) {
-    return CaseRun{of, request}.run();
+    return of.kind == CaseKind::factors ? validate_factors(of, request.threads, request.quiet)
+                                        : CaseRun{of, request}.run();
 }
 
 }  // namespace coupling::validation

@@ -61,6 +61,7 @@ VerdictRow tree_hits() {
 VerdictRow height_90() {
     VerdictRow row = height("rebound_height_90_m", "90 % of maximum rebound heights", 2.0, 2.2, 2.1, 1.6);
     row.observed.reset();
+    row.low = 1.3;
     row.high = 2.2;
     row.rests_on = "independent";
     row.rule = "at most the published";
@@ -129,7 +130,12 @@ CaseResult forested_case() {
     steeper.strict_values["tree_hits"].value = 2.9;
     steeper.default_values["mean_speed_mps"].value = 8.3;
     steeper.default_values["tree_hits"].value = 2.9;
-    result.choices = {steeper};
+    ChoiceOutcome base{"as rebuilt", "", "nothing moved; as few rocks as below", {}, {}};
+    base.strict_values["mean_speed_mps"].value = 4.95;
+    base.strict_values["tree_hits"].value = 2.8;
+    base.default_values["mean_speed_mps"].value = 7.7;
+    base.default_values["tree_hits"].value = 2.8;
+    result.choices = {base, steeper};
     result.sections = {{"A", 0.0, 120.0, {}, {}}, {"B", 120.0, 220.0, 0.33, 0.3}};
     result.observed_run_out = {{223.5, 0.34}};
     result.observed_tree_hits = {0.14, 0.2, 0.16, 0.17, 0.12, 0.11, 0.06, 0.04};
