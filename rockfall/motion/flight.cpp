@@ -1,6 +1,7 @@
 #include "rockfall/motion/flight.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rockfall {
@@ -108,6 +109,21 @@ Landing fall_straight_down(const Terrain& terrain, const Flight& flight, std::ui
     return {time_s, triangle, FlightEnd::ground, plane};
 }
 
+/// The triangle beyond the edge that the path comes nearest to with both ends.
+std::uint32_t across_nearest_edge(const View& view, std::uint32_t triangle) {
+    const Triangle& t = view.triangles[triangle];
+    const std::array<double, 3> off{std::abs(view.sight(t.corners[0]).side),
+                                    std::abs(view.sight(t.corners[1]).side),
+                                    std::abs(view.sight(t.corners[2]).side)};
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (std::max(off[i], off[(i + 1) % 3]) < std::max(off[nearest], off[(nearest + 1) % 3])) {
+            nearest = i;
+        }
+    }
+    return t.neighbours[nearest];
+}
+
 /// The first gate when the start lies a rounding error outside its triangle: looks from a hair further along
 /// the path.
 bool first_gate_nearby(const Terrain& terrain, const Flight& flight, std::uint32_t& triangle, Gate& gate) {
@@ -116,9 +132,16 @@ bool first_gate_nearby(const Terrain& terrain, const Flight& flight, std::uint32
         const double time_s = ahead_m / plan_speed_mps;
         const auto found = terrain.locate(flight.start_m.x() + time_s * flight.velocity_mps.x(),
                                           flight.start_m.y() + time_s * flight.velocity_mps.y(), triangle);
-        if (found && first_gate({terrain, flight}, *found, gate)) {
-            triangle = *found;
-            return true;
+        if (!found) {
+            continue;
+        }
+        // A path along an edge may have all of the triangle on its left: the gate is that of the other side.
+        const View view{terrain, flight};
+        for (const std::uint32_t candidate : {*found, across_nearest_edge(view, *found)}) {
+            if (candidate != no_triangle && first_gate(view, candidate, gate)) {
+                triangle = candidate;
+                return true;
+            }
         }
     }
     return false;
