@@ -24,6 +24,7 @@ enum class Purpose : std::uint8_t {
     tree_rank = 42,      ///< scatter of a tree's place in the order of self-thinning
     starting_tree = 43,  ///< size and place of one tree of a starting stand
     group_centre = 44,   ///< centre of one group of young trees of a starting stand
+    weather = 45,        ///< which year of the climate stands for a simulated one
     test = 255,
 };
 
