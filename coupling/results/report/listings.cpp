@@ -1,3 +1,5 @@
+#include "coupling/results/report/listings.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,36 +12,12 @@
 namespace coupling::report {
 namespace {
 
-std::string fact(std::string_view name, const std::string& value) {
-    return std::string{"<div><dt>"}.append(name).append("</dt><dd>").append(value).append("</dd></div>");
-}
-
 std::string projection_name(const std::string& text) {
     const std::size_t first = text.find('"');
     const std::size_t last = text.find('"', first + 1);
     return first == std::string::npos || last == std::string::npos
                ? "none: the DEM has no .prj file, so the grids have none either"
                : text.substr(first + 1, last - first - 1);
-}
-
-std::string rock_size(const Scenario& scenario) {
-    switch (scenario.diameter_kind) {
-        case DiameterKind::fixed:
-            return joined(config::to_text(scenario.diameter_m), " m");
-        case DiameterKind::classes: {
-            const auto [low, high] =
-                std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
-            return low == scenario.diameter_classes_m.end()
-                       ? "in classes"
-                       : joined(config::to_text(*low), " to ", config::to_text(*high), " m, in classes");
-        }
-        case DiameterKind::uniform:
-            return joined(config::to_text(scenario.diameter_low_m), " to ",
-                          config::to_text(scenario.diameter_high_m), " m");
-        case DiameterKind::lognormal:
-            break;
-    }
-    return joined("log-normal, mean ", config::to_text(scenario.diameter_m), " m");
 }
 
 std::size_t zones_of(const Site& site) {
@@ -162,6 +140,30 @@ std::string section_of(const std::string& key) {
 
 }  // namespace
 
+std::string fact(std::string_view name, const std::string& value) {
+    return std::string{"<div><dt>"}.append(name).append("</dt><dd>").append(value).append("</dd></div>");
+}
+
+std::string rock_size(const Scenario& scenario) {
+    switch (scenario.diameter_kind) {
+        case DiameterKind::fixed:
+            return joined(config::to_text(scenario.diameter_m), " m");
+        case DiameterKind::classes: {
+            const auto [low, high] =
+                std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
+            return low == scenario.diameter_classes_m.end()
+                       ? "in classes"
+                       : joined(config::to_text(*low), " to ", config::to_text(*high), " m, in classes");
+        }
+        case DiameterKind::uniform:
+            return joined(config::to_text(scenario.diameter_low_m), " to ",
+                          config::to_text(scenario.diameter_high_m), " m");
+        case DiameterKind::lognormal:
+            break;
+    }
+    return joined("log-normal, mean ", config::to_text(scenario.diameter_m), " m");
+}
+
 std::string opening(const RunResults& results, const Figures&) {
     const Scenario& scenario = results.scenario;
     const Site& site = results.site;
@@ -209,28 +211,30 @@ std::string key_figures(const RunResults& results, const Figures& figures) {
                              : ""));
 }
 
-std::string warnings(const RunResults& results) {
-    std::string html = "<h2>Warnings</h2>\n";
-    if (results.warnings.sentences().empty()) {
-        return joined(html, "<p>None.</p>\n");
+std::string list_of_warnings(const config::Warnings& warnings) {
+    if (warnings.sentences().empty()) {
+        return "<p>None.</p>\n";
     }
-    html += "<ul class=\"notes\">";
-    for (const std::string& sentence : results.warnings.sentences()) {
+    std::string html = "<ul class=\"notes\">";
+    for (const std::string& sentence : warnings.sentences()) {
         html += joined("<li>", escaped(sentence), "</li>");
     }
     return joined(html, "</ul>\n");
 }
 
-std::string settings(const RunResults& results) {
-    std::string html = "<h2>Settings</h2>\n";
-    if (results.scenario.options == nullptr) {
-        return joined(html, "<p>Not recorded.</p>\n");
+std::string table_of_settings(const Scenario& scenario,
+                              const std::function<bool(const std::string&)>& is_shown) {
+    if (scenario.options == nullptr) {
+        return "<p>Not recorded.</p>\n";
     }
     HtmlTable table{"Settings marked with ● differ from the default.",
                     {"setting", "value", "unit", "default", "meaning"}};
     table.text_columns({2, 4});
     std::string section;
-    for (const config::ParameterRow& row : results.scenario.options->rows()) {
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        if (!is_shown(row.key)) {
+            continue;
+        }
         if (section_of(row.key) != section) {
             section = section_of(row.key);
             table.group(joined("[", escaped(section), "]"));
@@ -242,36 +246,59 @@ std::string settings(const RunResults& results) {
              row.default_text.empty() ? "–" : escaped(row.default_text), escaped(row.meaning)},
             row.changed ? "changed" : "");
     }
-    return joined(html, "<section class=\"card\">", table.html(), "</section>\n");
+    return joined("<section class=\"card\">", table.html(), "</section>\n");
 }
 
-std::string sources_and_files(const RunResults& results, const std::vector<WrittenFile>& files) {
-    HtmlTable inputs{"", {"role", "file", "bytes", "hash"}};
-    inputs.text_columns({1});
-    for (const InputFile& file : results.site.inputs) {
-        inputs.row({escaped(file.role), escaped(file.name), grouped(file.bytes),
-                    joined("<code>", escaped(file.hash), "</code>")});
+std::string table_of_inputs(const std::vector<InputFile>& inputs) {
+    HtmlTable table{"", {"role", "file", "bytes", "hash"}};
+    table.text_columns({1});
+    for (const InputFile& file : inputs) {
+        table.row({escaped(file.role), escaped(file.name), grouped(file.bytes),
+                   joined("<code>", escaped(file.hash), "</code>")});
     }
-    HtmlTable outputs{"Grids have their projection (.prj) and a QGIS style (.qml) beside them.",
-                      {"file", "holds"}};
-    outputs.text_columns({1});
+    return table.html();
+}
+
+std::string table_of_files(std::string_view caption, const std::vector<WrittenFile>& files) {
+    HtmlTable table{caption, {"file", "holds"}};
+    table.text_columns({1});
     for (const WrittenFile& file : files) {
-        outputs.row({joined("<code>", escaped(file.path), "</code>"), escaped(file.sentence)});
+        table.row({joined("<code>", escaped(file.path), "</code>"), escaped(file.sentence)});
     }
+    return table.html();
+}
+
+std::string citation(const std::string& version, const Scenario& scenario) {
     return joined(
-        "<h2>Data</h2>\n<section class=\"card\"><p>Projection: <b>",
-        escaped(projection_name(results.site.projection)),
-        "</b>. Input files, named as in the scenario; please credit their owners as their licences "
-        "ask.</p>",
-        inputs.html(), "</section>\n<h2>Files of this run</h2>\n<section class=\"card\">", outputs.html(),
-        "</section>\n<h2>How to cite</h2>\n<p>Bannwald ", escaped(results.version),
+        "<h2>How to cite</h2>\n<p>Bannwald ", escaped(version),
         ": rockfall through forests on real terrain, GPL-3.0-or-later. Scenario ",
-        escaped(results.scenario.file.filename().string()), ", seed ", std::to_string(results.scenario.seed),
+        escaped(scenario.file.filename().string()), ", seed ", std::to_string(scenario.seed),
         ". The rockfall model follows Rammer, W., Brauner, M., Dorren, L. K. A., Berger, F., Lexer, M. J. "
         "(2010): "
         "Evaluation of a 3-D rockfall module within a forest patch model. Natural Hazards and Earth "
         "System Sciences "
         "10, 699–711.</p>\n");
+}
+
+std::string warnings(const RunResults& results) {
+    return joined("<h2>Warnings</h2>\n", list_of_warnings(results.warnings));
+}
+
+std::string settings(const RunResults& results) {
+    return joined("<h2>Settings</h2>\n",
+                  table_of_settings(results.scenario, [](const std::string&) { return true; }));
+}
+
+std::string sources_and_files(const RunResults& results, const std::vector<WrittenFile>& files) {
+    return joined(
+        "<h2>Data</h2>\n<section class=\"card\"><p>Projection: <b>",
+        escaped(projection_name(results.site.projection)),
+        "</b>. Input files, named as in the scenario; please credit their owners as their licences "
+        "ask.</p>",
+        table_of_inputs(results.site.inputs),
+        "</section>\n<h2>Files of this run</h2>\n<section class=\"card\">",
+        table_of_files("Grids have their projection (.prj) and a QGIS style (.qml) beside them.", files),
+        "</section>\n", citation(results.version, results.scenario));
 }
 
 }  // namespace coupling::report
