@@ -13,6 +13,7 @@
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/profile/profile_run.hpp"
 
 namespace coupling {
 
@@ -134,9 +135,13 @@ void print_settings(const config::Options& options, std::ostream& out) {
 
 void check_scenario(const CommandLine& line, config::Warnings& warnings, std::ostream& out) {
     const auto scenario = read_scenario(line.argument, line.overrides);
-    const Site site = open_site(*scenario, warnings);
-    describe_site(*scenario, site, out);
-    describe_run(*scenario, site, line.threads > 0 ? line.threads : omp_get_max_threads(), out);
+    if (scenario->profile.empty()) {
+        const Site site = open_site(*scenario, warnings);
+        describe_site(*scenario, site, out);
+        describe_run(*scenario, site, line.threads > 0 ? line.threads : omp_get_max_threads(), out);
+    } else {
+        profile::describe(*scenario, profile::open_profile(*scenario, warnings), out);
+    }
     if (line.print_settings) {
         print_settings(*scenario->options, out);
     }

@@ -5,6 +5,7 @@
 
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/scenario_checks.hpp"
+#include "coupling/profile/profile_settings.hpp"
 
 namespace coupling {
 
@@ -49,6 +50,28 @@ void declare_terrain(config::Options& options, Scenario& s) {
     options.text(
         "terrain.ground", s.ground,
         {.meaning = "shipped ground type (see `bannwald info surfaces`) where no grid or polygon says"});
+    options.text("terrain.profile", s.profile,
+                 {.meaning = "instead of all maps: CSV with distance_m, height_m, surface; a run in two dimensions"});
+}
+
+void declare_profile(config::Options& options, Scenario& s) {
+    options.number("profile.start_m", s.profile_start_m,
+                   {.unit = "m",
+                    .low = -1e5,
+                    .high = 1e5,
+                    .meaning = "distance along the profile of the release; without it the upper end"});
+    options.numbers("profile.stations_m", s.profile_stations_m,
+                    {.unit = "m",
+                     .low = -1e5,
+                     .high = 1e5,
+                     .meaning = "distances at which passing rocks are counted, such as 240, 340"});
+    options.text("profile.stations", s.profile_stations, {.meaning = "instead: CSV with name, distance_m"});
+    options.number("profile.segment_m", s.profile_segment_m,
+                   {.unit = "m",
+                    .low = 0.5,
+                    .high = 1000.0,
+                    .meaning = "slope length of the segments by which jump lengths are listed",
+                    .source = "Rammer et al. 2010, 2.4.2"});
 }
 
 void declare_release(config::Options& options, Scenario& s) {
@@ -59,7 +82,7 @@ void declare_release(config::Options& options, Scenario& s) {
     options.count("release.rocks", s.rocks,
                   {.low = 0.0,
                    .high = 4e9,
-                   .meaning = "rocks in all; 0: rocks_per_source times the number of sources",
+                   .meaning = "rocks in all; 0: rocks_per_source for each source, on a profile 10 000",
                    .source = "choice"});
     options.count("release.rocks_per_source", s.rocks_per_source,
                   {.low = 0.0,
@@ -176,6 +199,7 @@ std::filesystem::path Scenario::resolve(const std::string& name) const {
 void declare(config::Options& options, Scenario& scenario) {
     declare_run(options, scenario);
     declare_terrain(options, scenario);
+    declare_profile(options, scenario);
     options.text("trees.file", scenario.trees,
                  {.meaning = "CSV with tree_id, x_m, y_m, species, dbh_cm, height_m; none: bare slope only"});
     declare_release(options, scenario);
@@ -200,6 +224,9 @@ std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
     std::istringstream in{std::string{bytes.text()}};
     scenario->options->read(in, file.string(), overrides, "rockfall.preset");
     check(*scenario);
+    if (!scenario->profile.empty()) {
+        profile::turn_deviation_off(*scenario);
+    }
     rockfall::take_over(scenario->rockfall, *scenario->options);
     return scenario;
 }

@@ -31,6 +31,13 @@ struct Scenario {
     std::string surface_types;        ///< CSV: code, label, r_n, r_t, p_stop
     std::string stopping;             ///< CSV: code, diameter_m, p_stop; optional
     std::string ground;               ///< name of a shipped surface type for all the terrain; instead of a grid
+    std::string profile;              ///< CSV: distance_m, height_m, surface; not empty: a two-dimensional run
+
+    // [profile]
+    double profile_start_m = 0.0;     ///< distance of the release; the upper end unless it is set
+    std::vector<double> profile_stations_m;  ///< distances at which rocks are counted, or
+    std::string profile_stations;     ///< CSV: name, distance_m
+    double profile_segment_m = 10.0;  ///< length along the slope over which jumps are put together
 
     // [trees]
     std::string trees;                ///< CSV; empty: bare slope only

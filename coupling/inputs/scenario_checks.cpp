@@ -5,6 +5,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/profile/profile_settings.hpp"
 
 namespace coupling {
 
@@ -34,7 +35,7 @@ public:
             refuse(second, second + " beside " + first, "only one of them");
         }
     }
-    [[nodiscard]] const config::Problems& problems() const { return problems_; }
+    [[nodiscard]] config::Problems& problems() { return problems_; }
 
 private:
     const config::Options& options_;
@@ -125,8 +126,11 @@ void check(const Scenario& scenario) {
         checker.refuse("run.years", "run.years " + std::to_string(scenario.years),
                        "0: this version assesses the trees as they stand");
     }
-    check_terrain(scenario, checker);
-    check_release(scenario, checker);
+    profile::check_settings(scenario, checker.problems());
+    if (scenario.profile.empty()) {
+        check_terrain(scenario, checker);
+        check_release(scenario, checker);
+    }
     check_diameter(scenario, checker);
     checker.problems().throw_if_any();
 }

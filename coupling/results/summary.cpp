@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/text/numbers.hpp"
+#include "coupling/profile/profile_results.hpp"
 
 namespace coupling {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double percent = 100.0;
+constexpr double j_per_kj = 1000.0;
 
 /// What is not known becomes null. Nine digits: the rest is noise of the last bit.
 Json number(double value) {
@@ -128,12 +130,12 @@ Json value_of(const config::ParameterRow& row) {
     return row.value_text;
 }
 
-Json settings(const RunResults& results) {
+Json settings(const Scenario& scenario) {
     Json list = Json::array();
-    if (results.scenario.options == nullptr) {
+    if (scenario.options == nullptr) {
         return list;
     }
-    for (const config::ParameterRow& row : results.scenario.options->rows()) {
+    for (const config::ParameterRow& row : scenario.options->rows()) {
         list.push_back({{"key", row.key},
                         {"value", value_of(row)},
                         {"unit", row.unit},
@@ -143,9 +145,9 @@ Json settings(const RunResults& results) {
     return list;
 }
 
-Json inputs(const Site& site) {
+Json inputs(const std::vector<InputFile>& files) {
     Json list = Json::array();
-    for (const InputFile& file : site.inputs) {
+    for (const InputFile& file : files) {
         list.push_back(
             {{"role", file.role}, {"file", file.name}, {"hash", file.hash}, {"bytes", file.bytes}});
     }
@@ -170,6 +172,68 @@ Json run(const RunResults& results) {
             {"projection", site.projection.empty() ? Json(nullptr) : Json(site.projection)}};
 }
 
+/// Ends a summary of any kind of run.
+void write_with_sources(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
+                        const Scenario& scenario, const std::vector<WrittenFile>& files) {
+    summary["inputs"] = inputs(input_files);
+    summary["settings"] = settings(scenario);
+    summary["files"] = Json::array();
+    for (const WrittenFile& file : files) {
+        summary["files"].push_back({{"path", file.path}, {"holds", file.sentence}});
+    }
+    // Names that are not UTF-8 are shown with a replacement sign instead of ending the run.
+    out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+Json moments(const profile::Moments& m, double unit) {
+    return {{"mean", number(m.mean() / unit)},
+            {"sd", number(m.deviation() / unit)},
+            {"min", number(m.least() / unit)},
+            {"max", number(m.most() / unit)}};
+}
+
+Json spread(const profile::Spread& s, const rockfall::LogBins& bins, double unit) {
+    Json json = moments(s.moments, unit);
+    json["p50"] = number(s.quantile(bins, 0.50) / unit);
+    json["p90"] = number(s.quantile(bins, 0.90) / unit);
+    json["p95"] = number(s.quantile(bins, 0.95) / unit);
+    json["p99"] = number(s.quantile(bins, 0.99) / unit);
+    return json;
+}
+
+Json along_profile(const profile::ProfileTally& tally) {
+    using namespace rockfall;
+    Json stops;
+    for (std::size_t reason = 0; reason < tally.by_reason.size(); ++reason) {
+        stops[name_of(static_cast<StopReason>(reason))] =
+            share(share_of(tally.by_reason[reason], tally.rocks));
+    }
+    return {{"stop_reasons", stops},
+            {"run_out_m", moments(tally.run_out_m, 1.0)},
+            {"max_speed_mps", spread(tally.max_speed_mps, fine_speed_bins, 1.0)},
+            {"max_energy_kj", spread(tally.max_energy_j, fine_energy_bins, j_per_kj)},
+            {"max_height_m", spread(tally.max_height_m, fine_height_bins, 1.0)},
+            {"mean_speed_mps", moments(tally.mean_speed_mps, 1.0)},
+            {"ground_impacts_per_rock", moments(tally.ground_impacts, 1.0)},
+            {"jump_length_m", moments(tally.jump_length_m, 1.0)}};
+}
+
+Json stations(const profile::ProfileResults& results) {
+    using namespace rockfall;
+    Json list = Json::array();
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        const profile::StationTally& tally = results.tally.stations[i];
+        list.push_back({{"name", results.site.stations[i].name},
+                        {"distance_m", number(results.site.stations[i].distance_m)},
+                        {"reached", share(share_of(tally.energy_j.moments.count(), results.tally.rocks))},
+                        {"energy_kj", spread(tally.energy_j, fine_energy_bins, j_per_kj)},
+                        {"translational_kj", moments(tally.translational_j, j_per_kj)},
+                        {"speed_mps", spread(tally.speed_mps, fine_speed_bins, 1.0)},
+                        {"height_m", spread(tally.height_m, fine_height_bins, 1.0)}});
+    }
+    return list;
+}
+
 }  // namespace
 
 void write_summary(std::ostream& out, const RunResults& results, const Figures& figures,
@@ -181,14 +245,24 @@ void write_summary(std::ostream& out, const RunResults& results, const Figures& 
         summary["slopes"][name_of(cover)] = slope(figures.at(cover));
     }
     summary["warnings"] = results.warnings.sentences();
-    summary["inputs"] = inputs(results.site);
-    summary["settings"] = settings(results);
-    summary["files"] = Json::array();
-    for (const WrittenFile& file : files) {
-        summary["files"].push_back({{"path", file.path}, {"holds", file.sentence}});
-    }
-    // Names that are not UTF-8 are shown with a replacement sign instead of ending the run.
-    out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    write_with_sources(out, std::move(summary), results.site.inputs, results.scenario, files);
+}
+
+void profile::write_summary(std::ostream& out, const ProfileResults& results,
+                            const std::vector<WrittenFile>& files) {
+    const ProfileTally& tally = results.tally;
+    Json summary{{"program", "Bannwald"}, {"version", results.version}};
+    summary["run"] = {{"scenario", results.scenario.file.filename().string()},
+                      {"kind", "profile"},
+                      {"seed", results.scenario.seed},
+                      {"rocks", tally.rocks},
+                      {"from_m", number(results.site.first_m())},
+                      {"to_m", number(results.site.last_m())},
+                      {"start_m", number(results.site.start_m)}};
+    summary["slope"] = along_profile(tally);
+    summary["stations"] = stations(results);
+    summary["warnings"] = results.warnings.sentences();
+    write_with_sources(out, std::move(summary), results.site.inputs, results.scenario, files);
 }
 
 }  // namespace coupling

@@ -10,6 +10,7 @@
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/profile/profile_run.hpp"
 #include "coupling/results/write_results.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/closing_summary.hpp"
@@ -186,6 +187,9 @@ Ended AssessmentRun::write(OutputFolder& folder) {
 
 int run_assessment(const RunRequest& request) {
     const std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, request.overrides);
+    if (!scenario->profile.empty()) {
+        return profile::run_profile(request, *scenario);
+    }
     config::Warnings warnings;
     const Site site = open_site(*scenario, warnings);
     if (!request.quiet) {

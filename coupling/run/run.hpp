@@ -20,6 +20,8 @@ struct RunRequest {
 /// Runs the static assessment of a scenario: reads, checks, lets the rocks fall with and without forest,
 /// writes the results.
 ///
+/// A scenario with terrain.profile runs in two dimensions instead (coupling/profile).
+///
 /// Returns 0, or 75 if the user interrupted it: finished parts stay and the next call goes on from them.
 /// Throws config::InputError; then no new output folder is left.
 int run_assessment(const RunRequest& request);

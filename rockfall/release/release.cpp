@@ -144,9 +144,11 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
     const Plane plane = slope.terrain.plane_of(*triangle);
     const double steepness = plane.gradient.norm();
     Eigen::Vector2d heading = Eigen::Vector2d::UnitX();
-    if (steepness > 0.0) {
+    // The contact zone leaves rounding errors of a gradient on flat ground.
+    constexpr double flat = 1e-9;
+    if (steepness > (law.along_x_on_flat ? flat : 0.0)) {
         heading = -plane.gradient / steepness;
-    } else {
+    } else if (!law.along_x_on_flat) {
         heading = any_direction(rest[2]);  // flat ground has no fall line
     }
     const config::SinCos turn = config::sin_cos_of((2.0 * rest[1] - 1.0) * law.heading_scatter.in_radians());

@@ -60,12 +60,13 @@ struct StartLaw {
     config::Angle dip = config::Angle::from_degrees(30.0);  ///< of the velocity below the horizon
     config::Angle heading_scatter;  ///< largest turn away from the fall line, uniform both ways
     bool random_place = true;       ///< anywhere in the source cell; off: at its centre
+    bool along_x_on_flat = false;   ///< ground without a fall line: towards +x instead of anywhere (profiles)
 };
 
 /// The start of a rock of a source; nothing if its place lies outside the terrain.
 ///
-/// Direction: down the fall line of the ground there, turned by the scatter. Drawn from the rock's own
-/// stream.
+/// Direction: down the fall line of the ground there, turned by the scatter; on flat ground any. Drawn from
+/// the rock's own stream.
 std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
                                   std::uint32_t source_number, const StartLaw& law, config::StreamKey key);
 

@@ -1,0 +1,170 @@
+#include "coupling/profile/profile_results.hpp"
+
+#include <cmath>
+
+#include "coupling/profile/report/profile_page.hpp"
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/indicators.hpp"
+
+namespace coupling::profile {
+namespace {
+
+constexpr double j_per_kj = 1000.0;
+constexpr double percent = 100.0;
+
+void add_share(CsvRow& row, const Share& share) {
+    row.number<4>(percent * share.value);
+    row.number<4>(percent * share.interval.low).number<4>(percent * share.interval.high);
+}
+
+/// Lower and upper end of a stretch, the last one cut off at the end of the profile.
+double end_of_stretch_m(const ProfileResults& results, std::size_t stretches_passed) {
+    const double end_m =
+        results.site.first_m() + static_cast<double>(stretches_passed) * results.tally.stretch_m;
+    return std::min(end_m, results.site.last_m());
+}
+
+}  // namespace
+
+void write_rock_header(std::ostream& out) {
+    out << "rock,diameter_m,stop_reason,start_distance_m,start_height_m,end_distance_m,end_height_m,run_out_"
+           "m,"
+           "path_m,time_s,max_speed_mps,mean_speed_mps,max_energy_kj,max_height_m,mean_jump_height_m,jumps,"
+           "ground_impacts\n";
+}
+
+void write_rock(std::ostream& out, const rockfall::RockRecord& record) {
+    CsvRow row{out};
+    row.whole(record.rock).number<3>(static_cast<double>(record.diameter_m)).text(name_of(record.reason));
+    row.number<2>(record.start_m.x()).number<2>(record.start_m.z());
+    row.number<2>(record.end_m.x()).number<2>(record.end_m.z());
+    row.number<2>(record.run_out_m()).number<2>(record.path_m).number<2>(record.time_s);
+    row.number<3>(record.max_speed_mps).number<3>(record.mean_speed_mps());
+    row.number<3>(record.max_energy_j / j_per_kj);
+    row.number<3>(record.max_height_m).number<3>(record.mean_jump_height_m());
+    row.whole(record.jumps).whole(record.ground_impacts);
+    row.end();
+}
+
+void write_jumps_by_segment(std::ostream& out, const ProfileResults& results) {
+    out << "from_m,to_m,from_distance_m,to_distance_m,jumps,min_length_m,mean_length_m,max_length_m,"
+           "mean_impact_speed_mps\n";
+    const double whole_m = results.site.slope_length_m(results.site.last_m());
+    CsvRow row{out};
+    for (std::size_t i = 0; i < results.tally.segments.size(); ++i) {
+        const SegmentTally& segment = results.tally.segments[i];
+        const double from_m = static_cast<double>(i) * results.tally.segment_m;
+        const double to_m = std::min(whole_m, from_m + results.tally.segment_m);
+        row.number<2>(from_m).number<2>(to_m);
+        row.number<2>(results.site.distance_at_m(from_m)).number<2>(results.site.distance_at_m(to_m));
+        row.whole(segment.length_m.count());
+        row.number<3>(segment.length_m.least()).number<3>(segment.length_m.mean());
+        row.number<3>(segment.length_m.most()).number<3>(segment.impact_mps.mean());
+        row.end();
+    }
+}
+
+void write_run_out(std::ostream& out, const ProfileResults& results) {
+    out << "distance_m,rocks_beyond,beyond_percent,beyond_low_percent,beyond_high_percent\n";
+    CsvRow row{out};
+    for (std::size_t i = 0; i < results.tally.ends.size(); ++i) {
+        const std::uint64_t beyond = results.tally.ended_beyond(i);
+        row.number<2>(end_of_stretch_m(results, i)).whole(beyond);
+        add_share(row, share_of(beyond, results.tally.rocks));
+        row.end();
+    }
+}
+
+void write_stations(std::ostream& out, const ProfileResults& results) {
+    using namespace rockfall;
+    out << "station,distance_m,rocks,reached_percent,reached_low_percent,reached_high_percent,energy_mean_kj,"
+           "energy_sd_kj,energy_50_kj,energy_90_kj,energy_95_kj,energy_99_kj,energy_max_kj,"
+           "translational_mean_kj,speed_mean_mps,speed_95_mps,speed_max_mps,height_mean_m,height_95_m,"
+           "height_max_m\n";
+    CsvRow row{out};
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        const StationTally& tally = results.tally.stations[i];
+        const Spread& energy = tally.energy_j;
+        row.text(results.site.stations[i].name).number<2>(results.site.stations[i].distance_m);
+        row.whole(energy.moments.count());
+        add_share(row, share_of(energy.moments.count(), results.tally.rocks));
+        row.number<3>(energy.moments.mean() / j_per_kj).number<3>(energy.moments.deviation() / j_per_kj);
+        for (const double share : {0.50, 0.90, 0.95, 0.99}) {
+            row.number<3>(energy.quantile(fine_energy_bins, share) / j_per_kj);
+        }
+        row.number<3>(energy.moments.most() / j_per_kj).number<3>(tally.translational_j.mean() / j_per_kj);
+        row.number<3>(tally.speed_mps.moments.mean())
+            .number<3>(tally.speed_mps.quantile(fine_speed_bins, 0.95));
+        row.number<3>(tally.speed_mps.moments.most());
+        row.number<3>(tally.height_m.moments.mean())
+            .number<3>(tally.height_m.quantile(fine_height_bins, 0.95));
+        row.number<3>(tally.height_m.moments.most());
+        row.end();
+    }
+}
+
+void write_envelope(std::ostream& out, const ProfileResults& results) {
+    using namespace rockfall;
+    out << "from_distance_m,to_distance_m,rocks,energy_mean_kj,energy_95_kj,energy_max_kj,height_mean_m,"
+           "height_95_m,height_max_m\n";
+    CsvRow row{out};
+    for (std::size_t i = 0; i < results.tally.stretches.size(); ++i) {
+        const StretchTally& stretch = results.tally.stretches[i];
+        row.number<2>(end_of_stretch_m(results, i)).number<2>(end_of_stretch_m(results, i + 1));
+        row.whole(stretch.energy_j.moments.count());
+        row.number<3>(stretch.energy_j.moments.mean() / j_per_kj);
+        row.number<3>(stretch.energy_j.quantile(energy_bins, 0.95) / j_per_kj);
+        row.number<3>(stretch.energy_j.moments.most() / j_per_kj);
+        row.number<3>(stretch.height_m.moments.mean());
+        row.number<3>(stretch.height_m.quantile(height_bins, 0.95));
+        row.number<3>(stretch.height_m.moments.most());
+        row.end();
+    }
+}
+
+void write_paths(std::ostream& out, const ProfileResults& results) {
+    out << "rock,point,distance_m,height_m,energy_kj,height_above_ground_m\n";
+    CsvRow row{out};
+    for (const SampledPath& path : results.tally.paths) {
+        for (std::size_t i = 0; i < path.points.size(); ++i) {
+            const rockfall::PathPoint& point = path.points[i];
+            row.whole(path.rock).whole(i).number<2>(point.position_m.x()).number<2>(point.position_m.z());
+            row.number<3>(static_cast<double>(point.energy_j) / j_per_kj);
+            row.number<2>(static_cast<double>(point.height_m));
+            row.end();
+        }
+    }
+}
+
+std::vector<WrittenFile> write_results(const ProfileResults& results, const std::filesystem::path& folder,
+                                       const std::vector<WrittenFile>& streamed) {
+    std::vector<WrittenFile> files{
+        {"report.html", "The results as a page: profile, run-out, jumps, energies, settings. Opens offline."},
+        {"summary.json", "All figures, settings, input hashes and warnings for scripts."}};
+    files.insert(files.end(), streamed.begin(), streamed.end());
+    const auto table = [&](const std::string& name, const std::string& sentence, auto write) {
+        OutFile file{folder / "tables" / name};
+        write(file.stream(), results);
+        file.close();
+        files.push_back({"tables/" + name, sentence});
+    };
+    table("jumps_by_segment.csv", "Lengths of the jumps that end in each segment of the slope.",
+          write_jumps_by_segment);
+    table("run_out.csv", "Share of rocks whose fall ends beyond each distance, with interval.",
+          write_run_out);
+    table("stations.csv", "Who passes each station: share, energy, speed, height.", write_stations);
+    table("envelope.csv", "Energy and height along the profile: mean, 95 %, largest.", write_envelope);
+    table("paths.csv", "Sampled paths, corner by corner.", write_paths);
+
+    OutFile summary{folder / "summary.json"};
+    write_summary(summary.stream(), results, files);
+    summary.close();
+
+    OutFile page{folder / "report.html"};
+    write_page(page.stream(), results, files);
+    page.close();
+    return files;
+}
+
+}  // namespace coupling::profile

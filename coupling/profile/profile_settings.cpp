@@ -1,0 +1,85 @@
+#include "coupling/profile/profile_settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace coupling::profile {
+namespace {
+
+/// A key, or the beginning of several, and why it has no meaning along a profile.
+struct Meaningless {
+    std::string_view key;
+    std::string_view instead;
+};
+
+constexpr std::array meaningless{
+    Meaningless{"terrain.dem", "one of the two: the profile is all the terrain there is"},
+    Meaningless{"terrain.points", "one of the two: the profile is all the terrain there is"},
+    Meaningless{"terrain.longest_edge_m", "nothing: a profile has no triangles to leave out"},
+    Meaningless{"terrain.surface", "ground types in the column surface of the profile"},
+    Meaningless{"terrain.surface_polygons", "ground types in the column surface of the profile"},
+    Meaningless{"trees.", "nothing: rocks meet no trees along a profile"},
+    Meaningless{"release.source", "profile.start_m"},
+    Meaningless{"release.source_shapes", "profile.start_m"},
+    Meaningless{"release.rocks_per_source", "release.rocks"},
+    Meaningless{"release.random_place", "nothing: all rocks start at profile.start_m"},
+    Meaningless{"release.start_scatter_deg", "nothing: rocks are not turned sideways along a profile"},
+    Meaningless{"targets.", "profile.stations_m or profile.stations"},
+    Meaningless{"output.cell_size_m", "nothing: a profile has no maps"},
+    Meaningless{"output.percentiles", "nothing: a profile has no maps"},
+    Meaningless{"output.tree_hit_table", "nothing: rocks meet no trees along a profile"},
+    Meaningless{"rockfall.vertical_tolerance_m", "nothing: a profile is not thinned"},
+    Meaningless{"rockfall.lateral_slow_deg", "nothing: rocks are not turned sideways along a profile"},
+    Meaningless{"rockfall.lateral_fast_deg", "nothing: rocks are not turned sideways along a profile"},
+    Meaningless{"rockfall.lateral_fast_mps", "nothing: rocks are not turned sideways along a profile"},
+    Meaningless{"tree_impact.", "nothing: rocks meet no trees along a profile"},
+};
+
+const Meaningless* found_for(const std::string& key) {
+    const auto found = std::find_if(meaningless.begin(), meaningless.end(), [&](const Meaningless& entry) {
+        return entry.key.ends_with('.') ? key.starts_with(entry.key) : key == entry.key;
+    });
+    return found == meaningless.end() ? nullptr : &*found;
+}
+
+void check_without_profile(const config::Options& options, config::Problems& problems) {
+    for (const config::ParameterRow& row : options.rows()) {
+        if (row.key.starts_with("profile.") && options.was_set(row.key)) {
+            problems.add(config::ExitCode::settings, options.place_of(row.key),
+                         row.key + " without terrain.profile", "a profile in terrain.profile");
+        }
+    }
+}
+
+}  // namespace
+
+bool plays_no_part(const std::string& key) {
+    return found_for(key) != nullptr;
+}
+
+void check_settings(const Scenario& scenario, config::Problems& problems) {
+    const config::Options& options = *scenario.options;
+    if (scenario.profile.empty()) {
+        check_without_profile(options, problems);
+        return;
+    }
+    for (const config::ParameterRow& row : options.rows()) {
+        const Meaningless* entry = found_for(row.key);
+        if (entry != nullptr && options.was_set(row.key)) {
+            problems.add(config::ExitCode::settings, options.place_of(row.key),
+                         row.key + " beside terrain.profile", std::string{entry->instead});
+        }
+    }
+    if (!scenario.profile_stations.empty() && !scenario.profile_stations_m.empty()) {
+        problems.add(config::ExitCode::settings, options.place_of("profile.stations"),
+                     "profile.stations beside profile.stations_m", "only one of them");
+    }
+}
+
+void turn_deviation_off(Scenario& scenario) {
+    scenario.rockfall.written.lateral_slow_deg = 0.0;
+    scenario.rockfall.written.lateral_fast_deg = 0.0;
+}
+
+}  // namespace coupling::profile

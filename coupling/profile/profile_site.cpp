@@ -1,0 +1,307 @@
+#include "coupling/profile/profile_site.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/surface_types.hpp"
+
+namespace coupling::profile {
+namespace {
+
+constexpr config::NumberRange distance_range{.low = -1e5, .high = 1e5};
+constexpr config::NumberRange height_range{.low = -1000.0, .high = 10'000.0};
+/// Corners nearer to each other are taken for one written twice.
+constexpr double least_step_m = 1e-3;
+constexpr std::size_t most_types = 255;
+
+/// Ground types by what the profile calls them: codes of terrain.surface_types, names of shipped types.
+class GroundTypes {
+public:
+    GroundTypes(std::vector<rockfall::SurfaceType> own, std::optional<rockfall::SurfaceType> elsewhere)
+        : types_{std::move(own)},
+          own_{types_.size()},
+          shipped_{shipped_surfaces()},
+          place_of_shipped_(shipped_.size()) {
+        if (elsewhere) {
+            elsewhere_ = types_.size();
+            types_.push_back(std::move(*elsewhere));
+        }
+    }
+
+    /// Place in the list of types; nothing, and a problem, for what no type is called.
+    std::optional<std::uint8_t> place_of(const config::Table& table, std::size_t row,
+                                         config::Problems& problems) {
+        const std::string text = table.has("surface") ? table.text(row, "surface") : "";
+        std::optional<std::size_t> place = text.empty() ? elsewhere_ : own_or_shipped(text);
+        if (place && *place < most_types) {
+            return static_cast<std::uint8_t>(*place);
+        }
+        const std::string column = table.has("surface") ? "surface" : "distance_m";
+        problems.add(config::ExitCode::data, table.place(row, column),
+                     text.empty() ? "no ground type" : "surface " + config::in_quotes(text), expected(text));
+        return std::nullopt;
+    }
+    [[nodiscard]] std::vector<rockfall::SurfaceType> list() && { return std::move(types_); }
+
+private:
+    std::optional<std::size_t> own_or_shipped(const std::string& text) {
+        if (const auto code = config::parse_whole(text)) {
+            for (std::size_t i = 0; i < own_; ++i) {
+                if (types_[i].code == *code) {
+                    return i;
+                }
+            }
+            return std::nullopt;
+        }
+        for (std::size_t i = 0; i < shipped_.size(); ++i) {
+            if (shipped_[i].name == text) {
+                if (!place_of_shipped_[i]) {
+                    place_of_shipped_[i] = types_.size();
+                    types_.push_back(shipped_[i].type);
+                }
+                return place_of_shipped_[i];
+            }
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] std::string expected(const std::string& text) const {
+        if (text.empty()) {
+            return "a shipped ground type or a code in a column surface, or terrain.ground";
+        }
+        std::vector<std::string> names;
+        for (const ShippedSurface& surface : shipped_) {
+            names.push_back(surface.name);
+        }
+        const std::string nearest = config::nearest_word(text, names);
+        return "a name of `bannwald info surfaces` or a code of terrain.surface_types" +
+               (nearest.empty() ? "" : " (" + nearest + "?)");
+    }
+
+    std::vector<rockfall::SurfaceType> types_;
+    std::size_t own_;
+    std::optional<std::size_t> elsewhere_;
+    std::vector<ShippedSurface> shipped_;
+    std::vector<std::optional<std::size_t>> place_of_shipped_;
+};
+
+std::vector<rockfall::ProfilePoint> corners_of(const config::Table& table, GroundTypes& types,
+                                               config::Problems& problems) {
+    std::vector<rockfall::ProfilePoint> corners;
+    if (!table.require({"distance_m", "height_m"}, problems)) {
+        return corners;
+    }
+    if (table.rows() < 2) {
+        problems.add(config::ExitCode::data, {table.file()}, counted(table.rows(), "corner"),
+                     "at least two corners of a profile");
+    }
+    std::optional<double> before_m;
+    std::uint8_t surface_before = 0;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto distance_m = table.number(row, "distance_m", distance_range, problems);
+        const auto height_m = table.number(row, "height_m", height_range, problems);
+        // The last corner carries no ground.
+        const bool needs_surface =
+            row + 1 < table.rows() || (table.has("surface") && !table.text(row, "surface").empty());
+        const auto surface = needs_surface ? types.place_of(table, row, problems) : surface_before;
+        if (distance_m && before_m && *distance_m < *before_m + least_step_m) {
+            problems.add(
+                config::ExitCode::data, table.place(row, "distance_m"),
+                "distance_m " + table.text(row, "distance_m") + " after " + config::to_text(*before_m),
+                "distances that rise from corner to corner, by 0.001 m at least");
+        }
+        if (distance_m) {
+            before_m = std::max(*distance_m, before_m.value_or(*distance_m));
+        }
+        surface_before = surface.value_or(surface_before);
+        if (distance_m && height_m && surface) {
+            corners.push_back({*distance_m, *height_m, *surface});
+        }
+    }
+    return corners;
+}
+
+std::string name_of_distance(double distance_m) {
+    return config::to_text(distance_m) + " m";
+}
+
+/// A station or the start has to lie on the profile.
+void check_on_profile(const std::vector<rockfall::ProfilePoint>& corners, double distance_m,
+                      const config::Place& place, const std::string& what, config::Problems& problems) {
+    if (distance_m < corners.front().distance_m || distance_m > corners.back().distance_m) {
+        problems.add(config::ExitCode::data, place,
+                     what + " at " + name_of_distance(distance_m) + " beyond the profile",
+                     "a distance in [" + config::to_text(corners.front().distance_m) + ", " +
+                         config::to_text(corners.back().distance_m) + "] m");
+    }
+}
+
+std::vector<Station> listed_stations(const Scenario& scenario,
+                                     const std::vector<rockfall::ProfilePoint>& corners,
+                                     config::Problems& problems) {
+    std::vector<Station> stations;
+    for (const double distance_m : scenario.profile_stations_m) {
+        check_on_profile(corners, distance_m, scenario.options->place_of("profile.stations_m"), "a station",
+                         problems);
+        stations.push_back({name_of_distance(distance_m), distance_m});
+    }
+    return stations;
+}
+
+std::vector<Station> stations_in(const config::Table& table,
+                                 const std::vector<rockfall::ProfilePoint>& corners,
+                                 config::Problems& problems) {
+    std::vector<Station> stations;
+    if (!table.require({"name", "distance_m"}, problems)) {
+        return stations;
+    }
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (const auto distance_m = table.number(row, "distance_m", distance_range, problems)) {
+            const std::string& name = table.text(row, "name");
+            check_on_profile(corners, *distance_m, table.place(row, "distance_m"), "a station", problems);
+            stations.push_back({name.empty() ? name_of_distance(*distance_m) : name, *distance_m});
+        }
+    }
+    return stations;
+}
+
+std::vector<Station> read_stations(Reading& reading, const std::vector<rockfall::ProfilePoint>& corners) {
+    const Scenario& scenario = reading.scenario();
+    std::vector<Station> stations;
+    reading.attempt([&] {
+        config::Problems problems;
+        if (scenario.profile_stations.empty()) {
+            stations = listed_stations(scenario, corners, problems);
+        } else {
+            const config::Table table =
+                reading.table("profile.stations", "stations", scenario.profile_stations);
+            stations = stations_in(table, corners, problems);
+        }
+        problems.throw_if_any();
+        return 0;
+    });
+    std::stable_sort(stations.begin(), stations.end(),
+                     [](const Station& a, const Station& b) { return a.distance_m < b.distance_m; });
+    return stations;
+}
+
+/// Ground types that no cell of the map of ground types may show.
+void doubt_narrow_steps(const std::vector<rockfall::ProfilePoint>& corners, Reading& reading) {
+    for (std::size_t k = 1; k + 2 < corners.size(); ++k) {
+        const double width_m = corners[k + 1].distance_m - corners[k].distance_m;
+        if (width_m < rockfall::profile_surface_cell_m && corners[k].surface != corners[k - 1].surface &&
+            corners[k].surface != corners[k + 1].surface) {
+            reading.note(
+                "profile: the ground type at " + name_of_distance(corners[k].distance_m) + " reaches over " +
+                config::to_text(std::round(1e4 * width_m) / 1e4) +
+                " m only; rocks may meet that of its neighbours there (types are told apart to 0.05 m)");
+        }
+    }
+}
+
+/// A rock at rest on ground that holds it goes nowhere.
+void doubt_start(const ProfileSite& site, const Scenario& scenario, Reading& reading) {
+    const auto triangle = site.slope.terrain.locate(site.start_m, 0.0);
+    const double rise = triangle ? site.slope.terrain.plane_of(*triangle).gradient.x() : 0.0;
+    if (rise > 1e-9) {
+        reading.doubt(scenario.options->place_of("profile.start_m"),
+                      "ground that rises with distance at the start, " + name_of_distance(site.start_m) +
+                          ": rocks go down it, against the distance",
+                      "a start where the ground falls");
+    }
+}
+
+struct Files {
+    std::vector<rockfall::ProfilePoint> corners;
+    std::vector<rockfall::SurfaceType> types;
+};
+
+std::optional<Files> read_files(Reading& reading) {
+    auto own = read_surface_types(reading);
+    auto elsewhere = reading.attempt([&] { return uniform_ground(reading.scenario()); });
+    if (!own || !elsewhere) {
+        return std::nullopt;  // every type of the profile would be called unknown
+    }
+    return reading.attempt([&] {
+        const config::Table table = reading.table("terrain.profile", "profile", reading.scenario().profile);
+        GroundTypes types{std::move(*own), std::move(*elsewhere)};
+        config::Problems problems;
+        Files files;
+        files.corners = corners_of(table, types, problems);
+        config::Problems shown;
+        add_first(shown, problems, table.file());
+        shown.throw_if_any();
+        files.types = std::move(types).list();
+        return files;
+    });
+}
+
+}  // namespace
+
+double ProfileSite::height_m(double distance_m) const {
+    const auto next = std::upper_bound(
+        corners.begin() + 1, corners.end() - 1, distance_m,
+        [](double x_m, const rockfall::ProfilePoint& corner) { return x_m < corner.distance_m; });
+    const rockfall::ProfilePoint& a = *(next - 1);
+    const double share = (distance_m - a.distance_m) / (next->distance_m - a.distance_m);
+    return a.height_m + std::clamp(share, 0.0, 1.0) * (next->height_m - a.height_m);
+}
+
+double ProfileSite::slope_length_m(double distance_m) const {
+    double length_m = 0.0;
+    for (std::size_t k = 0; k + 1 < corners.size() && corners[k].distance_m < distance_m; ++k) {
+        const double step_m = corners[k + 1].distance_m - corners[k].distance_m;
+        const double share = std::min(1.0, (distance_m - corners[k].distance_m) / step_m);
+        length_m += share * std::hypot(step_m, corners[k + 1].height_m - corners[k].height_m);
+    }
+    return length_m;
+}
+
+double ProfileSite::distance_at_m(double slope_length_m) const {
+    double left_m = slope_length_m;
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+        const double step_m = corners[k + 1].distance_m - corners[k].distance_m;
+        const double length_m = std::hypot(step_m, corners[k + 1].height_m - corners[k].height_m);
+        if (left_m <= length_m) {
+            return corners[k].distance_m + std::max(0.0, left_m / length_m) * step_m;
+        }
+        left_m -= length_m;
+    }
+    return last_m();
+}
+
+ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
+    Reading reading{scenario, warnings};
+    std::optional<Files> files = read_files(reading);
+    if (!files) {
+        reading.problems().throw_if_any();
+    }
+    const double start_m = scenario.options->was_set("profile.start_m") ? scenario.profile_start_m
+                                                                        : files->corners.front().distance_m;
+    check_on_profile(files->corners, start_m, scenario.options->place_of("profile.start_m"),
+                     "profile.start_m", reading.problems());
+    if (start_m >= files->corners.back().distance_m && reading.problems().empty()) {
+        reading.refuse(scenario.options->place_of("profile.start_m"), "a start at the end of the profile",
+                       "less than " + name_of_distance(files->corners.back().distance_m));
+    }
+    std::vector<Station> stations = read_stations(reading, files->corners);
+    reading.problems().throw_if_any();
+    doubt_narrow_steps(files->corners, reading);
+
+    const rockfall::GroundLaw& law = scenario.rockfall.ground;
+    const std::vector<rockfall::ProfilePoint> felt =
+        rockfall::contact_zone(files->corners, law.contact_support_m, law.contact_shift_m);
+    ProfileSite site{.corners = std::move(files->corners),
+                     .slope = rockfall::strip_slope(felt, std::move(files->types)),
+                     .start_m = start_m,
+                     .stations = std::move(stations),
+                     .inputs = reading.inputs()};
+    doubt_start(site, scenario, reading);
+    reading.problems().throw_if_any();
+    return site;
+}
+
+}  // namespace coupling::profile

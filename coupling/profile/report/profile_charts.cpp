@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "coupling/profile/report/profile_page.hpp"
+#include "coupling/results/colours.hpp"
+#include "coupling/results/indicators.hpp"
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/rebin.hpp"
+
+namespace coupling::profile {
+namespace {
+
+using report::Axis;
+using report::Chart;
+using report::ChartPoint;
+using report::ChartRange;
+
+constexpr double j_per_kj = 1000.0;
+constexpr double percent = 100.0;
+
+Axis distance_axis(const ProfileResults& results) {
+    return {"Distance in plan, m", results.site.first_m(), results.site.last_m()};
+}
+
+/// Stations as numbers, for names would cover each other; `caption_of_marks` tells which is which.
+void mark_stations(const ProfileResults& results, Chart& chart) {
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        chart.add_mark(results.site.stations[i].distance_m, std::to_string(i + 1));
+    }
+}
+
+std::string caption_of_marks(const ProfileResults& results) {
+    std::string text;
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        text += joined((i == 0 ? " Stations: " : ", "), std::to_string(i + 1), " ",
+                       report::escaped(results.site.stations[i].name));
+    }
+    return text.empty() ? text : joined(text, ".");
+}
+
+std::string run_out(const ProfileResults& results) {
+    Chart chart{"Run-out", distance_axis(results), Axis::from_zero("% of rocks ending beyond", percent)};
+    std::vector<ChartPoint> line;
+    std::vector<ChartRange> band;
+    for (std::size_t i = 0; i < results.tally.ends.size(); ++i) {
+        const double x_m = std::min(results.site.first_m() + static_cast<double>(i) * results.tally.stretch_m,
+                                    results.site.last_m());
+        const Share share = share_of(results.tally.ended_beyond(i), results.tally.rocks);
+        line.push_back({x_m, percent * share.value});
+        band.push_back({x_m, percent * share.interval.low, percent * share.interval.high});
+    }
+    chart.add_band("forest", band);
+    chart.add_line("forest", line);
+    mark_stations(results, chart);
+    chart.add_name("forest", "rocks whose fall ends further on");
+    chart.add_band_name("forest", "95 % interval");
+    return chart.figure(
+        joined("At the lower end: rocks that leave the profile. Rocks that leave over the upper end count "
+               "as ending there.",
+               caption_of_marks(results)));
+}
+
+/// Runs of stretches that rocks passed: a gap breaks the line.
+void add_curve(const ProfileResults& results, Chart& chart, const std::string& series,
+               const std::function<double(const StretchTally&)>& value_of) {
+    std::vector<ChartPoint> points;
+    const auto flush = [&] {
+        if (points.size() > 1) {
+            chart.add_line(series, points);
+        }
+        points.clear();
+    };
+    for (std::size_t i = 0; i < results.tally.stretches.size(); ++i) {
+        const StretchTally& stretch = results.tally.stretches[i];
+        if (stretch.energy_j.moments.count() == 0) {
+            flush();
+            continue;
+        }
+        const double middle_m =
+            results.site.first_m() + (static_cast<double>(i) + 0.5) * results.tally.stretch_m;
+        points.push_back({std::min(middle_m, results.site.last_m()), value_of(stretch)});
+    }
+    flush();
+}
+
+std::string envelope(const ProfileResults& results, const std::string& title, const std::string& axis,
+                     const rockfall::LogBins& bins, Spread StretchTally::*quantity, double unit,
+                     const std::string& caption) {
+    double most = 0.0;
+    for (const StretchTally& stretch : results.tally.stretches) {
+        const Moments& moments = (stretch.*quantity).moments;
+        most = moments.count() > 0 ? std::max(most, moments.most() / unit) : most;
+    }
+    Chart chart{title, distance_axis(results), Axis::from_zero(axis, most)};
+    add_curve(results, chart, "most",
+              [&](const StretchTally& stretch) { return (stretch.*quantity).moments.most() / unit; });
+    add_curve(results, chart, "bare",
+              [&](const StretchTally& stretch) { return (stretch.*quantity).quantile(bins, 0.95) / unit; });
+    add_curve(results, chart, "forest",
+              [&](const StretchTally& stretch) { return (stretch.*quantity).moments.mean() / unit; });
+    mark_stations(results, chart);
+    chart.add_name("forest", "mean of the rocks that pass");
+    chart.add_name("bare", "95 % of them stay below");
+    chart.add_name("most", "largest");
+    return chart.figure(joined(caption, caption_of_marks(results)));
+}
+
+/// Corners of a stair: each segment from its beginning to its end.
+std::string jump_lengths(const ProfileResults& results) {
+    const ProfileTally& tally = results.tally;
+    const double whole_m = results.site.slope_length_m(results.site.last_m());
+    double longest_m = 0.0;
+    for (const SegmentTally& segment : tally.segments) {
+        longest_m = segment.length_m.count() > 0 ? std::max(longest_m, segment.length_m.most()) : longest_m;
+    }
+    Chart chart{"Jump lengths along the slope",
+                {"Length along the slope, m", 0.0, whole_m},
+                Axis::from_zero("Jump length, m", longest_m)};
+    std::vector<ChartPoint> line;
+    std::vector<ChartRange> band;
+    const auto flush = [&] {
+        if (!line.empty()) {
+            chart.add_band("forest", band);
+            chart.add_line("forest", line);
+        }
+        line.clear();
+        band.clear();
+    };
+    for (std::size_t i = 0; i < tally.segments.size(); ++i) {
+        const Moments& length_m = tally.segments[i].length_m;
+        if (length_m.count() == 0) {
+            flush();
+            continue;
+        }
+        const double from_m = static_cast<double>(i) * tally.segment_m;
+        for (const double x_m : {from_m, std::min(whole_m, from_m + tally.segment_m)}) {
+            line.push_back({x_m, length_m.mean()});
+            band.push_back({x_m, length_m.least(), length_m.most()});
+        }
+    }
+    flush();
+    chart.add_name("forest", "mean");
+    chart.add_band_name("forest", "shortest to longest");
+    return chart.figure(
+        joined("Straight from impact to impact, in segments of ", report::tick_text(tally.segment_m),
+               " m slope length, counted where the jump ends. A flight from the release is left out."));
+}
+
+std::string energy_histogram(const ProfileResults& results, std::size_t station) {
+    const Spread& energy = results.tally.stations[station].energy_j;
+    constexpr std::size_t bars = 25;
+    const double mean_kj = energy.moments.mean() / j_per_kj;
+    const double p95_kj = energy.quantile(rockfall::fine_energy_bins, 0.95) / j_per_kj;
+    Axis x = Axis::from_zero("Energy, kJ", energy.moments.most() / j_per_kj);
+    std::vector<double> edges;
+    for (std::size_t i = 0; i <= bars; ++i) {
+        edges.push_back(x.high * static_cast<double>(i) / bars);
+    }
+    std::vector<double> heights =
+        report::rebinned(rockfall::fine_energy_bins, energy.counts, j_per_kj, edges);
+    for (double& height : heights) {
+        height *= percent / static_cast<double>(results.tally.rocks);
+    }
+    constexpr double room_for_a_label = 0.11;
+    const bool apart = x.share_of(p95_kj) - x.share_of(mean_kj) > room_for_a_label;
+    Chart chart{joined("Energy at the station “", results.site.stations[station].name, "”"), std::move(x),
+                Axis::from_zero("% of all rocks", *std::max_element(heights.begin(), heights.end()))};
+    chart.add_steps("forest", edges, heights);
+    chart.add_mark(mean_kj, apart ? "mean" : "");
+    chart.add_mark(p95_kj, apart ? "95 %" : "mean, 95 %");
+    chart.add_name("forest", "rocks that pass");
+    return chart.figure(joined("Translation and rotation of the ", report::grouped(energy.moments.count()),
+                               " rocks that pass. Dotted: their mean, ", report::three_digits(mean_kj),
+                               " kJ, and what 95 % of them stay below, ", report::three_digits(p95_kj),
+                               " kJ."));
+}
+
+}  // namespace
+
+std::string charts_along(const ProfileResults& results) {
+    const std::string jumps =
+        results.tally.jump_length_m.count() > 0
+            ? jump_lengths(results)
+            : "<section class=\"card\"><p>No rock jumped from one impact to another.</p></section>";
+    return joined(
+        "<h2>Along the profile</h2>\n<div class=\"halves\">", run_out(results), jumps,
+        envelope(
+            results, "Height above the ground", "Height, m", rockfall::height_bins, &StretchTally::height_m,
+            1.0,
+            "Largest height of each rock in each stretch: of its underside, at right angles to the slope."),
+        envelope(results, "Kinetic energy", "Energy, kJ", rockfall::energy_bins, &StretchTally::energy_j,
+                 j_per_kj, "Largest energy of each rock in each stretch: translation and rotation."),
+        "</div>\n");
+}
+
+std::string charts_at_stations(const ProfileResults& results) {
+    constexpr std::size_t most_charts = 8;
+    std::string html;
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < results.site.stations.size() && drawn < most_charts; ++i) {
+        if (results.tally.stations[i].energy_j.moments.count() > 0) {
+            html += energy_histogram(results, i);
+            ++drawn;
+        }
+    }
+    return drawn == 0 ? "" : joined("<div class=\"halves\">", html, "</div>\n");
+}
+
+}  // namespace coupling::profile

@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "coupling/profile/report/profile_page.hpp"
+#include "coupling/results/colours.hpp"
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/outlines.hpp"
+
+namespace coupling::profile {
+namespace {
+
+using report::Axis;
+using report::escaped;
+using report::place;
+
+constexpr double left = 70.0;
+constexpr double top = 16.0;
+constexpr double widest = 1010.0;
+constexpr double highest = 600.0;
+constexpr double below = 46.0;
+constexpr std::size_t ground_colours = 8;
+constexpr std::size_t most_drawn_paths = 100;
+constexpr double j_per_kj = 1000.0;
+
+/// The slope on paper: one scale for distance and height.
+struct Sheet {
+    Axis distance;
+    Axis height;
+    double per_m = 1.0;
+
+    explicit Sheet(const ProfileResults& results)
+        : distance{"Distance in plan, m", results.site.first_m(), results.site.last_m()},
+          height{"Height, m", results.site.corners.front().height_m, results.site.corners.front().height_m} {
+        for (const rockfall::ProfilePoint& corner : results.site.corners) {
+            include(corner.height_m);
+        }
+        for (const SampledPath& path : results.tally.paths) {
+            for (const rockfall::PathPoint& point : path.points) {
+                include(point.position_m.z());
+            }
+        }
+        const double step = report::nice_step((height.high - height.low + 1.0) / 6.0);
+        height.low = std::floor(height.low / step) * step;
+        height.high = std::max(height.low + step, std::ceil(height.high / step - 1e-9) * step);
+        per_m = std::min(widest / (distance.high - distance.low), highest / (height.high - height.low));
+    }
+    void include(double height_m) {
+        height.low = std::min(height.low, height_m);
+        height.high = std::max(height.high, height_m);
+    }
+    [[nodiscard]] double x_of(double distance_m) const { return left + per_m * (distance_m - distance.low); }
+    [[nodiscard]] double y_of(double height_m) const { return top + per_m * (height.high - height_m); }
+    [[nodiscard]] double right() const { return x_of(distance.high); }
+    [[nodiscard]] double bottom() const { return y_of(height.low); }
+};
+
+/// Ticks no nearer to each other on paper than their texts are wide.
+std::vector<double> ticks_of(const Axis& axis, double per_m, double text_width) {
+    const double step = report::nice_step(std::max((axis.high - axis.low) / 12.0, text_width / per_m));
+    std::vector<double> ticks;
+    for (int i = 0; std::ceil(axis.low / step - 1e-9) * step + i * step <= axis.high + 1e-9 * step; ++i) {
+        ticks.push_back(std::ceil(axis.low / step - 1e-9) * step + i * step);
+    }
+    return ticks;
+}
+
+std::string axes_of(const Sheet& sheet) {
+    std::string grid;
+    std::string strokes;
+    std::string labels;
+    for (const double tick : ticks_of(sheet.distance, sheet.per_m, 50.0)) {
+        strokes += joined("M", place(sheet.x_of(tick)), " ", place(sheet.bottom()), "v5");
+        labels += joined("<text text-anchor=\"middle\" x=\"", place(sheet.x_of(tick)), "\" y=\"",
+                         place(sheet.bottom() + 19.0), "\">", report::tick_text(tick), "</text>");
+    }
+    for (const double tick : ticks_of(sheet.height, sheet.per_m, 24.0)) {
+        grid += joined("M", place(left), " ", place(sheet.y_of(tick)), "H", place(sheet.right()));
+        labels += joined("<text text-anchor=\"end\" x=\"", place(left - 6.0), "\" y=\"",
+                         place(sheet.y_of(tick) + 4.0), "\">", report::tick_text(tick), "</text>");
+    }
+    return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left), " ",
+                  place(sheet.bottom()), "H", place(sheet.right()), strokes, "\"/>", labels,
+                  "<text text-anchor=\"middle\" x=\"", place(0.5 * (left + sheet.right())), "\" y=\"",
+                  place(sheet.bottom() + 38.0), "\">", escaped(sheet.distance.title),
+                  "</text><text text-anchor=\"middle\" transform=\"translate(13 ",
+                  place(0.5 * (top + sheet.bottom())), ")rotate(-90)\">", escaped(sheet.height.title),
+                  "</text>");
+}
+
+/// Ground types in the order in which a rock meets them.
+std::vector<std::uint8_t> types_along(const ProfileSite& site) {
+    std::vector<std::uint8_t> types;
+    for (std::size_t k = 0; k + 1 < site.corners.size(); ++k) {
+        if (std::find(types.begin(), types.end(), site.corners[k].surface) == types.end()) {
+            types.push_back(site.corners[k].surface);
+        }
+    }
+    return types;
+}
+
+std::string ground_of(const ProfileResults& results, const Sheet& sheet,
+                      const std::vector<std::uint8_t>& types) {
+    const auto& corners = results.site.corners;
+    std::string body = joined("M", place(sheet.x_of(corners.front().distance_m)), " ", place(sheet.bottom()));
+    std::vector<report::PathText> lines(types.size());
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const double x = sheet.x_of(corners[k].distance_m);
+        const double y = sheet.y_of(corners[k].height_m);
+        body += joined("L", place(x), " ", place(y));
+        if (k + 1 < corners.size()) {
+            const auto type = std::find(types.begin(), types.end(), corners[k].surface) - types.begin();
+            lines[static_cast<std::size_t>(type)].line(x, y, sheet.x_of(corners[k + 1].distance_m),
+                                                       sheet.y_of(corners[k + 1].height_m));
+        }
+    }
+    std::string svg = joined("<path class=\"body\" d=\"", body, "L", place(sheet.right()), " ",
+                             place(sheet.bottom()), "Z\"/>");
+    // A little below the surface, or paths close to the ground would cover it.
+    svg += "<g transform=\"translate(0 3.5)\">";
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        svg += joined("<path class=\"ground type", std::to_string(i % ground_colours), "\" d=\"",
+                      lines[i].text(), "\"/>");
+    }
+    return joined(svg, "</g>");
+}
+
+std::size_t energy_class(float energy_j) {
+    const double energy_kj = static_cast<double>(energy_j) / j_per_kj;
+    return energy_kj < energy_class_limits_kj[0] ? 0 : energy_kj < energy_class_limits_kj[1] ? 1 : 2;
+}
+
+std::size_t drawn_every(const ProfileResults& results) {
+    return (results.tally.paths.size() + most_drawn_paths - 1) / most_drawn_paths;
+}
+
+std::string paths_of(const ProfileResults& results, const Sheet& sheet) {
+    std::array<report::PathText, 3> by_class;
+    for (std::size_t i = 0; i < results.tally.paths.size(); i += drawn_every(results)) {
+        const auto& points = results.tally.paths[i].points;
+        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+            const float energy_j = std::max(points[k].energy_j, points[k + 1].energy_j);
+            by_class[energy_class(energy_j)].line(
+                sheet.x_of(points[k].position_m.x()), sheet.y_of(points[k].position_m.z()),
+                sheet.x_of(points[k + 1].position_m.x()), sheet.y_of(points[k + 1].position_m.z()));
+        }
+    }
+    std::string svg = "<g class=\"paths\">";
+    for (std::size_t c = 0; c < by_class.size(); ++c) {
+        svg += joined("<path class=\"class", std::to_string(c), "\" d=\"", by_class[c].text(), "\"/>");
+    }
+    return joined(svg, "</g>");
+}
+
+/// A pole at each place with its name above; names that would touch stand one above the other.
+std::string poles(const ProfileResults& results, const Sheet& sheet) {
+    std::vector<Station> places = results.site.stations;
+    places.insert(places.begin(), {"start", results.site.start_m});
+    constexpr double letter = 7.5;
+    constexpr double line = 15.0;
+    constexpr double least_pole = 34.0;
+    std::string svg;
+    std::vector<double> taken_to;  // right end of the last name on each level
+    for (const Station& station : places) {
+        const double x = sheet.x_of(station.distance_m);
+        const double width = letter * static_cast<double>(station.name.size());
+        const bool to_the_left = x + width > sheet.right();
+        const double from = to_the_left ? x - width : x;
+        std::size_t level = 0;
+        while (level < taken_to.size() && taken_to[level] > from - letter) {
+            ++level;
+        }
+        taken_to.resize(std::max(taken_to.size(), level + 1));
+        taken_to[level] = from + width;
+        const double ground = sheet.y_of(results.site.height_m(station.distance_m));
+        const double head = std::max(top + 12.0, ground - least_pole - line * static_cast<double>(level));
+        svg += joined("<path class=\"pole\" d=\"M", place(x), " ", place(ground), "V", place(head),
+                      "\"/><text class=\"pole\" text-anchor=\"", (to_the_left ? "end" : "start"), "\" x=\"",
+                      place(x + (to_the_left ? -4.0 : 4.0)), "\" y=\"", place(head + 9.0), "\">",
+                      escaped(station.name), "</text>");
+    }
+    return svg;
+}
+
+std::string legend_entry(const std::string& sample, const std::string& name) {
+    return joined("<li><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">", sample, "</svg>", name, "</li>");
+}
+
+std::string legend(const ProfileResults& results, const std::vector<std::uint8_t>& types) {
+    std::string items;
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        items += legend_entry(
+            joined("<path class=\"ground type", std::to_string(i % ground_colours), "\" d=\"M1 7h28\"/>"),
+            escaped(results.site.slope.types[types[i]].label));
+    }
+    if (!results.tally.paths.empty()) {
+        const std::array<const char*, 3> names{"rock below 30 kJ", "30 to 300 kJ", "above 300 kJ"};
+        for (std::size_t c = 0; c < names.size(); ++c) {
+            items += legend_entry(joined("<g class=\"paths\"><path class=\"class", std::to_string(c),
+                                         "\" d=\"M1 11Q15 -4 29 11\"/></g>"),
+                                  names[c]);
+        }
+    }
+    return joined("<ul class=\"names\">", items, "</ul>");
+}
+
+}  // namespace
+
+std::string drawing(const ProfileResults& results) {
+    const Sheet sheet{results};
+    const std::vector<std::uint8_t> types = types_along(results.site);
+    const std::size_t paths = results.tally.paths.size();
+    const std::size_t drawn = paths == 0 ? 0 : (paths + drawn_every(results) - 1) / drawn_every(results);
+    return joined(
+        "<h2>The profile</h2>\n<figure class=\"chart map profile\"><figcaption><b>The profile at true "
+        "vertical "
+        "scale</b></figcaption>",
+        legend(results, types), "<svg viewBox=\"0 0 ", place(std::max(sheet.right(), 420.0) + 20.0), " ",
+        place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"The profile at true vertical scale\">",
+        axes_of(sheet), ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet),
+        "</svg><p>",
+        (drawn == 0 ? std::string{"No paths were kept (output.sample_paths)."}
+                    : joined("Paths of the underside of ", report::grouped(drawn),
+                             " rocks, coloured by their kinetic energy (translation and rotation).")),
+        "</p></figure>\n");
+}
+
+}  // namespace coupling::profile

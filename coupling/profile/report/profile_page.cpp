@@ -1,0 +1,176 @@
+#include "coupling/profile/report/profile_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/text/numbers.hpp"
+#include "coupling/profile/profile_settings.hpp"
+#include "coupling/results/indicators.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/sections.hpp"
+
+namespace coupling::profile {
+namespace {
+
+using report::escaped;
+using report::fact;
+using report::fixed;
+using report::grouped;
+using report::HtmlTable;
+using report::three_digits;
+
+constexpr double j_per_kj = 1000.0;
+
+std::string start_in_words(const Scenario& scenario) {
+    const rockfall::StartLaw law = start_law(scenario);
+    const std::string speed = joined(config::to_text(law.speed_mps), " m/s");
+    if (law.height_m <= 0.0) {
+        return joined("rolling, ", speed);
+    }
+    const std::string height = joined(config::to_text(law.height_m), " m above ground");
+    return law.speed_mps <= 0.0 ? joined("dropped ", height)
+                                : joined(height, ", ", speed, ", ", config::to_text(scenario.start_dip_deg),
+                                         "° below the horizon");
+}
+
+std::string opening(const ProfileResults& results) {
+    const Scenario& scenario = results.scenario;
+    const ProfileSite& site = results.site;
+    const double length_m = site.last_m() - site.first_m();
+    const double drop_m = site.corners.front().height_m - site.corners.back().height_m;
+    constexpr double deg_per_rad = 57.295779513082321;
+    std::string html =
+        joined("<h1>Rockfall along a profile</h1>\n<p class=\"lead\">Scenario <b>",
+               escaped(scenario.file.filename().string()), "</b>: ", grouped(results.tally.rocks),
+               " rocks fell along one profile, in two dimensions: nothing turns them sideways and there are "
+               "no trees. "
+               "Mean run-out <b>",
+               fixed(results.tally.run_out_m.mean(), 1), " m</b> in plan, standard deviation ",
+               fixed(results.tally.run_out_m.deviation(), 1), " m.</p>\n<dl class=\"facts\">");
+    html += fact("Profile", escaped(scenario.profile));
+    html += fact("Length in plan", joined(fixed(length_m, 1), " m"));
+    html += fact("Drop", joined(fixed(drop_m, 1), " m, ",
+                                fixed(deg_per_rad * std::atan2(drop_m, length_m), 1), "° on average"));
+    html += fact("Corners", grouped(site.corners.size()));
+    html += fact("Release", joined("at ", config::to_text(site.start_m), " m; ", start_in_words(scenario)));
+    html += fact("Rock diameter", report::rock_size(scenario));
+    html += fact("Rock density", fixed(scenario.density_kgpm3, 0) + " kg/m³");
+    html += fact("Settings", escaped(scenario.preset));
+    html += fact("Random seed", std::to_string(scenario.seed));
+    return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");
+}
+
+std::string share_in_words(const Share& share) {
+    return joined(report::percent(share.value), " (", fixed(100.0 * share.interval.low, 1), " – ",
+                  fixed(100.0 * share.interval.high, 1), ")");
+}
+
+std::string stations(const ProfileResults& results) {
+    if (results.site.stations.empty()) {
+        return "<h2>Stations</h2>\n<p>None given (profile.stations_m, profile.stations).</p>\n";
+    }
+    using namespace rockfall;
+    HtmlTable table{"Energy is translation and rotation; height is that of the underside above ground.",
+                    {"Station", "at, m", "rocks that pass (95 % interval)", "energy, kJ: mean", "sd", "90 %",
+                     "95 %", "99 %", "translation alone, kJ: mean", "speed, m/s: mean", "speed 95 %",
+                     "height, m: mean", "height 95 %"}};
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        const StationTally& tally = results.tally.stations[i];
+        const auto energy_kj = [&](double share) {
+            return three_digits(tally.energy_j.quantile(fine_energy_bins, share) / j_per_kj);
+        };
+        table.row({escaped(results.site.stations[i].name),
+                   config::to_text(results.site.stations[i].distance_m),
+                   share_in_words(share_of(tally.energy_j.moments.count(), results.tally.rocks)),
+                   three_digits(tally.energy_j.moments.mean() / j_per_kj),
+                   three_digits(tally.energy_j.moments.deviation() / j_per_kj), energy_kj(0.90),
+                   energy_kj(0.95), energy_kj(0.99), three_digits(tally.translational_j.mean() / j_per_kj),
+                   three_digits(tally.speed_mps.moments.mean()),
+                   three_digits(tally.speed_mps.quantile(fine_speed_bins, 0.95)),
+                   three_digits(tally.height_m.moments.mean()),
+                   three_digits(tally.height_m.quantile(fine_height_bins, 0.95))});
+    }
+    return joined("<h2>Stations</h2>\n<section class=\"card\">", table.html(), "</section>\n",
+                  charts_at_stations(results));
+}
+
+std::string key_figures(const ProfileResults& results) {
+    using namespace rockfall;
+    const ProfileTally& tally = results.tally;
+    HtmlTable table{"", {"All rocks", "value"}};
+    table.row({"Rocks", grouped(tally.rocks)});
+    const auto share = [&](StopReason reason) {
+        return share_in_words(share_of(tally.by_reason[static_cast<std::size_t>(reason)], tally.rocks));
+    };
+    table.row({"Came to rest on the ground", share(StopReason::at_rest)});
+    table.row({"Caught by the roughness of the ground", share(StopReason::caught)});
+    table.row({"Left the profile over an end", share(StopReason::left_terrain)});
+    table.row({"Ended by the limit of impacts", share(StopReason::gave_up)});
+    table.row({"Run-out in plan: mean / shortest / longest, m",
+               joined(fixed(tally.run_out_m.mean(), 1), " / ", fixed(tally.run_out_m.least(), 1), " / ",
+                      fixed(tally.run_out_m.most(), 1))});
+    const auto spread = [&](const std::string& name, const Spread& s, const LogBins& bins, double unit) {
+        table.row({name, joined(three_digits(s.moments.mean() / unit), " / ",
+                                three_digits(s.quantile(bins, 0.90) / unit), " / ",
+                                three_digits(s.moments.most() / unit))});
+    };
+    spread("Largest speed of a rock: mean / 90 % / largest, m/s", tally.max_speed_mps, fine_speed_bins, 1.0);
+    spread("Largest energy of a rock: mean / 90 % / largest, kJ", tally.max_energy_j, fine_energy_bins,
+           j_per_kj);
+    spread("Largest height of a rock: mean / 90 % / largest, m", tally.max_height_m, fine_height_bins, 1.0);
+    table.row({"Mean speed, m/s", three_digits(tally.mean_speed_mps.mean())});
+    table.row({"Ground impacts per rock", three_digits(tally.ground_impacts.mean())});
+    table.row(
+        {"Jump from impact to impact: mean / longest, m",
+         joined(three_digits(tally.jump_length_m.mean()), " / ", three_digits(tally.jump_length_m.most()))});
+    return joined("<h2>Key figures</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+}
+
+}  // namespace
+
+std::string_view style_of_profile() {
+    return R"css(
+.most{stroke:var(--soft);stroke-width:1.6;stroke-dasharray:2 3;fill:none}
+.band.forest{fill:var(--forest-fill);stroke:none}
+.chart ul.names{list-style:none;margin:.3em 0 .5em;padding:0;display:flex;flex-wrap:wrap;gap:.15em 1.1em;font-size:.85rem}
+.chart ul.names li{display:flex;align-items:center;gap:.45em}
+.chart ul.names svg{width:30px;height:14px;flex:none}
+figure.map .grid{stroke:#d5d9d4}figure.map .axis{stroke:#1d2528}
+.profile .body{fill:#efede6;stroke:none}
+.profile .ground{fill:none;stroke-width:4;stroke-linejoin:round}
+.profile .type0{stroke:#8c6d31}.profile .type1{stroke:#525252}.profile .type2{stroke:#2a7f62}.profile .type3{stroke:#7b4173}
+.profile .type4{stroke:#3a6ea5}.profile .type5{stroke:#a0522d}.profile .type6{stroke:#b5a42e}.profile .type7{stroke:#000}
+.profile path.pole{stroke:#1d2528;stroke-width:1.2}
+.profile text.pole{font-weight:600;stroke:#fff;stroke-width:3.5;stroke-linejoin:round;paint-order:stroke}
+)css";
+}
+
+void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
+    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+           "'unsafe-inline'\"/>\n"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+           "<meta name=\"generator\" content=\"Bannwald "
+        << escaped(results.version)
+        << "\"/>\n<title>Rockfall along a profile: " << escaped(results.scenario.file.stem().string())
+        << "</title>\n<style>" << report::style() << style_of_profile()
+        << "</style>\n</head>\n<body>\n<main>\n"
+        << opening(results) << drawing(results) << charts_along(results) << stations(results)
+        << key_figures(results) << "<h2>Warnings</h2>\n"
+        << report::list_of_warnings(results.warnings) << "<h2>Settings</h2>\n"
+        << report::table_of_settings(results.scenario,
+                                     [](const std::string& key) {
+                                         return !plays_no_part(key) || key.starts_with("rockfall.lateral");
+                                     })
+        << "<h2>Data</h2>\n<section class=\"card\"><p>Input files, named as in the scenario; please credit "
+           "their "
+           "owners as their licences ask.</p>"
+        << report::table_of_inputs(results.site.inputs)
+        << "</section>\n<h2>Files of this run</h2>\n<section class=\"card\">"
+        << report::table_of_files("", files) << "</section>\n"
+        << report::citation(results.version, results.scenario) << "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace coupling::profile
