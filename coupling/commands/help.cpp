@@ -49,6 +49,7 @@ constexpr std::string_view init_help = R"(bannwald init DIR [--example NAME]
 
 Writes an example project into a new or empty folder, whole or not at all.
   --example NAME        tyrol (default): a real slope of 132 ha, 25 900 artificial trees, a road
+                        profile: a synthetic profile, rocks in two dimensions
 )";
 
 constexpr std::string_view scenario_options = R"(  --set section.key=value   changes a setting; again for more
@@ -65,6 +66,7 @@ Reads all files of a scenario and lists every problem; tells how large the run i
 constexpr std::string_view run_help = R"(bannwald run SCENARIO [options]
 
 Lets rocks fall over the slope with its forest and over the bare slope, and writes the results.
+With terrain.profile = FILE they fall along a profile in two dimensions instead.
 Interrupted by Ctrl-C it keeps finished parts; the same call goes on from there.
   --out DIR                 folder of the results (default: out beside the scenario)
   --overwrite               replaces results or parts that the folder holds
