@@ -40,16 +40,6 @@ double shifted_degree_days(const ClimateMonth& climate, double days, double shif
     return std::max(0.0, *climate.degree_days + days * (after - before));
 }
 
-template <class Change>
-ClimateYear by_month(const ClimateYear& year, Change change) {
-    ClimateYear result = year;
-    for (int month = 1; month <= 12; ++month) {
-        const auto m = static_cast<std::size_t>(month - 1);
-        result.months[m] = change(year.months[m], month, m);
-    }
-    return result;
-}
-
 }  // namespace
 
 ClimateMonth warmed(const ClimateMonth& climate, int month, double shift_k) {
@@ -108,12 +98,19 @@ LapseRates LapseRates::shipped() {
     return read(config::Table::read(in, "lapse_rates.csv"));
 }
 
-ClimateYear at_elevation(const ClimateYear& year, double difference_m, const LapseRates& rates) {
-    return by_month(year, [&](const ClimateMonth& climate, int month, std::size_t m) {
-        ClimateMonth result = warmed(climate, month, rates.temperature_kpm[m] * difference_m);
-        result.prec_mm = std::max(0.0, climate.prec_mm + rates.precipitation_mmpm[m] * difference_m);
-        return result;
-    });
+ClimateChange change_with_elevation(const ClimateSeries& series, double difference_m,
+                                    const LapseRates& rates) {
+    ClimateChange change;
+    for (std::size_t m = 0; m < 12; ++m) {
+        change.temperature_k[m] = rates.temperature_kpm[m] * difference_m;
+        double mean_mm = 0.0;
+        for (const ClimateYear& year : series.years) {
+            mean_mm += year.months[m].prec_mm / static_cast<double>(series.years.size());
+        }
+        const double added_mm = rates.precipitation_mmpm[m] * difference_m;
+        change.precipitation[m] = mean_mm > 0.0 ? std::max(0.0, 1.0 + added_mm / mean_mm) : 1.0;
+    }
+    return change;
 }
 
 ClimateSeries at_elevation(const ClimateSeries& series, double difference_m, const LapseRates& rates) {
@@ -121,9 +118,10 @@ ClimateSeries at_elevation(const ClimateSeries& series, double difference_m, con
     if (series.elevation_m) {
         result.elevation_m = *series.elevation_m + difference_m;
     }
+    const ClimateChange change = change_with_elevation(series, difference_m, rates);
     result.years.reserve(series.years.size());
     for (const ClimateYear& year : series.years) {
-        result.years.push_back(at_elevation(year, difference_m, rates));
+        result.years.push_back(changed(year, change));
     }
     return result;
 }
@@ -145,11 +143,12 @@ ClimateChange ClimateChange::scaled(double share) const {
 }
 
 ClimateYear changed(const ClimateYear& year, const ClimateChange& change) {
-    return by_month(year, [&](const ClimateMonth& climate, int month, std::size_t m) {
-        ClimateMonth result = warmed(climate, month, change.temperature_k[m]);
-        result.prec_mm *= change.precipitation[m];
-        return result;
-    });
+    ClimateYear result = year;
+    for (std::size_t m = 0; m < 12; ++m) {
+        result.months[m] = warmed(year.months[m], static_cast<int>(m + 1), change.temperature_k[m]);
+        result.months[m].prec_mm *= change.precipitation[m];
+    }
+    return result;
 }
 
 }  // namespace forest

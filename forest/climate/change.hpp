@@ -25,11 +25,6 @@ struct LapseRates {
     static LapseRates shipped();
 };
 
-/// The year at another elevation: temperatures and precipitation by their lapse rates, never less than no
-/// rain; radiation unchanged [choice].
-ClimateYear at_elevation(const ClimateYear& year, double difference_m, const LapseRates& rates);
-ClimateSeries at_elevation(const ClimateSeries& series, double difference_m, const LapseRates& rates);
-
 /// A simple change of climate, by month.
 struct ClimateChange {
     std::array<double, 12> temperature_k{};  ///< added
@@ -43,5 +38,14 @@ struct ClimateChange {
 };
 
 ClimateYear changed(const ClimateYear& year, const ClimateChange& change);
+
+/// What a step up (or down) does to the climate of a series: temperatures by their lapse rates; precipitation
+/// by a factor a month that gives its mean the millimetres of the lapse rate, so that a dry month stays dry
+/// (down to none); radiation unchanged [choice].
+ClimateChange change_with_elevation(const ClimateSeries& series, double difference_m,
+                                    const LapseRates& rates);
+
+/// The series at another elevation.
+ClimateSeries at_elevation(const ClimateSeries& series, double difference_m, const LapseRates& rates);
 
 }  // namespace forest
