@@ -25,9 +25,10 @@ inline Inputs demonstration(const std::vector<std::string>& species, bool thinne
             }
         }
     }
-    return inputs_of(site, starting, read_parameters(reference_table("demo_parameters.csv")),
-                     read_climate(reference_table("demo_climate.csv"), site),
-                     thinned ? read_thinnings(reference_table("demo_thinning.csv")) : std::vector<Thinning>{});
+    return inputs_of(
+        site, starting, read_parameters(reference_table("demo_parameters.csv")),
+        read_climate(reference_table("demo_climate.csv"), site),
+        thinned ? read_thinnings(reference_table("demo_thinning.csv")) : std::vector<Thinning>{});
 }
 
 inline double value(const Row& row, std::string_view column) {

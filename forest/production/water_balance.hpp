@@ -1,0 +1,84 @@
+#pragma once
+
+#include <span>
+
+#include "forest/climate/series.hpp"
+#include "forest/production/modifiers.hpp"
+#include "forest/production/transpiration.hpp"
+#include "forest/species.hpp"
+
+namespace forest {
+
+// The water of one patch and month [mm on the map]: snow, interception, transpiration, soil evaporation and a
+// bucket of what roots can take. Landsberg & Waring 1997; soil evaporation and the sharing of radiation
+// between crowns and ground after Forrester & Tang 2016.
+
+/// What the month brings to all patches of a site unit; made once for them.
+struct WaterMonth {
+    EvaporationDay day;  ///< with the net radiation of the slope
+    double rain_mm = 0.0;
+    double snow_mm = 0.0;
+    double melt_capacity_mm = 0.0;
+};
+
+/// `slope_radiation` is the month's radiation on the slope per area on the map over that on the flat [-].
+WaterMonth water_month(const ClimateMonth& climate, int month, double day_length_s, double slope_radiation);
+
+/// What a species asks of water in a month and site unit; made once for its patches.
+struct WaterUse {
+    double max_conductance_mps = 0.0;
+    double full_conductance_lai = 0.0;
+    double limit = 0.0;  ///< modifier of conductance but for soil water [-]
+    Interception interception;
+};
+
+/// Limits by vapour pressure deficit, age and CO2 at once.
+WaterUse water_use(const Species& species, const ClimateMonth& climate, double age_modifier, double co2_ppm);
+
+/// Soil of a patch as its water meets it.
+struct WaterStore {
+    double capacity_mm = 0.0;  ///< above 0
+    SoilWaterCurve curve;
+};
+
+/// Water of a patch.
+struct WaterState {
+    double soil_mm = 0.0;  ///< that roots can take, [0, capacity]
+    double snow_mm = 0.0;  ///< water in the snow
+};
+
+/// Where the water of the month went. Rain and snow = evapotranspiration + runoff + change of soil and snow
+/// water.
+struct WaterFlows {
+    double soil_water_modifier = 1.0;  ///< at the beginning of the month, which production meets [-]
+    double interception_mm = 0.0;
+    double transpiration_mm = 0.0;
+    double soil_evaporation_mm = 0.0;
+    double evapotranspiration_mm = 0.0;  ///< the three together
+    double runoff_mm = 0.0;
+    double demand_mm = 0.0;  ///< evapotranspiration with water enough
+    double supply = 1.0;     ///< evapotranspiration / demand [-]; 1 without demand
+};
+
+/// Moves the water of one month.
+///
+/// `lai` holds the leaf area index of each species of `uses`, 0 while its leaves are off. `ground_light` is
+/// the share of light that reaches the ground [0, 1]: soil evaporation has that share of net radiation, the
+/// crowns the rest. Under more than 20 mm of snow nothing transpires or evaporates from the soil [choice].
+WaterFlows balance_month(WaterState& state, const WaterMonth& month, const WaterStore& store,
+                         std::span<const WaterUse> uses, std::span<const double> lai, double ground_light);
+
+/// Demand and supply of the months that are warm enough for growth, for the drought of a year.
+class DroughtSum {
+public:
+    /// Counts a month if its mean is above 5.5 degC.
+    void add(double tave_degc, const WaterFlows& flows);
+    /// Share of the demand that was not met [0, 1]; 0 without demand.
+    [[nodiscard]] double index() const { return demand_mm_ > 0.0 ? 1.0 - met_mm_ / demand_mm_ : 0.0; }
+
+private:
+    double demand_mm_ = 0.0;
+    double met_mm_ = 0.0;
+};
+
+}  // namespace forest

@@ -1,0 +1,38 @@
+#include "forest/production/allocation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace forest {
+namespace {
+
+TEST(RootShare, RunsFromTheHighestOnBadSitesToTheLowestOnGood) {
+    EXPECT_DOUBLE_EQ(root_share({0.2, 0.7}, 0.0, 1.0), 0.7);
+    EXPECT_DOUBLE_EQ(root_share({0.2, 0.7}, 1.0, 0.0), 0.7);
+    EXPECT_DOUBLE_EQ(root_share({0.2, 0.7}, 1.0, 1.0), 0.2);
+    EXPECT_GT(root_share({0.2, 0.7}, 0.3, 0.5), root_share({0.2, 0.7}, 0.6, 0.5));
+}
+
+TEST(FoliageToStemLaw, PassesThroughItsTwoPoints) {
+    const FoliageToStemLaw law{{0.8297, 0.148}};
+    EXPECT_NEAR(law.at(2.0), 0.8297, 1e-12);
+    EXPECT_NEAR(law.at(20.0), 0.148, 1e-12);
+}
+
+TEST(Litterfall, RunsFromTheInitialToTheMatureRate) {
+    const Litterfall law{0.027, 0.001, 12.0};
+    EXPECT_NEAR(litterfall_pmonth(0.0, law), 0.001, 1e-12);
+    EXPECT_NEAR(litterfall_pmonth(1.0, law), 0.5 * 0.027 * (1.0 + 0.001 / (0.027 + 0.001)), 0.001);
+    EXPECT_NEAR(litterfall_pmonth(100.0, law), 0.027, 1e-12);
+    EXPECT_DOUBLE_EQ(litterfall_pmonth(50.0, {0.0, 0.001, 12.0}), 0.0);
+    EXPECT_DOUBLE_EQ(litterfall_pmonth(50.0, {0.02, 0.001, 0.0}), 0.02);
+}
+
+TEST(ByAge, IsHalfWayAtItsAge) {
+    EXPECT_NEAR(by_age(35.0, 24.0, 18.0, 35.0, 2.0), 21.0, 1e-12);
+    EXPECT_NEAR(by_age(0.0, 24.0, 18.0, 35.0, 2.0), 24.0, 1e-12);
+    EXPECT_NEAR(by_age(1000.0, 24.0, 18.0, 35.0, 1.0), 18.0, 1e-6);
+    EXPECT_DOUBLE_EQ(by_age(5.0, 24.0, 18.0, 0.0, 1.0), 18.0);
+}
+
+}  // namespace
+}  // namespace forest

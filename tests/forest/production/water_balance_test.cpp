@@ -1,0 +1,139 @@
+#include "forest/production/water_balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "config/random/stream.hpp"
+#include "forest/production/day_length.hpp"
+
+namespace forest {
+namespace {
+
+const config::Angle tyrol = config::Angle::from_degrees(47.0);
+
+ClimateMonth weather(double tave_degc, double prec_mm, double radiation_mjpm2, double vpd_kpa) {
+    ClimateMonth month;
+    month.tave_degc = tave_degc;
+    month.tmin_degc = tave_degc - 5.0;
+    month.tmax_degc = tave_degc + 5.0;
+    month.prec_mm = prec_mm;
+    month.radiation_mjpm2 = radiation_mjpm2;
+    month.vpd_kpa = vpd_kpa;
+    return month;
+}
+
+std::vector<WaterUse> spruce_and_beech(const ClimateMonth& month) {
+    static const SpeciesTable species = SpeciesTable::shipped();
+    return {water_use(species[species.find("piab").value()], month, 1.0, 350.0),
+            water_use(species[species.find("fasy").value()], month, 1.0, 350.0)};
+}
+
+const WaterStore brown_soil{120.0, soil_water_curve(3.0)};
+
+TEST(WaterBalance, ClosesInEveryMonthOfAnyWeather) {
+    config::RandomStream random{{.seed = 5}, config::Purpose::test};
+    WaterState state{60.0, 0.0};
+    for (int i = 0; i < 5000; ++i) {
+        const int month = 1 + i % 12;
+        const ClimateMonth climate = weather(-15.0 + 40.0 * random.uniform(), 300.0 * random.uniform(),
+                                             2.0 + 25.0 * random.uniform(), 1.5 * random.uniform());
+        const WaterMonth water =
+            water_month(climate, month, day_length_s(tyrol, month), 0.3 + random.uniform());
+        const std::vector<WaterUse> uses = spruce_and_beech(climate);
+        const std::array lai{6.0 * random.uniform(), i % 3 == 0 ? 0.0 : 5.0 * random.uniform()};
+        const double before_mm = state.soil_mm + state.snow_mm;
+        const WaterFlows flows = balance_month(state, water, brown_soil, uses, lai, random.uniform());
+
+        const double after_mm = state.soil_mm + state.snow_mm;
+        EXPECT_NEAR(climate.prec_mm, flows.evapotranspiration_mm + flows.runoff_mm + after_mm - before_mm,
+                    1e-9);
+        EXPECT_GE(state.soil_mm, 0.0);
+        EXPECT_LE(state.soil_mm, brown_soil.capacity_mm);
+        EXPECT_GE(state.snow_mm, 0.0);
+        EXPECT_GE(flows.supply, 0.0);
+        EXPECT_LE(flows.supply, 1.0 + 1e-12);
+        EXPECT_GE(flows.soil_water_modifier, 0.0);
+        EXPECT_LE(flows.soil_water_modifier, 1.0);
+    }
+}
+
+TEST(WaterBalance, RunsShortInADrySummer) {
+    const ClimateMonth dry = weather(18.0, 0.0, 22.0, 1.2);
+    const WaterMonth july = water_month(dry, 7, day_length_s(tyrol, 7), 1.0);
+    const std::array lai{5.0, 0.0};
+    WaterState state{120.0, 0.0};
+    DroughtSum drought;
+    double supply = 1.0;
+    for (int month = 0; month < 6; ++month) {
+        const WaterFlows flows = balance_month(state, july, brown_soil, spruce_and_beech(dry), lai, 0.1);
+        drought.add(dry.tave_degc, flows);
+        supply = flows.supply;
+    }
+    EXPECT_LT(supply, 0.9);
+    EXPECT_GT(drought.index(), 0.05);
+    EXPECT_LT(drought.index(), 1.0);
+}
+
+TEST(WaterBalance, KeepsSnowInWinterAndGivesItBackInSpring) {
+    const ClimateMonth january = weather(-10.0, 80.0, 4.0, 0.1);
+    WaterState state{120.0, 0.0};
+    const std::array lai{4.0, 0.0};
+    for (int month = 0; month < 3; ++month) {
+        const WaterFlows flows = balance_month(state, water_month(january, 1, day_length_s(tyrol, 1), 1.0),
+                                               brown_soil, spruce_and_beech(january), lai, 0.1);
+        EXPECT_LT(flows.runoff_mm, 5.0);
+    }
+    EXPECT_GT(state.snow_mm, 100.0);
+    const ClimateMonth may = weather(9.0, 100.0, 18.0, 0.5);
+    const WaterFlows flows = balance_month(state, water_month(may, 5, day_length_s(tyrol, 5), 1.0),
+                                           brown_soil, spruce_and_beech(may), lai, 0.1);
+    EXPECT_GT(flows.runoff_mm, 80.0);
+}
+
+TEST(WaterBalance, TranspiresNothingUnderDeepSnow) {
+    const ClimateMonth march = weather(-1.0, 60.0, 12.0, 0.3);
+    WaterState state{100.0, 300.0};
+    const WaterFlows flows = balance_month(state, water_month(march, 3, day_length_s(tyrol, 3), 1.0),
+                                           brown_soil, spruce_and_beech(march), std::array{4.0, 0.0}, 0.1);
+    EXPECT_EQ(flows.transpiration_mm, 0.0);
+    EXPECT_EQ(flows.soil_evaporation_mm, 0.0);
+    EXPECT_GT(flows.interception_mm, 0.0);
+}
+
+TEST(WaterBalance, OfOpenGroundLosesWaterFromTheSoilOnly) {
+    const ClimateMonth july = weather(16.0, 100.0, 20.0, 0.8);
+    WaterState state{120.0, 0.0};
+    const WaterFlows flows = balance_month(state, water_month(july, 7, day_length_s(tyrol, 7), 1.0),
+                                           brown_soil, spruce_and_beech(july), std::array{0.0, 0.0}, 1.0);
+    EXPECT_EQ(flows.interception_mm, 0.0);
+    EXPECT_EQ(flows.transpiration_mm, 0.0);
+    EXPECT_GT(flows.soil_evaporation_mm, 20.0);
+    EXPECT_LT(flows.soil_evaporation_mm, 120.0);
+}
+
+TEST(WaterBalance, OfASunnySlopeIsDrier) {
+    const ClimateMonth july = weather(16.0, 60.0, 20.0, 0.9);
+    const std::array lai{4.0, 1.0};
+    WaterState south{120.0, 0.0};
+    WaterState north{120.0, 0.0};
+    const double day_s = day_length_s(tyrol, 7);
+    balance_month(south, water_month(july, 7, day_s, 1.1), brown_soil, spruce_and_beech(july), lai, 0.1);
+    balance_month(north, water_month(july, 7, day_s, 0.6), brown_soil, spruce_and_beech(july), lai, 0.1);
+    EXPECT_LT(south.soil_mm, north.soil_mm);
+}
+
+TEST(DroughtSum, CountsWarmMonthsOnly) {
+    WaterFlows half;
+    half.demand_mm = 100.0;
+    half.evapotranspiration_mm = 50.0;
+    DroughtSum drought;
+    EXPECT_EQ(drought.index(), 0.0);
+    drought.add(3.0, half);
+    EXPECT_EQ(drought.index(), 0.0);
+    drought.add(12.0, half);
+    EXPECT_DOUBLE_EQ(drought.index(), 0.5);
+}
+
+}  // namespace
+}  // namespace forest
