@@ -12,7 +12,7 @@ namespace forest {
 
 namespace {
 
-constexpr double tallest_site_factor = 1.13;
+constexpr double tallest_site_factor = 1.28;
 
 /// Above-ground mass and its slope at a diameter increment.
 struct MassAt {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "config/units/angle.hpp"
 #include "forest/mortality.hpp"
 #include "forest/species.hpp"
 #include "forest/tables.hpp"
@@ -19,17 +20,24 @@ struct TrialYear {
     double degree_days = 0.0;                  ///< above 5.5 degC
 };
 
+/// How light gets to the trees of a trial.
+enum class TrialLight : std::uint8_t {
+    layers,  ///< trees without places (forest/layer_light.hpp)
+    space,   ///< the model's own (forest/light), on a level hectare that borders on itself
+};
+
 /// A plantation of one species, left to itself: only stress and self-thinning take trees.
 struct YieldTrial {
     SpeciesId species{};
     double fertility = 0.7;
     double ph = 6.0;
     std::vector<TrialYear> weather;  ///< taken in turn, over and over; at least one
+    config::Angle latitude = config::Angle::from_degrees(47.7);
     int start_age_years = 12;
     double stems_pha = 3000.0;
     double start_dbh_cm = 2.0;
     double start_scatter = 0.2;  ///< standard deviation of the first diameters / their mean [choice]
-    double stress_death = 0.02;  ///< chance a year after three bad ones
+    MortalityLaw mortality{.background = false};  ///< only stress and self-thinning
     std::uint64_t seed = 1;
 };
 
@@ -39,9 +47,8 @@ struct TrialState {
     StandFigures figures;
 };
 
-/// The stand of a trial on one hectare at the ages asked for (rising, from the start age on), in light by
-/// layers: without places.
-std::vector<TrialState> grow_in_layers(const YieldTrial& trial, const SpeciesTable& species,
-                                       std::span<const int> ages_years);
+/// The stand of a trial on one level hectare at the ages asked for (rising, from the start age on).
+std::vector<TrialState> grow_trial(const YieldTrial& trial, TrialLight light, const SpeciesTable& species,
+                                   std::span<const int> ages_years);
 
 }  // namespace forest

@@ -1,0 +1,67 @@
+#include "forest/stand_light.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "config/math/elementary.hpp"
+#include "forest/light_profile.hpp"
+
+namespace forest {
+
+namespace {
+
+/// Mean light in the shade of leaves of optical depth t (light/light.hpp).
+double own_shade(double t) {
+    return t < 1e-4 ? 1.0 - 0.5 * t : (1.0 - config::exp_of(-std::min(t, 80.0))) / t;
+}
+
+double without_shade_of_group(double ratio, const Tree& tree, const Species& kind) {
+    if (tree.stems == 1) {
+        return ratio;
+    }
+    const double depth = kind.light.extinction * tree.crown.leaf_area_m2 / patch_area_m2;
+    return std::min(1.0, ratio * own_shade(tree.stems * depth) / own_shade(depth));
+}
+
+}  // namespace
+
+std::vector<LightTree> light_trees_of(const Stand& stand, const SpeciesTable& species) {
+    std::vector<LightTree> trees;
+    trees.reserve(stand.trees().size());
+    for (const Tree& tree : stand.trees()) {
+        const Species& kind = species[tree.species];
+        trees.push_back({.x_m = tree.x_m,
+                         .y_m = tree.y_m,
+                         .crown_base_m = tree.crown.base_m,
+                         .height_m = tree.height_m,
+                         .crown_radius_m = tree.crown.radius_m,
+                         .leaf_area_m2 = tree.stems * tree.crown.leaf_area_m2,
+                         .extinction = kind.light.extinction,
+                         .shape = kind.crown.shape,
+                         .deciduous = !kind.evergreen});
+    }
+    return trees;
+}
+
+StandLight light_in_stand(const Stand& stand, const SpeciesTable& species, const LightSite& site,
+                          const Canopy& canopy, const LightField& field) {
+    const std::span<const Tree> trees = stand.trees();
+    assert(field.light_ratio.size() == trees.size());
+    const LightProfiles profiles{stand, species, site, canopy, field};
+    StandLight light{std::vector<double>(trees.size()), std::vector<AbsorbedByMonth>(trees.size()),
+                     std::vector<double>(trees.size())};
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const Tree& tree = trees[i];
+        const Species& kind = species[tree.species];
+        const double of_cells = without_shade_of_group(static_cast<double>(field.light_ratio[i]), tree, kind);
+        light.ratios[i] = std::min(1.0, of_cells * within_layers(profiles, tree, kind.crown.shape));
+        light.shaded_below_m[i] = profiles.shaded_below_m(tree.patch, kind.light.min_crown);
+        for (std::size_t month = 0; month < light.absorbed[i].size(); ++month) {
+            light.absorbed[i][month] =
+                static_cast<double>(field.absorbed_mj[i * light.absorbed[i].size() + month]);
+        }
+    }
+    return light;
+}
+
+}  // namespace forest
