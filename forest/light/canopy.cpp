@@ -25,13 +25,18 @@ constexpr std::array<double, rings> ring_area{0.125, 0.375, 0.625,
 
 constexpr double sqrt_half = 0.70710678118654752;
 
-Point point_of(std::size_t ring, std::size_t point) {
+std::array<Point, columns_of_crown> points_of_crown() {
     constexpr std::array<Point, points> straight{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
     constexpr std::array<Point, points> diagonal{
         {{sqrt_half, sqrt_half}, {-sqrt_half, sqrt_half}, {-sqrt_half, -sqrt_half}, {sqrt_half, -sqrt_half}}};
-    const double radius = std::sqrt(ring_area[ring]);
-    const Point at = ring % 2 == 0 ? diagonal[point] : straight[point];
-    return {radius * at.x, radius * at.y};
+    std::array<Point, columns_of_crown> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::size_t ring = i / points;
+        const double radius = std::sqrt(ring_area[ring]);
+        const Point at = ring % 2 == 0 ? diagonal[i % points] : straight[i % points];
+        all[i] = {radius * at.x, radius * at.y};
+    }
+    return all;
 }
 
 /// The leaves above one ring: between which relative heights of the crown, and which share of its volume.
@@ -86,8 +91,7 @@ void pour(std::array<float, canopy_layers>& layers, double low_m, double high_m,
     const double low = low_m / layer_height_m;
     const double high = std::max(high_m, low_m + thinnest_m) / layer_height_m;
     const auto layer_of = [](double place) {
-        return static_cast<std::size_t>(
-            std::clamp(std::floor(place), 0.0, static_cast<double>(canopy_layers - 1)));
+        return static_cast<std::size_t>(std::clamp(place, 0.0, canopy_layers - 0.5));
     };
     const std::size_t first = layer_of(low);
     const std::size_t last = layer_of(high);
@@ -100,37 +104,54 @@ void pour(std::array<float, canopy_layers>& layers, double low_m, double high_m,
     }
 }
 
-/// Column of a point of the area; points outside go to the border, on a torus around it.
-std::size_t column_at(const PaddedGround& ground, double x_m, double y_m) {
-    const config::GridFrame& frame = ground.frame();
-    const config::Cell cell = frame.cell_at(x_m, y_m);
-    if (frame.contains(cell)) {
-        return frame.index(cell);
-    }
-    const int row = std::clamp(cell.row, -ground.margin(), frame.rows - 1 + ground.margin());
-    const int column = std::clamp(cell.column, -ground.margin(), frame.columns - 1 + ground.margin());
-    const auto place = static_cast<std::ptrdiff_t>(ground.padded(0)) +
-                       row * static_cast<std::ptrdiff_t>(ground.stride()) + column;
-    const std::size_t source = ground.source(static_cast<std::size_t>(place));
-    return source != PaddedGround::none ? source
-                                        : frame.index({std::clamp(cell.column, 0, frame.columns - 1),
-                                                       std::clamp(cell.row, 0, frame.rows - 1)});
-}
+/// Columns of points; those outside go to the border, on a torus around it.
+class ColumnFinder {
+public:
+    explicit ColumnFinder(const PaddedGround& ground)
+        : ground_{ground},
+          left_m_{ground.frame().x_west_m - ground.margin() * ground.column_m()},
+          upper_m_{ground.frame().y_north_m() + ground.margin() * ground.column_m()},
+          per_m_{1.0 / ground.column_m()} {}
 
-void cut(const LightTree& tree, const PaddedGround& ground, const std::array<Stick, rings>& sticks,
-         CutCrown& crown) {
+    [[nodiscard]] std::size_t at(double x_m, double y_m) const {
+        const config::GridFrame& frame = ground_.frame();
+        const int twice = 2 * ground_.margin();
+        const double columns = frame.columns + twice - 0.5;
+        const double rows = frame.rows + twice - 0.5;
+        const int column = static_cast<int>(std::clamp((x_m - left_m_) * per_m_, 0.0, columns));
+        const int row = static_cast<int>(std::clamp((upper_m_ - y_m) * per_m_, 0.0, rows));
+        const std::size_t padded =
+            static_cast<std::size_t>(row) * ground_.stride() + static_cast<std::size_t>(column);
+        const std::size_t source = ground_.source(padded);
+        if (source != PaddedGround::none) {
+            return source;
+        }
+        return frame.index({std::clamp(column - ground_.margin(), 0, frame.columns - 1),
+                            std::clamp(row - ground_.margin(), 0, frame.rows - 1)});
+    }
+
+private:
+    const PaddedGround& ground_;
+    double left_m_;
+    double upper_m_;
+    double per_m_;
+};
+
+void cut(const LightTree& tree, const PaddedGround& ground, const ColumnFinder& columns,
+         const std::array<Stick, rings>& sticks, CutCrown& crown) {
+    static const std::array<Point, columns_of_crown> crown_points = points_of_crown();
     crown.columns = 0;
-    const PaddedGround::Gradient rise = ground.gradient(column_at(ground, tree.x_m, tree.y_m));
+    const PaddedGround::Gradient rise = ground.gradient(columns.at(tree.x_m, tree.y_m));
     const double length_m = tree.height_m - tree.crown_base_m;
     for (std::size_t ring = 0; ring < rings; ++ring) {
         for (std::size_t point = 0; point < points; ++point) {
-            const Point at = point_of(ring, point);
+            const Point at = crown_points[ring * points + point];
             const double x_m = tree.crown_radius_m * at.x;
             const double y_m = tree.crown_radius_m * at.y;
             // The layers follow the ground, the crown does not: down the slope it stands higher above the
             // ground.
             const double base_m = tree.crown_base_m - (rise.x * x_m + rise.y * y_m);
-            auto& layers = crown.layers_of(column_at(ground, tree.x_m + x_m, tree.y_m + y_m));
+            auto& layers = crown.layers_of(columns.at(tree.x_m + x_m, tree.y_m + y_m));
             pour(layers, base_m + sticks[ring].low * length_m, base_m + sticks[ring].high * length_m,
                  sticks[ring].share);
         }
@@ -181,9 +202,10 @@ Canopy::Canopy(const PaddedGround& ground, std::span<const LightTree> trees) {
     std::int64_t all = 0;
     std::int64_t evergreen = 0;
     CutCrown crown;
+    const ColumnFinder columns{ground};
     for (const LightTree& tree : trees) {
         assert(tree.height_m > tree.crown_base_m && tree.leaf_area_m2 >= 0.0 && tree.crown_radius_m >= 0.0);
-        cut(tree, ground, tree.shape == CrownShape::paraboloid ? paraboloid : ellipsoid, crown);
+        cut(tree, ground, columns, tree.shape == CrownShape::paraboloid ? paraboloid : ellipsoid, crown);
         for (std::size_t i = 0; i < crown.columns; ++i) {
             for (std::size_t layer = 0; layer < canopy_layers; ++layer) {
                 const float share = crown.share[i][layer];

@@ -5,12 +5,11 @@
 namespace forest {
 namespace {
 
-constexpr auto layer_m = static_cast<float>(layer_height_m);
-constexpr auto half_layer_m = 0.5F * layer_m;
+constexpr auto per_layer = static_cast<float>(1.0 / layer_height_m);
 constexpr auto nodes_below = static_cast<float>(PrefixSums::nodes_below);
 
-/// Least difference of height over which a mean density is taken.
-constexpr float flat_m = 0.05F;
+/// Least difference of height, in layers, over which a mean density is taken.
+constexpr float level_layers = 0.01F;
 
 /// Height of the ground between four columns.
 inline float height_between(const float* elevation_m, std::size_t stride, const BetweenColumns& place) {
@@ -25,9 +24,12 @@ struct Node {
     float share;
 };
 
-inline Node node_at(float height_m) {
-    // Heights are kept where nodes exist for all layers above; beyond lies nothing but air, or soil.
-    const float place = std::clamp(height_m / layer_m, -nodes_below, nodes_below + 0.5F) + nodes_below;
+/// Above all leaves, and below the ground of all layers, one place is as good as another.
+inline Node node_at(float layers_up) {
+    constexpr float highest = nodes_below + 0.5F;
+    // Written so that compilers take the minimum and maximum of the processor instead of jumping.
+    const float not_above = layers_up < highest ? layers_up : highest;
+    const float place = (not_above > -nodes_below ? not_above : -nodes_below) + nodes_below;
     const auto below = static_cast<std::int32_t>(place);
     return {static_cast<std::size_t>(below), place - static_cast<float>(below)};
 }
@@ -41,40 +43,39 @@ inline float sum_at(const float* nodes, Node node) {
 OpticalDepth cast_column(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
                          const RayWalk& walk, std::size_t padded_column) {
     OpticalDepth depth;
-    float tau[canopy_layers] = {};
+    Layers tau{};
     const float* elevation_m = ground.elevation_m().data() + padded_column;
     const float start_m = elevation_m[0];
-    const auto top = static_cast<float>(top_m);
-    float low_m = 0.0F;
-    const RayStep& first = walk.steps.front();
-    const float first_exit_m =
-        start_m + first.rise_m - height_between(elevation_m, ground.stride(), first.exit);
-    depth.climb = first_exit_m * walk.tangent / first.rise_m;
+    const auto top = static_cast<float>(top_m) * per_layer;
+    // Heights of the ray above the ground its start lies on, in layers.
+    float low = 0.0F;
+    Node low_ground = node_at(0.0F);
+    Node low_cells = node_at(0.5F);
     for (const RayStep& step : walk.steps) {
-        const float exit_m = start_m + step.rise_m - height_between(elevation_m, ground.stride(), step.exit);
-        const float high_m = std::abs(exit_m - low_m) < flat_m ? low_m + flat_m : exit_m;
-        const float per_m = step.length_m / (high_m - low_m);
+        const float ground_m = height_between(elevation_m, ground.stride(), step.exit);
+        const float exit = (start_m + step.rise_m - ground_m) * per_layer;
+        const bool level = std::abs(exit - low) < level_layers;
+        const float high = level ? low + level_layers : exit;
+        const float per_height = step.length_m * per_layer / (high - low);
         const float* nodes =
             leaves.of(padded_column + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(step.column)));
-        const Node ground_low = node_at(low_m);
-        const Node ground_high = node_at(high_m);
-        depth.ground += per_m * (sum_at(nodes, ground_high) - sum_at(nodes, ground_low));
-        const Node low = node_at(low_m + half_layer_m);
-        const Node high = node_at(high_m + half_layer_m);
-        const float* at_low = nodes + low.below;
-        const float* at_high = nodes + high.below;
+        const Node high_ground = node_at(high);
+        const Node high_cells = node_at(high + 0.5F);
+        depth.ground += per_height * (sum_at(nodes, high_ground) - sum_at(nodes, low_ground));
+        const float* at_low = nodes + low_cells.below;
+        const float* at_high = nodes + high_cells.below;
         for (std::size_t l = 0; l < canopy_layers; ++l) {
-            tau[l] += per_m * ((at_high[l] + high.share * (at_high[l + 1] - at_high[l])) -
-                               (at_low[l] + low.share * (at_low[l + 1] - at_low[l])));
+            tau[l] += per_height * ((at_high[l] + high_cells.share * (at_high[l + 1] - at_high[l])) -
+                                    (at_low[l] + low_cells.share * (at_low[l + 1] - at_low[l])));
         }
-        low_m = exit_m;
-        if (low_m > top || low_m < -static_cast<float>(canopy_height_m)) {
+        low = exit;
+        low_ground = level ? node_at(exit) : high_ground;
+        low_cells = level ? node_at(exit + 0.5F) : high_cells;
+        if (low > top || low < -nodes_below) {
             break;
         }
     }
-    for (std::size_t l = 0; l < canopy_layers; ++l) {
-        depth.layers[l] = tau[l];
-    }
+    depth.layers = tau;
     return depth;
 }
 
@@ -82,18 +83,19 @@ float cast_ground(const PaddedGround& ground, const PrefixSums& leaves, double t
                   std::size_t padded_column, float enough) {
     const float* elevation_m = ground.elevation_m().data() + padded_column;
     const float start_m = height_between(elevation_m, ground.stride(), walk.start);
-    const auto top = static_cast<float>(top_m);
+    const auto top = static_cast<float>(top_m) * per_layer;
     float tau = 0.0F;
-    float low_m = 0.0F;
+    float low = 0.0F;
     for (const RayStep& step : walk.steps) {
-        const float exit_m = start_m + step.rise_m - height_between(elevation_m, ground.stride(), step.exit);
-        const float high_m = std::abs(exit_m - low_m) < flat_m ? low_m + flat_m : exit_m;
+        const float ground_m = height_between(elevation_m, ground.stride(), step.exit);
+        const float exit = (start_m + step.rise_m - ground_m) * per_layer;
+        const float high = std::abs(exit - low) < level_layers ? low + level_layers : exit;
         const float* nodes =
             leaves.of(padded_column + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(step.column)));
-        tau += step.length_m / (high_m - low_m) *
-               (sum_at(nodes, node_at(high_m)) - sum_at(nodes, node_at(low_m)));
-        low_m = exit_m;
-        if (low_m > top || tau > enough) {
+        tau += step.length_m * per_layer / (high - low) *
+               (sum_at(nodes, node_at(high)) - sum_at(nodes, node_at(low)));
+        low = exit;
+        if (low > top || tau > enough) {
             break;
         }
     }

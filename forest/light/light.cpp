@@ -81,17 +81,21 @@ struct ZoneLight {
     float ground = 0.0F;
 };
 
+/// Length of the path of a ray through its own cell per height of a layer.
+float own_path(const RayWalk& walk, const PaddedGround& ground, PaddedGround::Gradient rise) {
+    const double climb = walk.tangent - (rise.x * walk.across_x + rise.y * walk.across_y);
+    const double across_m = std::min(layer_height_m / std::max(std::abs(climb), 1e-3), ground.column_m());
+    return static_cast<float>(across_m / (walk.cosine * layer_height_m));
+}
+
 ZoneLight light_of_zone(const LightSite& site, const PrefixSums& leaves, double top_m, std::size_t zone,
-                        std::size_t column) {
+                        std::size_t column, PaddedGround::Gradient rise) {
     const PaddedGround& ground = site.ground();
     const RayWalk& walk = site.walk(zone);
     const std::size_t padded = ground.padded(column);
     const OpticalDepth depth = cast_column(ground, leaves, top_m, walk, padded);
     ZoneLight light;
-    const auto layer_m = static_cast<float>(layer_height_m);
-    const float across_m =
-        std::min(layer_m / std::max(std::abs(depth.climb), 1e-3F), static_cast<float>(ground.column_m()));
-    const float path_per_layer = across_m / (walk.cosine * layer_m);
+    const float path_per_layer = own_path(walk, ground, rise);
     const float* nodes = leaves.of(padded) + PrefixSums::nodes_below;
     for (std::size_t l = 0; l < canopy_layers; ++l) {
         light.centre[l] = exp_minus(depth.layers[l]);
@@ -138,10 +142,11 @@ void add_zone(const LightSite& site, const SkyView& view, const Weights& weights
 ColumnSums sum_zones(const LightSite& site, const PrefixSums& leaves, double top_m, const Weights& weights,
                      std::size_t column) {
     const SkyView& view = site.view(column);
+    const PaddedGround::Gradient rise = site.ground().gradient(column);
     ColumnSums sums;
     for (std::size_t zone = 0; zone < site.sky().zones().size(); ++zone) {
         if (site.shines(view, zone)) {
-            add_zone(site, view, weights, zone, light_of_zone(site, leaves, top_m, zone, column), sums);
+            add_zone(site, view, weights, zone, light_of_zone(site, leaves, top_m, zone, column, rise), sums);
         }
     }
     return sums;

@@ -40,17 +40,18 @@ RayWalk walk_towards(const Direction& towards, double x_m, double y_m, double co
     assert(towards.z > 0.0);
     const double flat = std::sqrt(towards.x * towards.x + towards.y * towards.y);
     RayWalk walk;
-    walk.sine = static_cast<float>(towards.z);
     const double x = x_m / column_m;
     const double y = y_m / column_m;
     walk.start = between(x, y, stride);
     // A ray nearly straight up would divide by nothing; it leaves the canopy inside its column.
     const double run = std::max(flat, 1e-4);
-    walk.cosine = static_cast<float>(run);
+    walk.cosine = run;
     const double step_x = towards.x / run;
     const double step_y = towards.y / run;
     const double tangent = towards.z / run;
-    walk.tangent = static_cast<float>(tangent);
+    walk.tangent = tangent;
+    walk.across_x = step_x;
+    walk.across_y = step_y;
     const double reach = std::min(reach_m, rise_m / tangent) / column_m;
     double gone = 0.0;
     int column = 0;

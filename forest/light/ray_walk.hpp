@@ -30,9 +30,10 @@ struct RayStep {
 struct RayWalk {
     BetweenColumns start;
     std::vector<RayStep> steps;
-    float tangent = 0.0F;  ///< rise per horizontal metre
-    float sine = 0.0F;     ///< of the elevation
-    float cosine = 1.0F;   ///< of the elevation
+    double tangent = 0.0;   ///< rise per horizontal metre
+    double cosine = 1.0;    ///< of the elevation, > 0
+    double across_x = 0.0;  ///< where it goes on the map
+    double across_y = 0.0;
 };
 
 /// A walk that starts at (x, y) metres from the centre of its column, inside it, until the ray has risen by

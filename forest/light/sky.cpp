@@ -165,7 +165,7 @@ void Sky::point_zones(const MonthlyRadiation& usual) {
 }
 
 bool sees(const Exposure& place, const SkySample& sample) {
-    return dot(place.normal, sample.towards) > turn_of(place.least_angle).sin &&
+    return dot(place.normal, sample.towards) > place.least_cosine &&
            place.horizon.clears(sample.towards, sample.azimuth);
 }
 

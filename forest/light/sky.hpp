@@ -83,8 +83,8 @@ private:
 struct Exposure {
     Direction normal;  ///< of the ground
     Horizon horizon;   ///< of the terrain around
-    config::Angle least_angle =
-        config::Angle::from_degrees(0);  ///< light that falls flatter on the ground is left out
+    double least_cosine =
+        0.0;  ///< light that falls flatter on the ground than with this cosine of incidence is left out
 };
 
 /// Whether light from there reaches open ground.
