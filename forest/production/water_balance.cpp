@@ -34,6 +34,9 @@ CanopyWater canopy_of(std::span<const WaterUse> uses, std::span<const double> la
         return canopy;
     }
     for (std::size_t s = 0; s < uses.size(); ++s) {
+        if (lai[s] == 0.0) {
+            continue;  // most patches have two or three of the species
+        }
         const WaterUse& use = uses[s];
         const double share = lai[s] / canopy.lai;
         canopy.interception_share +=

@@ -197,6 +197,21 @@ TEST(CheckMode, LosesThePercentOfRandomMortality) {
     EXPECT_NEAR(rows.back().state.stocks.stems_pha, 800.0 * std::pow(1.0 - 0.024 / 12.0, 119), 1e-8);
 }
 
+TEST(CheckMode, MeetsTheSecondImplementationOfAThinnedMixture) {
+    const std::vector<Row> rows = run(demonstration({beech, pine}, true), mixture_settings);
+    const config::Table reference = reference_table("own_mixture_thinned.csv");
+    ASSERT_EQ(rows.size(), reference.rows() + 2) << "all but the starting state";
+    for (std::size_t i = 0; i < reference.rows(); ++i) {
+        for (const std::string& column : reference.columns()) {
+            if (column != "month_number" && column != "species") {
+                const double expected = config::parse_number(reference.text(i, column)).value();
+                EXPECT_NEAR(value(rows[i + 2], column), expected, 1e-8 * std::max(1.0, std::abs(expected)))
+                    << column << " of " << reference.text(i, "species") << " in month " << i / 2 + 1;
+            }
+        }
+    }
+}
+
 TEST(CheckMode, PlantsASpeciesWhenItsMonthComes) {
     Inputs inputs = demonstration({beech, pine});
     inputs.species[1].planted = {2005, 1};
