@@ -21,9 +21,9 @@ struct MortalityLaw {
     AgeLaw age = AgeLaw::small_and_rising;
     double least_growth_cm = 0.03;  ///< diameter growth below which a year is bad
     double least_relative_growth =
-        0.1;                     ///< the same, relative to the mean of its species in the production unit
-    int bad_years = 3;           ///< in a row, after which a tree may die of it
-    double stress_death = 0.02;  ///< chance a year then, most tolerant species [choice]
+        0.1;                      ///< the same, relative to the mean of its species in the production unit
+    std::uint64_t bad_years = 3;  ///< in a row, after which a tree may die of it
+    double stress_death = 0.02;   ///< chance a year then, most tolerant species [choice]
     double stress_death_by_class = 0.015;  ///< more of it by step of the light-response class (1-9) [choice]
     bool background = true;                ///< whether trees die of age
     bool stress = true;                    ///< whether trees die of stress

@@ -1,0 +1,61 @@
+#include "forest/parameters.hpp"
+
+namespace forest {
+
+namespace {
+
+void declare_mortality(config::Options& options, MortalityLaw& law) {
+    options.choice(
+        "forest.age_deaths", law.age,
+        {{"rising", AgeLaw::small_and_rising}, {"gap_model", AgeLaw::gap_model}},
+        {.meaning = "deaths of age: 0.15 % a year and rising with age, or the constant rate of gap models",
+         .source = "choice; JABOWA, ForClim, iLand"});
+    options.flag("forest.background_deaths", law.background,
+                 {.meaning = "trees die of age", .source = "choice"});
+    options.flag("forest.stress_deaths", law.stress,
+                 {.meaning = "trees die after years without growth", .source = "Bugmann 1994"});
+    options.number("forest.stress_growth_cm", law.least_growth_cm,
+                   {.unit = "cm",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "a year with less diameter growth is a bad one",
+                    .source = "Bugmann 1994"});
+    options.number("forest.stress_relative_growth", law.least_relative_growth,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "so is one with less than this share of the mean growth of its species around",
+                    .source = "Bugmann 1994"});
+    options.count("forest.stress_years", law.bad_years,
+                  {.unit = "years",
+                   .low = 1.0,
+                   .high = 50.0,
+                   .meaning = "bad years in a row after which a tree may die of stress",
+                   .source = "Bugmann 1994"});
+    options.number("forest.stress_death", law.stress_death,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "chance a year to die of stress then, most tolerant species",
+                    .source = "choice"});
+    options.number("forest.stress_death_by_class", law.stress_death_by_class,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.1,
+                    .meaning = "more of it with each step of the light-response class, 1 to 9",
+                    .source = "choice"});
+}
+
+}  // namespace
+
+void declare(config::Options& options, Parameters& parameters) {
+    declare_mortality(options, parameters.mortality);
+    options.flag("forest.self_thinning", parameters.processes.self_thinning,
+                 {.meaning = "no window of 50 m is denser than its species bear",
+                  .source = "French national inventory, after matreex"});
+    options.flag("forest.co2_response", parameters.processes.co2_response,
+                 {.meaning = "production and transpiration follow the CO2 of the air; off: as at 350 ppm",
+                  .source = "Forrester & Tang 2016; off: choice, as the responses are uncertain"});
+}
+
+}  // namespace forest

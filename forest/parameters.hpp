@@ -1,0 +1,23 @@
+#pragma once
+
+#include "config/options/options.hpp"
+#include "forest/mortality.hpp"
+
+namespace forest {
+
+/// Which processes of a year run, beside those that always do.
+struct Processes {
+    bool self_thinning = true;
+    bool co2_response = false;  ///< of quantum efficiency and conductance; off: as at 350 ppm
+};
+
+/// All forest settings that a user can change, with their defaults.
+struct Parameters {
+    MortalityLaw mortality;
+    Processes processes;
+};
+
+/// Declares the settings [forest].
+void declare(config::Options& options, Parameters& parameters);
+
+}  // namespace forest

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "forest/climate/series.hpp"
+#include "forest/light/light.hpp"
+#include "forest/production/water_balance.hpp"
+#include "forest/site.hpp"
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+#include "forest/unit_production.hpp"
+
+namespace forest {
+
+/// The weather of a year on a site.
+struct SiteWeather {
+    std::span<const ClimateYear> units;  ///< one for each site unit, at its elevation
+    double co2_ppm = 350.0;
+    bool co2_response = false;  ///< whether trees respond to it; otherwise as at 350 ppm
+};
+
+/// Where a year's water went, mean over the patches [mm]. Precipitation = evapotranspiration + runoff + what
+/// soil and snow gained.
+struct WaterYear {
+    double precipitation_mm = 0.0;
+    double evapotranspiration_mm = 0.0;
+    double transpiration_mm = 0.0;
+    double runoff_mm = 0.0;
+    double storage_gain_mm = 0.0;
+};
+
+/// What twelve months did to patches and what they offer to trees.
+struct Season {
+    std::vector<PatchState> patches;        ///< after the year
+    std::vector<YearOfLightUse> light_use;  ///< by production unit and species
+    std::vector<double> degree_days;        ///< above 5.5 degC, by site unit
+    WaterYear water;
+};
+
+/// Light of the year on the flat and which months have leaves. Radiation is that of the first site unit: it
+/// does not change with elevation.
+LightYear light_year_of(const Site& site, const SpeciesTable& species, const SiteWeather& weather);
+
+/// Month by month: snow, rain and interception, transpiration, soil water, and the modifiers of production
+/// that come of them. Leaf area of a patch is that of the trees that stand on it.
+Season pass_months(const Stand& stand, const Site& site, const SpeciesTable& species,
+                   const SiteWeather& weather, const LightYear& light_year, const LightField& light);
+
+}  // namespace forest

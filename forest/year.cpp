@@ -1,0 +1,111 @@
+#include "forest/year.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "forest/allometry.hpp"
+#include "forest/growth.hpp"
+#include "forest/mortality.hpp"
+#include "forest/production/allocation.hpp"
+#include "forest/self_thinning.hpp"
+#include "forest/stand_light.hpp"
+#include "forest/unit_production.hpp"
+
+namespace forest {
+
+namespace {
+
+/// Trees of this diameter stand alone [choice]: groups break up.
+constexpr double single_tree_cm = 5.0;
+
+/// The year's light: on every patch and in every crown.
+struct YearLight {
+    LightYear year;
+    LightField field;
+    StandLight trees;
+};
+
+YearLight shine(const Stand& stand, const Site& site, const SpeciesTable& species,
+                const SiteWeather& weather) {
+    YearLight light;
+    light.year = light_year_of(site, species, weather);
+    const std::vector<LightTree> trees = light_trees_of(stand, species);
+    const Canopy canopy{site.light().ground(), trees};
+    light.field = compute_light(site.light(), canopy, light.year, trees);
+    light.trees = light_in_stand(stand, species, site.light(), canopy, light.field);
+    return light;
+}
+
+std::vector<std::uint32_t> production_units_of(const Stand& stand, const Site& site) {
+    std::vector<std::uint32_t> units;
+    units.reserve(stand.trees().size());
+    for (const Tree& tree : stand.trees()) {
+        units.push_back(site.production_unit_of(tree.patch));
+    }
+    return units;
+}
+
+/// What every tree has to grow with. Requires the stand to know its light ratios.
+std::vector<TreeSeason> seasons_of(const Stand& stand, const Site& site, const SpeciesTable& species,
+                                   const StandLight& light, const Season& season) {
+    const std::span<const Tree> trees = stand.trees();
+    const std::vector<TreeProduction> production =
+        share_production(trees, species, light.absorbed, production_units_of(stand, site), season.light_use);
+    std::vector<TreeSeason> seasons(trees.size());
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const Patch& patch = stand.grid()[trees[i].patch];
+        seasons[i] = {.npp_kg = production[i].npp_kg,
+                      .root_share = root_share(species[trees[i].species].three_pg.root_share,
+                                               production[i].physiology, patch.soil.fertility),
+                      .degree_days = season.degree_days[site.unit_of(trees[i].patch)],
+                      .shaded_below_m = light.shaded_below_m[i]};
+    }
+    return seasons;
+}
+
+void grow(Stand& stand, const SpeciesTable& species, std::span<const TreeSeason> seasons,
+          YearReport& report) {
+    const std::vector<TreeGrowth> growth = growth_of_trees(stand, species, seasons);
+    for (std::size_t i = 0; i < growth.size(); ++i) {
+        const Tree& tree = stand.trees()[i];
+        const Allometry& allometry = species[tree.species].allometry;
+        const double after_m3 =
+            stem_volume_m3(allometry, tree.dbh_cm + growth[i].dbh_cm, tree.height_m + growth[i].height_m);
+        report.volume_increment_m3 +=
+            tree.stems * (after_m3 - stem_volume_m3(allometry, tree.dbh_cm, tree.height_m));
+        report.production_kg += tree.stems * seasons[i].npp_kg;
+    }
+    stand.grow(growth);
+}
+
+void let_die(Stand& stand, const Site& site, const SpeciesTable& species, const Parameters& parameters,
+             const YearKey& key) {
+    stand.set_stress_years(stress_years_after(stand, parameters.mortality, production_units_of(stand, site),
+                                              site.production_units().size()));
+    stand.remove_trees(natural_deaths(stand, species, parameters.mortality, key.seed, key.replicate));
+    if (parameters.processes.self_thinning) {
+        stand.remove_trees(self_thinning(stand, species, site.windows(), key.seed, key.replicate));
+    }
+}
+
+}  // namespace
+
+YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species, const SiteWeather& weather,
+                     const Parameters& parameters, const YearKey& key) {
+    YearReport report;
+    stand.begin_year();
+
+    const YearLight light = shine(stand, site, species, weather);
+    const Season season = pass_months(stand, site, species, weather, light.year, light.field);
+    stand.set_light_ratios(light.trees.ratios);
+    stand.set_patch_states(season.patches);
+    report.water = season.water;
+    report.light_closure = light.field.closure[6];
+
+    grow(stand, species, seasons_of(stand, site, species, light.trees, season), report);
+    stand.split_groups(single_tree_cm, key.seed, key.replicate);
+    let_die(stand, site, species, parameters, key);
+    return report;
+}
+
+}  // namespace forest
