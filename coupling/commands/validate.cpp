@@ -7,9 +7,11 @@
 
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/validation/result_folder.hpp"
 #include "coupling/validation/screen.hpp"
 #include "coupling/validation/validate.hpp"
 #include "coupling/validation/verdict.hpp"
+#include "coupling/validation/write_results.hpp"
 
 namespace coupling {
 
@@ -93,11 +95,21 @@ int validate_cases(const CommandLine& line, std::ostream& out) {
     const std::vector<ValidationCase> cases = read_cases(line, files);
     const validation::ValidateRequest request{line.threads > 0 ? line.threads : omp_get_max_threads(),
                                               line.quiet};
+    const std::filesystem::path out_folder = line.out.empty() ? "validation-results" : line.out;
+    validation::ResultFolder folder{out_folder, line.overwrite};
     std::vector<CaseResult> results;
     for (const ValidationCase& one : cases) {
         results.push_back(validation::validate(one, request));
         validation::print_case(out, results.back());
         out.flush();
+    }
+    const std::vector<WrittenFile> written = validation::write_results(results, folder.staging());
+    folder.publish();
+    if (!line.quiet) {
+        out << "Results in " << folder.path().string() << '\n';
+        for (const WrittenFile& file : written) {
+            out << "  " << std::left << std::setw(16) << file.path << ' ' << file.sentence << '\n';
+        }
     }
     const bool missed = std::any_of(results.begin(), results.end(), validation::misses_any);
     return static_cast<int>(missed ? config::ExitCode::validation : config::ExitCode::done);

@@ -21,7 +21,8 @@ TEST(Warmed, KeepsRelativeHumidity) {
 }
 
 TEST(Warmed, MovesFrostDaysWithTemperatureAndNeverPastTheMonth) {
-    for (const ClimateMonth& month : alpine_series().years.front().months) {
+    const ClimateYear year = alpine_series().years.front();
+    for (const ClimateMonth& month : year.months) {
         double frost_days = 31.0;
         for (const double shift_k : {-20.0, -5.0, -1.0, 0.0, 1.0, 5.0, 20.0}) {
             const ClimateMonth warm = warmed(month, 1, shift_k);
@@ -78,8 +79,8 @@ TEST(AtElevation, KeepsADryMonthDryAndTheMeanOfTheLapseRate) {
 }
 
 TEST(AtElevation, RainsNeverLessThanNothing) {
-    for (const ClimateMonth& month :
-         at_elevation(alpine_series(), -6000.0, LapseRates::shipped()).years.front().months) {
+    const ClimateSeries deep = at_elevation(alpine_series(), -6000.0, LapseRates::shipped());
+    for (const ClimateMonth& month : deep.years.front().months) {
         EXPECT_GE(month.prec_mm, 0.0);
     }
 }

@@ -1,0 +1,111 @@
+#include "coupling/validation/summary_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/validation/screen.hpp"
+
+namespace coupling::validation {
+
+namespace {
+
+std::string cell(std::string text) {
+    for (std::size_t bar = text.find('|'); bar != std::string::npos; bar = text.find('|', bar + 2)) {
+        text.insert(bar, 1, '\\');
+    }
+    return text;
+}
+
+std::string value_cell(const Value& value, const std::string& unit, Verdict verdict) {
+    const std::string text =
+        value.deviation ? figure_text(value.value, *value.deviation, unit) : figure_text(value.value, unit);
+    return verdict == Verdict::missed ? joined("**", text, "**") : text;
+}
+
+void write_row(std::ostream& out, const VerdictRow& row) {
+    const std::vector<std::string> fixed = fixed_cells(row);
+    out << "| " << fixed[0] << " | " << fixed[1] << " | " << fixed[2] << " | " << fixed[3] << " | "
+        << value_cell(row.strict_value, row.unit, row.strict_verdict) << " | "
+        << value_cell(row.default_value, row.unit, row.default_verdict) << " | " << fixed[4] << " |\n";
+}
+
+std::size_t met(const CaseResult& result, Verdict VerdictRow::*verdict) {
+    return static_cast<std::size_t>(
+        std::count_if(result.rows.begin(), result.rows.end(),
+                      [&](const VerdictRow& row) { return row.*verdict == Verdict::inside; }));
+}
+
+std::size_t criteria(const CaseResult& result) {
+    return static_cast<std::size_t>(
+        std::count_if(result.rows.begin(), result.rows.end(),
+                      [](const VerdictRow& row) { return row.strict_verdict != Verdict::no_criterion; }));
+}
+
+void write_directions(std::ostream& out, const CaseResult& result) {
+    if (result.directions.empty()) {
+        return;
+    }
+    out << "\n| figure | as this grows | literature | here, from the first step to the last | holds |\n"
+           "|---|---|---|---|---|\n";
+    for (const DirectionRow& row : result.directions) {
+        out << "| " << cell(row.figure) << " | " << cell(row.setting) << " | "
+            << (row.rises ? "rises" : "falls") << " | " << figure_text(row.change.value, "") << " ("
+            << figure_text(row.change.low, "") << " to " << figure_text(row.change.high, "") << ") | "
+            << (row.verdict == Verdict::missed ? "**no**" : "yes") << " |\n";
+    }
+}
+
+void write_case(std::ostream& out, const CaseResult& result) {
+    out << "\n**" << result.name << "** - " << result.title << ". " << result.rocks << " rocks, "
+        << result.series << " series of " << result.rocks_per_series << ". Criteria met: strict "
+        << met(result, &VerdictRow::strict_verdict) << ", default "
+        << met(result, &VerdictRow::default_verdict) << " of " << criteria(result) << ".\n";
+    if (!result.rows.empty()) {
+        out << "\n| figure | unit | observed | published | strict | default | criterion |\n"
+               "|---|---|---|---|---|---|---|\n";
+        for (const VerdictRow& row : result.rows) {
+            write_row(out, row);
+        }
+    }
+    write_directions(out, result);
+    for (const std::string& note : result.notes) {
+        out << "\nNote: " << note << ".\n";
+    }
+    for (const VerdictRow& row : result.rows) {
+        const bool missed = row.strict_verdict == Verdict::missed || row.default_verdict == Verdict::missed;
+        if (missed && !row.cause.empty()) {
+            out << "\nMissed: " << row.label << ". " << row.cause << "\n";
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> fixed_cells(const VerdictRow& row) {
+    const auto value = [&](const std::optional<double>& number) {
+        return number ? figure_text(*number, row.unit) : std::string{};
+    };
+    std::string published = value(row.published);
+    if (row.published && row.published_deviation) {
+        published = figure_text(*row.published, *row.published_deviation, row.unit);
+    }
+    std::string criterion;
+    if (row.low && row.high) {
+        criterion = joined(config::to_text(*row.low), " to ", config::to_text(*row.high),
+                           row.rests_on == "rebuilding" ? " r" : "");
+    }
+    return {cell(row.label), row.unit, value(row.observed), published, criterion};
+}
+
+void write_summary(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "Value of the large ensemble ± standard deviation between series; **bold**: outside the "
+           "criterion;\n"
+           "r: the figure was used to rebuild the slope, so a hit proves little.\n";
+    for (const CaseResult& result : cases) {
+        write_case(out, result);
+    }
+}
+
+}  // namespace coupling::validation

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/validation/case_result.hpp"
+#include "coupling/validation/validation_case.hpp"
+
+namespace coupling::validation {
+
+/// The verdicts of cases as Markdown: a table for each case, then its misses. What the README shows between
+/// these lines is this text.
+inline constexpr std::string_view summary_begins = "<!-- written by bannwald validate all: summary.md -->";
+inline constexpr std::string_view summary_ends = "<!-- end of summary.md -->";
+
+void write_summary(std::ostream& out, std::span<const CaseResult> cases);
+
+/// The cells of a line of the summary that its case's folder fixes: figure, unit, observed, published,
+/// criterion. They can be compared without letting a rock fall.
+std::vector<std::string> fixed_cells(const VerdictRow& row);
+
+}  // namespace coupling::validation

@@ -1,0 +1,163 @@
+#include "coupling/validation/tables.hpp"
+
+#include <limits>
+
+#include "coupling/results/csv_row.hpp"
+#include "coupling/validation/verdict.hpp"
+
+namespace coupling::validation {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr int decimals = 5;
+
+std::string_view word_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::inside:
+            return "inside";
+        case Verdict::missed:
+            return "missed";
+        case Verdict::no_criterion:
+            break;
+    }
+    return "";
+}
+
+void put(CsvRow& row, const std::optional<double>& value) {
+    row.number<decimals>(value.value_or(none));
+}
+
+void put(CsvRow& row, const Value& value) {
+    row.number<decimals>(value.value);
+    put(row, value.series);
+    put(row, value.deviation);
+}
+
+/// Value and verdict of a figure under a moved choice.
+void put_moved(CsvRow& row, const Values& values, const VerdictRow& of) {
+    const auto found = values.find(of.quantity);
+    const double value = found != values.end() ? found->second.value : none;
+    row.number<decimals>(value);
+    row.text(of.low && of.high ? word_of(verdict_of(value, {*of.low, *of.high, {}, {}, {}})) : "");
+}
+
+}  // namespace
+
+void write_verdicts(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,quantity,label,unit,observed,observed_source,published,published_deviation,published_source,"
+           "strict,strict_series_mean,strict_series_deviation,default,default_series_mean,"
+           "default_series_deviation,low,high,rests_on,rule,strict_verdict,default_verdict,cause\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const VerdictRow& row : result.rows) {
+            line.text(result.name).text(row.quantity).text(row.label).text(row.unit);
+            put(line, row.observed);
+            line.text(row.observed_source);
+            put(line, row.published);
+            put(line, row.published_deviation);
+            line.text(row.published_source);
+            put(line, row.strict_value);
+            put(line, row.default_value);
+            put(line, row.low);
+            put(line, row.high);
+            line.text(row.rests_on).text(row.rule).text(word_of(row.strict_verdict));
+            line.text(word_of(row.default_verdict)).text(row.cause);
+            line.end();
+        }
+    }
+}
+
+void write_figures(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,variant,quantity,value,series_mean,series_deviation\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const VariantOutcome& variant : result.variants) {
+            for (const auto& [quantity, value] : variant.values) {
+                line.text(result.name).text(variant.variant).text(quantity);
+                put(line, value);
+                line.end();
+            }
+        }
+    }
+}
+
+void write_choices(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,choice,overrides,reason,quantity,unit,low,high,strict,strict_verdict,default,"
+           "default_verdict\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const ChoiceOutcome& choice : result.choices) {
+            for (const VerdictRow& row : result.rows) {
+                line.text(result.name).text(choice.choice).text(choice.overrides).text(choice.reason);
+                line.text(row.quantity).text(row.unit);
+                put(line, row.low);
+                put(line, row.high);
+                put_moved(line, choice.strict_values, row);
+                put_moved(line, choice.default_values, row);
+                line.end();
+            }
+        }
+    }
+}
+
+void write_run_out(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,variant,distance_m,share,series_05,series_95\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const VariantOutcome& variant : result.variants) {
+            for (std::size_t k = 0; k < variant.run_out.size(); ++k) {
+                line.text(result.name).text(variant.variant);
+                line.number<decimals>(variant.run_out[k].x).number<decimals>(variant.run_out[k].y);
+                line.number<decimals>(k < variant.run_out_low.size() ? variant.run_out_low[k].y : none);
+                line.number<decimals>(k < variant.run_out_high.size() ? variant.run_out_high[k].y : none);
+                line.end();
+            }
+        }
+    }
+}
+
+void write_jumps(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,variant,from_m,to_m,jumps,shortest_m,mean_m,longest_m\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const VariantOutcome& variant : result.variants) {
+            for (const SegmentJumps& segment : variant.jumps) {
+                line.text(result.name).text(variant.variant);
+                line.number<1>(segment.from_m).number<1>(segment.to_m).whole(segment.jumps);
+                line.number<decimals>(segment.shortest_m).number<decimals>(segment.mean_m);
+                line.number<decimals>(segment.longest_m).end();
+            }
+        }
+    }
+}
+
+void write_tree_hits(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,variant,hits,share_of_rocks\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const VariantOutcome& variant : result.variants) {
+            for (std::size_t hits = 0; hits < variant.tree_hits.size(); ++hits) {
+                line.text(result.name).text(variant.variant).whole(hits);
+                line.number<decimals>(variant.tree_hits[hits]).end();
+            }
+        }
+    }
+}
+
+void write_hit_heights(std::ostream& out, std::span<const CaseResult> cases) {
+    constexpr double bin_m = 0.5;
+    out << "case,variant,from_m,to_m,share_of_hits\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const VariantOutcome& variant : result.variants) {
+            for (std::size_t bin = 0; bin < variant.hit_heights.size(); ++bin) {
+                const double from_m = bin_m * static_cast<double>(bin);
+                line.text(result.name).text(variant.variant).number<1>(from_m).number<1>(from_m + bin_m);
+                line.number<decimals>(variant.hit_heights[bin]).end();
+            }
+        }
+    }
+}
+
+}  // namespace coupling::validation
