@@ -113,6 +113,11 @@ void print_summary(const ProfileResults& results, const std::filesystem::path& f
     std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m, standard deviation %.1f m\n",
                 static_cast<unsigned long long>(tally.rocks), results.site.last_m() - results.site.first_m(),
                 tally.run_out_m.mean(), tally.run_out_m.deviation());
+    const auto left = tally.by_reason[static_cast<std::size_t>(rockfall::StopReason::left_terrain)];
+    if (left > 0) {
+        std::printf("  %.2f %% left the profile over an end: their run-out is counted to there\n",
+                    100.0 * share_of(left, tally.rocks).value);
+    }
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const Moments& energy = tally.stations[i].energy_j.moments;
         const Share share = share_of(energy.count(), tally.rocks);

@@ -16,7 +16,7 @@ using report::escaped;
 using report::place;
 
 constexpr double left = 70.0;
-constexpr double top = 16.0;
+constexpr double top = 64.0;  // room for the names over the upper end
 constexpr double widest = 1010.0;
 constexpr double highest = 600.0;
 constexpr double below = 46.0;
@@ -51,6 +51,7 @@ struct Sheet {
         height.high = std::max(height.high, height_m);
     }
     [[nodiscard]] double x_of(double distance_m) const { return left + per_m * (distance_m - distance.low); }
+    [[nodiscard]] double distance_at(double x) const { return distance.low + (x - left) / per_m; }
     [[nodiscard]] double y_of(double height_m) const { return top + per_m * (height.high - height_m); }
     [[nodiscard]] double right() const { return x_of(distance.high); }
     [[nodiscard]] double bottom() const { return y_of(height.low); }
@@ -153,32 +154,51 @@ std::string paths_of(const ProfileResults& results, const Sheet& sheet) {
     return joined(svg, "</g>");
 }
 
+/// Where a name stands: its left and right end and its base line.
+struct NameBox {
+    double from;
+    double to;
+    double base;
+};
+
+/// Lifts a base line until the name covers none of those before it.
+double free_base(const std::vector<NameBox>& taken, NameBox box) {
+    constexpr double line = 15.0;
+    constexpr double gap = 7.0;
+    const auto covers = [&](const NameBox& other) {
+        return box.from < other.to + gap && other.from < box.to + gap &&
+               std::abs(box.base - other.base) < line;
+    };
+    while (std::any_of(taken.begin(), taken.end(), covers) && box.base > line) {
+        box.base -= 1.0;
+    }
+    return box.base;
+}
+
 /// A pole at each place with its name above; names that would touch stand one above the other.
 std::string poles(const ProfileResults& results, const Sheet& sheet) {
     std::vector<Station> places = results.site.stations;
     places.insert(places.begin(), {"start", results.site.start_m});
     constexpr double letter = 7.5;
-    constexpr double line = 15.0;
-    constexpr double least_pole = 34.0;
+    constexpr double shortest_pole = 24.0;
+    constexpr double pole_above_base = 9.0;
     std::string svg;
-    std::vector<double> taken_to;  // right end of the last name on each level
+    std::vector<NameBox> taken;
     for (const Station& station : places) {
         const double x = sheet.x_of(station.distance_m);
         const double width = letter * static_cast<double>(station.name.size());
         const bool to_the_left = x + width > sheet.right();
         const double from = to_the_left ? x - width : x;
-        std::size_t level = 0;
-        while (level < taken_to.size() && taken_to[level] > from - letter) {
-            ++level;
-        }
-        taken_to.resize(std::max(taken_to.size(), level + 1));
-        taken_to[level] = from + width;
         const double ground = sheet.y_of(results.site.height_m(station.distance_m));
-        const double head = std::max(top + 12.0, ground - least_pole - line * static_cast<double>(level));
-        svg += joined("<path class=\"pole\" d=\"M", place(x), " ", place(ground), "V", place(head),
-                      "\"/><text class=\"pole\" text-anchor=\"", (to_the_left ? "end" : "start"), "\" x=\"",
-                      place(x + (to_the_left ? -4.0 : 4.0)), "\" y=\"", place(head + 9.0), "\">",
-                      escaped(station.name), "</text>");
+        // The name stands clear of the slope at both of its ends.
+        const double far_end = sheet.distance_at(to_the_left ? from : from + width);
+        const double highest_ground = std::min(ground, sheet.y_of(results.site.height_m(far_end)));
+        const double base = free_base(taken, {from, from + width, highest_ground - shortest_pole});
+        taken.push_back({from, from + width, base});
+        svg += joined("<path class=\"pole\" d=\"M", place(x), " ", place(ground), "V",
+                      place(base - pole_above_base), "\"/><text class=\"pole\" text-anchor=\"",
+                      (to_the_left ? "end" : "start"), "\" x=\"", place(x + (to_the_left ? -4.0 : 4.0)),
+                      "\" y=\"", place(base), "\">", escaped(station.name), "</text>");
     }
     return svg;
 }
@@ -212,11 +232,13 @@ std::string drawing(const ProfileResults& results) {
     const std::vector<std::uint8_t> types = types_along(results.site);
     const std::size_t paths = results.tally.paths.size();
     const std::size_t drawn = paths == 0 ? 0 : (paths + drawn_every(results) - 1) / drawn_every(results);
+    // One unit is one pixel at most, so that letters stay those of the page.
+    const std::string width = place(std::max(sheet.right(), 420.0) + 20.0);
     return joined(
         "<h2>The profile</h2>\n<figure class=\"chart map profile\"><figcaption><b>The profile at true "
         "vertical "
         "scale</b></figcaption>",
-        legend(results, types), "<svg viewBox=\"0 0 ", place(std::max(sheet.right(), 420.0) + 20.0), " ",
+        legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
         place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"The profile at true vertical scale\">",
         axes_of(sheet), ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet),
         "</svg><p>",

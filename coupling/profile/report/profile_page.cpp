@@ -35,6 +35,15 @@ std::string start_in_words(const Scenario& scenario) {
                                          "° below the horizon");
 }
 
+/// A run-out that ends where the profile does is none.
+std::string left_in_words(const ProfileResults& results) {
+    const auto left = results.tally.by_reason[static_cast<std::size_t>(rockfall::StopReason::left_terrain)];
+    return left == 0
+               ? ""
+               : joined(" Of all rocks ", report::percent(share_of(left, results.tally.rocks).value),
+                        " left the profile over an end: their run-out is counted to there and would go on.");
+}
+
 std::string opening(const ProfileResults& results) {
     const Scenario& scenario = results.scenario;
     const ProfileSite& site = results.site;
@@ -47,8 +56,9 @@ std::string opening(const ProfileResults& results) {
                " rocks fell along one profile, in two dimensions: nothing turns them sideways and there are "
                "no trees. "
                "Mean run-out <b>",
-               fixed(results.tally.run_out_m.mean(), 1), " m</b> in plan, standard deviation ",
-               fixed(results.tally.run_out_m.deviation(), 1), " m.</p>\n<dl class=\"facts\">");
+               fixed(results.tally.run_out_m.mean(), 1), "\u00a0m</b> in plan, standard deviation ",
+               fixed(results.tally.run_out_m.deviation(), 1), "\u00a0m.", left_in_words(results),
+               "</p>\n<dl class=\"facts\">");
     html += fact("Profile", escaped(scenario.profile));
     html += fact("Length in plan", joined(fixed(length_m, 1), " m"));
     html += fact("Drop", joined(fixed(drop_m, 1), " m, ",
