@@ -85,6 +85,47 @@ RockStart on_profile(const Slope& slope, double distance_m, double height_m, std
     return start;
 }
 
+/// Largest gain of total mechanical energy per mass from one event of a fall to the next, flights and rolls.
+struct EnergyWatch {
+    Rock rock;
+    double last = std::numeric_limits<double>::infinity();
+    double largest_gain = 0.0;
+
+    void pass(double height_m, double squared_speed, double spin, double end_height_m,
+              double end_squared_speed, double end_spin) {
+        const auto energy = [&](double z_m, double squared, double spin_radps) {
+            return kinetic_energy_j(rock, squared, spin_radps) / rock.mass_kg + 9.81 * z_m;
+        };
+        const double begin = energy(height_m, squared_speed, spin);
+        const double end = energy(end_height_m, end_squared_speed, end_spin);
+        largest_gain = std::max({largest_gain, begin - last, end - begin});
+        last = end;
+    }
+    void flew(const Rock&, const Flight& flight, double until_s, std::span<const Stretch>, double spin) {
+        pass(flight.start_m.z(), flight.squared_speed_at(0.0), spin, flight.height_m(until_s),
+             flight.squared_speed_at(until_s), spin);
+    }
+    void rolled(const Rock&, const RollingPiece& piece, std::uint32_t) {
+        const Eigen::Vector3d end_mps = piece.velocity_at(piece.duration_s);
+        pass(piece.start_m.z(), piece.velocity_mps.squaredNorm(), piece.velocity_mps.norm() / rock.radius_m,
+             piece.position_m(piece.duration_s).z(), end_mps.squaredNorm(), end_mps.norm() / rock.radius_m);
+    }
+    void impacted(const Eigen::Vector3d&) {}
+    void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
+};
+
+RC_GTEST_PROP(FallAlongAProfile, NeverGainsEnergyWhileItRolls, ()) {
+    const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
+    const Slope slope = strip_slope(random_profile(seed), {ground({0.3, 0.8}), ground({0.35, 0.9}, 0.01)});
+    for (const double height_m : {0.0, 1.5}) {
+        const RockStart start = on_profile(slope, -10.0, height_m, seed);
+        EnergyWatch watch{start.rock};
+        FallScratch scratch;
+        fall(slope, {}, lively_law(), {1, 0, 0, seed}, start, scratch, watch);
+        RC_ASSERT(watch.largest_gain < 1e-3);
+    }
+}
+
 RC_GTEST_PROP(ProfileStrip, HasTheHeightsOfTheProfileEverywhere, ()) {
     const auto profile = random_profile(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000)));
     const Slope slope = strip_slope(profile, {ground({0.3, 0.8}), ground({0.35, 0.9})});
