@@ -5,6 +5,7 @@
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/validation/page_notes.hpp"
 #include "coupling/validation/page_parts.hpp"
 
 namespace coupling::validation {
@@ -23,8 +24,8 @@ constexpr const char* free_path = "free_path_m";
 constexpr const char* analytic = "analytic_free_path_m";
 
 std::string with_interval(const Estimate& estimate) {
-    return joined(figure_text(estimate.value), " <span class=\"soft\">(", figure_text(estimate.low), " to ",
-                  figure_text(estimate.high), ")</span>");
+    return joined(figure_text(estimate.value), " <span class=\"interval\">(", figure_text(estimate.low),
+                  " to ", figure_text(estimate.high), ")</span>");
 }
 
 const Estimate* figure_of(const FactorRow& row, const std::string& figure) {
@@ -32,32 +33,57 @@ const Estimate* figure_of(const FactorRow& row, const std::string& figure) {
     return found == row.figures.end() ? nullptr : &found->second;
 }
 
+const DirectionRow* same_direction(const CaseResult& result, const DirectionRow& as, const char* variant) {
+    const auto found =
+        std::find_if(result.directions.begin(), result.directions.end(), [&](const DirectionRow& row) {
+            return row.variant == variant && row.figure == as.figure && row.setting == as.setting;
+        });
+    return found == result.directions.end() ? nullptr : &*found;
+}
+
+std::string steps_cell(const DirectionRow* row) {
+    std::string lines;
+    for (std::size_t i = 0; row != nullptr && i < row->at_steps.size(); ++i) {
+        lines += joined((i == 0 ? "" : "<br/>"), with_interval(row->at_steps[i]));
+    }
+    return lines.empty() ? "–" : lines;
+}
+
+std::string verdict_cell(const DirectionRow* row) {
+    if (row == nullptr) {
+        return "–";
+    }
+    const std::string against =
+        row->steps_against == 0 ? "" : joined("; steps against: ", std::to_string(row->steps_against));
+    return joined(badge(row->verdict), "<small>", figure_text(row->change.value), "</small><small>",
+                  figure_text(row->change.low), " to ", figure_text(row->change.high), against, "</small>");
+}
+
 std::string directions_table(const CaseResult& result) {
-    HtmlTable table{"Steps: mean over the other settings with its 95 % interval.",
-                    {"direction", "settings", "steps", "change", "against", "verdict", "source"}};
-    table.text_columns({1, 2, 6});
-    for (const Side& side : {strict_side, default_side}) {
-        table.group(side.name);
-        for (const DirectionRow& row : result.directions) {
-            if (row.variant != side.name) {
-                continue;
-            }
-            std::string values;
-            std::string steps;
-            for (std::size_t i = 0; i < row.steps.size(); ++i) {
-                values += joined((i == 0 ? "" : "<br/>"), figure_text(row.steps[i]));
-                steps += joined((i == 0 ? "" : "<br/>"), with_interval(row.at_steps[i]));
-            }
-            table.row({escaped(direction_name(row)), values, steps, with_interval(row.change),
-                       std::to_string(row.steps_against), badge(row.verdict), escaped(row.source)});
+    HtmlTable table{
+        "Figures: mean over the other settings with its 95 % interval. Below a verdict: the change from the "
+        "first step to the last with its interval.",
+        {"direction", "at", "strict", "default", "strict", "default"}};
+    Notes notes;
+    for (const DirectionRow& row : result.directions) {
+        const DirectionRow* strict = same_direction(result, row, strict_side.name);
+        const DirectionRow* ours = same_direction(result, row, default_side.name);
+        if (&row != (strict != nullptr ? strict : ours)) {
+            continue;  // stands in the row of its twin
         }
+        std::string values;
+        for (std::size_t i = 0; i < row.steps.size(); ++i) {
+            values += joined((i == 0 ? "" : "<br/>"), report::tick_text(row.steps[i]));
+        }
+        table.row({joined(escaped(direction_name(row)), notes.cite(row.source)), values, steps_cell(strict),
+                   steps_cell(ours), verdict_cell(strict), verdict_cell(ours)});
     }
     return joined(
         "<section class=\"card\"><h3>Directions that the literature agrees on</h3>\n<p>A direction is met if "
         "no step goes against it by more than the interval of that step, and the last step differs from the "
         "first by more than the interval of their difference. Intervals cover the chance of rocks and of "
         "stands.</p>\n",
-        table.html(), "</section>\n");
+        table.html(), notes.html(), "</section>\n");
 }
 
 /// Rows of one set in which all settings moved together, or one alone.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/validation/case_result.hpp"
+#include "coupling/validation/factor_names.hpp"
 
 namespace coupling::validation {
 
@@ -69,10 +70,6 @@ std::string criterion_text(const VerdictRow& row);
 Verdict judge(const VerdictRow& row, double value);
 /// Label and unit of a row, escaped: "mean speed, m/s".
 std::string row_name(const VerdictRow& row);
-/// A setting or figure of factors for people, with its unit: "stems/ha", "protection effect".
-std::string factor_name(const std::string& key);
-/// "protection effect rises with stems/ha".
-std::string direction_name(const DirectionRow& row);
 /// The class of a variant's series in the charts: by name for strict and default, by place for others.
 std::string series_of(const CaseResult& result, std::size_t variant);
 /// Two decimals below 10, one below 100, none above; an en dash where it is not finite.

@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_parts.hpp"
@@ -88,28 +87,6 @@ std::string row_name(const VerdictRow& row) {
                : joined(report::escaped(name), ", ", report::escaped(row.unit));
 }
 
-std::string factor_name(const std::string& key) {
-    static const std::map<std::string, std::string> names{
-        {"stand.stems_per_ha", "stems/ha"},
-        {"stand.dbh_mean_cm", "mean DBH, cm"},
-        {"stand.basal_area_m2pha", "basal area, m²/ha"},
-        {"stand.from_m", "upper end of the forest, m"},
-        {"stand.to_m", "lower end of the forest, m"},
-        {"rock.diameter_m", "rock diameter, m"},
-        {"protection_effect", "protection effect"},
-        {"energy_kept_share", "share of energy kept from the foot"},
-        {"residual_energy_kj", "mean energy of rocks that arrive, kJ"},
-        {"hits_per_rock", "tree hits per rock"},
-        {"free_path_m", "way between tree hits, m"}};
-    const auto found = names.find(key);
-    return found == names.end() ? key : found->second;
-}
-
-std::string direction_name(const DirectionRow& row) {
-    return joined(factor_name(row.figure), row.rises ? " rises with " : " falls with ",
-                  factor_name(row.setting));
-}
-
 std::string series_of(const CaseResult& result, std::size_t variant) {
     const std::string& name = result.variants[variant].variant;
     if (name == "strict" || name == "default") {
@@ -126,12 +103,12 @@ std::string series_of(const CaseResult& result, std::size_t variant) {
 
 std::string figure_text(double value) {
     const double size = std::abs(value);
-    return size < 0.1 ? report::three_digits(value) : report::fixed(value, decimals_of(size));
+    return size < 0.001 ? report::three_digits(value) : report::fixed(value, decimals_of(size));
 }
 
 std::string figure_text(double value, double deviation) {
-    const std::string text = std::abs(value) < 0.1 ? report::three_digits(deviation)
-                                                   : report::fixed(deviation, decimals_of(std::abs(value)));
+    const std::string text = std::abs(value) < 0.001 ? report::three_digits(deviation)
+                                                     : report::fixed(deviation, decimals_of(std::abs(value)));
     return joined(figure_text(value), "\u00a0±\u00a0", text);
 }
 

@@ -42,7 +42,8 @@ ul.notes+section.card{margin-top:14px}
 line-height:1.35;color:var(--forest);white-space:nowrap}
 .badge.missed{background:var(--bare);border-color:var(--bare);color:var(--paper)}
 td .badge{margin-left:.3em}
-td .soft,td small{font-size:.8rem;color:var(--soft)}
+td .interval{white-space:nowrap}
+td .interval,td small{font-size:.8rem;color:var(--soft)}
 td small,th small{display:block}
 td small{white-space:nowrap}
 sup{font-size:.7em;line-height:0;color:var(--soft)}

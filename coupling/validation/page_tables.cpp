@@ -4,6 +4,7 @@
 
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/validation/page_notes.hpp"
 #include "coupling/validation/page_parts.hpp"
 #include "coupling/validation/verdict.hpp"
 
@@ -12,33 +13,6 @@ namespace {
 
 using report::escaped;
 using report::HtmlTable;
-
-/// Sources in the order of their first mention, each with one number however often it is cited.
-class Notes {
-public:
-    /// The number as a raised sign with the source as its tooltip; empty for an empty source.
-    std::string cite(const std::string& source) {
-        if (source.empty()) {
-            return "";
-        }
-        const auto found = std::find(sources_.begin(), sources_.end(), source);
-        const auto number = std::to_string(found - sources_.begin() + 1);
-        if (found == sources_.end()) {
-            sources_.push_back(source);
-        }
-        return joined("<sup title=\"", escaped(source), "\">", number, "</sup>");
-    }
-    [[nodiscard]] std::string html() const {
-        std::string items;
-        for (const std::string& source : sources_) {
-            items += joined("<li>", escaped(source), "</li>\n");
-        }
-        return items.empty() ? "" : joined("<ol class=\"sources\">\n", items, "</ol>\n");
-    }
-
-private:
-    std::vector<std::string> sources_;
-};
 
 std::string with_deviation(double value, std::optional<double> deviation) {
     return deviation ? figure_text(value, *deviation) : figure_text(value);

@@ -8,6 +8,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/validation/factor_names.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
@@ -176,6 +177,21 @@ void print_flips(std::ostream& out, const CaseResult& result) {
     }
 }
 
+/// The change of each figure from the first step of its setting to the last.
+void print_directions(std::ostream& out, const CaseResult& result) {
+    if (result.directions.empty()) {
+        return;
+    }
+    AlignedTable table;
+    table.add({"directions of the literature", "", "change", "95 % interval", ""});
+    for (const DirectionRow& row : result.directions) {
+        table.add({direction_name(row), row.variant, figure_text(row.change.value, "-"),
+                   joined(figure_text(row.change.low, "-"), " to ", figure_text(row.change.high, "-")),
+                   verdict_text(row.verdict)});
+    }
+    table.print(out);
+}
+
 }  // namespace
 
 std::string figure_text(double value, const std::string& unit) {
@@ -198,6 +214,7 @@ void print_case(std::ostream& out, const CaseResult& result) {
     }
     print_verdicts(out, result);
     print_misses(out, result);
+    print_directions(out, result);
     print_flips(out, result);
     out << '\n';
 }

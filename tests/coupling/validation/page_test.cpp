@@ -128,7 +128,8 @@ TEST(VariantsTable, PutsAllVariantsBesideWhatWasObserved) {
 TEST(ChoicesTable, MarksWhereAVerdictTurns) {
     const std::string table = choices_table(testing::forested_case());
     EXPECT_NE(table.find("of 0 of 3 criteria in strict and of 1 in default"), std::string::npos) << table;
-    EXPECT_NE(table.find("<td>7.70 <span class=\"badge\">met</span></td>"), std::string::npos) << "nothing moved";
+    EXPECT_NE(table.find("<td>7.70 <span class=\"badge\">met</span></td>"), std::string::npos)
+        << "nothing moved";
     EXPECT_NE(table.find("<b>8.30</b> <span class=\"badge missed\">missed</span>"), std::string::npos);
     EXPECT_NE(table.find("<td>5.20</td>"), std::string::npos) << "still missed in strict: nothing turns";
     EXPECT_EQ(choices_table(testing::bare_case()), "");

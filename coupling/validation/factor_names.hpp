@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "coupling/validation/case_result.hpp"
+
+namespace coupling::validation {
+
+/// A setting or figure of factors for people, with its unit: "mean DBH, cm", "protection effect"; an unknown
+/// one as it is.
+std::string factor_name(const std::string& key);
+/// "protection effect rises with stems/ha", as the literature has it.
+std::string direction_name(const DirectionRow& row);
+
+}  // namespace coupling::validation
