@@ -23,8 +23,8 @@ struct ListedTree {
     double y_m = 0.0;
     SpeciesId species{};
     double dbh_cm = 0.0;
-    std::optional<double> height_m;
-    std::optional<double> age_years;
+    std::optional<double> height_m{};
+    std::optional<double> age_years{};
 };
 
 /// The trees of a starting stand, in the order of the list.
@@ -50,17 +50,17 @@ StartingTrees trees_from_list(std::span<const ListedTree> list, const PatchGrid&
 /// follows from them and may be missing.
 struct SpeciesRecord {
     SpeciesId species{};
-    std::optional<double> stems_pha;         ///< >= 0
-    std::optional<double> basal_area_m2pha;  ///< >= 0
-    std::optional<double> mean_dbh_cm;       ///< quadratic, >= 1
-    std::optional<double> mean_height_m;     ///< of the mean tree, > 1.5
-    std::optional<double> age_years;         ///< >= 0
+    std::optional<double> stems_pha{};         ///< >= 0
+    std::optional<double> basal_area_m2pha{};  ///< >= 0
+    std::optional<double> mean_dbh_cm{};       ///< quadratic, >= 1
+    std::optional<double> mean_height_m{};     ///< of the mean tree, > 1.5
+    std::optional<double> age_years{};         ///< >= 0
 };
 
 /// A stand as an inventory describes it.
 struct StandRecord {
-    std::vector<PatchId> patches;  ///< at least one
-    std::vector<SpeciesRecord> species;
+    std::vector<PatchId> patches{};  ///< at least one
+    std::vector<SpeciesRecord> species{};
     Structure structure = Structure::even_aged;
     double degree_days = 0.0;  ///< a year; where no height is given
 };

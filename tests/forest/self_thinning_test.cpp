@@ -1,0 +1,75 @@
+#include "forest/self_thinning.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/forest/small_forest.hpp"
+
+namespace forest {
+namespace {
+
+const SpeciesTable table = SpeciesTable::shipped();
+
+TEST(MostStems, AreThoseOfTheFrenchInventory) {
+    EXPECT_NEAR(most_stems_pha(table[*table.find("piab")].mortality, 25.0), 1330.0, 5.0);
+    EXPECT_NEAR(most_stems_pha(table[*table.find("piab")].mortality, 40.0), 610.0, 5.0);
+    EXPECT_NEAR(most_stems_pha(table[*table.find("abal")].mortality, 25.0), 1310.0, 5.0);
+    EXPECT_NEAR(most_stems_pha(table[*table.find("fasy")].mortality, 40.0), 380.0, 5.0);
+}
+
+TEST(ThinningWindows, CoverFiftyMetres) {
+    const ThinningWindows windows{square_of_forest(10)};
+    ASSERT_EQ(windows.size(), 4U);
+    EXPECT_DOUBLE_EQ(windows.area_ha(0), 0.25);
+}
+
+TEST(ThinningWindows, JoinMarginsToTheirNeighbours) {
+    // 12 x 12 patches: margins of two patches belong to the windows beside them.
+    const ThinningWindows windows{square_of_forest(12)};
+    double area_ha = 0.0;
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+        area_ha += windows.area_ha(w);
+    }
+    EXPECT_NEAR(area_ha, 1.44, 1e-12);
+    EXPECT_LE(windows.size(), 5U);
+}
+
+TEST(ThinningWindows, AreOneForASinglePatch) {
+    EXPECT_EQ(ThinningWindows{square_of_forest(1)}.size(), 1U);
+}
+
+TEST(SelfThinning, LeavesNoWindowAboveOneAndNoneFarBelow) {
+    const PatchGrid grid = square_of_forest(10);
+    Stand stand{grid, table.size(), any_trees(grid, table, 4000, 3), 2000};
+    const ThinningWindows windows{grid};
+    stand.remove_trees(self_thinning(stand, table, windows, 1, 0));
+    for (const double density : relative_densities(stand, table, windows)) {
+        EXPECT_LE(density, 1.0 + 1e-9);
+        EXPECT_GT(density, 0.8) << "a single thick tree at most below the line";
+    }
+    EXPECT_EQ(stand.total_book().all_stems_out() + stand.stems_standing(), stand.stems_at_start());
+}
+
+TEST(SelfThinning, TakesTheShadedFirst) {
+    const PatchGrid grid = square_of_forest(5);
+    std::vector<Tree> trees = any_trees(grid, table, 1500, 4);
+    for (Tree& tree : trees) {
+        tree.light_ratio = number_of(tree.id) % 2 == 0 ? 0.9 : 0.1;
+        tree.dbh_cm = 30.0;
+        tree.stems = 1;
+        tree.species = *table.find("piab");
+    }
+    Stand stand{grid, table.size(), trees, 2000};
+    stand.remove_trees(self_thinning(stand, table, ThinningWindows{grid}, 1, 0));
+    for (const Tree& tree : stand.trees()) {
+        EXPECT_DOUBLE_EQ(tree.light_ratio, 0.9);
+    }
+}
+
+TEST(SelfThinning, TakesNobodyFromAnOpenStand) {
+    const PatchGrid grid = square_of_forest(5);
+    const Stand stand{grid, table.size(), any_trees(grid, table, 10, 4), 2000};
+    EXPECT_TRUE(self_thinning(stand, table, ThinningWindows{grid}, 1, 0).empty());
+}
+
+}  // namespace
+}  // namespace forest

@@ -1,0 +1,162 @@
+#include "forest/year.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "forest/tables.hpp"
+#include "tests/forest/small_forest.hpp"
+
+namespace forest {
+namespace {
+
+void expect_invariants(const Stand& before, const Stand& after, const SpeciesTable& species) {
+    for (const Tree& tree : after.trees()) {
+        const HeightGrowth& limits = species[tree.species].height_growth;
+        RC_ASSERT(tree.above_ground_kg > 0.0);
+        RC_ASSERT(tree.height_m <= limits.max_height_m);
+        RC_ASSERT(tree.dbh_cm <= limits.max_dbh_cm);
+        RC_ASSERT(tree.light_ratio >= 0.0 && tree.light_ratio <= 1.0);
+        RC_ASSERT(tree.crown.base_m >= 0.0 && tree.crown.base_m < tree.height_m);
+        RC_ASSERT(tree.crown.leaf_area_m2 > 0.0);
+        const auto old = before.find(tree.id);
+        if (old) {
+            RC_ASSERT(tree.height_m >= before.trees()[*old].height_m);
+            RC_ASSERT(tree.dbh_cm >= before.trees()[*old].dbh_cm);
+            RC_ASSERT(tree.crown.base_m >= before.trees()[*old].crown.base_m);
+        }
+    }
+}
+
+void expect_balance(const Stand& stand) {
+    const Book book = stand.total_book();
+    RC_ASSERT(stand.stems_at_start() + book.all_stems_in() == book.all_stems_out() + stand.stems_standing());
+    const double mass_in_kg = stand.mass_at_start_kg() + book.mass_in_kg + book.grown_kg - book.shed_kg;
+    const double mass_out_kg = book.all_lost_kg() + stand.mass_standing_kg();
+    RC_ASSERT(std::abs(mass_in_kg - mass_out_kg) <= 1e-9 * (mass_in_kg + 1.0));
+}
+
+TEST(GrowYear, KeepsItsInvariantsOnAnyStand) {
+    const SmallForest forest{square_of_forest(6)};
+    rc::check("trees do not shrink, nothing is lost", [&forest] {
+        const auto count = *rc::gen::inRange<std::size_t>(0, 400);
+        const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
+        Stand stand{forest.grid, forest.species.size(), any_trees(forest.grid, forest.species, count, seed),
+                    2000};
+        for (int year = 0; year < 3; ++year) {
+            const Stand before = stand;
+            const YearReport report = forest.live(stand, seed);
+            expect_invariants(before, stand, forest.species);
+            expect_balance(stand);
+            const WaterYear& water = report.water;
+            RC_ASSERT(std::abs(water.precipitation_mm - water.evapotranspiration_mm - water.runoff_mm -
+                               water.storage_gain_mm) < 1e-6);
+        }
+    });
+}
+
+TEST(GrowYear, GivesTheSameBytesForAnyOrderOfTrees) {
+    const SmallForest forest{square_of_forest(5)};
+    std::vector<Tree> trees = any_trees(forest.grid, forest.species, 300, 11);
+    Stand straight{forest.grid, forest.species.size(), trees, 2000};
+    std::reverse(trees.begin(), trees.end());
+    std::rotate(trees.begin(), trees.begin() + 77, trees.end());
+    Stand permuted{forest.grid, forest.species.size(), trees, 2000};
+    for (int year = 0; year < 5; ++year) {
+        static_cast<void>(forest.live(straight));
+        static_cast<void>(forest.live(permuted));
+    }
+    ASSERT_EQ(straight.trees().size(), permuted.trees().size());
+    for (std::size_t i = 0; i < straight.trees().size(); ++i) {
+        EXPECT_EQ(straight.trees()[i].id, permuted.trees()[i].id);
+        EXPECT_EQ(straight.trees()[i].dbh_cm, permuted.trees()[i].dbh_cm);
+        EXPECT_EQ(straight.trees()[i].height_m, permuted.trees()[i].height_m);
+        EXPECT_EQ(straight.trees()[i].x_m, permuted.trees()[i].x_m);
+        EXPECT_EQ(straight.trees()[i].crown, permuted.trees()[i].crown);
+    }
+}
+
+TEST(GrowYear, WorksWithoutTreesAndWithOneTreeOnOnePatch) {
+    const SmallForest forest{square_of_forest(1)};
+    Stand empty{forest.grid, forest.species.size(), {}, 2000};
+    const YearReport report = forest.live(empty);
+    EXPECT_EQ(report.production_kg, 0.0);
+    EXPECT_NEAR(empty.patch_states()[0].ground_light, 1.0, 0.01);
+
+    std::vector<Tree> one = any_trees(forest.grid, forest.species, 1, 5);
+    one[0] = new_tree(forest.species[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 40.0);
+    Stand alone{forest.grid, forest.species.size(), one, 2000};
+    static_cast<void>(forest.live(alone));
+    ASSERT_EQ(alone.trees().size(), 1U);
+    EXPECT_GT(alone.trees()[0].dbh_cm, 20.1);
+    EXPECT_GT(alone.trees()[0].light_ratio, 0.5);
+}
+
+TEST(GrowYear, SharesOutExactlyWhatAUnitProduces) {
+    // No tree at a limit and none failing: what grew above ground is production minus roots.
+    const SmallForest forest{square_of_forest(4)};
+    StandRecord record;
+    for (std::uint32_t i = 0; i < 16; ++i) {
+        record.patches.push_back(PatchId{i});
+    }
+    record.species = {{.species = *forest.species.find("piab"), .stems_pha = 600.0, .mean_dbh_cm = 25.0}};
+    record.degree_days = 1300.0;
+    Stand stand{forest.grid, forest.species.size(),
+                trees_from_record(record, forest.grid, forest.species, 1, 0, 0), 2000};
+    const YearReport report = forest.live(stand);
+    EXPECT_GT(report.production_kg, 0.0);
+    EXPECT_LT(stand.book().grown_kg, report.production_kg);
+    EXPECT_GT(stand.book().grown_kg, 0.5 * report.production_kg);
+    EXPECT_NEAR(report.light_closure, 1.0, 0.05);
+}
+
+TEST(GrowYear, NeverExceedsTheSelfThinningLineForLong) {
+    const SmallForest forest{square_of_forest(5)};
+    StandRecord record;
+    for (std::uint32_t i = 0; i < 25; ++i) {
+        record.patches.push_back(PatchId{i});
+    }
+    record.species = {{.species = *forest.species.find("piab"), .stems_pha = 2500.0, .mean_dbh_cm = 9.0},
+                      {.species = *forest.species.find("fasy"), .stems_pha = 1000.0, .mean_dbh_cm = 8.0}};
+    record.degree_days = 1300.0;
+    Stand stand{forest.grid, forest.species.size(),
+                trees_from_record(record, forest.grid, forest.species, 1, 0, 0), 2000};
+    double densest = 0.0;
+    int years_above = 0;
+    for (int year = 0; year < 60; ++year) {
+        static_cast<void>(forest.live(stand));
+        for (const double density : relative_densities(stand, forest.species, forest.site.windows())) {
+            years_above = density > 1.1 ? years_above + 1 : 0;
+            densest = std::max(densest, density);
+        }
+        EXPECT_LE(years_above, 5);
+    }
+    EXPECT_GT(densest, 0.8) << "an unmanaged stand comes near the line";
+}
+
+TEST(GrowYear, KillsASmallShareOfTreesWithoutCrowding) {
+    // Background deaths stay within 0.05 and 1 % a year.
+    const SmallForest forest{square_of_forest(10)};
+    StandRecord record;
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        record.patches.push_back(PatchId{i});
+    }
+    record.species = {{.species = *forest.species.find("piab"), .stems_pha = 300.0, .mean_dbh_cm = 25.0}};
+    record.degree_days = 1300.0;
+    Stand stand{forest.grid, forest.species.size(),
+                trees_from_record(record, forest.grid, forest.species, 1, 0, 0), 2000};
+    double tree_years = 0.0;
+    for (int year = 0; year < 30; ++year) {
+        tree_years += static_cast<double>(stand.stems_standing());
+        static_cast<void>(forest.live(stand));
+    }
+    const double rate =
+        static_cast<double>(stand.total_book().stems_out[index_of(Cause::background)]) / tree_years;
+    EXPECT_GT(rate, 0.0005);
+    EXPECT_LT(rate, 0.01);
+}
+
+}  // namespace
+}  // namespace forest
