@@ -117,13 +117,13 @@ TEST(Rooms, DrawFromNoDistributionOfTheStandardLibrary) {
     }
 }
 
-TEST(Rooms, KeepTheMathematicalLibraryOutOfTheFall) {
+TEST(Rooms, KeepTheMathematicalLibraryOutOfFallAndForest) {
     // Elementary functions of the library may differ in the last bit between processors
     // (config/math/elementary.hpp).
     const std::string elementary =
         "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|log|log2|log10|pow|cbrt|hypot)\\(";
     for (const std::string room : {"rockfall/motion", "rockfall/obstacles", "rockfall/tally",
-                                   "rockfall/terrain", "rockfall/release"}) {
+                                   "rockfall/terrain", "rockfall/release", "forest"}) {
         EXPECT_EQ(users_of(elementary, room), nobody) << room;
     }
     EXPECT_EQ(users_of(elementary, "config/math"), nobody);
