@@ -16,7 +16,7 @@ namespace forest {
 /// One number for each layer of a column.
 using Layers = std::array<float, canopy_layers>;
 
-/// e^-x for x >= 0, relative error below 4e-6 up to x = 80 and no smaller than e^-80. Only additions and
+/// e^-x for x >= 0, relative error below 5e-6 up to x = 80 and no smaller than e^-80. Only additions and
 /// products: the same bits everywhere.
 inline float exp_minus(float x) {
     constexpr float to_nearest = 12582912.0F;  // 1.5 * 2^23: adding it rounds to a whole number

@@ -66,9 +66,10 @@ struct ColumnSums {
     std::array<float, months> open_ground_beam{};
 };
 
-/// Own-cell correction 2 sinh(x) / (2 x), x = tau / 2, as its series; x stays below 2.
+/// Mean of e^-t over a cell in which t rises by tau, divided by its value in the middle: sinh(x) / x, x = tau
+/// / 2, as its series; x stays below 3.
 inline float thick_cell(float tau) {
-    const float x = 0.5F * std::min(tau, 4.0F);
+    const float x = 0.5F * (tau < 6.0F ? tau : 6.0F);
     const float q = x * x;
     return 1.0F +
            q * (1.0F / 6) * (1.0F + q * (1.0F / 20) * (1.0F + q * (1.0F / 42) * (1.0F + q * (1.0F / 72))));
@@ -97,9 +98,19 @@ ZoneLight light_of_zone(const LightSite& site, const PrefixSums& leaves, double 
     ZoneLight light;
     const float path_per_layer = own_path(walk, ground, rise);
     const float* nodes = leaves.of(padded) + PrefixSums::nodes_below;
+    // Depths of the layers with one more below, as if the canopy went on, and one above.
+    std::array<float, canopy_layers + 2> around{};
+    around[0] = 2.0F * depth.ground - depth.layers[0];
+    std::copy(depth.layers.begin(), depth.layers.end(), around.begin() + 1);
     for (std::size_t l = 0; l < canopy_layers; ++l) {
         light.centre[l] = exp_minus(depth.layers[l]);
-        light.thick[l] = light.centre[l] * thick_cell((nodes[l + 1] - nodes[l]) * path_per_layer);
+        // A cell is thick across, as far as its own leaves reach, or from above to below, where its
+        // neighbours shade it too.
+        const float own = (nodes[l + 1] - nodes[l]) * path_per_layer;
+        const float to_below = around[l] - around[l + 1];
+        const float to_above = around[l + 1] - around[l + 2];
+        const float downwards = to_below > to_above ? to_below : to_above;
+        light.thick[l] = light.centre[l] * thick_cell(own > downwards ? own : downwards);
     }
     const std::span<const RayWalk> points = site.ground_walks(zone);
     if (points.empty()) {

@@ -58,9 +58,10 @@ struct LightField {
 /// Fills the columns [first, last) of a field. Different columns may be filled at the same time.
 ///
 /// Transmittance is exp(-tau) from the centre of each cell to each zone (Beer-Lambert through columns of even
-/// leaf area). Own cells are corrected for their thickness, q = 2 sinh(tau/2)/tau with tau along the path
-/// through the cell. Where less than a twentieth of the leaves fall, months without leaves are taken for
-/// months with them.
+/// leaf area). The fluence of a cell is that of its centre times sinh(x) / x, the mean of exp(-tau) over a
+/// cell of depth 2 x: along the path through its own leaves, or from its upper to its lower side, whichever
+/// is more. Where less than a twentieth of the leaves fall, months without leaves are taken for months with
+/// them.
 void shine_on_columns(const LightSite& site, const Canopy& canopy, const LightYear& year, std::size_t first,
                       std::size_t last, LightField& field);
 
