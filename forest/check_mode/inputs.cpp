@@ -27,8 +27,7 @@ YearMonth read_month(const Table& table, std::size_t row, std::string_view colum
     const std::string& text = table.text(row, column);
     const std::size_t dash = std::min(text.find('-'), text.size());
     const long long year = config::parse_whole(text.substr(0, dash)).value_or(-1);
-    const long long month =
-        dash < text.size() ? config::parse_whole(text.substr(dash + 1)).value_or(0) : 0;
+    const long long month = dash < text.size() ? config::parse_whole(text.substr(dash + 1)).value_or(0) : 0;
     if (year < 0 || year > 9999 || month < 1 || month > 12) {
         problems.add(ExitCode::data, table.place(row, column),
                      std::string{column} + " " + config::in_quotes(text), "a month such as 2001-01");
