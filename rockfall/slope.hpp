@@ -14,9 +14,9 @@ namespace rockfall {
 struct SurfaceType {
     int code = 0;  ///< in the user's surface grid
     std::string label;
-    Restitution restitution;           ///< published coefficients, below the reference speed
-    StopCurve stopping;                ///< by rock diameter, per ground impact
-    double rolling_stops_per_m = 0.0;  ///< rate at which a rolling rock is caught [1/m]
+    Restitution restitution;        ///< published coefficients, below the reference speed
+    StopCurve stopping;             ///< probability that a ground impact stops a rock [-]
+    StopCurve rolling_stops_per_m;  ///< rate at which a rolling rock is caught [1/m]
 };
 
 /// The ground that rocks fall on.

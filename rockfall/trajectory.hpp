@@ -219,6 +219,15 @@ private:
         return probability_;
     }
 
+    /// Rate at which the rock is caught [1/m], likewise.
+    double rolling_rate(const SurfaceType& surface) {
+        if (&surface != rate_of_) {
+            rate_of_ = &surface;
+            rolling_rate_ = surface.rolling_stops_per_m.at(rock_.diameter_m);
+        }
+        return rolling_rate_;
+    }
+
     void begin_rolling() {
         rolling_ = true;
         spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
@@ -308,7 +317,7 @@ private:
     }
 
     bool is_caught_rolling(RollingPiece& piece) {
-        const double rate = slope_.type_at(position_m_.x(), position_m_.y()).rolling_stops_per_m;
+        const double rate = rolling_rate(slope_.type_at(position_m_.x(), position_m_.y()));
         if (rate <= 0.0 || !law_.ground.stopping.by_chance) {
             return false;
         }
@@ -422,6 +431,8 @@ private:
     double rolling_until_caught_ = 0.0;
     const SurfaceType* probability_of_ = nullptr;
     double probability_ = 0.0;
+    const SurfaceType* rate_of_ = nullptr;
+    double rolling_rate_ = 0.0;
 };
 
 template <class Observer>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <map>
+#include <sstream>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
@@ -24,6 +25,8 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"check", {"set", "seed", "threads", "print-settings"}},
         {"run", {"set", "seed", "threads", "out", "overwrite"}},
         {"validate", {"set", "seed", "threads", "out", "overwrite", "cases", "profile", "rocks", "list"}},
+        {"stopping-table",
+         {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
         {"info", {}},
     };
     return options;
@@ -31,9 +34,16 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
 
 /// What the word after the command is.
 const std::map<std::string, std::string>& arguments_of_commands() {
-    static const std::map<std::string, std::string> arguments{
-        {"init", "a folder"}, {"check", "a scenario file"}, {"run", "a scenario file"}, {"info", "a file"}};
+    static const std::map<std::string, std::string> arguments{{"init", "a folder"},
+                                                              {"check", "a scenario file"},
+                                                              {"run", "a scenario file"},
+                                                              {"stopping-table", "a recipe"},
+                                                              {"info", "a file"}};
     return arguments;
+}
+
+bool may_come_again(const std::string& option) {
+    return option == "set" || option == "surface";
 }
 
 po::options_description described(const std::string& command) {
@@ -43,9 +53,9 @@ po::options_description described(const std::string& command) {
     add("help,h", "")("quiet,q", "")("verbose,v", "");
     add("argument", po::value<std::vector<std::string>>());
     for (const std::string& name : options_of_commands().at(command)) {
-        if (name == "set") {
-            add("set", po::value<std::vector<std::string>>());
-        } else if (name == "overwrite" || name == "print-settings" || name == "list") {
+        if (may_come_again(name)) {
+            add(name.c_str(), po::value<std::vector<std::string>>());
+        } else if (name == "overwrite" || name == "print-settings" || name == "list" || name == "pictures") {
             add(name.c_str(), "");
         } else {
             add(name.c_str(), text());
@@ -84,20 +94,36 @@ po::variables_map parse(const std::string& command, const std::vector<std::strin
     }
 }
 
-int thread_count(const std::string& text) {
-    const auto count = config::parse_whole(text);
-    if (!count || *count < 1 || *count > 4096) {
-        refuse("--threads " + config::in_quotes(text), "a whole number in [1, 4096]");
+/// The whole number that an option is given.
+template <class Whole>
+Whole whole_of(const std::string& option, const std::string& text, long long low, long long high) {
+    const auto number = config::parse_whole(text);
+    if (!number || *number < low || *number > high) {
+        refuse("--" + option + ' ' + config::in_quotes(text),
+               "a whole number in [" + std::to_string(low) + ", " + std::to_string(high) + "]");
     }
-    return static_cast<int>(*count);
+    return static_cast<Whole>(*number);
 }
 
-std::uint64_t rock_count(const std::string& text) {
-    const auto count = config::parse_whole(text);
-    if (!count || *count < 2 || *count > 10'000'000) {
-        refuse("--rocks " + config::in_quotes(text), "a whole number in [2, 10000000]");
+/// Diameters separated by commas, in rising order, each once.
+std::vector<double> diameters_of(const std::string& text) {
+    constexpr config::NumberRange range{.low = 0.0, .high = 10.0, .low_excluded = true};
+    std::vector<double> diameters_m;
+    std::istringstream words{text};
+    for (std::string word; std::getline(words, word, ',');) {
+        const auto diameter_m = config::parse_number(word);
+        if (!diameter_m || !range.contains(*diameter_m)) {
+            refuse("--diameters " + config::in_quotes(text),
+                   config::describe("numbers", range) + " m, separated by commas");
+        }
+        diameters_m.push_back(*diameter_m);
     }
-    return static_cast<std::uint64_t>(*count);
+    std::sort(diameters_m.begin(), diameters_m.end());
+    if (diameters_m.empty() ||
+        std::adjacent_find(diameters_m.begin(), diameters_m.end()) != diameters_m.end()) {
+        refuse("--diameters " + config::in_quotes(text), "different numbers, separated by commas");
+    }
+    return diameters_m;
 }
 
 std::string argument_of(const std::string& command, const po::variables_map& values) {
@@ -117,8 +143,8 @@ std::vector<std::string> texts(const po::variables_map& values, const std::strin
     if (values.count(name) == 0) {
         return {};
     }
-    return name == "set" ? values[name].as<std::vector<std::string>>()
-                         : std::vector<std::string>{values[name].as<std::string>()};
+    return may_come_again(name) ? values[name].as<std::vector<std::string>>()
+                                : std::vector<std::string>{values[name].as<std::string>()};
 }
 
 /// Words and options of validate alone.
@@ -133,9 +159,33 @@ void add_validate(CommandLine& line, const po::variables_map& values) {
         line.profile = profile;
     }
     for (const std::string& rocks : texts(values, "rocks")) {
-        line.rocks = rock_count(rocks);
+        line.rocks = whole_of<std::uint64_t>("rocks", rocks, 2, 10'000'000);
     }
     line.list = values.count("list") > 0;
+}
+
+/// Words and options of stopping-table alone.
+void add_stopping_table(CommandLine& line, const po::variables_map& values) {
+    if (values.count("argument") > 0) {
+        line.argument = argument_of("stopping-table", values);
+    }
+    if (values.count("out") == 0) {
+        refuse("`bannwald stopping-table` without a folder for the table", "--out DIR");
+    }
+    line.surface_names = texts(values, "surface");
+    for (const std::string& diameters : texts(values, "diameters")) {
+        line.diameters_m = diameters_of(diameters);
+    }
+    for (const std::string& throws : texts(values, "throws")) {
+        line.throws = whole_of<std::uint32_t>("throws", throws, 10, 10'000'000);
+    }
+    for (const std::string& surfaces : texts(values, "surfaces")) {
+        line.surfaces = whole_of<std::uint32_t>("surfaces", surfaces, 4, 10'000);
+    }
+    for (const std::string& seed : texts(values, "seed")) {
+        line.seed = whole_of<std::uint64_t>("seed", seed, 0, 9'007'199'254'740'992);
+    }
+    line.pictures = values.count("pictures") > 0;
 }
 
 CommandLine parse_command(const std::string& command, const std::vector<std::string>& arguments) {
@@ -150,11 +200,15 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
     const bool validates = command == "validate";
     if (validates) {
         add_validate(line, values);
+    } else if (command == "stopping-table") {
+        add_stopping_table(line, values);
     } else {
         line.argument = argument_of(command, values);
     }
     line.overrides = texts(values, "set");
-    for (const std::string& seed : texts(values, "seed")) {
+    const std::vector<std::string> seeds =
+        command == "stopping-table" ? std::vector<std::string>{} : texts(values, "seed");
+    for (const std::string& seed : seeds) {
         line.overrides.push_back((validates ? "series.seed=" : "run.seed=") + seed);
     }
     for (const std::string& example : texts(values, "example")) {
@@ -164,7 +218,7 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         line.out = out;
     }
     for (const std::string& threads : texts(values, "threads")) {
-        line.threads = thread_count(threads);
+        line.threads = whole_of<int>("threads", threads, 1, 4096);
     }
     line.overwrite = values.count("overwrite") > 0;
     line.print_settings = values.count("print-settings") > 0;
@@ -190,14 +244,14 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty() ? "init, check, run, validate or info; see `bannwald --help`"
+           nearest.empty() ? "init, check, run, validate, stopping-table or info; see `bannwald --help`"
                            : config::in_quotes(nearest));
 }
 
 }  // namespace
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init", "check", "run", "validate", "info"};
+    static const std::vector<std::string> names{"init", "check", "run", "validate", "stopping-table", "info"};
     return names;
 }
 

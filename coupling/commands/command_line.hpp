@@ -10,7 +10,7 @@ namespace coupling {
 
 /// A call of the program, understood but not yet carried out.
 struct CommandLine {
-    std::string command;             ///< init, check, run, validate, info; help, help-all or version
+    std::string command;             ///< init, check, run, validate, stopping-table, info; help, help-all or version
     std::string help_for;            ///< command whose help is wanted, "" for the short help
     std::filesystem::path argument;  ///< folder, scenario or file
     std::string example = "tyrol";
@@ -28,6 +28,14 @@ struct CommandLine {
     std::filesystem::path profile;
     std::optional<std::uint64_t> rocks;
     bool list = false;
+
+    // stopping-table; the argument is the recipe, empty: the shipped one
+    std::vector<std::string> surface_names;  ///< none: all of the recipe
+    std::vector<double> diameters_m;         ///< rising; none: the usual ones
+    std::optional<std::uint32_t> throws;
+    std::optional<std::uint32_t> surfaces;
+    std::optional<std::uint64_t> seed;
+    bool pictures = false;
 };
 
 /// Understands the arguments after the program's name. Throws InputError (settings) for an unknown command or

@@ -20,6 +20,7 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald check SCENARIO              reads everything, tells size, memory and time; writes nothing
   bannwald run SCENARIO                lets the rocks fall and writes maps, tables and a report
   bannwald validate [CASE...|all]      holds the model against published experiments
+  bannwald stopping-table [RECIPE]     makes stopping probabilities from virtual surfaces
   bannwald info FILE                   tells what a grid or a table holds
 
 Everywhere
@@ -88,11 +89,29 @@ Ends with exit code 5 if strict or default misses a criterion of any case, with 
   --threads N               threads to use; results do not depend on it (default: all of the machine)
 )";
 
+constexpr std::string_view stopping_table_help = R"(bannwald stopping-table [RECIPE.csv] --out DIR [options]
+
+Lays blocks on virtual surfaces as the recipe describes them (default: the shipped ground types), throws
+rocks at them and writes stopping.csv: the chance that an impact stops a rock, by surface and diameter, with
+standard errors. A recipe with a column `code` makes a table for terrain.stopping of a scenario.
+`bannwald info stopping_recipe` prints the shipped recipe, to be changed.
+  --out DIR                 folder of stopping.csv and the pictures
+  --surface NAME            only this surface of the recipe; again for more
+  --diameters 0.5,1,2       diameters of the rocks, m
+  --throws N                throws of each diameter at each surface (default: 20000)
+  --surfaces N              surfaces of each description, all different (default: 32)
+  --seed N                  other random numbers (default: 1)
+  --threads N               threads to use; results do not depend on it (default: all of the machine)
+  --pictures                draws the first surface of each description (SVG) and its triangles (PLY)
+  --overwrite               replaces a table and pictures that the folder holds
+)";
+
 constexpr std::string_view info_help = R"(bannwald info FILE
 
 Tells what an ESRI ASCII grid (frame, range, NODATA, projection) or a CSV table (columns, rows, units)
 holds. The name of a shipped table prints that table:
-  bannwald info surfaces           ground types with restitution and stopping probability
+  bannwald info surfaces           ground types with restitution
+  bannwald info stopping           their stopping probabilities by rock diameter
   bannwald info tree_resistance    species with the energy they take
 )";
 
@@ -103,6 +122,7 @@ void write_help(std::ostream& out, const std::string& command) {
                                                         {"check", check_help},
                                                         {"run", run_help},
                                                         {"validate", validate_help},
+                                                        {"stopping-table", stopping_table_help},
                                                         {"info", info_help}};
     const auto text = texts.find(command);
     if (text == texts.end()) {
@@ -118,7 +138,7 @@ void write_help(std::ostream& out, const std::string& command) {
 void write_help_all(std::ostream& out) {
     out << short_help;
     for (const std::string_view text :
-         {init_help, check_help, run_help, scenario_options, validate_help, info_help}) {
+         {init_help, check_help, run_help, scenario_options, validate_help, stopping_table_help, info_help}) {
         out << text << '\n';
     }
     out << exit_codes << "\nSettings of a scenario file\n\n";

@@ -13,6 +13,7 @@
 #include "coupling/commands/init.hpp"
 #include "coupling/commands/validate.hpp"
 #include "coupling/run/run.hpp"
+#include "coupling/stopping/stopping_table.hpp"
 
 namespace coupling {
 
@@ -61,6 +62,22 @@ int run(const CommandLine& line) {
                            .verbose = line.verbose});
 }
 
+int stopping_table(const CommandLine& line) {
+    StoppingTableRequest request{.recipe = line.argument,
+                                 .out = line.out,
+                                 .names = line.surface_names,
+                                 .plan = {},
+                                 .pictures = line.pictures,
+                                 .overwrite = line.overwrite,
+                                 .quiet = line.quiet};
+    request.plan.diameters_m = line.diameters_m.empty() ? usual_diameters_m() : line.diameters_m;
+    request.plan.throws = line.throws.value_or(request.plan.throws);
+    request.plan.surfaces = line.surfaces.value_or(request.plan.surfaces);
+    request.plan.seed = line.seed.value_or(request.plan.seed);
+    request.plan.threads = line.threads;
+    return make_stopping_table(request, std::cout);
+}
+
 int carry_out(const CommandLine& line) {
     if (line.command == "init") {
         return init(line);
@@ -73,6 +90,9 @@ int carry_out(const CommandLine& line) {
     }
     if (line.command == "validate") {
         return validate_cases(line, std::cout);
+    }
+    if (line.command == "stopping-table") {
+        return stopping_table(line);
     }
     if (line.command == "info") {
         write_info(line.argument.string(), std::cout);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
+#include "coupling/inputs/stopping_input.hpp"
 
 namespace coupling {
 
@@ -27,42 +28,11 @@ bool has_value(const config::Table& table, std::size_t row, const std::string& c
     return table.has(column) && !table.text(row, column).empty();
 }
 
-/// Stopping knots by surface code, diameters rising.
-std::map<int, Knots> read_stopping(Reading& reading, config::Problems& problems) {
-    const config::Table table = reading.table("terrain.stopping", "stopping", reading.scenario().stopping);
-    std::map<int, Knots> knots;
-    if (!table.require({"code", "diameter_m", "p_stop"}, problems)) {
-        return knots;
-    }
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto code = table.whole(row, "code", code_range, problems);
-        const auto diameter_m =
-            table.number(row, "diameter_m", {.low = 0.0, .high = 20.0, .low_excluded = true}, problems);
-        const auto probability = table.number(row, "p_stop", probability_range, problems);
-        if (!code || !diameter_m || !probability) {
-            continue;
-        }
-        Knots& of_code = knots[static_cast<int>(*code)];
-        if (std::any_of(of_code.begin(), of_code.end(),
-                        [&](const auto& k) { return k.first == *diameter_m; })) {
-            problems.add(config::ExitCode::data, table.place(row, "diameter_m"),
-                         "diameter " + table.text(row, "diameter_m") + " a second time for code " +
-                             table.text(row, "code"),
-                         "each diameter once");
-            continue;
-        }
-        of_code.emplace_back(*diameter_m, *probability);
-    }
-    for (auto& [code, of_code] : knots) {
-        std::sort(of_code.begin(), of_code.end());
-    }
-    return knots;
-}
-
 /// Reads the table of ground types row by row.
 class TypeReader {
 public:
-    TypeReader(const config::Table& table, std::map<int, Knots> stopping, config::Problems& problems)
+    TypeReader(const config::Table& table, std::map<std::string, StoppingCurves> stopping,
+               config::Problems& problems)
         : table_{table}, stopping_{std::move(stopping)}, shipped_{shipped_surfaces()}, problems_{problems} {}
 
     std::vector<rockfall::SurfaceType> all() {
@@ -79,10 +49,12 @@ public:
     }
 
     /// Codes of the stopping table that no row has.
-    [[nodiscard]] std::vector<int> unused_stopping(const std::vector<rockfall::SurfaceType>& types) const {
-        std::vector<int> unused;
-        for (const auto& [code, knots] : stopping_) {
-            if (std::none_of(types.begin(), types.end(), [&](const auto& t) { return t.code == code; })) {
+    [[nodiscard]] std::vector<std::string> unused_stopping(
+        const std::vector<rockfall::SurfaceType>& types) const {
+        std::vector<std::string> unused;
+        for (const auto& [code, curves] : stopping_) {
+            if (std::none_of(types.begin(), types.end(),
+                             [&](const auto& t) { return std::to_string(t.code) == code; })) {
                 unused.push_back(code);
             }
         }
@@ -101,14 +73,30 @@ private:
             value(row, "r_n", restitution_range, like ? &like->type.restitution.normal : nullptr);
         type.restitution.tangential =
             value(row, "r_t", restitution_range, like ? &like->type.restitution.tangential : nullptr);
-        const auto knots = stopping_.find(type.code);
-        type.stopping = knots != stopping_.end()
-                            ? rockfall::StopCurve{knots->second}
-                            : stop_curve(value(row, "p_stop", probability_range,
-                                               like ? &like->stop_probability : nullptr));
-        constexpr double none = 0.0;
-        type.rolling_stops_per_m = value(row, "rolling_stops_per_m", {.low = 0.0, .high = 100.0}, &none);
+        read_stopping(row, like, type);
         return type;
+    }
+
+    /// Probabilities from the stopping table, else scaled from p_stop, else those of the shipped type; rates
+    /// likewise.
+    void read_stopping(std::size_t row, const ShippedSurface* like, rockfall::SurfaceType& type) {
+        const auto curves = stopping_.find(std::to_string(type.code));
+        const bool has_curves = curves != stopping_.end();
+        if (has_curves) {
+            type.stopping = curves->second.stopping;
+        } else if (like != nullptr && !has_value(table_, row, "p_stop")) {
+            type.stopping = like->type.stopping;
+        } else {
+            type.stopping = stop_curve(value(row, "p_stop", probability_range, nullptr));
+        }
+        if (has_curves && curves->second.has_rolling) {
+            type.rolling_stops_per_m = curves->second.rolling_stops_per_m;
+        } else if (has_value(table_, row, "rolling_stops_per_m")) {
+            const double rate = value(row, "rolling_stops_per_m", {.low = 0.0, .high = 100.0}, nullptr);
+            type.rolling_stops_per_m = rockfall::StopCurve{{{1.0, rate}}};
+        } else if (like != nullptr) {
+            type.rolling_stops_per_m = like->type.rolling_stops_per_m;
+        }
     }
 
     const ShippedSurface* like_of(std::size_t row) {
@@ -149,16 +137,20 @@ private:
     }
 
     const config::Table& table_;
-    std::map<int, Knots> stopping_;
+    std::map<std::string, StoppingCurves> stopping_;
     std::vector<ShippedSurface> shipped_;
     config::Problems& problems_;
 };
 
 std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
     config::Problems problems;
-    std::map<int, Knots> stopping;
-    if (!reading.scenario().stopping.empty()) {
-        stopping = reading.attempt([&] { return read_stopping(reading, problems); }).value_or(stopping);
+    std::map<std::string, StoppingCurves> stopping;
+    if (const std::string& file = reading.scenario().stopping; !file.empty()) {
+        const auto curves = reading.attempt([&] {
+            return read_stopping_curves(reading.table("terrain.stopping", "stopping", file), "code",
+                                        problems);
+        });
+        stopping = curves.value_or(stopping);
     }
     const config::Table table =
         reading.table("terrain.surface_types", "surface_types", reading.scenario().surface_types);
@@ -174,8 +166,8 @@ std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
     config::Problems shown;
     add_first(shown, problems, table.file());
     shown.throw_if_any();
-    for (const int code : reader.unused_stopping(types)) {
-        reading.doubt({reading.shown(reading.scenario().stopping)}, "code " + std::to_string(code),
+    for (const std::string& code : reader.unused_stopping(types)) {
+        reading.doubt({reading.shown(reading.scenario().stopping)}, "code " + code,
                       "codes of " + table.file());
     }
     return types;
@@ -205,6 +197,7 @@ rockfall::StopCurve stop_curve(double stop_probability) {
 std::vector<ShippedSurface> shipped_surfaces() {
     config::Problems problems;
     const config::Table table = shipped("surfaces.csv");
+    const auto curves = read_stopping_curves(shipped("stopping.csv"), "name", problems);
     std::vector<ShippedSurface> surfaces;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         ShippedSurface surface;
@@ -212,8 +205,8 @@ std::vector<ShippedSurface> shipped_surfaces() {
         surface.type.label = table.text(row, "label");
         surface.type.restitution = {table.number(row, "r_n", restitution_range, problems).value_or(0.0),
                                     table.number(row, "r_t", restitution_range, problems).value_or(0.0)};
-        surface.stop_probability = table.number(row, "p_stop", probability_range, problems).value_or(0.0);
-        surface.type.stopping = stop_curve(surface.stop_probability);
+        surface.type.stopping = curves.at(surface.name).stopping;
+        surface.type.rolling_stops_per_m = curves.at(surface.name).rolling_stops_per_m;
         surfaces.push_back(std::move(surface));
     }
     problems.throw_if_any();

@@ -11,11 +11,10 @@
 
 namespace coupling {
 
-/// A row of config/data/surfaces.csv.
+/// A row of config/data/surfaces.csv with its rows of stopping.csv.
 struct ShippedSurface {
     std::string name;
-    rockfall::SurfaceType type;     ///< code 0, stopping by size for its p_stop
-    double stop_probability = 0.0;  ///< of a rock of 0.95 m [-]
+    rockfall::SurfaceType type;  ///< code 0
 };
 
 std::vector<ShippedSurface> shipped_surfaces();
@@ -27,7 +26,8 @@ rockfall::StopCurve stop_curve(double stop_probability);
 /// The ground types of a scenario; empty where it names none.
 ///
 /// A row of terrain.surface_types takes r_n, r_t, p_stop from its own columns, else from the shipped type in
-/// its column `like`. Stopping comes from terrain.stopping where that has the code, else from p_stop.
+/// its column `like`. Stopping comes from terrain.stopping where that has the code, else from p_stop, else
+/// from the curve of the shipped type.
 std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(Reading& reading);
 
 /// The shipped type that terrain.ground names; nothing without that setting. Throws InputError (settings)

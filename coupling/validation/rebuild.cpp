@@ -43,8 +43,9 @@ private:
                                           [&](const ShippedSurface& s) { return s.name == name; });
         rockfall::SurfaceType type = shipped->type;
         if (recipe.p_stop_factor != 1.0) {
-            type.stopping = stop_curve(std::min(1.0, recipe.p_stop_factor * shipped->stop_probability));
-            type.rolling_stops_per_m *= recipe.p_stop_factor;
+            constexpr double most_per_m = 100.0;
+            type.stopping = type.stopping.times(recipe.p_stop_factor, 1.0);
+            type.rolling_stops_per_m = type.rolling_stops_per_m.times(recipe.p_stop_factor, most_per_m);
         }
         type.restitution.tangential = std::clamp(type.restitution.tangential + recipe.rt_change, 0.0, most);
         type.restitution.normal = std::clamp(type.restitution.normal + recipe.rn_change, 0.0, most);
@@ -164,6 +165,7 @@ rockfall::StartLaw start_law(const Recipe& recipe) {
     law.speed_mps = recipe.start_speed_mps;
     law.dip = config::Angle::from_degrees(recipe.start_dip_deg);
     law.random_place = false;
+    law.along_x_on_flat = true;
     return law;
 }
 

@@ -6,20 +6,22 @@
 
 namespace rockfall {
 
-/// Probability that a ground impact stops a rock, by its diameter.
+/// How readily the ground stops a rock, by its diameter: the probability at an impact [-], or the rate while
+/// it rolls [1/m].
 ///
 /// Straight between the knots in ln D, constant beyond them (Rammer et al. 2010, section 3.2.2: one
 /// probability for each surface and rock size, from virtual surfaces).
 class StopCurve {
 public:
     StopCurve() = default;  ///< never stops
-    /// Knots as (diameter_m, probability). Requires diameters > 0 that rise strictly and probabilities in [0,
-    /// 1].
+    /// Knots as (diameter_m, value). Requires diameters > 0 that rise strictly and values >= 0.
     explicit StopCurve(std::vector<std::pair<double, double>> knots);
     [[nodiscard]] double at(double diameter_m) const;
+    /// Every value times a factor >= 0, cut off at `most`.
+    [[nodiscard]] StopCurve times(double factor, double most) const;
 
 private:
-    std::vector<std::pair<double, double>> knots_;  // (ln diameter, probability)
+    std::vector<std::pair<double, double>> knots_;  // (ln diameter, value)
 };
 
 /// When a rock stops beside chance and trees.

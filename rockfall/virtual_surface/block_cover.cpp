@@ -72,6 +72,37 @@ double BlockKind::largest_m() const {
     return observed_m.empty() ? high_m : *std::max_element(observed_m.begin(), observed_m.end());
 }
 
+double BlockKind::mean_plan_area_m2() const {
+    if (observed_m.empty()) {
+        const double mean_square_m2 = (low_m * low_m + low_m * high_m + high_m * high_m) / 3.0;
+        return 0.25 * std::numbers::pi * mean_square_m2;
+    }
+    double sum_m2 = 0.0;
+    for (const double diameter_m : observed_m) {
+        sum_m2 += 0.25 * std::numbers::pi * diameter_m * diameter_m;
+    }
+    return sum_m2 / static_cast<double>(observed_m.size());
+}
+
+double patch_side_m(std::span<const BlockKind> kinds) {
+    constexpr double wanted_blocks = 32.0;
+    constexpr double most_blocks = 200'000.0;
+    constexpr double largest_side_m = 200.0;
+    constexpr double least_m2 = default_patch_m * default_patch_m;
+    double area_m2 = least_m2;
+    double blocks_per_m2 = 0.0;
+    for (const BlockKind& kind : kinds) {
+        if (kind.cover > 0.0) {
+            area_m2 = std::max(area_m2, wanted_blocks * kind.mean_plan_area_m2() / kind.cover);
+            blocks_per_m2 += kind.cover / kind.mean_plan_area_m2();
+        }
+    }
+    if (blocks_per_m2 * area_m2 > most_blocks) {
+        area_m2 = std::max(least_m2, most_blocks / blocks_per_m2);
+    }
+    return std::min(largest_side_m, std::sqrt(area_m2));
+}
+
 BlockCover::BlockCover(double side_m, double largest_block_m)
     : side_m_{side_m},
       cells_along_{std::max<std::int64_t>(1, static_cast<std::int64_t>(side_m / largest_block_m))},

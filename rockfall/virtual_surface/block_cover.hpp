@@ -31,13 +31,18 @@ struct BlockKind {
     double gathering = 0.0;          ///< probability that a block comes to lie at a present one [-], [0, 1]
 
     [[nodiscard]] double largest_m() const;
+    [[nodiscard]] double mean_plan_area_m2() const;  ///< of one block
 };
 
 /// Beyond about this cover random places run out (jamming of spheres thrown one by one) [-].
 inline constexpr double largest_cover = 0.55;
 
-/// Side of the square that stands for an endless surface, unless told otherwise.
+/// Side of the square that stands for an endless surface, unless its blocks are few.
 inline constexpr double default_patch_m = 24.0;
+
+/// Side of a square large enough for about 32 blocks of each kind: from 24 m to 200 m, with at most about 200
+/// 000 blocks [choice]. On a smaller one a sparse cover would hang on the size of one or two blocks.
+double patch_side_m(std::span<const BlockKind> kinds);
 
 /// Which of many surfaces of the same description, all different and each always the same.
 struct SurfaceKey {

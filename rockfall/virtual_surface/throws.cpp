@@ -122,10 +122,10 @@ RollTally roll_rocks(const BlockCover& cover, double diameter_m, const ThrowLaw&
         const config::FourUniforms u = stream.uniforms_of(Event::rolled);
         const Eigen::Vector3d centre_m{u[0] * cover.side_m(), u[1] * cover.side_m(), sweep.radius_m()};
         const auto hit =
-            sweep.first_contact(centre_m, Eigen::Vector3d::UnitX(), cover.side_m(), central_sine);
+            sweep.first_contact(centre_m, Eigen::Vector3d::UnitX(), watched_roll_m, central_sine);
         ++tally.rolls;
         tally.stopped += hit ? 1U : 0U;
-        tally.length_m += hit ? hit->along_m : cover.side_m();
+        tally.length_m += hit ? hit->along_m : watched_roll_m;
     }
     return tally;
 }

@@ -56,9 +56,12 @@ struct RollTally {
     friend bool operator==(const RollTally&, const RollTally&) = default;
 };
 
-/// Rolls rocks over the surface: centres at the height of their radius, level, along +x, from random places
-/// over one side of the patch each. Blocks that are touched but not centrally are rolled over: a rolling rock
-/// always touches something. A block that it begins in touch with is behind it.
+/// Way that a rolled rock is watched.
+inline constexpr double watched_roll_m = 24.0;
+
+/// Rolls rocks over the surface: centres at the height of their radius, level, along +x, from random places,
+/// each until its first central hit or over `watched_roll_m`. Blocks that are touched but not centrally are
+/// rolled over: a rolling rock always touches something. A block that it begins in touch with is behind it.
 RollTally roll_rocks(const BlockCover& cover, double diameter_m, const ThrowLaw& law, const SurfaceKey& key,
                      std::uint32_t rolls);
 

@@ -36,6 +36,34 @@ TEST(CommandLine, TakesOptionsBeforeItsArgument) {
     EXPECT_EQ(parse_command_line({"init", "--example", "tyrol", "folder"}).argument, "folder");
 }
 
+TEST(CommandLine, HoldsWhatAStoppingTableIsAskedFor) {
+    const CommandLine line = parse_command_line({"stopping-table", "mine.csv", "--out", "made", "--surface",
+                                                 "a", "--surface", "b", "--diameters", "1,0.5", "--throws",
+                                                 "1e4", "--surfaces", "8", "--seed", "7", "--pictures"});
+    EXPECT_EQ(line.command, "stopping-table");
+    EXPECT_EQ(line.argument, "mine.csv");
+    EXPECT_EQ(line.surface_names, (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(line.diameters_m, (std::vector<double>{0.5, 1.0}));
+    EXPECT_EQ(line.throws, 10'000U);
+    EXPECT_EQ(line.surfaces, 8U);
+    EXPECT_EQ(line.seed, 7U);
+    EXPECT_TRUE(line.pictures);
+    EXPECT_TRUE(parse_command_line({"stopping-table", "--out", "made"}).argument.empty());
+}
+
+TEST(CommandLine, RefusesAStoppingTableThatCannotBeMade) {
+    EXPECT_EQ(message_of({"stopping-table"}),
+              "found `bannwald stopping-table` without a folder for the table, expected --out DIR");
+    EXPECT_EQ(message_of({"stopping-table", "--out", "a", "--diameters", "0.5,0.5"}),
+              "found --diameters '0.5,0.5', expected different numbers, separated by commas");
+    EXPECT_EQ(message_of({"stopping-table", "--out", "a", "--diameters", "0,x"}),
+              "found --diameters '0,x', expected numbers in (0, 10] m, separated by commas");
+    EXPECT_EQ(message_of({"stopping-table", "--out", "a", "--surfaces", "3"}),
+              "found --surfaces '3', expected a whole number in [4, 10000]");
+    EXPECT_EQ(message_of({"stopping-table", "a.csv", "b.csv", "--out", "a"}),
+              "found 'b.csv' after 'a.csv', expected only a recipe");
+}
+
 TEST(CommandLine, AsksForHelpBeforeAnythingElse) {
     EXPECT_EQ(parse_command_line({}).command, "help");
     EXPECT_EQ(parse_command_line({"--version"}).command, "version");
@@ -50,7 +78,8 @@ TEST(CommandLine, TellsTheNearestWord) {
     EXPECT_EQ(message_of({"run", "a.ini", "--treads", "2"}),
               "found option '--treads' of run, expected '--threads'");
     EXPECT_EQ(message_of({"xyz"}),
-              "found command 'xyz', expected init, check, run or info; see `bannwald --help`");
+              "found command 'xyz', expected init, check, run, validate, stopping-table or info; see "
+              "`bannwald --help`");
 }
 
 TEST(CommandLine, RefusesWhatACommandDoesNotTake) {
