@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "coupling/results/colours.hpp"
-#include "coupling/results/report/markup.hpp"
 #include "coupling/stopping/pictures.hpp"
+#include "coupling/stopping/plain_number.hpp"
 
 namespace coupling {
 
@@ -68,7 +68,7 @@ Sphere finer(const Sphere& coarse) {
 }
 
 void write_vertex(std::ostream& out, double x_m, double y_m, double z_m, Colour colour) {
-    out << report::fixed(x_m, 3) << ' ' << report::fixed(y_m, 3) << ' ' << report::fixed(z_m, 3) << ' '
+    out << plain_number(x_m, 3) << ' ' << plain_number(y_m, 3) << ' ' << plain_number(z_m, 3) << ' '
         << int{colour.red} << ' ' << int{colour.green} << ' ' << int{colour.blue} << '\n';
 }
 

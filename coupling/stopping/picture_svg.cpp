@@ -6,6 +6,7 @@
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/stopping/pictures.hpp"
+#include "coupling/stopping/plain_number.hpp"
 
 namespace coupling {
 
@@ -62,8 +63,8 @@ private:
              << "\" y2=\"" << place(y2_px) << "\" " << style << "/>\n";
     }
     void circle(double x_px, double y_px, double radius_px, std::string_view style) {
-        out_ << "<circle cx=\"" << fixed(x_px, 2) << "\" cy=\"" << fixed(y_px, 2) << "\" r=\""
-             << fixed(radius_px, 2) << "\" " << style << "/>\n";
+        out_ << "<circle cx=\"" << plain_number(x_px, 2) << "\" cy=\"" << plain_number(y_px, 2) << "\" r=\""
+             << plain_number(radius_px, 2) << "\" " << style << "/>\n";
     }
     [[nodiscard]] std::string fill_of(double height_m) const {
         // The palest end is left to the ground.

@@ -85,8 +85,8 @@ TEST(StoppingTable, TellsWhatIsWrong) {
     EXPECT_EQ(wrong.err, "bannwald: recipe.csv:2:11: found cover '2', expected a number in [0, 0.55]\n");
     EXPECT_FALSE(fs::exists(project.file("made")));
     EXPECT_EQ(call(project, "stopping-table gone.csv --out made").code, 3);
-    EXPECT_EQ(call(project, "stopping-table --out made --surface raod").err,
-              "bannwald: found --surface 'raod', expected 'road'\n");
+    EXPECT_EQ(call(project, "stopping-table --out made --surface pastur").err,
+              "bannwald: found --surface 'pastur', expected 'pasture'\n");
     EXPECT_EQ(call(project, "stopping-table").code, 2);
     EXPECT_EQ(call(project, std::string{"stopping-table --surface road --out dem.asc/made"} + quickly).code,
               3);

@@ -55,6 +55,7 @@ TEST(SurfaceSvg, DrawsEveryBlockToScaleAndThoseOfTheCutAgain) {
     EXPECT_EQ(count_of(svg, "r=\"15.00\""), 2U);  // 0.5 m at 30 px to the metre
     EXPECT_EQ(count_of(svg, "r=\"9.00\""), 2U);
     EXPECT_EQ(count_of(svg, "r=\"14.25\""), 1U);
+    EXPECT_EQ(svg.find("\u2212"), std::string::npos);  // the minus sign of text is none in coordinates
     EXPECT_NE(svg.find("5 m</text>"), std::string::npos);
 }
 
