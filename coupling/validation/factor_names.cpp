@@ -5,6 +5,13 @@
 #include "coupling/results/joined.hpp"
 
 namespace coupling::validation {
+namespace {
+
+std::string without_unit(const std::string& name) {
+    return name.substr(0, name.rfind(", "));
+}
+
+}  // namespace
 
 std::string factor_name(const std::string& key) {
     static const std::map<std::string, std::string> names{
@@ -23,9 +30,17 @@ std::string factor_name(const std::string& key) {
     return found == names.end() ? key : found->second;
 }
 
+std::string factor_at(const std::string& key, const std::string& value) {
+    const std::string name = factor_name(key);
+    const std::size_t comma = name.rfind(", ");
+    return comma == std::string::npos
+               ? joined(value, " ", name)
+               : joined(name.substr(0, comma), " ", value, " ", name.substr(comma + 2));
+}
+
 std::string direction_name(const DirectionRow& row) {
-    return joined(factor_name(row.figure), row.rises ? " rises with " : " falls with ",
-                  factor_name(row.setting));
+    return joined(without_unit(factor_name(row.figure)), row.rises ? " rises with " : " falls with ",
+                  without_unit(factor_name(row.setting)));
 }
 
 }  // namespace coupling::validation

@@ -24,8 +24,8 @@ constexpr const char* free_path = "free_path_m";
 constexpr const char* analytic = "analytic_free_path_m";
 
 std::string with_interval(const Estimate& estimate) {
-    return joined(figure_text(estimate.value), " <span class=\"interval\">(", figure_text(estimate.low),
-                  " to ", figure_text(estimate.high), ")</span>");
+    return joined("<span class=\"line\">", figure_text(estimate.value), " <span class=\"interval\">(",
+                  figure_text(estimate.low), " to ", figure_text(estimate.high), ")</span></span>");
 }
 
 const Estimate* figure_of(const FactorRow& row, const std::string& figure) {
@@ -61,7 +61,8 @@ std::string verdict_cell(const DirectionRow* row) {
 
 std::string directions_table(const CaseResult& result) {
     HtmlTable table{
-        "Figures: mean over the other settings with its 95 % interval. Below a verdict: the change from the "
+        "Figures: mean over the other settings, where rocks give one at every step, with its 95 % interval. "
+        "Below a verdict: the change from the "
         "first step to the last with its interval.",
         {"direction", "at", "strict", "default", "strict", "default"}};
     Notes notes;
@@ -160,10 +161,10 @@ std::string crossed_charts(const CaseResult& result) {
     }
     std::string html;
     for (const double of_chart : chart_values) {
-        Chart chart = protection_chart(
-            joined("Protection effect, default: ", factor_name(result.factor_settings[charts]), " ",
-                   report::tick_text(of_chart)),
-            axis_over(result.factor_settings[over], rows, over));
+        Chart chart =
+            protection_chart(joined("Protection effect, default: ",
+                                    factor_at(result.factor_settings[charts], report::tick_text(of_chart))),
+                             axis_over(result.factor_settings[over], rows, over));
         std::size_t number = 0;
         for (const double of_line : line_values) {
             std::vector<const FactorRow*> chosen;
@@ -171,10 +172,9 @@ std::string crossed_charts(const CaseResult& result) {
                 return row->settings[lines] == of_line && row->settings[charts] == of_chart;
             });
             const std::string series = number == 0 ? "default" : joined("other", std::to_string(number - 1));
-            add_protection(
-                chart, series,
-                joined(factor_name(result.factor_settings[lines]), " ", report::tick_text(of_line)), chosen,
-                over);
+            add_protection(chart, series,
+                           factor_at(result.factor_settings[lines], report::tick_text(of_line)), chosen,
+                           over);
             ++number;
         }
         html += chart.figure("Whiskers: 95 % over rocks and stands.");

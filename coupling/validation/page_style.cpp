@@ -42,7 +42,7 @@ ul.notes+section.card{margin-top:14px}
 line-height:1.35;color:var(--forest);white-space:nowrap}
 .badge.missed{background:var(--bare);border-color:var(--bare);color:var(--paper)}
 td .badge{margin-left:.3em}
-td .interval{white-space:nowrap}
+td .line{white-space:nowrap}
 td .interval,td small{font-size:.8rem;color:var(--soft)}
 td small,th small{display:block}
 td small{white-space:nowrap}
