@@ -40,10 +40,11 @@ inline float sum_at(const float* nodes, Node node) {
 
 }  // namespace
 
+template <std::size_t lanes>
 OpticalDepth cast_column(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
                          const RayWalk& walk, std::size_t padded_column) {
     OpticalDepth depth;
-    Layers tau{};
+    std::array<float, lanes> tau{};
     const float* elevation_m = ground.elevation_m().data() + padded_column;
     const float start_m = elevation_m[0];
     const auto top = static_cast<float>(top_m) * per_layer;
@@ -64,7 +65,7 @@ OpticalDepth cast_column(const PaddedGround& ground, const PrefixSums& leaves, d
         depth.ground += per_height * (sum_at(nodes, high_ground) - sum_at(nodes, low_ground));
         const float* at_low = nodes + low_cells.below;
         const float* at_high = nodes + high_cells.below;
-        for (std::size_t l = 0; l < canopy_layers; ++l) {
+        for (std::size_t l = 0; l < lanes; ++l) {
             tau[l] += per_height * ((at_high[l] + high_cells.share * (at_high[l + 1] - at_high[l])) -
                                     (at_low[l] + low_cells.share * (at_low[l + 1] - at_low[l])));
         }
@@ -75,9 +76,16 @@ OpticalDepth cast_column(const PaddedGround& ground, const PrefixSums& leaves, d
             break;
         }
     }
-    depth.layers = tau;
+    std::copy(tau.begin(), tau.end(), depth.layers.begin());
     return depth;
 }
+
+template OpticalDepth cast_column<4>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
+                                     std::size_t);
+template OpticalDepth cast_column<8>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
+                                     std::size_t);
+template OpticalDepth cast_column<12>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
+                                      std::size_t);
 
 float cast_ground(const PaddedGround& ground, const PrefixSums& leaves, double top_m, const RayWalk& walk,
                   std::size_t padded_column, float enough) {

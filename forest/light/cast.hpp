@@ -30,17 +30,18 @@ inline float exp_minus(float x) {
 
 /// What stands between a column and one direction of the sky.
 struct OpticalDepth {
-    Layers layers;        ///< above the centre of each cell
+    Layers layers{};      ///< above the centre of each cell
     float ground = 0.0F;  ///< above the ground at the centre
     float climb = 0.0F;   ///< gain of height above ground per horizontal metre where the ray starts
 };
 
-/// Follows the rays from the centres of all cells of a column, and from the ground below them, towards one
-/// direction.
+/// Follows the rays from the centres of the lowest `lanes` cells of a column, 4, 8 or all 12, and from the
+/// ground below them, towards one direction; cells above keep depth 0.
 ///
 /// Performance: a straight ray has the same fractional offset from the layers in each column it passes,
 /// whichever layer it starts in; so all of them are one vector, two interpolations and a difference a column.
 /// Terrain above a ray makes it opaque.
+template <std::size_t lanes>
 [[nodiscard]] OpticalDepth cast_column(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
                                        const RayWalk& walk, std::size_t padded_column);
 

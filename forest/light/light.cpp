@@ -89,20 +89,22 @@ float own_path(const RayWalk& walk, const PaddedGround& ground, PaddedGround::Gr
     return static_cast<float>(across_m / (walk.cosine * layer_height_m));
 }
 
+template <std::size_t lanes>
 ZoneLight light_of_zone(const LightSite& site, const PrefixSums& leaves, double top_m, std::size_t zone,
                         std::size_t column, PaddedGround::Gradient rise) {
     const PaddedGround& ground = site.ground();
     const RayWalk& walk = site.walk(zone);
     const std::size_t padded = ground.padded(column);
-    const OpticalDepth depth = cast_column(ground, leaves, top_m, walk, padded);
+    const OpticalDepth depth = cast_column<lanes>(ground, leaves, top_m, walk, padded);
     ZoneLight light;
     const float path_per_layer = own_path(walk, ground, rise);
     const float* nodes = leaves.of(padded) + PrefixSums::nodes_below;
-    // Depths of the layers with one more below, as if the canopy went on, and one above.
-    std::array<float, canopy_layers + 2> around{};
+    // Depths of the layers with one more below, as if the canopy went on; above the last nothing is known.
+    std::array<float, lanes + 2> around{};
     around[0] = 2.0F * depth.ground - depth.layers[0];
-    std::copy(depth.layers.begin(), depth.layers.end(), around.begin() + 1);
-    for (std::size_t l = 0; l < canopy_layers; ++l) {
+    std::copy_n(depth.layers.begin(), lanes, around.begin() + 1);
+    around[lanes + 1] = around[lanes];
+    for (std::size_t l = 0; l < lanes; ++l) {
         light.centre[l] = exp_minus(depth.layers[l]);
         // A cell is thick across, as far as its own leaves reach, or from above to below, where its
         // neighbours shade it too.
@@ -123,33 +125,36 @@ ZoneLight light_of_zone(const LightSite& site, const PrefixSums& leaves, double 
     return light;
 }
 
+template <std::size_t lanes>
 inline void add(Layers& sum, float weight, const Layers& light) {
-    for (std::size_t l = 0; l < canopy_layers; ++l) {
+    for (std::size_t l = 0; l < lanes; ++l) {
         sum[l] += weight * light[l];
     }
 }
 
+template <std::size_t lanes>
 void add_zone(const LightSite& site, const SkyView& view, const Weights& weights, std::size_t zone,
               const ZoneLight& light, ColumnSums& sums) {
     const float on_ground = view.on_ground[zone];
     float season = view.diffuse[zone] * weights.season_diffuse_mjpm2;
-    add(sums.diffuse, view.diffuse[zone], light.thick);
+    add<lanes>(sums.diffuse, view.diffuse[zone], light.thick);
     sums.ground_diffuse += view.diffuse[zone] * on_ground * light.ground;
     sums.open_ground_diffuse += view.diffuse[zone] * on_ground;
     for (std::size_t beam = site.first_beam(zone); beam < site.first_beam(zone + 1); ++beam) {
         const std::uint32_t month = site.sky().beams()[beam].month;
         const float energy = view.beam[beam];
         season += energy * weights.season_direct_mjpm2[month];
-        add(sums.beam[month], energy, light.thick);
+        add<lanes>(sums.beam[month], energy, light.thick);
         sums.ground_beam[month] += energy * on_ground * light.ground;
         sums.open_ground_beam[month] += energy * on_ground;
     }
-    add(sums.season, season, light.centre);
+    add<lanes>(sums.season, season, light.centre);
     sums.ground_season += season * on_ground * light.ground;
     sums.open_season += season;
     sums.open_ground_season += season * on_ground;
 }
 
+template <std::size_t lanes>
 ColumnSums sum_zones(const LightSite& site, const PrefixSums& leaves, double top_m, const Weights& weights,
                      std::size_t column) {
     const SkyView& view = site.view(column);
@@ -157,10 +162,20 @@ ColumnSums sum_zones(const LightSite& site, const PrefixSums& leaves, double top
     ColumnSums sums;
     for (std::size_t zone = 0; zone < site.sky().zones().size(); ++zone) {
         if (site.shines(view, zone)) {
-            add_zone(site, view, weights, zone, light_of_zone(site, leaves, top_m, zone, column, rise), sums);
+            add_zone<lanes>(site, view, weights, zone,
+                            light_of_zone<lanes>(site, leaves, top_m, zone, column, rise), sums);
         }
     }
     return sums;
+}
+
+/// Sums over the cells that have leaves, in the width of a vector; those above stay dark.
+ColumnSums sum_used(const LightSite& site, const Canopy& canopy, const PrefixSums& leaves,
+                    const Weights& weights, std::size_t column) {
+    const std::size_t used = canopy.layers_used(column);
+    return used <= 4   ? sum_zones<4>(site, leaves, canopy.top_m(), weights, column)
+           : used <= 8 ? sum_zones<8>(site, leaves, canopy.top_m(), weights, column)
+                       : sum_zones<12>(site, leaves, canopy.top_m(), weights, column);
 }
 
 /// Adds the months of one state of the leaves to a column.
@@ -236,11 +251,11 @@ void shine_on_columns(const LightSite& site, const Canopy& canopy, const LightYe
         std::fill_n(field.ground_mjpm2.begin() + static_cast<std::ptrdiff_t>(column * months), months, 0.0F);
         std::fill_n(field.incoming_mjpm2.begin() + static_cast<std::ptrdiff_t>(column * months), months,
                     0.0F);
-        const ColumnSums sums = sum_zones(site, canopy.leaf_on(), canopy.top_m(), on, column);
+        const ColumnSums sums = sum_used(site, canopy, canopy.leaf_on(), on, column);
         write_season(sums, column, field);
         write_months(sums, on, column, field);
         if (two_states) {
-            write_months(sum_zones(site, canopy.leaf_off(), canopy.top_m(), off, column), off, column, field);
+            write_months(sum_used(site, canopy, canopy.leaf_off(), off, column), off, column, field);
         }
         field.june_sun_hours[column] = june_sun(site, canopy, column);
     }

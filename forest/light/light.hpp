@@ -26,7 +26,8 @@ struct LightYear {
 /// Energies are of global radiation. A field may be filled again year after year without new memory.
 struct LightField {
     /// Of a cell: fluence in each month with the correction for thick cells, then that of the season at the
-    /// centre of the cell [MJ/m2 on a plane at right angles to each ray].
+    /// centre of the cell [MJ/m2 on a plane at right angles to each ray]. Cells well above the highest leaves
+    /// of a column are 0.
     static constexpr std::size_t season_value = 12;
     static constexpr std::size_t values_of_cell = 16;
     std::vector<float> cells;
