@@ -13,6 +13,7 @@
 namespace benchmarks {
 void register_trajectories();
 void register_pieces();
+void register_light();
 }  // namespace benchmarks
 
 namespace {
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
     }
     benchmarks::register_trajectories();
     benchmarks::register_pieces();
+    benchmarks::register_light();
     benchmarks::MedianKeeper results;
     benchmark::RunSpecifiedBenchmarks(&results);
     benchmarks::print_goals(std::cout, results);

@@ -50,6 +50,9 @@ std::vector<Goal> goals_of(const MedianKeeper& results) {
          ten_million_rocks_min},
         {"40 ha at 1 m, largest memory of this process, MiB (alone: see README)", Better::less, 200, 100,
          get(scale, "peak_rss_mib")},
+        {"light of 40 ha, 33 zones, times marching", Better::more, 80, 150,
+         get("Light/March/33", "ms") / get("Light/Columns/33", "ms")},
+        {"light of 40 ha, 33 zones, ms", Better::less, 30, 15, get("Light/Columns/33", "ms")},
     };
 }
 
