@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace forest {
 namespace {
@@ -34,6 +35,9 @@ Inside inside(int place, int count, Edges edges) {
 
 /// Rise per column of the ground across the border at one end of a line of cells, away from the area.
 double outward_rise(const config::Raster<double>& heights_m, config::Cell at, int step_column, int step_row) {
+    if (step_column == 0 && step_row == 0) {
+        return 0.0;
+    }
     const int count = step_column != 0 ? heights_m.frame.columns : heights_m.frame.rows;
     const int reach = std::min(trend_columns, count) - 1;
     if (reach < 1) {
@@ -41,6 +45,30 @@ double outward_rise(const config::Raster<double>& heights_m, config::Cell at, in
     }
     const config::Cell back{at.column - step_column * reach, at.row - step_row * reach};
     return (heights_m.at(at) - heights_m.at(back)) / reach;
+}
+
+/// Height of the ground of a column that may lie outside.
+double height_beyond(const LightGround& ground, const Inside& across, const Inside& down) {
+    const config::Raster<double>& heights_m = ground.elevation_m;
+    if (ground.edges == Edges::torus) {
+        // Rows count downwards, y upwards.
+        return heights_m.at({across.place, down.place}) + across.laps * ground.gain_x_m -
+               down.laps * ground.gain_y_m;
+    }
+    const auto border = [](double beyond, const Inside& axis, int count) {
+        return beyond > 0.0 ? count - 1 : beyond < 0.0 ? 0 : axis.place;
+    };
+    const config::Cell edge{border(across.beyond, across, heights_m.frame.columns),
+                            border(down.beyond, down, heights_m.frame.rows)};
+    // Open ground goes on for one column, so that the slope at the border is that of the ground inside, and
+    // is level then.
+    const double goes_on = ground.edges == Edges::open ? 1.0 : std::numeric_limits<double>::infinity();
+    const auto side = [](double beyond) { return beyond > 0.0 ? 1 : -1; };
+    return heights_m.at(edge) +
+           std::min(std::abs(across.beyond), goes_on) *
+               outward_rise(heights_m, edge, across.beyond == 0.0 ? 0 : side(across.beyond), 0) +
+           std::min(std::abs(down.beyond), goes_on) *
+               outward_rise(heights_m, edge, 0, down.beyond == 0.0 ? 0 : side(down.beyond));
 }
 
 }  // namespace
@@ -52,35 +80,18 @@ PaddedGround::PaddedGround(const LightGround& ground, int margin)
       elevation_m_(stride_ * static_cast<std::size_t>(frame_.rows + 2 * margin)),
       source_(elevation_m_.size(), none) {
     assert(frame_.size() > 0 && margin >= 1 && frame_.cell_width_m == frame_.cell_height_m);
-    const config::Raster<double>& heights_m = ground.elevation_m;
-    const double lowest_m = *std::min_element(heights_m.values.begin(), heights_m.values.end());
+    const double lowest_m =
+        *std::min_element(ground.elevation_m.values.begin(), ground.elevation_m.values.end());
     assert(std::isfinite(lowest_m));
     std::size_t at = 0;
     for (int row = -margin; row < frame_.rows + margin; ++row) {
         const Inside down = inside(row, frame_.rows, ground.edges);
         for (int column = -margin; column < frame_.columns + margin; ++column, ++at) {
             const Inside across = inside(column, frame_.columns, ground.edges);
-            const config::Cell cell{across.place, down.place};
             if (ground.edges != Edges::open || (across.beyond == 0.0 && down.beyond == 0.0)) {
-                source_[at] = frame_.index(cell);
+                source_[at] = frame_.index({across.place, down.place});
             }
-            double height_m = heights_m.at(cell) - lowest_m;
-            if (ground.edges == Edges::torus) {
-                // Rows count downwards, y upwards.
-                height_m += across.laps * ground.gain_x_m - down.laps * ground.gain_y_m;
-            } else if (ground.edges == Edges::mirror) {
-                const config::Cell border{std::clamp(column, 0, frame_.columns - 1),
-                                          std::clamp(row, 0, frame_.rows - 1)};
-                const int right = across.beyond > 0.0 ? 1 : -1;
-                const int below = down.beyond > 0.0 ? 1 : -1;
-                height_m =
-                    heights_m.at(border) - lowest_m +
-                    std::abs(across.beyond) *
-                        outward_rise(heights_m, {right > 0 ? frame_.columns - 1 : 0, border.row}, right, 0) +
-                    std::abs(down.beyond) *
-                        outward_rise(heights_m, {border.column, below > 0 ? frame_.rows - 1 : 0}, 0, below);
-            }
-            elevation_m_[at] = static_cast<float>(height_m);
+            elevation_m_[at] = static_cast<float>(height_beyond(ground, across, down) - lowest_m);
         }
     }
 }

@@ -10,7 +10,7 @@ namespace forest {
 
 /// What lies beyond the border of the area.
 enum class Edges {
-    open,    ///< level ground without trees
+    open,    ///< ground without trees, level from the second column on
     mirror,  ///< the trees of the mirrored column inside; the ground goes on rising as at the border
     torus,   ///< the opposite side of the area, lifted by the height the ground gains across it
 };

@@ -313,6 +313,20 @@ void close_budget(const LightSite& site, LightField& field) {
     }
 }
 
+std::vector<float> mean_over_patches(const config::GridFrame& columns, std::span<const float> values,
+                                     int side) {
+    assert(side >= 1 && columns.columns % side == 0 && columns.rows % side == 0 &&
+           values.size() == columns.size());
+    const int across = columns.columns / side;
+    std::vector<float> means(static_cast<std::size_t>(across * (columns.rows / side)));
+    for (std::size_t column = 0; column < values.size(); ++column) {
+        const config::Cell at = columns.cell_of(column);
+        means[static_cast<std::size_t>(at.row / side * across + at.column / side)] +=
+            values[column] / static_cast<float>(side * side);
+    }
+    return means;
+}
+
 LightField compute_light(const LightSite& site, const Canopy& canopy, const LightYear& year,
                          std::span<const LightTree> trees) {
     LightField field = make_light_field(site, trees.size());

@@ -80,6 +80,11 @@ void shine_on_trees(const Canopy& canopy, const LightYear& year, std::span<const
 /// noted, not used.
 void close_budget(const LightSite& site, LightField& field);
 
+/// Means of values of columns over patches of `side` x `side` columns, in the order of a frame of the
+/// patches: for columns finer than the patches of a forest. Requires that the patches fill the frame.
+[[nodiscard]] std::vector<float> mean_over_patches(const config::GridFrame& columns,
+                                                   std::span<const float> values, int side);
+
 /// All of it, one after the other.
 [[nodiscard]] LightField compute_light(const LightSite& site, const Canopy& canopy, const LightYear& year,
                                        std::span<const LightTree> trees);

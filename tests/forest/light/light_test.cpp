@@ -185,6 +185,13 @@ TEST(Light, HasTheSameBytesInPieces) {
     EXPECT_EQ(whole.june_sun_hours, pieces.june_sun_hours);
 }
 
+TEST(MeanOverPatches, TakesTheColumnsOfEachPatch) {
+    const config::GridFrame frame{4, 2, 0.0, 0.0, 5.0, 5.0};
+    const std::vector<float> values{1, 2, 5, 5, 3, 4, 5, 5};
+    EXPECT_EQ(forest::mean_over_patches(frame, values, 2), (std::vector<float>{2.5F, 5.0F}));
+    EXPECT_EQ(forest::mean_over_patches(frame, values, 1), values);
+}
+
 TEST(Light, IsOpenWithoutTrees) {
     const LightField field = stands::light(stands::site(stands::plane(1, 1, 0.0, 0.0)), {});
     EXPECT_FLOAT_EQ(field.ground_light[0], 1.0F);
