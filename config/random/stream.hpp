@@ -25,6 +25,13 @@ enum class Purpose : std::uint8_t {
     starting_tree = 43,  ///< size and place of one tree of a starting stand
     group_centre = 44,   ///< centre of one group of young trees of a starting stand
     weather = 45,        ///< which year of the climate stands for a simulated one
+    seed_year = 46,      ///< whether a species bears a full crop this year
+    establishment = 47,  ///< seedlings of one patch and year
+    sapling = 48,        ///< browsing and death of the young trees of one patch and year
+    young_place = 49,    ///< where on its patch a young tree comes to stand
+    dead_wood = 50,      ///< breakage and fall of one snag, rolling of one log
+    wounding = 51,       ///< what a hit does to a tree, and whether it dies of old wounds
+    treatment = 52,      ///< choices within one intervention on one tree
     test = 255,
 };
 
