@@ -46,6 +46,21 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .source = "choice"});
 }
 
+void declare_regeneration(config::Options& options, RegenerationLaw& law) {
+    options.number("forest.browsing_pressure", law.browsing_pressure,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 10.0,
+                    .meaning = "deer: 0 fenced, 1 normal, 3 high; multiplies the odds of being browsed",
+                    .source = "iLand; levels: choice"});
+    options.number("forest.seeds_from_outside", law.outside.share,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "seeds from outside the area, as a share of a species' fecundity",
+                    .source = "choice"});
+}
+
 }  // namespace
 
 void declare(config::Options& options, Parameters& parameters) {
@@ -53,6 +68,9 @@ void declare(config::Options& options, Parameters& parameters) {
     options.flag("forest.self_thinning", parameters.processes.self_thinning,
                  {.meaning = "no window of 50 m is denser than its species bear",
                   .source = "French national inventory, after matreex"});
+    declare_regeneration(options, parameters.regeneration);
+    options.flag("forest.regeneration", parameters.processes.regeneration,
+                 {.meaning = "seeds fall, young trees grow up", .source = "choice"});
     options.flag("forest.co2_response", parameters.processes.co2_response,
                  {.meaning = "production and transpiration follow the CO2 of the air; off: as at 350 ppm",
                   .source = "Forrester & Tang 2016; off: choice, as the responses are uncertain"});

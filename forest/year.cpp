@@ -7,6 +7,7 @@
 #include "forest/growth.hpp"
 #include "forest/mortality.hpp"
 #include "forest/production/allocation.hpp"
+#include "forest/regeneration/regeneration.hpp"
 #include "forest/self_thinning.hpp"
 #include "forest/stand_light.hpp"
 #include "forest/unit_production.hpp"
@@ -105,6 +106,9 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
     grow(stand, species, seasons_of(stand, site, species, light.trees, season), report);
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
     let_die(stand, site, species, parameters, key);
+    if (parameters.processes.regeneration) {
+        regenerate(stand, site, species, weather.units, parameters.regeneration, key.seed, key.replicate);
+    }
     return report;
 }
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "forest/climate/series.hpp"
+#include "forest/species.hpp"
+
+namespace forest {
+
+// What decides whether a seed becomes a seedling of 5 cm, each a chance on [0, 1] (iLand, after TACA of
+// Nitschke & Innes 2008, on monthly climate; light limits of ForClim).
+
+/// Growth of young trees by degree-days above 5.5 degC: 1 - exp(-0.0013 (GDD - least)) (Bugmann & Solomon
+/// 2000).
+double degree_day_response(const Response& species, double degree_days);
+
+/// Growth by nitrogen [kg/ha/yr]: 1 - exp(k (N - least)), k and least by the species' demand, straight
+/// between its classes (ForClim).
+double nitrogen_response(double nitrogen_class, double nitrogen_kg_per_ha_year);
+
+/// Whether the year's climate lets seedlings of a species live: 0 if one of its limits is passed, else 1 but
+/// for late frost, which leaves tolerance^sqrt(n), n the frost days to be expected between bud burst and
+/// July.
+///
+/// Limits: mean daily minimum and mean of the coldest month, chilling days (-5 to 5 degC, days scattered by
+/// 4 K), degree-days above the species' base, days without frost.
+double climate_chance(const Species& species, const ClimateYear& year);
+
+/// (L - least) / (least + 0.1) of the ground's light [choice], 0 below the species' least light (ForClim).
+double light_chance(const Light& species, double ground_light);
+
+/// 1 - drought index / tolerated one.
+double water_chance(const Response& species, double drought_index);
+
+/// Where it is colder than in the montane belt, seedlings want two hours of sun a day in June: hours / 2
+/// within 0.2 and 1 (practice of NaiS), 1 below.
+double sun_chance(double degree_days, double june_sun_hours);
+
+/// Seedlings on a seed bed relative to litter [choice]: tall herbs 0.2 of it; rotten wood 10 (evergreen
+/// conifers) or 5 (others) times it, for the share of the ground that it covers (Bujoczek et al. 2015: 30 %
+/// of seedlings on 4 % of the ground).
+double seed_bed(const Species& species, double herb_cover, double rotten_wood_cover);
+
+}  // namespace forest

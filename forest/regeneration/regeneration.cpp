@@ -1,0 +1,328 @@
+#include "forest/regeneration/regeneration.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "config/random/stream.hpp"
+#include "forest/allometry.hpp"
+#include "forest/climate/summary.hpp"
+#include "forest/regeneration/establishment.hpp"
+#include "forest/regeneration/saplings.hpp"
+#include "forest/regeneration/seed_rain.hpp"
+#include "forest/start/starting_stand.hpp"
+
+namespace forest {
+
+namespace {
+
+constexpr double most_seedlings = 200.0;  // of a species, patch and year [choice]
+/// Patches with room for fewer seedlings get none: they would be many small cohorts that change nothing.
+constexpr double least_room_stems = 5.0;
+
+/// Snow glides on open slopes steeper than this [choice].
+constexpr double gliding_slope_deg = 35.0;
+constexpr double gliding_light = 0.6;
+
+/// Whose chance decides about a patch.
+struct Chance {
+    std::uint64_t seed = 0;
+    std::uint32_t replicate = 0;
+    int year = 0;
+
+    [[nodiscard]] config::RandomStream of(std::size_t patch, config::Purpose purpose) const {
+        return config::RandomStream{{seed, replicate, static_cast<std::uint16_t>(year), patch}, purpose};
+    }
+};
+
+/// What the climate of a site unit means for each species.
+struct UnitClimate {
+    double degree_days = 0.0;
+    std::vector<double> warmth;  ///< response of young trees, by species
+    std::vector<double> chance;  ///< of establishment, by species
+};
+
+std::vector<UnitClimate> climates_of(const SpeciesTable& species, std::span<const ClimateYear> weather) {
+    std::vector<UnitClimate> units(weather.size());
+    for (std::size_t u = 0; u < weather.size(); ++u) {
+        units[u].degree_days = degree_days(weather[u]);
+        for (const Species& kind : species.all()) {
+            units[u].warmth.push_back(degree_day_response(kind.response, units[u].degree_days));
+            units[u].chance.push_back(climate_chance(kind, weather[u]));
+        }
+    }
+    return units;
+}
+
+/// Cohorts of each patch, in the order they came.
+class CohortsByPatch {
+public:
+    explicit CohortsByPatch(const Stand& stand) : first_(stand.grid().size() + 1, 0) {
+        for (const Cohort& cohort : stand.cohorts()) {
+            ++first_[index_of(cohort.patch) + 1];
+        }
+        for (std::size_t i = 1; i < first_.size(); ++i) {
+            first_[i] += first_[i - 1];
+        }
+        places_.resize(stand.cohorts().size());
+        std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            places_[next[index_of(stand.cohorts()[i].patch)]++] = i;
+        }
+    }
+    [[nodiscard]] std::span<std::size_t> of(std::size_t patch) {
+        return std::span{places_}.subspan(first_[patch], first_[patch + 1] - first_[patch]);
+    }
+
+private:
+    std::vector<std::size_t> first_;
+    std::vector<std::size_t> places_;
+};
+
+SaplingPlace place_of(const Stand& stand, std::size_t patch, double deer) {
+    const PatchState& state = stand.patch_states()[patch];
+    const bool steep = stand.grid().patches()[patch].slope.in_degrees() > gliding_slope_deg;
+    return {.environment = state.water_modifier,
+            .ground_light = state.ground_light,
+            .deer = deer,
+            .snow_glides = steep && state.ground_light > gliding_light};
+}
+
+void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
+                   std::span<const UnitClimate> climates, double deer, const Chance& chance) {
+    CohortsByPatch by_patch{stand};
+    std::vector<CohortGrowth> growth(stand.cohorts().size());
+    std::vector<SaplingRemoval> deaths;
+    const auto note = [&deaths](std::size_t cohort, std::uint32_t stems, Cause cause) {
+        if (stems > 0) {
+            deaths.push_back({cohort, stems, cause});
+        }
+    };
+    for (std::size_t patch = 0; patch < stand.grid().size(); ++patch) {
+        const std::span<const std::size_t> here = by_patch.of(patch);
+        if (here.empty()) {
+            continue;
+        }
+        const UnitClimate& climate = climates[site.unit_of(PatchId{static_cast<std::uint32_t>(patch)})];
+        const SaplingPlace place = place_of(stand, patch, deer);
+        const double nitrogen_kg = stand.grid().patches()[patch].soil.nitrogen_kg_per_ha_year;
+        const config::RandomStream stream = chance.of(patch, config::Purpose::sapling);
+        for (std::size_t k = 0; k < here.size(); ++k) {
+            const Cohort& cohort = stand.cohorts()[here[k]];
+            const Species& kind = species[cohort.species];
+            SaplingPlace own = place;
+            own.environment *= climate.warmth[index_of(cohort.species)] *
+                               nitrogen_response(kind.response.nitrogen_class, nitrogen_kg);
+            const SaplingYear year =
+                year_of_cohort(kind, cohort, own, stream.uniforms_of(static_cast<std::uint32_t>(k)));
+            growth[here[k]] = year.growth;
+            note(here[k], year.browsed, Cause::browsing);
+            note(here[k], year.stressed, Cause::stress);
+            note(here[k], year.torn_out, Cause::snow);
+            note(here[k], year.background, Cause::background);
+        }
+    }
+    stand.grow_cohorts(growth);
+    stand.remove_saplings(deaths);
+}
+
+/// Takes the smallest saplings off patches that are too full.
+void thin_saplings(Stand& stand) {
+    CohortsByPatch by_patch{stand};
+    const std::span<const Cohort> cohorts = stand.cohorts();
+    std::vector<SaplingRemoval> removals;
+    for (std::size_t patch = 0; patch < stand.grid().size(); ++patch) {
+        const std::span<std::size_t> here = by_patch.of(patch);
+        std::stable_sort(here.begin(), here.end(), [cohorts](std::size_t a, std::size_t b) {
+            return cohorts[a].height_m > cohorts[b].height_m;
+        });
+        double room = 1.0;
+        for (const std::size_t place : here) {
+            const double each = room_of_stem(cohorts[place].height_m);
+            const auto fit = std::min(cohorts[place].stems, static_cast<std::uint32_t>(room / each + 1e-9));
+            if (fit < cohorts[place].stems) {
+                removals.push_back({place, cohorts[place].stems - fit, Cause::self_thinning});
+            }
+            room = std::max(0.0, room - fit * each);
+        }
+    }
+    stand.remove_saplings(removals);
+}
+
+void recruit_trees(Stand& stand, const SpeciesTable& species, const Chance& chance) {
+    std::vector<std::size_t> places;
+    std::vector<Tree> trees;
+    std::vector<std::uint32_t> on_patch(stand.grid().size(), 0);
+    for (std::size_t i = 0; i < stand.cohorts().size(); ++i) {
+        const Cohort& cohort = stand.cohorts()[i];
+        if (cohort.height_m < recruitment_height_m) {
+            continue;
+        }
+        const std::size_t patch = index_of(cohort.patch);
+        const config::FourUniforms u =
+            chance.of(patch, config::Purpose::young_place).uniforms_of(on_patch[patch]++);
+        // Never quite the patch's edge: a place on it may belong to the neighbour.
+        const auto beside_m = [](double uniform) { return 0.98 * (uniform - 0.5) * patch_side_m; };
+        Tree tree = new_tree(species[cohort.species], cohort.species,
+                             stand.grid().x_centre_m(cohort.patch) + beside_m(u[0]),
+                             stand.grid().y_centre_m(cohort.patch) + beside_m(u[1]), smallest_tree_cm,
+                             cohort.height_m, cohort.age_years);
+        tree.stems = cohort.stems;
+        tree.origin = cohort.origin;
+        tree.light_ratio = stand.patch_states()[patch].ground_light;
+        places.push_back(i);
+        trees.push_back(tree);
+    }
+    stand.recruit(places, trees);
+}
+
+std::vector<double> rooms_left(const Stand& stand) {
+    std::vector<double> rooms(stand.grid().size(), 1.0);
+    for (const Cohort& cohort : stand.cohorts()) {
+        rooms[index_of(cohort.patch)] -= cohort.stems * room_of_stem(cohort.height_m);
+    }
+    return rooms;
+}
+
+/// Expected seedlings of every species on a patch.
+void expect_seedlings(const Stand& stand, const SpeciesTable& species, const SeedRain& rain,
+                      const UnitClimate& climate, std::size_t patch, double rotten_cover,
+                      std::span<double> expected) {
+    const PatchState& state = stand.patch_states()[patch];
+    const double sun = sun_chance(climate.degree_days, state.june_sun_hours);
+    for (std::size_t s = 0; s < species.size(); ++s) {
+        const SpeciesId id{static_cast<std::uint16_t>(s)};
+        const Species& kind = species[id];
+        const double seeds_pm2 = rain.seedlings_pm2(id, PatchId{static_cast<std::uint32_t>(patch)});
+        const double chance = climate.chance[s] * sun * light_chance(kind.light, state.ground_light) *
+                              water_chance(kind.response, state.drought_index) *
+                              seed_bed(kind, static_cast<double>(state.herb_cover), rotten_cover);
+        expected[s] = std::min(most_seedlings, patch_area_m2 * seeds_pm2 * chance);
+    }
+}
+
+void establish(Stand& stand, const Site& site, const SpeciesTable& species,
+               std::span<const UnitClimate> climates, const SeedRain& rain, const Chance& chance) {
+    const std::vector<double> rooms = rooms_left(stand);
+    const std::vector<double> rotten = rotten_wood_cover(stand);
+    std::vector<Cohort> seedlings;
+    std::vector<double> expected(species.size());
+    for (std::size_t patch = 0; patch < rooms.size(); ++patch) {
+        const double room_stems = rooms[patch] / room_of_stem(seedling_height_m);
+        if (room_stems < least_room_stems) {
+            continue;
+        }
+        const PatchId id{static_cast<std::uint32_t>(patch)};
+        expect_seedlings(stand, species, rain, climates[site.unit_of(id)], patch, rotten[patch], expected);
+        double all = 0.0;
+        for (const double stems : expected) {
+            all += stems;
+        }
+        if (all <= 0.0) {
+            continue;
+        }
+        const double scale = std::min(1.0, room_stems / all);
+        const config::RandomStream stream = chance.of(patch, config::Purpose::establishment);
+        for (std::size_t s = 0; s < expected.size(); ++s) {
+            const double u = stream.uniforms_of(static_cast<std::uint32_t>(s))[0];
+            const auto stems = static_cast<std::uint32_t>(scale * expected[s] + u);
+            if (stems > 0) {
+                seedlings.push_back({.patch = id,
+                                     .species = SpeciesId{static_cast<std::uint16_t>(s)},
+                                     .origin = Origin::seed,
+                                     .stems = stems,
+                                     .height_m = seedling_height_m});
+            }
+        }
+    }
+    stand.add_cohorts(seedlings);
+}
+
+}  // namespace
+
+PatchState after_year_of_herbs(PatchState state) {
+    constexpr double open_light = 0.3;
+    constexpr double dark_light = 0.15;
+    constexpr std::uint16_t free_years = 3;
+    constexpr float spread_pyear = 0.2F;
+    constexpr std::uint16_t most_years = 60'000;
+    if (state.ground_light > open_light) {
+        state.open_years =
+            std::min<std::uint16_t>(static_cast<std::uint16_t>(state.open_years + 1), most_years);
+    } else {
+        state.open_years = 0;
+    }
+    if (state.ground_light < dark_light) {
+        state.herb_cover = 0.0F;
+    } else if (state.open_years > free_years) {
+        state.herb_cover = std::min(1.0F, state.herb_cover + spread_pyear);
+    }
+    return state;
+}
+
+std::vector<Cohort> sprouts_of(const Stand& stand, const SpeciesTable& species) {
+    constexpr double thickest_cm = 30.0;
+    constexpr std::uint32_t each = 3;
+    constexpr double height_m = 0.5;
+    std::vector<Cohort> sprouts;
+    for (const Snag& snag : stand.dead_wood().snags) {
+        const bool broken = snag.cut || snag.height_m < snag.tree_height_m;
+        if (snag.year != stand.year() - 1 || !broken || snag.dbh_cm >= thickest_cm ||
+            !species[snag.species].wounds.resprouts) {
+            continue;
+        }
+        if (const std::optional<PatchId> patch = stand.grid().at(snag.x_m, snag.y_m)) {
+            sprouts.push_back({.patch = *patch,
+                               .species = snag.species,
+                               .origin = Origin::sprout,
+                               .stems = each,
+                               .height_m = height_m});
+        }
+    }
+    return sprouts;
+}
+
+std::vector<double> rotten_wood_cover(const Stand& stand) {
+    constexpr double rotten_density = 0.7;
+    std::vector<double> cover(stand.grid().size(), 0.0);
+    const auto lay = [&](double x_m, double y_m, double area_m2) {
+        if (const std::optional<PatchId> patch = stand.grid().at(x_m, y_m)) {
+            double& here = cover[index_of(*patch)];
+            here = std::min(1.0, here + area_m2 / patch_area_m2);
+        }
+    };
+    for (const Log& log : stand.dead_wood().logs) {
+        if (log.density_share < rotten_density) {
+            // On the patch of its thick end, which is the wider bed.
+            lay(log.x_m, log.y_m, log.length_m * 0.005 * (log.thick_end_cm + log.thin_end_cm));
+        }
+    }
+    for (const Snag& snag : stand.dead_wood().snags) {
+        if (snag.cut && snag.density_share < rotten_density) {
+            lay(snag.x_m, snag.y_m, basal_area_m2(snag.dbh_cm));
+        }
+    }
+    return cover;
+}
+
+void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
+                std::span<const ClimateYear> weather, const RegenerationLaw& law, std::uint64_t seed,
+                std::uint32_t replicate) {
+    assert(weather.size() == site.units().size());
+    const Chance chance{seed, replicate, stand.year()};
+    const std::vector<UnitClimate> climates = climates_of(species, weather);
+
+    std::vector<PatchState> states(stand.patch_states().begin(), stand.patch_states().end());
+    std::transform(states.begin(), states.end(), states.begin(), after_year_of_herbs);
+    stand.set_patch_states(states);
+
+    grow_saplings(stand, site, species, climates, law.browsing_pressure, chance);
+    thin_saplings(stand);
+    recruit_trees(stand, species, chance);
+
+    const SeedRain rain{stand, species, crops_of_year(species, seed, replicate, stand.year()), law.outside};
+    establish(stand, site, species, climates, rain, chance);
+    stand.add_cohorts(sprouts_of(stand, species));
+}
+
+}  // namespace forest

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "forest/climate/series.hpp"
+#include "forest/regeneration/seed_rain.hpp"
+#include "forest/site.hpp"
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+
+namespace forest {
+
+/// What a user can say about regeneration.
+struct RegenerationLaw {
+    SeedsFromOutside outside;
+    double browsing_pressure = 1.0;  ///< >= 0: 0 fenced, 1 normal, 3 high
+};
+
+/// A year of regeneration: herbs come and go with the light, saplings grow, are browsed and die, the densest
+/// lose their smallest, the tallest become trees; seeds rain, find a bed and a year they can live in; stumps
+/// sprout.
+///
+/// Comes after growth and death of the trees, with light, drought and soil water of the season in the patch
+/// states. `weather` has one year for each of the site's units. Chance is drawn by patch and year.
+void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
+                std::span<const ClimateYear> weather, const RegenerationLaw& law, std::uint64_t seed,
+                std::uint32_t replicate);
+
+/// Ground cover after a year [choice]: herbs spread over five years once the ground has had more than 0.3 of
+/// the open light for three, and vanish below 0.15.
+PatchState after_year_of_herbs(PatchState state);
+
+/// Three sprouts of 0.5 m for each stump or broken stem of last year, thinner than 30 cm, of a species that
+/// sprouts [choice].
+std::vector<Cohort> sprouts_of(const Stand& stand, const SpeciesTable& species);
+
+/// Share of each patch under logs and stumps that have lost 30 % of their density or more [0, 1].
+std::vector<double> rotten_wood_cover(const Stand& stand);
+
+}  // namespace forest

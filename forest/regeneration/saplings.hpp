@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+
+#include "config/random/stream.hpp"
+#include "forest/cohort.hpp"
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+
+namespace forest {
+
+/// Height of a seedling that has established [m] [choice].
+inline constexpr double seedling_height_m = 0.05;
+/// Saplings of this height become trees of 1 cm diameter [m] [choice].
+inline constexpr double recruitment_height_m = 2.0;
+
+/// Height after a year without limits (iLand): Hx (1 - (1 - (h / Hx)^(1/3)) exp(-r))^3.
+double potential_height_m(const Saplings& species, double height_m);
+
+/// What a place offers to young trees in a year.
+struct SaplingPlace {
+    double environment = 1.0;   ///< [0, 1], warmth * nitrogen * soil water
+    double ground_light = 1.0;  ///< [0, 1]
+    double deer = 0.0;          ///< browsing pressure: 0 fenced, 1 normal, 3 high
+    bool snow_glides = false;   ///< steep and open: snow tears young trees out
+};
+
+/// Chance that a stem is browsed within a year: odds of the species' chance times the pressure (iLand), from
+/// 0.1 to 1.3 m of height.
+double browsing_chance(const Saplings& species, double height_m, double pressure);
+
+/// What a year does to a cohort.
+struct SaplingYear {
+    CohortGrowth growth;
+    std::uint32_t browsed = 0;     ///< stems that die of it
+    std::uint32_t stressed = 0;    ///< that die of years without growth: all or none
+    std::uint32_t torn_out = 0;    ///< by gliding snow
+    std::uint32_t background = 0;  ///< of all else
+};
+
+/// Growth and deaths of a cohort.
+///
+/// It grows by the potential times environment and light response. Browsed stems do not grow, and a third of
+/// those above 0.3 m lose 10 cm [choice]; the cohort's height is the mean. A year with less than the species'
+/// least growth share is one of stress; one more of them in a row than it stands, and the cohort dies.
+/// Deaths a year [choice]: 3 % below 0.5 m, 1.5 % above; browsing 10 % of the browsed stems of species that
+/// suffer much, else 3 %; gliding snow 5 %; planted ones 10.6 % more in their first two years. Parts of a
+/// stem are decided by `chance`, one number a cause.
+SaplingYear year_of_cohort(const Species& species, const Cohort& cohort, const SaplingPlace& place,
+                           const config::FourUniforms& chance);
+
+/// Share of a patch's room that one stem takes [-]: 1 / most stems of its height, 10 000 h^-1.2 a hectare,
+/// h at least 0.5 m [choice].
+double room_of_stem(double height_m);
+
+}  // namespace forest

@@ -1,0 +1,94 @@
+#include "forest/regeneration/establishment.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/forest/small_forest.hpp"
+
+namespace forest {
+namespace {
+
+const SpeciesTable table = SpeciesTable::shipped();
+
+const Species& kind(const char* code) {
+    return table[*table.find(code)];
+}
+
+/// The montane year moved by some degrees, deficit and rain as they were.
+ClimateYear moved(double by_k) {
+    ClimateYear year = montane_year();
+    for (std::size_t m = 0; m < 12; ++m) {
+        year.months[m].tave_degc += by_k;
+        year.months[m].tmin_degc += by_k;
+        year.months[m].tmax_degc += by_k;
+        year.months[m].frost_days = expected_frost_days(year.months[m].tmin_degc, static_cast<int>(m) + 1);
+    }
+    return year;
+}
+
+TEST(DegreeDayResponse, IsNothingAtTheLimitAndRises) {
+    const Response& spruce = kind("piab").response;
+    EXPECT_EQ(degree_day_response(spruce, 385.0), 0.0);
+    EXPECT_NEAR(degree_day_response(spruce, 385.0 + 1.0 / 0.0013), 1.0 - std::exp(-1.0), 1e-9);
+    EXPECT_GT(degree_day_response(spruce, 1300.0), degree_day_response(spruce, 700.0));
+}
+
+TEST(NitrogenResponse, IsLowerForDemandingSpecies) {
+    EXPECT_NEAR(nitrogen_response(1.0, 60.0), 1.0 - std::exp(-0.045 * 50.0), 1e-9);
+    EXPECT_NEAR(nitrogen_response(3.0, 60.0), 1.0 - std::exp(-0.065 * 20.0), 1e-9);
+    EXPECT_NEAR(nitrogen_response(2.2, 60.0), 1.0 - std::exp(-0.057 * 32.0), 1e-9);
+    EXPECT_EQ(nitrogen_response(3.0, 30.0), 0.0);
+}
+
+TEST(ClimateChance, ClosesTheDoorOfEachSpeciesAtItsOwnLimit) {
+    // Beech wants no coldest month below -4 degC, fir none below -6, spruce and cembra go on.
+    EXPECT_GT(climate_chance(kind("fasy"), moved(0.0)), 0.0);
+    EXPECT_EQ(climate_chance(kind("fasy"), moved(-1.0)), 0.0);
+    EXPECT_GT(climate_chance(kind("abal"), moved(-1.0)), 0.0);
+    EXPECT_EQ(climate_chance(kind("abal"), moved(-3.0)), 0.0);
+    EXPECT_GT(climate_chance(kind("piab"), moved(-3.0)), 0.0);
+    EXPECT_GT(climate_chance(kind("pice"), moved(-4.0)), 0.0);
+    EXPECT_EQ(climate_chance(kind("piab"), moved(-9.0)), 0.0) << "too few degree-days";
+}
+
+TEST(ClimateChance, FallsWithLateFrost) {
+    ClimateYear frosty = moved(0.0);
+    frosty.months[5].frost_days += 4.0;  // June, after any bud burst
+    const Species& fir = kind("abal");
+    EXPECT_LT(climate_chance(fir, frosty), 0.4 * climate_chance(fir, moved(0.0)));
+    EXPECT_LT(climate_chance(fir, frosty) / climate_chance(fir, moved(0.0)),
+              climate_chance(kind("piab"), frosty) / climate_chance(kind("piab"), moved(0.0)));
+}
+
+TEST(LightChance, FirNeedsLessLightThanSpruceAndSpruceLessThanLarch) {
+    EXPECT_GT(light_chance(kind("abal").light, 0.08), 0.0);
+    EXPECT_EQ(light_chance(kind("piab").light, 0.08), 0.0);
+    EXPECT_GT(light_chance(kind("piab").light, 0.25), 0.5);
+    EXPECT_EQ(light_chance(kind("lade").light, 0.25), 0.0);
+    EXPECT_EQ(light_chance(kind("lade").light, 1.0), 1.0);
+}
+
+TEST(WaterChance, EndsAtTheToleratedDrought) {
+    const Response& spruce = kind("piab").response;
+    EXPECT_EQ(water_chance(spruce, 0.0), 1.0);
+    EXPECT_NEAR(water_chance(spruce, 0.1), 0.5, 1e-9);
+    EXPECT_EQ(water_chance(spruce, 0.3), 0.0);
+}
+
+TEST(SunChance, CountsAboveTheMontaneBeltOnly) {
+    EXPECT_EQ(sun_chance(1300.0, 0.0), 1.0);
+    EXPECT_EQ(sun_chance(600.0, 0.0), 0.2);
+    EXPECT_EQ(sun_chance(600.0, 1.0), 0.5);
+    EXPECT_EQ(sun_chance(600.0, 5.0), 1.0);
+}
+
+TEST(SeedBed, IsBetterOnRottenWoodAndWorseUnderHerbs) {
+    EXPECT_DOUBLE_EQ(seed_bed(kind("piab"), 0.0, 0.0), 1.0);
+    EXPECT_DOUBLE_EQ(seed_bed(kind("piab"), 1.0, 0.0), 0.2);
+    // 4 % of wood carries about 30 % of the seedlings (Bujoczek et al. 2015).
+    const double on_wood = 0.04 * 10.0 / seed_bed(kind("piab"), 0.0, 0.04);
+    EXPECT_NEAR(on_wood, 0.3, 0.02);
+    EXPECT_LT(seed_bed(kind("acps"), 0.0, 0.04), seed_bed(kind("piab"), 0.0, 0.04));
+}
+
+}  // namespace
+}  // namespace forest

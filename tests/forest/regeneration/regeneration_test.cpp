@@ -1,0 +1,128 @@
+#include "forest/regeneration/regeneration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "forest/regeneration/saplings.hpp"
+#include "tests/forest/small_forest.hpp"
+
+namespace forest {
+namespace {
+
+/// A dense old spruce stand, but for a slit of two by five patches in the middle.
+Stand stand_with_slit(const SmallForest& forest) {
+    StandRecord record;
+    for (std::uint32_t i = 0; i < forest.grid.size(); ++i) {
+        record.patches.push_back(PatchId{i});
+    }
+    record.species = {{.species = *forest.species.find("piab"), .stems_pha = 700.0, .mean_dbh_cm = 32.0}};
+    record.degree_days = 1300.0;
+    std::vector<Tree> trees = trees_from_record(record, forest.grid, forest.species, 1, 0, 0);
+    std::erase_if(trees, [](const Tree& tree) {
+        return tree.x_m > 40.0 && tree.x_m < 90.0 && tree.y_m > 50.0 && tree.y_m < 70.0;
+    });
+    return {forest.grid, forest.species.size(), trees, 2000};
+}
+
+bool in_slit(const PatchGrid& grid, PatchId patch) {
+    return grid.x_centre_m(patch) > 40.0 && grid.x_centre_m(patch) < 90.0 && grid.y_centre_m(patch) > 50.0 &&
+           grid.y_centre_m(patch) < 70.0;
+}
+
+TEST(Regenerate, FillsASlitWithinADozenYears) {
+    const SmallForest forest{square_of_forest(12)};
+    Stand stand = stand_with_slit(forest);
+    for (int year = 0; year < 12; ++year) {
+        static_cast<void>(forest.live(stand));
+    }
+    double in = 0.0;
+    double tallest_m = 0.0;
+    double outside = 0.0;
+    for (const Cohort& cohort : stand.cohorts()) {
+        if (cohort.height_m > 0.3) {
+            (in_slit(forest.grid, cohort.patch) ? in : outside) += cohort.stems;
+        }
+        tallest_m = std::max(tallest_m, cohort.height_m);
+    }
+    constexpr double slit_patches = 10.0;
+    EXPECT_GT(in / slit_patches, 10.0) << "a thousand a hectare";
+    EXPECT_GT(in / slit_patches, 5.0 * outside / (144.0 - slit_patches));
+    EXPECT_GT(tallest_m, 0.5);
+}
+
+TEST(Regenerate, KeepsTheBooksOfSaplingsAndTrees) {
+    const SmallForest forest{square_of_forest(8)};
+    Stand stand{forest.grid, forest.species.size(), {}, 2000};
+    for (int year = 0; year < 40; ++year) {
+        static_cast<void>(forest.live(stand));
+        const Book book = stand.total_book();
+        ASSERT_EQ(book.saplings_in,
+                  book.all_saplings_out() + book.saplings_recruited + stand.saplings_standing());
+        ASSERT_EQ(book.all_stems_in(), book.all_stems_out() + stand.stems_standing());
+        ASSERT_EQ(book.all_stems_in(), book.saplings_recruited);
+    }
+    EXPECT_GT(stand.trees().size(), 20U) << "open ground becomes forest";
+    for (const Tree& tree : stand.trees()) {
+        EXPECT_GE(tree.dbh_cm, 1.0);
+        EXPECT_GE(tree.height_m, recruitment_height_m);
+        EXPECT_TRUE(tree.stems == 1 || tree.dbh_cm < 5.0 + 3.0);
+    }
+}
+
+TEST(Regenerate, LeavesNoPatchDenserThanTheLine) {
+    const SmallForest forest{square_of_forest(6)};
+    Stand stand{forest.grid, forest.species.size(), {}, 2000};
+    for (int year = 0; year < 12; ++year) {
+        static_cast<void>(forest.live(stand));
+        std::vector<double> room(forest.grid.size(), 0.0);
+        for (const Cohort& cohort : stand.cohorts()) {
+            room[index_of(cohort.patch)] += cohort.stems * room_of_stem(cohort.height_m);
+        }
+        // One stem of each species may be more: parts of a stem are decided by chance.
+        EXPECT_LE(*std::max_element(room.begin(), room.end()), 1.0 + 11.0 / 230.0);
+    }
+}
+
+TEST(Regenerate, SproutsFromLastYearsStumpsOfSpeciesThatCan) {
+    const SmallForest forest{square_of_forest(2)};
+    Stand stand{forest.grid, forest.species.size(), {}, 2000};
+    const auto stump = [&](const char* code, double dbh_cm, int year) {
+        return Snag{.x_m = 5.0,
+                    .y_m = 5.0,
+                    .species = *forest.species.find(code),
+                    .cut = true,
+                    .dbh_cm = dbh_cm,
+                    .tree_height_m = 15.0,
+                    .height_m = 0.3,
+                    .year = year};
+    };
+    stand.add_snags(std::vector<Snag>{stump("fasy", 20.0, 2000), stump("fasy", 40.0, 2000),
+                                      stump("piab", 20.0, 2000), stump("acps", 20.0, 1999)});
+    stand.begin_year();
+    const std::vector<Cohort> sprouts = sprouts_of(stand, forest.species);
+    ASSERT_EQ(sprouts.size(), 1U);
+    EXPECT_EQ(sprouts[0].species, *forest.species.find("fasy"));
+    EXPECT_EQ(sprouts[0].stems, 3U);
+    EXPECT_EQ(sprouts[0].origin, Origin::sprout);
+}
+
+TEST(AfterYearOfHerbs, SpreadsThemAfterThreeOpenYearsAndDarkensThemAway) {
+    PatchState state;
+    state.ground_light = 0.8;
+    for (int year = 0; year < 3; ++year) {
+        state = after_year_of_herbs(state);
+    }
+    EXPECT_EQ(state.herb_cover, 0.0F);
+    for (int year = 0; year < 5; ++year) {
+        state = after_year_of_herbs(state);
+    }
+    EXPECT_FLOAT_EQ(state.herb_cover, 1.0F);
+    state.ground_light = 0.2;
+    EXPECT_FLOAT_EQ(after_year_of_herbs(state).herb_cover, 1.0F);
+    state.ground_light = 0.1;
+    EXPECT_EQ(after_year_of_herbs(state).herb_cover, 0.0F);
+}
+
+}  // namespace
+}  // namespace forest
