@@ -12,7 +12,7 @@ namespace forest {
 
 namespace {
 
-constexpr double tallest_site_factor = 1.28;
+constexpr double tallest_site_factor = 1.31;
 
 /// Above-ground mass and its slope at a diameter increment.
 struct MassAt {
@@ -47,7 +47,7 @@ struct GrowthPath {
     /// The increment at which the mass is `target_kg`. Requires a target of at least the mass at 0.
     [[nodiscard]] double increment_to(double target_kg) const {
         constexpr int most_steps = 30;
-        constexpr double close_enough_cm = 1e-12;
+        constexpr double close_enough_cm = 1e-6;  // what is left then is of the order of its square
         MassAt mass = at(0.0);
         double increment_cm = (target_kg - mass.kg) / mass.kg_pcm;
         for (int step = 0; step < most_steps; ++step) {

@@ -48,6 +48,27 @@ void fit_to_layer(Leaves& leaves, std::size_t layer, double depth) {
     }
 }
 
+double relative_light(const LightField& field, std::size_t column, std::size_t layer) {
+    const float open = field.open_season[column];
+    const float here = field.cell(column, layer)[LightField::season_value];
+    return open > 0.0F ? std::clamp(static_cast<double>(here / open), 0.0, 1.0) : 1.0;
+}
+
+/// Light in the free air above the `used` layers of a column. Where the field does not reach up there, it
+/// follows from the highest layer as if its leaves hung in the light of a mean sky.
+double light_above(const LightField& field, std::size_t column, std::size_t used, double depth_of_highest) {
+    constexpr double path_per_height = 1.5;
+    if (used < canopy_layers) {
+        const double computed = relative_light(field, column, used);
+        if (computed > 0.0) {
+            return computed;
+        }
+    }
+    return used == 0 ? 1.0
+                     : std::min(1.0, relative_light(field, column, used - 1) *
+                                         config::exp_of(0.5 * path_per_height * depth_of_highest));
+}
+
 /// Light under a depth of leaves. Nodes run from above, with rising depth; light falls exponentially between
 /// them.
 class LightUnderLeaves {
@@ -87,23 +108,25 @@ LightProfiles::LightProfiles(const Stand& stand, const SpeciesTable& species, co
         const std::size_t column = stand.grid().frame().index(stand.grid().patches()[p].cell);
         const float* const below =
             canopy.leaf_on().of(site.ground().padded(column)) + PrefixSums::nodes_below;
-        const float open = field.open_season[column];
+        const std::size_t used = canopy.layers_used(column);
 
         LightUnderLeaves light;
+        const double highest = used > 0 ? static_cast<double>(below[used] - below[used - 1]) : 0.0;
+        const double free = light_above(field, column, used, highest);
+        light.add(0.0, free);
+        coarse_[p].fill(static_cast<float>(free));
         double depth = 0.0;
-        light.add(0.0, 1.0);
-        for (std::size_t layer = canopy_layers; layer-- > 0;) {
+        for (std::size_t layer = used; layer-- > 0;) {
             const double of_layer = std::max(0.0, static_cast<double>(below[layer + 1] - below[layer]));
-            const float here =
-                open > 0.0F ? field.cell(column, layer)[LightField::season_value] / open : 1.0F;
-            coarse_[p][layer] = std::clamp(here, 0.0F, 1.0F);
-            light.add(depth + 0.5 * of_layer, static_cast<double>(here));
+            const double here = relative_light(field, column, layer);
+            coarse_[p][layer] = static_cast<float>(here);
+            light.add(depth + 0.5 * of_layer, here);
             fit_to_layer(leaves[p], layer, of_layer);
             depth += of_layer;
         }
+        fine_[p].fill(static_cast<float>(free));
         double overhead = 0.0;
-        fine_[p][metres] = 1.0F;
-        for (std::size_t m = metres; m-- > 0;) {
+        for (std::size_t m = used * metres_of_layer; m-- > 0;) {
             overhead += leaves[p][m];
             fine_[p][m] = static_cast<float>(light.at(overhead));
         }

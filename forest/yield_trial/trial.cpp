@@ -46,7 +46,7 @@ Stand plantation(const YieldTrial& trial, const SpeciesTable& species) {
     for (std::size_t i = 0; i < diameters.size(); ++i) {
         config::RandomStream stream{{trial.seed, replicate, 1, i}, config::Purpose::starting_tree};
         diameters[i] = trial.start_dbh_cm *
-                       std::clamp(config::normal(stream.uniform(), 1.0, trial.start_scatter), 0.5, 1.5);
+                       std::clamp(config::normal(stream.uniform(), 1.0, trial.start_scatter), 0.5, 2.0);
     }
     std::vector<PatchId> patches(grid.size());
     for (std::size_t i = 0; i < patches.size(); ++i) {

@@ -36,7 +36,8 @@ struct YieldTrial {
     int start_age_years = 12;
     double stems_pha = 3000.0;
     double start_dbh_cm = 2.0;
-    double start_scatter = 0.2;  ///< standard deviation of the first diameters / their mean [choice]
+    double start_scatter =
+        0.33;  ///< standard deviation of the first diameters / their mean: that of a Weibull of shape 3.3
     MortalityLaw mortality{.background = false};  ///< only stress and self-thinning
     std::uint64_t seed = 1;
 };
