@@ -61,8 +61,12 @@ void expect_criteria(const std::vector<YieldComparison>& comparisons) {
 
 TEST(CompareYields, MeetsTheTablesInTheModelsOwnLight) {
     const SpeciesTable species = SpeciesTable::shipped();
+    YieldCase data = shipped_case(species);
+    std::erase_if(data.sites, [](const YieldSite& site) {
+        return site.table.empty() && site.name != "abal_1000" && site.name != "fasy_1000";
+    });
     const std::vector<YieldComparison> comparisons =
-        compare_yields(shipped_case(species), species, TrialLight::space, {70, 100});
+        compare_yields(data, species, TrialLight::space, {70, 100});
     print(comparisons);
     expect_criteria(comparisons);
 }
