@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "coupling/run/first_error.hpp"
 
@@ -12,9 +13,9 @@ namespace {
 /// One thread's instruments.
 class Watch {
 public:
-    Watch(const rockfall::Assessment& assessment, rockfall::Cover cover)
+    Watch(const rockfall::Assessment& assessment, rockfall::Cover cover, std::span<std::uint8_t> gone)
         : assessment_{assessment},
-          obstacles_{cover == rockfall::Cover::forest ? &assessment.stems : nullptr, {}},
+          obstacles_{cover == rockfall::Cover::forest ? &assessment.stems : nullptr, gone},
           footprint_{assessment.slope.terrain, assessment.map_frame, assessment.targets},
           jumps_{assessment.slope.terrain} {}
 
@@ -51,14 +52,15 @@ private:
 }  // namespace
 
 void watch_falls(const rockfall::Assessment& assessment, rockfall::Cover cover, int threads,
-                 const WatchedFallSink& sink) {
+                 const WatchedFallSink& sink, std::span<std::uint8_t> gone) {
+    assert(gone.empty() || threads == 1);
     constexpr std::uint32_t rocks_at_once = 64;
     const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(assessment.sources, rocks_at_once);
     const auto count = static_cast<std::int64_t>(chunks.size());
     FirstError error;
 #pragma omp parallel num_threads(threads)
     {
-        Watch watch{assessment, cover};
+        Watch watch{assessment, cover, gone};
         std::vector<WatchedFall> falls;
 #pragma omp for ordered schedule(dynamic, 1)
         for (std::int64_t i = 0; i < count; ++i) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "rockfall/ensemble.hpp"
@@ -25,7 +27,9 @@ using WatchedFallSink = std::function<void(const WatchedFall&)>;
 /// the sink in rock order. For ensembles of which every jump is wanted; maps come from fall_rocks().
 ///
 /// Cover::forest meets the assessment's stems, Cover::bare does not. Exceptions of the sink are passed on.
+/// `gone` marks stems that no longer stand (empty: all stand); where broken trees fall, falls enter theirs, so
+/// that it needs one thread then.
 void watch_falls(const rockfall::Assessment& assessment, rockfall::Cover cover, int threads,
-                 const WatchedFallSink& sink);
+                 const WatchedFallSink& sink, std::span<std::uint8_t> gone = {});
 
 }  // namespace coupling

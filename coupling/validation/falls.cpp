@@ -3,8 +3,8 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cassert>
 #include <mutex>
+#include <stdexcept>
 
 #include "coupling/run/first_error.hpp"
 #include "coupling/validation/artificial_stand.hpp"
@@ -128,8 +128,13 @@ private:
         Falls falls;
         falls.lines = lines_.size();
         const bool bare = cover == rockfall::Cover::bare || stands_[batch.stand].empty();
-        watch_falls(assessment, bare ? rockfall::Cover::bare : rockfall::Cover::forest, 1,
-                    [&](const WatchedFall& one) { falls.add(one, slope_, length_); });
+        std::vector<std::uint8_t> gone;
+        if (!bare && recipe_.rockfall.fall.tree.remove_broken) {
+            gone.assign(stands_[batch.stand].placed().size(), 0);
+        }
+        watch_falls(
+            assessment, bare ? rockfall::Cover::bare : rockfall::Cover::forest, 1,
+            [&](const WatchedFall& one) { falls.add(one, slope_, length_); }, gone);
         return falls;
     }
 
@@ -177,7 +182,9 @@ void JumpSums::add(const JumpSums& other) {
 }
 
 void Falls::add(const WatchedFall& fall, const RebuiltSlope& slope, const SlopeLength& length) {
-    assert(fall.started);
+    if (!fall.started) {
+        throw std::logic_error{"the start of a case lies outside its terrain"};
+    }
     const Eigen::Vector2d origin_m = slope.slope.terrain.origin_m();
     const rockfall::RockRecord& record = fall.record;
     RockFacts facts;

@@ -101,7 +101,10 @@ void declare_stand(config::Options& options, Recipe& r) {
     options.text("stand.species", r.species_text,
                  {.meaning = "shares of the basal area in percent, such as ABAL:72, FASY:28"});
     options.number("stand.from_m", r.stand_from_m,
-                   {.unit = "m", .low = 0.0, .high = 10'000.0, .meaning = "plan distance it begins at"});
+                   {.unit = "m",
+                    .low = -10.0,
+                    .high = 10'000.0,
+                    .meaning = "plan distance it begins at; the slope goes on for 10 m above the start"});
     options.number("stand.to_m", r.stand_to_m,
                    {.unit = "m", .low = 0.0, .high = 10'000.0, .meaning = "plan distance it ends at"});
     options.number("stand.spacing_m", r.spacing_m,

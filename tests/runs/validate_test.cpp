@@ -89,7 +89,8 @@ TEST(Validate, ReplacesOnlyItsOwnResults) {
     EXPECT_NE(call(project, command + "--out mine").code, 2);
     EXPECT_EQ(call(project, command + "--out mine").code, 2);
     EXPECT_NE(call(project, command + "--out mine --overwrite").code, 2);
-    ASSERT_EQ(shell(project, "mkdir theirs && echo 'a page of somebody else' > theirs/report.html\n").code, 0);
+    ASSERT_EQ(shell(project, "mkdir theirs && echo 'a page of somebody else' > theirs/report.html\n").code,
+              0);
     EXPECT_EQ(call(project, command + "--out theirs --overwrite").code, 2);
     EXPECT_EQ(project.read("theirs/report.html"), "a page of somebody else\n");
     EXPECT_FALSE(std::filesystem::exists(project.file("theirs/verdicts.csv")));
