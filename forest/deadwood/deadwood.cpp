@@ -1,0 +1,213 @@
+#include "forest/deadwood/deadwood.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <numbers>
+#include <utility>
+
+#include "config/random/stream.hpp"
+#include "forest/deadwood/decay.hpp"
+
+namespace forest {
+
+namespace {
+
+constexpr double fall_scatter_deg = 60.0;
+/// Small stems lose their branches as they fall.
+constexpr double broken_clearance_m = 0.2;
+
+constexpr double weak_log = 0.3;
+constexpr double rolling_slope_deg = 35.0;
+constexpr double rolling_chance = 0.01;
+
+bool stands_after(Cause cause) {
+    return cause != Cause::felled && cause != Cause::wind && cause != Cause::rock && cause != Cause::browsing;
+}
+
+/// Place and climate of one piece of dead wood.
+struct Bed {
+    double speed = 0.0;  ///< of decay
+    double slope_deg = 0.0;
+    double down_rad = 0.0;  ///< direction of the fall line, counter-clockwise from east
+};
+
+class Beds {
+public:
+    Beds(const Stand& stand, const Site& site, std::span<const ClimateYear> weather)
+        : stand_{stand}, site_{site} {
+        for (const ClimateYear& year : weather) {
+            speeds_.push_back(decay_speed(year));
+        }
+    }
+    [[nodiscard]] Bed at(double x_m, double y_m) const {
+        const std::optional<PatchId> patch = stand_.grid().at(x_m, y_m);
+        if (!patch) {
+            return {speeds_.empty() ? 0.0 : speeds_.front(), 0.0, 0.0};
+        }
+        const Patch& ground = stand_.grid()[*patch];
+        return {speeds_[site_.unit_of(*patch)], ground.slope.in_degrees(),
+                0.5 * std::numbers::pi - ground.aspect.in_radians()};
+    }
+
+private:
+    const Stand& stand_;
+    const Site& site_;
+    std::vector<double> speeds_;
+};
+
+struct YearChance {
+    std::uint64_t seed = 0;
+    std::uint32_t replicate = 0;
+    int year = 0;
+
+    [[nodiscard]] config::FourUniforms of(TreeId tree, std::uint32_t event) const {
+        return config::RandomStream{{seed, replicate, static_cast<std::uint16_t>(year), number_of(tree)},
+                                    config::Purpose::dead_wood}
+            .uniforms_of(event);
+    }
+};
+
+double direction_of_fall_rad(const Bed& bed, double u) {
+    const double scatter_rad = fall_scatter_deg * std::numbers::pi / 180.0;
+    return bed.down_rad + (2.0 * u - 1.0) * scatter_rad;
+}
+
+Log fallen_piece(const Snag& snag, double from_m, const Bed& bed, double u, int year) {
+    Log log = log_of_piece(snag, from_m, snag.height_m, direction_of_fall_rad(bed, u));
+    log.clearance_m = snag.density_share > 0.7 ? broken_clearance_m : 0.0;
+    log.year = year;
+    return log;
+}
+
+/// What a year makes of the snags; what falls is added to the logs.
+std::vector<Snag> age_snags(const Stand& stand, const SpeciesTable& species, const Beds& beds,
+                            const YearChance& chance, std::vector<Log>& logs) {
+    std::vector<Snag> left;
+    left.reserve(stand.dead_wood().snags.size());
+    for (Snag snag : stand.dead_wood().snags) {
+        const Deadwood& law = species[snag.species].deadwood;
+        const Bed bed = beds.at(snag.x_m, snag.y_m);
+        const double rate_pyear = snag.cut ? law.log_decay_pyear : law.snag_decay_pyear;
+        snag.density_share *= yearly_density_left(rate_pyear, bed.speed);
+        if (snag.density_share < soil_density) {
+            continue;
+        }
+        const config::FourUniforms u = chance.of(snag.tree, 0);
+        if (!snag.cut && u[0] < fall_chance(law, snag.dbh_cm, bed.speed)) {
+            logs.push_back(fallen_piece(snag, 0.0, bed, u[3], stand.year()));
+            continue;
+        }
+        if (u[1] < breakage_chance(snag, stand.year(), bed.speed)) {
+            const double break_m = 1.0 + 4.0 * u[2];
+            if (break_m < snag.height_m) {
+                logs.push_back(fallen_piece(snag, break_m, bed, u[3], stand.year()));
+                snag.height_m = break_m;
+            }
+        }
+        left.push_back(snag);
+    }
+    return left;
+}
+
+std::vector<Log> age_logs(const Stand& stand, const SpeciesTable& species, const Beds& beds,
+                          const YearChance& chance) {
+    std::vector<Log> left;
+    left.reserve(stand.dead_wood().logs.size());
+    for (Log log : stand.dead_wood().logs) {
+        const Bed bed = beds.at(log.x_m, log.y_m);
+        log.density_share *= yearly_density_left(species[log.species].deadwood.log_decay_pyear, bed.speed);
+        const double age_years = stand.year() - log.year;
+        const double before = clearance_m(1.0, age_years - 1.0);
+        log.clearance_m *= before > 0.0 ? clearance_m(1.0, age_years) / before : 0.0;
+        const bool may_roll = log.origin == LogOrigin::felled_crosswise && !log.anchored &&
+                              bed.slope_deg > rolling_slope_deg &&
+                              strength_share(log, stand.year()) < weak_log;
+        const bool rolls = may_roll && chance.of(log.tree, 1)[0] < rolling_chance;
+        if (log.density_share >= soil_density && !rolls) {
+            left.push_back(log);
+        }
+    }
+    return left;
+}
+
+double cone_kg(double thick_cm, double thin_cm, double length_m, double kgpm3) {
+    const double square_cm2 = thick_cm * thick_cm + thick_cm * thin_cm + thin_cm * thin_cm;
+    return std::numbers::pi / 120'000.0 * square_cm2 * length_m * kgpm3;
+}
+
+}  // namespace
+
+std::vector<Snag> snags_of_deaths(const Stand& stand) {
+    std::vector<Snag> snags;
+    for (const DeadTree& dead : stand.deaths()) {
+        const Tree& tree = dead.tree;
+        if (tree.dbh_cm < least_dead_wood_cm || !stands_after(dead.cause)) {
+            continue;
+        }
+        snags.push_back({.tree = tree.id,
+                         .x_m = tree.x_m,
+                         .y_m = tree.y_m,
+                         .species = tree.species,
+                         .dbh_cm = tree.dbh_cm,
+                         .tree_height_m = tree.height_m,
+                         .height_m = tree.height_m,
+                         .year = stand.year()});
+    }
+    return snags;
+}
+
+double stem_diameter_cm(double dbh_cm, double tree_height_m, double height_m) {
+    constexpr double breast_height_m = 1.3;
+    const double taper = (tree_height_m - height_m) / (tree_height_m - breast_height_m);
+    return dbh_cm * std::max(0.0, taper);
+}
+
+Log log_of_piece(const Snag& stem, double from_m, double to_m, double direction_rad) {
+    assert(from_m < to_m);
+    return {.tree = stem.tree,
+            .x_m = stem.x_m,
+            .y_m = stem.y_m,
+            .direction_rad = direction_rad,
+            .length_m = to_m - from_m,
+            .thick_end_cm = stem_diameter_cm(stem.dbh_cm, stem.tree_height_m, from_m),
+            .thin_end_cm = stem_diameter_cm(stem.dbh_cm, stem.tree_height_m, to_m),
+            .density_share = stem.density_share,
+            .species = stem.species,
+            .year = stem.year};
+}
+
+double mass_kg(const Snag& snag, const SpeciesTable& species) {
+    return snag.density_share * cone_kg(stem_diameter_cm(snag.dbh_cm, snag.tree_height_m, 0.0),
+                                        stem_diameter_cm(snag.dbh_cm, snag.tree_height_m, snag.height_m),
+                                        snag.height_m, species[snag.species].allometry.basic_density_kgpm3);
+}
+
+double mass_kg(const Log& log, const SpeciesTable& species) {
+    return log.density_share * cone_kg(log.thick_end_cm, log.thin_end_cm, log.length_m,
+                                       species[log.species].allometry.basic_density_kgpm3);
+}
+
+double dead_mass_kg(const SnagsAndLogs& wood, const SpeciesTable& species) {
+    double sum_kg = 0.0;
+    for (const Snag& snag : wood.snags) {
+        sum_kg += mass_kg(snag, species);
+    }
+    for (const Log& log : wood.logs) {
+        sum_kg += mass_kg(log, species);
+    }
+    return sum_kg;
+}
+
+void age_dead_wood(Stand& stand, const Site& site, const SpeciesTable& species,
+                   std::span<const ClimateYear> weather, std::uint64_t seed, std::uint32_t replicate) {
+    assert(weather.size() == site.units().size());
+    const Beds beds{stand, site, weather};
+    const YearChance chance{seed, replicate, stand.year()};
+    SnagsAndLogs wood;
+    wood.logs = age_logs(stand, species, beds, chance);
+    wood.snags = age_snags(stand, species, beds, chance, wood.logs);
+    stand.set_dead_wood(std::move(wood));
+    stand.add_snags(snags_of_deaths(stand));
+}
+
+}  // namespace forest

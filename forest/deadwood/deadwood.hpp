@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "forest/climate/series.hpp"
+#include "forest/dead_wood.hpp"
+#include "forest/site.hpp"
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+
+namespace forest {
+
+/// Trees thinner than this leave no dead wood worth following.
+inline constexpr double least_dead_wood_cm = 7.0;
+/// A snag or log with less of its density than this has become soil.
+inline constexpr double soil_density = 0.1;
+
+/// Height of the stump that felling leaves, as a rule [m].
+inline constexpr double stump_height_m = 0.3;
+
+/// What stands of the year's natural deaths: trees of at least 7 cm that died of age, stress, crowding, snow,
+/// beetles or wounds become whole snags. Windthrown, felled and broken trees are the business of those who
+/// fell them.
+std::vector<Snag> snags_of_deaths(const Stand& stand);
+
+/// Diameter of a stem of that tree at a height: a cone from the DBH to the tip [cm].
+double stem_diameter_cm(double dbh_cm, double tree_height_m, double height_m);
+
+/// The lying piece of a stem between two heights, thick end at the given place. Requires from < to.
+Log log_of_piece(const Snag& stem, double from_m, double to_m, double direction_rad);
+
+/// Dry mass of dead stems [kg], as cones of the species' basic density.
+double mass_kg(const Snag& snag, const SpeciesTable& species);
+double mass_kg(const Log& log, const SpeciesTable& species);
+double dead_mass_kg(const SnagsAndLogs& wood, const SpeciesTable& species);
+
+/// A year of dead wood: this year's dead stand as snags; older ones lose density, break at 1 to 5 m
+/// [choice; BAFU] or fall and become logs; logs settle and rot; crosswise logs that have lost their strength
+/// may roll out of the slope.
+///
+/// Falling stems lie down the slope with a scatter of 60 degrees either way [choice]. Chance is drawn by tree
+/// and year. `weather` has one year for each of the site's units.
+void age_dead_wood(Stand& stand, const Site& site, const SpeciesTable& species,
+                   std::span<const ClimateYear> weather, std::uint64_t seed, std::uint32_t replicate);
+
+}  // namespace forest
