@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "forest/allometry.hpp"
+#include "forest/deadwood/deadwood.hpp"
 #include "forest/growth.hpp"
 #include "forest/mortality.hpp"
 #include "forest/production/allocation.hpp"
@@ -11,6 +12,7 @@
 #include "forest/self_thinning.hpp"
 #include "forest/stand_light.hpp"
 #include "forest/unit_production.hpp"
+#include "forest/wounds.hpp"
 
 namespace forest {
 
@@ -84,6 +86,7 @@ void let_die(Stand& stand, const Site& site, const SpeciesTable& species, const 
     stand.set_stress_years(stress_years_after(stand, parameters.mortality, production_units_of(stand, site),
                                               site.production_units().size()));
     stand.remove_trees(natural_deaths(stand, species, parameters.mortality, key.seed, key.replicate));
+    stand.remove_trees(wound_deaths(stand, species, key.seed, key.replicate));
     if (parameters.processes.self_thinning) {
         stand.remove_trees(self_thinning(stand, species, site.windows(), key.seed, key.replicate));
     }
@@ -106,9 +109,11 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
     grow(stand, species, seasons_of(stand, site, species, light.trees, season), report);
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
     let_die(stand, site, species, parameters, key);
+    heal(stand, species);
     if (parameters.processes.regeneration) {
         regenerate(stand, site, species, weather.units, parameters.regeneration, key.seed, key.replicate);
     }
+    age_dead_wood(stand, site, species, weather.units, key.seed, key.replicate);
     return report;
 }
 
