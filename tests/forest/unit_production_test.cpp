@@ -1,0 +1,87 @@
+#include "forest/unit_production.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/forest/small_forest.hpp"
+
+namespace forest {
+namespace {
+
+const SpeciesTable table = SpeciesTable::shipped();
+
+std::array<MonthConditions, 12> same_month(const MonthConditions& month) {
+    std::array<MonthConditions, 12> months;
+    months.fill(month);
+    return months;
+}
+
+TEST(LightUseOfYear, IsThatOf3PgTimesTheMultiplier) {
+    const Species& spruce = table[*table.find("piab")];
+    const MonthConditions best{.mean_degc = spruce.three_pg.temperature.optimum_degc};
+    const YearOfLightUse year = light_use_of_year(spruce, same_month(best), 1.0, 7.0);
+    // 24 g/mol * 2.3 mol/MJ * 0.47 * alpha, nothing limiting.
+    EXPECT_NEAR(year.npp_gpmj[5],
+                24.0 * 2.3 * 0.47 * spruce.three_pg.quantum_efficiency * spruce.response.npp_multiplier,
+                1e-9);
+}
+
+TEST(LightUseOfYear, LosesLessOnAShadySlopeThanLight) {
+    const Species& spruce = table[*table.find("piab")];
+    const MonthConditions flat{.mean_degc = 15.0};
+    MonthConditions shady = flat;
+    shady.slope_radiation = 0.668;
+    const double gain = light_use_of_year(spruce, same_month(shady), 0.7, 6.0).npp_gpmj[6] /
+                        light_use_of_year(spruce, same_month(flat), 0.7, 6.0).npp_gpmj[6];
+    EXPECT_NEAR(0.668 * gain, 0.754, 0.001);
+}
+
+TEST(ShareProduction, GivesOutExactlyWhatTheUnitsMake) {
+    const PatchGrid grid = square_of_forest(4);
+    Stand stand{grid, table.size(), any_trees(grid, table, 300, 5), 2000};
+    std::vector<AbsorbedByMonth> absorbed(300);
+    std::vector<std::uint32_t> unit(300);
+    std::vector<double> light(300);
+    std::vector<YearOfLightUse> use(2 * table.size());
+    for (std::size_t i = 0; i < 300; ++i) {
+        absorbed[i].fill(10.0 + static_cast<double>(i));
+        unit[i] = static_cast<std::uint32_t>(i % 2);
+        light[i] = static_cast<double>(i) / 300.0;
+    }
+    for (YearOfLightUse& one : use) {
+        one.npp_gpmj.fill(0.5);
+        one.physiology.fill(0.8);
+    }
+    std::vector<Tree> young{stand.trees().begin(), stand.trees().end()};
+    for (std::size_t i = 0; i < 300; ++i) {
+        young[i].light_ratio = light[i];
+        young[i].age_years = 1.0;
+    }
+    double made_kg = 0.0;
+    double given_kg = 0.0;
+    const std::vector<TreeProduction> production = share_production(young, table, absorbed, unit, use);
+    for (std::size_t i = 0; i < 300; ++i) {
+        made_kg += 12.0 * absorbed[i][0] * 0.5 / 1000.0;
+        given_kg += young[i].stems * production[i].npp_kg;
+        EXPECT_GE(production[i].npp_kg, 0.0);
+    }
+    EXPECT_NEAR(given_kg, made_kg, 1e-6 * made_kg);
+}
+
+TEST(ShareProduction, FallsBackOnLeavesWhereNobodyHasLight) {
+    std::vector<Tree> trees = any_trees(square_of_forest(1), table, 2, 5);
+    for (Tree& tree : trees) {
+        tree = new_tree(table[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 50.0);
+        tree.light_ratio = 0.0;
+    }
+    std::vector<AbsorbedByMonth> absorbed(2);
+    absorbed[0].fill(10.0);
+    std::vector<YearOfLightUse> use(table.size());
+    use[0].npp_gpmj.fill(1.0);
+    const std::vector<TreeProduction> production =
+        share_production(trees, table, absorbed, std::vector<std::uint32_t>(2, 0), use);
+    EXPECT_GT(production[1].npp_kg, 0.0);
+    EXPECT_DOUBLE_EQ(production[0].npp_kg, production[1].npp_kg);
+}
+
+}  // namespace
+}  // namespace forest
