@@ -161,16 +161,23 @@ TEST(StopCurve, NeverExceedsCertainty) {
     EXPECT_EQ(stop_curve(0.0).at(0.1), 0.0);
 }
 
-TEST(ShippedSurfaces, StopRocksOfAboutAMetreAsOftenAsTheRunOutAtVaujanyAsks) {
-    // A third of the rocks stopped in about 33 impacts on coarse debris: 1.2 %, with longer jumps 2 %. On
-    // fine debris few did. What stops on the others is of the order of what lies on them.
+TEST(ShippedSurfaces, StopRocksOfAboutAMetreAsOftenAsThePublishedRunOutsAsk) {
+    // Vaujany: a third of the rocks stopped in about 33 impacts on coarse debris, 1.2 %, with longer jumps 2
+    // %; on fine debris few did. Bad Ischl: of rocks of 0.96 m more than 99.9 % crossed rock and shallow soil
+    // in some 50 impacts. Steg: run-outs within 9 m leave no room for stops on pasture.
+    const auto hardly = [](const std::string& name) {
+        return name == "solid_rock" || name == "weathered_rock" || name == "forest_soil_shallow" ||
+               name == "pasture" || name == "pasture_wet";
+    };
     for (const ShippedSurface& surface : shipped_surfaces()) {
         const double p = surface.type.stopping.at(0.95);
         const bool is_coarse = surface.name == "coarse_debris";
         const bool is_strewn =
             surface.name == "forest_soil_woody_debris" || surface.name == "forest_soil_coarse_debris";
-        EXPECT_GE(p, is_coarse ? 0.012 : is_strewn ? 0.004 : 0.0003) << surface.name;
-        EXPECT_LE(p, is_coarse ? 0.020 : is_strewn ? 0.006 : 0.0015) << surface.name;
+        const double low = is_coarse ? 0.012 : is_strewn ? 0.004 : hardly(surface.name) ? 0.0 : 0.0003;
+        const double high = is_coarse ? 0.020 : is_strewn ? 0.006 : hardly(surface.name) ? 2e-5 : 0.0015;
+        EXPECT_GE(p, low) << surface.name;
+        EXPECT_LE(p, high) << surface.name;
         EXPECT_GE(surface.type.stopping.at(0.3), p) << surface.name;
         EXPECT_LE(surface.type.stopping.at(1.84), p) << surface.name;
     }
@@ -184,7 +191,7 @@ TEST(ShippedSurfaces, AreThoseOfThePaper) {
     for (const ShippedSurface& surface : surfaces) {
         normal += surface.type.restitution.normal;
         tangential += surface.type.restitution.tangential;
-        EXPECT_GT(surface.type.stopping.at(0.95), 0.0) << surface.name;  // nothing jumps for ever
+        EXPECT_GT(surface.type.stopping.at(0.2), 0.0) << surface.name;  // every ground has stones
     }
     // Column sums of Tables 1 and 2 of Rammer et al. 2010.
     EXPECT_NEAR(normal, 5.02, 1e-9);
