@@ -40,7 +40,7 @@ double stem_strength(const Tree& tree, double height_m);
 /// by 0.6 of the share of the circumference. Deep wounds, of q above 0.2 [choice], may let rot in.
 ///
 /// Of a group of young trees a hit takes one stem or nothing. Chance is drawn by tree and year, hits of a
-/// tree in their order; one call a year.
+/// tree in their order; a second call in a year begins with the same numbers.
 WoundReport wound(Stand& stand, const SpeciesTable& species, std::span<const Impact> impacts,
                   double uprooting_chance, std::uint64_t seed, std::uint32_t replicate);
 

@@ -1,0 +1,201 @@
+#include "forest/treatment/area.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "forest/light/direction.hpp"
+
+namespace forest {
+
+namespace {
+
+constexpr int points_a_side = 5;
+
+bool inside_any(std::span<const config::Shape> polygons, config::Point2 point) {
+    return polygons.empty() ||
+           std::any_of(polygons.begin(), polygons.end(), [point](const config::Shape& polygon) {
+               return config::point_in_polygon(polygon, point);
+           });
+}
+
+bool in_units(const TreatmentArea& area, const Patch& patch) {
+    const auto& units = area.management_units;
+    return units.empty() || std::find(units.begin(), units.end(), patch.management_unit) != units.end();
+}
+
+/// A place in axes along a direction and to its left.
+struct Turned {
+    double along_m = 0.0;
+    double left_m = 0.0;
+};
+
+Turned turned(config::Point2 point, const Turn& direction) {
+    return {point.x_m * direction.cos + point.y_m * direction.sin,
+            point.y_m * direction.cos - point.x_m * direction.sin};
+}
+
+config::Point2 on_map(const Turned& place, const Turn& direction) {
+    return {place.along_m * direction.cos - place.left_m * direction.sin,
+            place.along_m * direction.sin + place.left_m * direction.cos};
+}
+
+/// What the middles of all patches span in turned axes, half a patch more on every side.
+struct Span {
+    Turned low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+    Turned high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+};
+
+Span span_of(const PatchGrid& grid, const Turn& direction) {
+    Span span;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const PatchId id{static_cast<std::uint32_t>(i)};
+        const Turned place = turned({grid.x_centre_m(id), grid.y_centre_m(id)}, direction);
+        span.low.along_m = std::min(span.low.along_m, place.along_m - patch_side_m);
+        span.low.left_m = std::min(span.low.left_m, place.left_m - patch_side_m);
+        span.high.along_m = std::max(span.high.along_m, place.along_m + patch_side_m);
+        span.high.left_m = std::max(span.high.left_m, place.left_m + patch_side_m);
+    }
+    return span;
+}
+
+}  // namespace
+
+bool belongs(const TreatmentArea& area, const PatchGrid& grid, double x_m, double y_m) {
+    const std::optional<PatchId> patch = grid.at(x_m, y_m);
+    return patch && in_units(area, grid[*patch]) && inside_any(area.polygons, {x_m, y_m});
+}
+
+std::vector<std::size_t> trees_in(const Stand& stand, const TreatmentArea& area) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < stand.trees().size(); ++i) {
+        if (belongs(area, stand.grid(), stand.trees()[i].x_m, stand.trees()[i].y_m)) {
+            places.push_back(i);
+        }
+    }
+    return places;
+}
+
+std::vector<PatchId> patches_in(const PatchGrid& grid, const TreatmentArea& area) {
+    std::vector<PatchId> patches;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const PatchId id{static_cast<std::uint32_t>(i)};
+        if (belongs(area, grid, grid.x_centre_m(id), grid.y_centre_m(id))) {
+            patches.push_back(id);
+        }
+    }
+    return patches;
+}
+
+double area_ha(const PatchGrid& grid, const TreatmentArea& area) {
+    constexpr double m2_per_ha = 10'000.0;
+    constexpr double point_side_m = patch_side_m / points_a_side;
+    std::size_t points = 0;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const PatchId id{static_cast<std::uint32_t>(i)};
+        if (!in_units(area, grid[id])) {
+            continue;
+        }
+        for (int row = 0; row < points_a_side; ++row) {
+            for (int column = 0; column < points_a_side; ++column) {
+                const double middle = 0.5 * (points_a_side - 1);
+                points += inside_any(area.polygons, {grid.x_centre_m(id) + (column - middle) * point_side_m,
+                                                     grid.y_centre_m(id) + (row - middle) * point_side_m})
+                              ? 1
+                              : 0;
+            }
+        }
+    }
+    return static_cast<double>(points) * point_side_m * point_side_m / m2_per_ha;
+}
+
+config::Shape rectangle(config::Point2 centre, double length_m, double width_m, config::Angle direction) {
+    const Turn turn = turn_of(direction);
+    const auto corner = [&](double along, double left) {
+        const config::Point2 offset = on_map({along * 0.5 * length_m, left * 0.5 * width_m}, turn);
+        return config::Point2{centre.x_m + offset.x_m, centre.y_m + offset.y_m};
+    };
+    return {config::Shape::Kind::polygon,
+            {{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), corner(-1, -1)}}};
+}
+
+double open_length_m(const Slit& slit) {
+    const Turn turn = turn_of(slit.to_fall_line);
+    const double across_width_m =
+        turn.sin != 0.0 ? slit.width_m / std::abs(turn.sin) : std::numeric_limits<double>::max();
+    const double across_length_m =
+        turn.cos != 0.0 ? slit.length_m / std::abs(turn.cos) : std::numeric_limits<double>::max();
+    return std::min(across_width_m, across_length_m);
+}
+
+config::Angle fall_line_of(const Patch& patch) {
+    return config::Angle::from_degrees(90.0 - patch.aspect.in_degrees());
+}
+
+config::Angle mean_fall_line(const PatchGrid& grid) {
+    double x = 0.0;
+    double y = 0.0;
+    for (const Patch& patch : grid.patches()) {
+        const Turn aspect = turn_of(patch.aspect);
+        const double steepness = turn_of(patch.slope).sin;
+        x += steepness * aspect.sin;
+        y += steepness * aspect.cos;
+    }
+    return config::Angle::from_degrees(90.0 - azimuth_of(x, y).in_degrees());
+}
+
+config::Shape slit_at(config::Point2 centre, config::Angle fall_line, const Slit& slit) {
+    return rectangle(centre, slit.length_m, slit.width_m,
+                     config::Angle::from_degrees(fall_line.in_degrees() + slit.to_fall_line.in_degrees()));
+}
+
+std::vector<config::Shape> ladder_of_slits(const PatchGrid& grid, const Slit& slit, double gap_m,
+                                           double lines_m, int entry, int entries) {
+    assert(entry >= 0 && entry < entries && lines_m > 0.0);
+    const config::Angle fall_line = mean_fall_line(grid);
+    const Turn down = turn_of(fall_line);
+    const Turn axis = turn_of(slit.to_fall_line);
+    const Span span = span_of(grid, down);
+    const double extent_m = slit.length_m * std::abs(axis.cos) + slit.width_m * std::abs(axis.sin);
+    const double rung_m = extent_m + gap_m;
+    assert(rung_m > 0.0);
+    constexpr double half = 0.5;
+    const double whole_ha = slit.length_m * slit.width_m / 10'000.0;
+
+    std::vector<config::Shape> slits;
+    for (double left_m = span.low.left_m + half * lines_m; left_m < span.high.left_m; left_m += lines_m) {
+        int rung = 0;
+        for (double along_m = span.low.along_m + half * rung_m; along_m < span.high.along_m;
+             along_m += rung_m, ++rung) {
+            if (rung % entries != entry) {
+                continue;
+            }
+            const config::Shape shape = slit_at(on_map({along_m, left_m}, down), fall_line, slit);
+            if (area_ha(grid, {{shape}, {}}) >= half * whole_ha) {
+                slits.push_back(shape);
+            }
+        }
+    }
+    return slits;
+}
+
+std::vector<config::Shape> strips(const PatchGrid& grid, double width_m, config::Angle direction, int entry,
+                                  int entries) {
+    assert(entry >= 0 && entry < entries && width_m > 0.0);
+    const Turn turn = turn_of(direction);
+    const Span span = span_of(grid, turn);
+    const double middle_m = 0.5 * (span.low.along_m + span.high.along_m);
+    std::vector<config::Shape> shapes;
+    int strip = 0;
+    for (double left_m = span.low.left_m; left_m < span.high.left_m; left_m += width_m, ++strip) {
+        if (strip % entries == entry) {
+            shapes.push_back(rectangle(on_map({middle_m, left_m + 0.5 * width_m}, turn),
+                                       span.high.along_m - span.low.along_m, width_m, direction));
+        }
+    }
+    return shapes;
+}
+
+}  // namespace forest

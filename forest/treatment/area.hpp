@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "config/geometry/shape.hpp"
+#include "config/units/angle.hpp"
+#include "forest/patch.hpp"
+#include "forest/stand.hpp"
+
+namespace forest {
+
+/// Where an intervention acts: what lies in one of the polygons and in one of the management units. An empty
+/// list leaves everything in.
+struct TreatmentArea {
+    std::vector<config::Shape> polygons{};
+    std::vector<std::uint32_t> management_units{};
+};
+
+/// Whether a place of the forest belongs to an area; false off the patches.
+bool belongs(const TreatmentArea& area, const PatchGrid& grid, double x_m, double y_m);
+
+/// Trees of an area, as places in trees().
+std::vector<std::size_t> trees_in(const Stand& stand, const TreatmentArea& area);
+/// Patches whose middle lies in an area.
+std::vector<PatchId> patches_in(const PatchGrid& grid, const TreatmentArea& area);
+/// Forest in an area on the map, to a 25th of a patch [ha].
+double area_ha(const PatchGrid& grid, const TreatmentArea& area);
+
+/// A rectangle around a centre; `direction` of its length counter-clockwise from east.
+config::Shape rectangle(config::Point2 centre, double length_m, double width_m, config::Angle direction);
+
+/// A slit cut, as mountain forests are opened: long and narrow, oblique to the fall line, so that no rock
+/// finds a long open way (Wunder & Brang 2003).
+struct Slit {
+    double length_m = 50.0;                                          ///< > 0, usually 40-70
+    double width_m = 15.0;                                           ///< > 0, usually 15-20
+    config::Angle to_fall_line = config::Angle::from_degrees(45.0);  ///< of the long axis, 0 = straight down
+};
+
+/// How far one sees down the fall line in the middle of a slit [m].
+double open_length_m(const Slit& slit);
+
+/// Direction of the fall line, counter-clockwise from east: of one patch, or the mean over a forest.
+config::Angle fall_line_of(const Patch& patch);
+config::Angle mean_fall_line(const PatchGrid& grid);
+
+/// A slit around a centre on a slope with this fall line.
+config::Shape slit_at(config::Point2 centre, config::Angle fall_line, const Slit& slit);
+
+/// Slits in lines down the slope, as rungs of ladders: `gap_m` apart along the line, lines `lines_m` apart.
+/// Rung `entry` of `entries` is cut, so that further entries open the forest between. Slits with less than
+/// half of their area in the forest are left out. Requires entry < entries.
+std::vector<config::Shape> ladder_of_slits(const PatchGrid& grid, const Slit& slit, double gap_m,
+                                           double lines_m, int entry, int entries);
+
+/// Strips of a width over the whole forest, side by side along `direction` of their length; every
+/// `entries`-th, beginning with `entry`.
+std::vector<config::Shape> strips(const PatchGrid& grid, double width_m, config::Angle direction, int entry,
+                                  int entries);
+
+}  // namespace forest

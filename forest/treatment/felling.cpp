@@ -1,0 +1,208 @@
+#include "forest/treatment/felling.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "config/random/stream.hpp"
+#include "forest/allometry.hpp"
+#include "forest/deadwood/decay.hpp"
+#include "forest/wounds.hpp"
+
+namespace forest {
+
+namespace {
+
+constexpr double least_left_cm = 15.0;
+constexpr double clearance_without_branches = 0.5;
+constexpr double damage_reach_m = 5.0;
+/// A hit that leaves an ellipse of 200 cm2 on a thick stem and goes through the bark: rot may follow.
+constexpr double damage_height_m = 0.5;
+constexpr double damage_energy_share = 0.3;
+constexpr double damage_body_m = 0.29;
+
+config::FourUniforms chance_of(const Stand& stand, TreeId tree, std::uint32_t event, std::uint64_t seed,
+                               std::uint32_t replicate) {
+    return config::RandomStream{{seed, replicate, static_cast<std::uint16_t>(stand.year()), number_of(tree)},
+                                config::Purpose::treatment}
+        .uniforms_of(event);
+}
+
+Timber empty_timber(const SpeciesTable& species) {
+    return {std::vector<std::array<TimberClass, dbh_classes>>(species.size())};
+}
+
+/// Share of a cone's volume between two heights.
+double cone_share(double tree_height_m, double from_m, double to_m) {
+    const double base = (tree_height_m - from_m) / tree_height_m;
+    const double top = (tree_height_m - std::min(to_m, tree_height_m)) / tree_height_m;
+    return base * base * base - top * top * top;
+}
+
+Snag stump_of(const Tree& tree, double height_m, int year) {
+    return {.tree = tree.id,
+            .x_m = tree.x_m,
+            .y_m = tree.y_m,
+            .species = tree.species,
+            .cut = true,
+            .dbh_cm = tree.dbh_cm,
+            .tree_height_m = tree.height_m,
+            .height_m = std::min(height_m, tree.height_m),
+            .year = year};
+}
+
+/// The log that is left of a felled tree, obliquely to one side of the fall line or the other.
+Log left_log(const Stand& stand, const Tree& tree, const Felling& how, double side) {
+    const Snag stem = stump_of(tree, tree.height_m, stand.year());
+    const double to_m = how.log_length_m > 0.0
+                            ? std::min(tree.height_m, how.stump_height_m + how.log_length_m)
+                            : tree.height_m;
+    const Patch& patch = stand.grid()[tree.patch];
+    const double turn_rad = how.to_fall_line.in_radians() * (side < 0.5 ? -1.0 : 1.0);
+    const double down_rad = 0.5 * std::numbers::pi - patch.aspect.in_radians();
+    Log log = log_of_piece(stem, how.stump_height_m, to_m, down_rad + turn_rad);
+    log.clearance_m = clearance_without_branches * fresh_clearance_m;
+    log.origin = LogOrigin::felled_crosswise;
+    log.anchored = how.anchored;
+    return log;
+}
+
+/// Hits of standing trees near felled ones.
+std::vector<Impact> damage(const Stand& stand, std::span<const std::size_t> picks,
+                           std::span<const char> felled, double share, std::uint64_t seed,
+                           std::uint32_t replicate) {
+    std::vector<std::vector<std::size_t>> felled_on(stand.grid().size());
+    for (const std::size_t place : picks) {
+        felled_on[index_of(stand.trees()[place].patch)].push_back(place);
+    }
+    std::vector<Impact> hits;
+    for (std::size_t i = 0; i < stand.trees().size(); ++i) {
+        const Tree& tree = stand.trees()[i];
+        if (felled[i] != 0 || tree.stems > 1 || chance_of(stand, tree.id, 1, seed, replicate)[2] >= share) {
+            continue;
+        }
+        const config::Cell cell = stand.grid()[tree.patch].cell;
+        bool near = false;
+        for (int k = 0; k < 9; ++k) {
+            const auto patch = stand.grid().at(config::Cell{cell.column + k % 3 - 1, cell.row + k / 3 - 1});
+            for (const std::size_t other : patch ? felled_on[index_of(*patch)] : std::vector<std::size_t>{}) {
+                const double dx = stand.trees()[other].x_m - tree.x_m;
+                const double dy = stand.trees()[other].y_m - tree.y_m;
+                near = near || dx * dx + dy * dy <= damage_reach_m * damage_reach_m;
+            }
+        }
+        if (near) {
+            hits.push_back({.tree = tree.id,
+                            .height_m = damage_height_m,
+                            .energy_share = damage_energy_share,
+                            .rock_diameter_m = damage_body_m});
+        }
+    }
+    return hits;
+}
+
+}  // namespace
+
+TimberClass Timber::total() const {
+    TimberClass sum;
+    for (const auto& classes : by_species) {
+        for (const TimberClass& one : classes) {
+            sum.stems += one.stems;
+            sum.taken_m3 += one.taken_m3;
+            sum.left_m3 += one.left_m3;
+        }
+    }
+    return sum;
+}
+
+Timber& Timber::operator+=(const Timber& other) {
+    if (by_species.empty()) {
+        by_species.resize(other.by_species.size());
+    }
+    assert(other.by_species.empty() || by_species.size() == other.by_species.size());
+    for (std::size_t s = 0; s < other.by_species.size(); ++s) {
+        for (std::size_t c = 0; c < dbh_classes; ++c) {
+            by_species[s][c].stems += other.by_species[s][c].stems;
+            by_species[s][c].taken_m3 += other.by_species[s][c].taken_m3;
+            by_species[s][c].left_m3 += other.by_species[s][c].left_m3;
+        }
+    }
+    return *this;
+}
+
+Timber fell(Stand& stand, const SpeciesTable& species, std::span<const std::size_t> picks, const Felling& how,
+            std::uint64_t seed, std::uint32_t replicate) {
+    Timber timber = empty_timber(species);
+    std::vector<Removal> removals;
+    std::vector<Snag> stumps;
+    std::vector<Log> logs;
+    std::vector<char> felled(stand.trees().size(), 0);
+    for (const std::size_t place : picks) {
+        const Tree& tree = stand.trees()[place];
+        felled[place] = 1;
+        removals.push_back({tree.id, Cause::felled});
+        TimberClass& sum = timber.by_species[index_of(tree.species)][dbh_class_of(tree.dbh_cm)];
+        const double stem_m3 = stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m);
+        sum.stems += tree.stems;
+        if (tree.dbh_cm < least_dead_wood_cm) {
+            sum.left_m3 += tree.stems * stem_m3;  // too thin to be worth hauling, or to be followed
+            continue;
+        }
+        double left_share = cone_share(tree.height_m, 0.0, how.stump_height_m);
+        stumps.push_back(stump_of(tree, how.stump_height_m, stand.year()));
+        const config::FourUniforms u = chance_of(stand, tree.id, 1, seed, replicate);
+        if (tree.dbh_cm >= least_left_cm && u[0] < how.left_share && how.stump_height_m < tree.height_m) {
+            logs.push_back(left_log(stand, tree, how, u[1]));
+            left_share +=
+                cone_share(tree.height_m, how.stump_height_m, how.stump_height_m + logs.back().length_m);
+        }
+        sum.left_m3 += tree.stems * left_share * stem_m3;
+        sum.taken_m3 += tree.stems * (1.0 - left_share) * stem_m3;
+    }
+    std::vector<Impact> hits;
+    if (how.damage_share > 0.0) {
+        hits = damage(stand, picks, felled, how.damage_share, seed, replicate);
+    }
+    stand.remove_trees(removals);
+    stand.add_snags(stumps);
+    stand.add_logs(logs);
+    wound(stand, species, hits, 0.0, seed, replicate);
+    return timber;
+}
+
+Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& area, double share,
+               int oldest_years, std::uint64_t seed, std::uint32_t replicate) {
+    Timber timber = empty_timber(species);
+    const auto taken = [&](TreeId tree, double x_m, double y_m, int year) {
+        return stand.year() - year <= oldest_years && belongs(area, stand.grid(), x_m, y_m) &&
+               chance_of(stand, tree, 2, seed, replicate)[0] < share;
+    };
+    const auto sound_m3 = [&](double kg, SpeciesId kind, double density_share) {
+        return kg / (species[kind].allometry.basic_density_kgpm3 * density_share);
+    };
+    SnagsAndLogs left;
+    for (const Snag& snag : stand.dead_wood().snags) {
+        if (snag.cut || !taken(snag.tree, snag.x_m, snag.y_m, snag.year)) {
+            left.snags.push_back(snag);
+            continue;
+        }
+        TimberClass& sum = timber.by_species[index_of(snag.species)][dbh_class_of(snag.dbh_cm)];
+        sum.stems += 1.0;
+        sum.taken_m3 += sound_m3(mass_kg(snag, species), snag.species, snag.density_share);
+    }
+    for (const Log& log : stand.dead_wood().logs) {
+        if (log.origin == LogOrigin::felled_crosswise || !taken(log.tree, log.x_m, log.y_m, log.year)) {
+            left.logs.push_back(log);
+            continue;
+        }
+        TimberClass& sum = timber.by_species[index_of(log.species)][dbh_class_of(log.thick_end_cm)];
+        sum.stems += 1.0;
+        sum.taken_m3 += sound_m3(mass_kg(log, species), log.species, log.density_share);
+    }
+    stand.set_dead_wood(std::move(left));
+    return timber;
+}
+
+}  // namespace forest

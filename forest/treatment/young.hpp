@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+#include "forest/treatment/area.hpp"
+
+namespace forest {
+
+/// Young trees from the nursery.
+struct Planting {
+    SpeciesId species{};
+    double stems_pha = 2000.0;  ///< > 0, usually 1500-2500
+    double height_m = 0.35;     ///< > 0, < 2
+};
+
+/// Plants on all patches whose middle lies in an area; parts of a stem a patch are decided by chance. One in
+/// five dies within two years (forest/regeneration/saplings.hpp). Gives the number of plants.
+std::uint64_t plant(Stand& stand, const TreatmentArea& area, const Planting& planting, std::uint64_t seed,
+                    std::uint32_t replicate);
+
+/// The same in clusters, as on steep slopes: 25 plants on every patch whose row and column both divide by
+/// `every_patches` (1 or 2: 10 or 20 m apart). `stems_pha` has no say.
+std::uint64_t plant_clusters(Stand& stand, const TreatmentArea& area, const Planting& planting,
+                             int every_patches);
+
+/// Young growth that is steered: where favoured species stand, a share of the others is cut.
+struct Tending {
+    std::span<const SpeciesId> favoured;
+    double from_height_m = 0.5;  ///< of what is cut
+    double to_height_m = 5.0;
+    double cut_share = 0.5;  ///< [0, 1], of the stems of other species
+};
+
+/// Cuts other species on patches of an area where a favoured one stands within the same heights; sapling or
+/// young tree alike. Gives the number of stems cut.
+std::uint64_t tend(Stand& stand, const TreatmentArea& area, const Tending& tending);
+
+}  // namespace forest

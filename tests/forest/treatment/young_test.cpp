@@ -1,0 +1,56 @@
+#include "forest/treatment/young.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/forest/small_forest.hpp"
+
+namespace forest {
+namespace {
+
+const SpeciesTable table = SpeciesTable::shipped();
+const SpeciesId spruce = *table.find("piab");
+const SpeciesId fir = *table.find("abal");
+
+TEST(Plant, SetsAsManyAsWereAskedFor) {
+    Stand stand{square_of_forest(20), table.size(), {}, 2000};
+    const std::uint64_t plants = plant(stand, {}, {.species = fir, .stems_pha = 1750.0}, 1, 0);
+    EXPECT_EQ(plants, stand.saplings_standing());
+    // 17.5 a patch: half a plant is decided by chance on each of 400.
+    EXPECT_NEAR(static_cast<double>(plants), 7000.0, 4.0 * 0.5 * 20.0);
+    EXPECT_EQ(stand.cohorts()[0].origin, Origin::planted);
+    EXPECT_EQ(stand.cohorts()[0].height_m, 0.35);
+}
+
+TEST(PlantClusters, SetsTwentyFiveOnEverySecondPatchOfEverySecondRow) {
+    Stand stand{square_of_forest(20), table.size(), {}, 2000};
+    EXPECT_EQ(plant_clusters(stand, {}, {.species = fir}, 2), 100U * 25U);
+    EXPECT_EQ(stand.cohorts().size(), 100U);
+}
+
+TEST(Plant, KeepsToItsArea) {
+    Stand stand{square_of_forest(20), table.size(), {}, 2000};
+    const config::Shape plot = rectangle({100.0, 100.0}, 40.0, 20.0, config::Angle::from_degrees(0.0));
+    plant(stand, {{plot}, {}}, {.species = fir, .stems_pha = 2000.0}, 1, 0);
+    EXPECT_EQ(stand.cohorts().size(), 8U);
+}
+
+TEST(Tend, CutsOthersWhereAFavouredSpeciesStands) {
+    Stand stand{square_of_forest(2), table.size(), {}, 2000};
+    const auto young = [](std::uint32_t patch, SpeciesId species, double height_m) {
+        return Cohort{.patch = PatchId{patch}, .species = species, .stems = 20, .height_m = height_m};
+    };
+    stand.add_cohorts(std::vector<Cohort>{young(0, spruce, 1.0), young(0, fir, 0.8), young(0, spruce, 0.2),
+                                          young(1, spruce, 1.0)});
+    const std::vector<SpeciesId> favoured{fir};
+    EXPECT_EQ(tend(stand, {}, {.favoured = favoured, .cut_share = 0.75}), 15U);
+    EXPECT_EQ(stand.cohorts()[0].stems, 5U);
+    EXPECT_EQ(stand.cohorts()[1].stems, 20U);
+    EXPECT_EQ(stand.cohorts()[2].stems, 20U) << "too small to press the fir";
+    EXPECT_EQ(stand.cohorts()[3].stems, 20U) << "no fir there";
+    EXPECT_EQ(stand.book().saplings_out[index_of(Cause::felled)], 15U);
+}
+
+}  // namespace
+}  // namespace forest
