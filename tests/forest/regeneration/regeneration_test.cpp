@@ -51,6 +51,55 @@ TEST(Regenerate, FillsASlitWithinADozenYears) {
     EXPECT_GT(tallest_m, 0.5);
 }
 
+/// Open patches under a given light, some years without trees.
+Stand years_under(const SmallForest& forest, double ground_light, double deer, int years) {
+    Stand stand{forest.grid, forest.species.size(), {}, 2000};
+    std::vector<PatchState> states(stand.patch_states().begin(), stand.patch_states().end());
+    for (PatchState& state : states) {
+        state.ground_light = ground_light;
+    }
+    RegenerationLaw law;
+    law.browsing_pressure = deer;
+    for (int year = 0; year < years; ++year) {
+        stand.begin_year();
+        stand.set_patch_states(states);
+        regenerate(stand, forest.site, forest.species, forest.weather, law, 1, 0);
+    }
+    return stand;
+}
+
+double taller_than(const Stand& stand, SpeciesId species, double height_m) {
+    double stems = 0.0;
+    for (const Cohort& cohort : stand.cohorts()) {
+        stems += cohort.species == species && cohort.height_m > height_m ? cohort.stems : 0.0;
+    }
+    for (const Tree& tree : stand.trees()) {
+        stems += tree.species == species ? tree.stems : 0.0;
+    }
+    return stems;
+}
+
+TEST(Regenerate, BringsFirWhereItIsTooDarkForSpruceAndLarch) {
+    const SmallForest forest{square_of_forest(6)};
+    const Stand stand = years_under(forest, 0.09, 0.0, 15);
+    EXPECT_GT(taller_than(stand, *forest.species.find("abal"), 0.0), 100.0);
+    EXPECT_EQ(taller_than(stand, *forest.species.find("piab"), 0.0), 0.0);
+    EXPECT_EQ(taller_than(stand, *forest.species.find("lade"), 0.0), 0.0);
+}
+
+TEST(Regenerate, UnderManyDeerLosesFirAndRowanAndKeepsSpruce) {
+    const SmallForest forest{square_of_forest(6)};
+    const Stand fenced = years_under(forest, 0.6, 0.0, 20);
+    const Stand browsed = years_under(forest, 0.6, 3.0, 20);
+    for (const char* tasty : {"abal", "soau"}) {
+        const SpeciesId species = *forest.species.find(tasty);
+        EXPECT_GT(taller_than(fenced, species, 0.6), 10.0) << tasty;
+        EXPECT_LT(taller_than(browsed, species, 0.6), 0.05 * taller_than(fenced, species, 0.6)) << tasty;
+    }
+    const SpeciesId spruce = *forest.species.find("piab");
+    EXPECT_GT(taller_than(browsed, spruce, 1.3), taller_than(fenced, spruce, 1.3));
+}
+
 TEST(Regenerate, KeepsTheBooksOfSaplingsAndTrees) {
     const SmallForest forest{square_of_forest(8)};
     Stand stand{forest.grid, forest.species.size(), {}, 2000};
