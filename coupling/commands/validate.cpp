@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <iostream>
 
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/validation/falls.hpp"
 #include "coupling/validation/result_folder.hpp"
 #include "coupling/validation/screen.hpp"
 #include "coupling/validation/validate.hpp"
@@ -84,19 +87,12 @@ std::vector<ValidationCase> read_cases(const CommandLine& line, const std::vecto
     return cases;
 }
 
-}  // namespace
-
-int validate_cases(const CommandLine& line, std::ostream& out) {
-    const std::vector<CaseFiles> files = chosen(line, all_cases(line));
-    if (line.list) {
-        print_list(files, out);
-        return static_cast<int>(config::ExitCode::done);
-    }
-    const std::vector<ValidationCase> cases = read_cases(line, files);
+/// Lets the rocks of the cases fall, prints each as it is done, writes all of them at the end.
+std::vector<CaseResult> work_through(const CommandLine& line, const std::vector<ValidationCase>& cases,
+                                     std::ostream& out) {
     const validation::ValidateRequest request{line.threads > 0 ? line.threads : omp_get_max_threads(),
                                               line.quiet};
-    const std::filesystem::path out_folder = line.out.empty() ? "validation-results" : line.out;
-    validation::ResultFolder folder{out_folder, line.overwrite};
+    validation::ResultFolder folder{line.out.empty() ? "validation-results" : line.out, line.overwrite};
     std::vector<CaseResult> results;
     for (const ValidationCase& one : cases) {
         results.push_back(validation::validate(one, request));
@@ -111,8 +107,27 @@ int validate_cases(const CommandLine& line, std::ostream& out) {
             out << "  " << std::left << std::setw(16) << file.path << ' ' << file.sentence << '\n';
         }
     }
-    const bool missed = std::any_of(results.begin(), results.end(), validation::misses_any);
-    return static_cast<int>(missed ? config::ExitCode::validation : config::ExitCode::done);
+    return results;
+}
+
+}  // namespace
+
+int validate_cases(const CommandLine& line, std::ostream& out) {
+    const std::vector<CaseFiles> files = chosen(line, all_cases(line));
+    if (line.list) {
+        print_list(files, out);
+        return static_cast<int>(config::ExitCode::done);
+    }
+    const std::vector<ValidationCase> cases = read_cases(line, files);
+    const InterruptGuard guard;
+    try {
+        const std::vector<CaseResult> results = work_through(line, cases, out);
+        const bool missed = std::any_of(results.begin(), results.end(), validation::misses_any);
+        return static_cast<int>(missed ? config::ExitCode::validation : config::ExitCode::done);
+    } catch (const validation::Interrupted&) {
+        std::cerr << "\nbannwald: interrupted; nothing was written\n";
+        return static_cast<int>(config::ExitCode::interrupted);
+    }
 }
 
 }  // namespace coupling

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "coupling/run/first_error.hpp"
+#include "coupling/run/interrupt.hpp"
 #include "coupling/validation/artificial_stand.hpp"
 
 namespace coupling::validation {
@@ -72,6 +73,9 @@ public:
         for (std::int64_t i = 0; i < count; ++i) {
             const auto b = static_cast<std::size_t>(i);
             error.guard([&] {
+                if (InterruptGuard::requested()) {
+                    throw Interrupted{};
+                }
                 forest[b] = fall(batches[b], rockfall::Cover::forest);
                 if (request_.open_too) {
                     open[b] = fall(batches[b], rockfall::Cover::bare);

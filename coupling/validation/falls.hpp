@@ -75,13 +75,16 @@ struct FallRequest {
         fallen;  ///< told of rocks as they come; from any thread, one at a time
 };
 
+/// Thrown where the user wants no more (InterruptGuard).
+struct Interrupted {};
+
 /// How many rocks a recipe lets fall, in the large ensemble and the series.
 std::uint64_t rocks_of(const Recipe& recipe);
 
 /// Lets the rocks of a recipe fall. With a stand, series i falls through stand i modulo their number, and the
-/// large ensemble is shared evenly among the stands. Series i has replicate i + 1, the large ensemble 0. Where
-/// broken trees fall, every series begins with its whole stand, and so do each 250 rocks of the large ensemble
-/// in a stand.
+/// large ensemble is shared evenly among the stands. Series i has replicate i + 1, the large ensemble 0.
+/// Where broken trees fall, every series begins with its whole stand, and so do each 250 rocks of the large
+/// ensemble in a stand. Throws Interrupted.
 Ensembles let_fall(const Recipe& recipe, const RebuiltSlope& slope, const FallRequest& request);
 
 }  // namespace coupling::validation

@@ -3,19 +3,17 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "config/text/numbers.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/validation/factor_names.hpp"
+#include "coupling/validation/text_layout.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
 
 namespace {
-
-constexpr std::size_t screen_columns = 110;
 
 int decimals_of(double value, const std::string& unit) {
     const double size = std::abs(value);
@@ -28,73 +26,26 @@ std::string fixed_text(double value, int decimals) {
     return text;
 }
 
-/// Characters of a UTF-8 text.
-std::size_t width_of(const std::string& text) {
-    std::size_t width = 0;
-    for (const char c : text) {
-        width += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
-    }
-    return width;
-}
-
-/// Fields of one width below each other: the first from the left, the others from the right.
-class AlignedTable {
-public:
-    void add(std::vector<std::string> row) {
-        widths_.resize(std::max(widths_.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            widths_[i] = std::max(widths_[i], width_of(row[i]));
-        }
-        rows_.push_back(std::move(row));
-    }
-    void print(std::ostream& out) const {
-        for (const std::vector<std::string>& row : rows_) {
-            std::string line;
-            for (std::size_t i = 0; i < row.size(); ++i) {
-                const std::string blanks(widths_[i] - width_of(row[i]), ' ');
-                line += i == 0 ? joined("  ", row[i], blanks) : joined("  ", blanks, row[i]);
-            }
-            line.erase(line.find_last_not_of(' ') + 1);
-            out << line << '\n';
-        }
-    }
-
-private:
-    std::vector<std::vector<std::string>> rows_;
-    std::vector<std::size_t> widths_;
-};
-
-/// A paragraph in lines of the screen's width.
-void print_wrapped(std::ostream& out, const std::string& indent, const std::string& text) {
-    std::istringstream words{text};
-    std::string line = indent;
-    for (std::string word; words >> word;) {
-        const bool begins = line.size() == indent.size();
-        if (!begins && width_of(line) + 1 + width_of(word) > screen_columns) {
-            out << line << '\n';
-            line = indent;
-        }
-        line += line.size() == indent.size() ? word : joined(" ", word);
-    }
-    if (line.size() > indent.size()) {
-        out << line << '\n';
-    }
-}
-
 std::string value_text(std::optional<double> value, const std::string& unit) {
     return value ? figure_text(*value, unit) : "";
 }
 
+/// "13.2±0.7": without blanks, which the table has no room for.
 std::string with_deviation(double value, std::optional<double> deviation, const std::string& unit) {
-    return deviation ? figure_text(value, *deviation, unit) : figure_text(value, unit);
+    if (!deviation || !std::isfinite(value)) {
+        return figure_text(value, unit);
+    }
+    return joined(figure_text(value, unit), "±", fixed_text(*deviation, decimals_of(value, unit)));
+}
+
+std::string with_deviation(const Value& value, const std::string& unit) {
+    return with_deviation(value.value, value.deviation, unit);
 }
 
 std::string criterion_text(const VerdictRow& row) {
-    if (!row.low || !row.high) {
-        return "";
-    }
-    return joined(config::to_text(*row.low), " to ", config::to_text(*row.high),
-                  row.rests_on == "rebuilding" ? " r" : "  ");
+    return row.low && row.high ? joined(config::to_text(*row.low), " to ", config::to_text(*row.high),
+                                        row.rests_on == "rebuilding" ? " r" : "")
+                               : "";
 }
 
 std::string verdict_text(Verdict verdict) {
@@ -109,19 +60,31 @@ std::string verdict_text(Verdict verdict) {
     return "";
 }
 
+/// The lines of a figure: a label that is too wide goes on below.
+void add_figure(AlignedTable& table, const VerdictRow& row) {
+    constexpr std::size_t label_columns = 32;
+    const std::vector<std::string> label = wrapped(row.label, label_columns);
+    table.add({label.empty() ? row.quantity : label.front(), row.unit, value_text(row.observed, row.unit),
+               row.published ? with_deviation(*row.published, row.published_deviation, row.unit) : "",
+               with_deviation(row.strict_value, row.unit), verdict_text(row.strict_verdict),
+               with_deviation(row.default_value, row.unit), verdict_text(row.default_verdict),
+               criterion_text(row)});
+    for (std::size_t k = 1; k < label.size(); ++k) {
+        table.add({joined("  ", label[k])});
+    }
+}
+
 void print_verdicts(std::ostream& out, const CaseResult& result) {
-    AlignedTable table;
-    table.add({"", "unit", "observed", "published", "strict", "default", "criterion  ", "strict", "default"});
+    AlignedTable table{{0, 1, 5, 7, 8}};
+    table.add({"", "unit", "observed", "published", "strict", "", "default", "", "criterion"});
     for (const VerdictRow& row : result.rows) {
-        table.add({row.label, row.unit, value_text(row.observed, row.unit),
-                   row.published ? with_deviation(*row.published, row.published_deviation, row.unit) : "",
-                   with_deviation(row.strict_value.value, row.strict_value.deviation, row.unit),
-                   with_deviation(row.default_value.value, row.default_value.deviation, row.unit),
-                   criterion_text(row), verdict_text(row.strict_verdict), verdict_text(row.default_verdict)});
+        add_figure(table, row);
     }
     table.print(out);
-    out << "  ±: between series of " << result.rocks_per_series
-        << " rocks (published: as the source says). r: used to rebuild the slope, a hit proves little.\n";
+    print_wrapped(out, "  ",
+                  joined("±: between series of ", std::to_string(result.rocks_per_series),
+                         " rocks (published: as the source says). r: used to rebuild the slope, a hit proves "
+                         "little."));
 }
 
 void print_miss(std::ostream& out, const VerdictRow& row, const char* variant, const Value& value) {
@@ -182,7 +145,7 @@ void print_directions(std::ostream& out, const CaseResult& result) {
     if (result.directions.empty()) {
         return;
     }
-    AlignedTable table;
+    AlignedTable table{{0, 1, 4}};
     table.add({"directions of the literature", "", "change", "95 % interval", ""});
     for (const DirectionRow& row : result.directions) {
         table.add({direction_name(row), row.variant, figure_text(row.change.value, "-"),

@@ -5,6 +5,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/validation/factor_names.hpp"
 #include "coupling/validation/screen.hpp"
 
 namespace coupling::validation {
@@ -43,17 +44,34 @@ std::size_t criteria(const CaseResult& result) {
                       [](const VerdictRow& row) { return row.strict_verdict != Verdict::no_criterion; }));
 }
 
+/// "0.34 (0.33 to 0.35)", in bold where the direction does not hold.
+std::string change_cell(const DirectionRow& row) {
+    const std::string text = joined(figure_text(row.change.value, ""), " (", figure_text(row.change.low, ""),
+                                    " to ", figure_text(row.change.high, ""), ")");
+    return row.verdict == Verdict::missed ? joined("**", text, "**") : text;
+}
+
+const DirectionRow* same_in_default(const CaseResult& result, const DirectionRow& row) {
+    const auto found =
+        std::find_if(result.directions.begin(), result.directions.end(), [&](const DirectionRow& other) {
+            return other.variant == "default" && other.figure == row.figure && other.setting == row.setting;
+        });
+    return found == result.directions.end() ? nullptr : &*found;
+}
+
 void write_directions(std::ostream& out, const CaseResult& result) {
     if (result.directions.empty()) {
         return;
     }
-    out << "\n| figure | as this grows | literature | here, from the first step to the last | holds |\n"
-           "|---|---|---|---|---|\n";
+    out << "\n| as the literature has it | strict: change from first to last step (95 %) | default |\n"
+           "|---|---|---|\n";
     for (const DirectionRow& row : result.directions) {
-        out << "| " << cell(row.figure) << " | " << cell(row.setting) << " | "
-            << (row.rises ? "rises" : "falls") << " | " << figure_text(row.change.value, "") << " ("
-            << figure_text(row.change.low, "") << " to " << figure_text(row.change.high, "") << ") | "
-            << (row.verdict == Verdict::missed ? "**no**" : "yes") << " |\n";
+        if (row.variant == "default") {
+            continue;
+        }
+        const DirectionRow* ours = same_in_default(result, row);
+        out << "| " << cell(direction_name(row)) << " | " << change_cell(row) << " | "
+            << (ours != nullptr ? change_cell(*ours) : "") << " |\n";
     }
 }
 
@@ -76,7 +94,7 @@ void write_case(std::ostream& out, const CaseResult& result) {
     for (const VerdictRow& row : result.rows) {
         const bool missed = row.strict_verdict == Verdict::missed || row.default_verdict == Verdict::missed;
         if (missed && !row.cause.empty()) {
-            out << "\nMissed: " << row.label << ". " << row.cause << "\n";
+            out << "\nMissed: " << row.label << ". Likely cause: " << row.cause << "\n";
         }
     }
 }

@@ -2,7 +2,9 @@
 
 #include <limits>
 
+#include "config/text/numbers.hpp"
 #include "coupling/results/csv_row.hpp"
+#include "coupling/results/joined.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
@@ -32,6 +34,10 @@ void put(CsvRow& row, const Value& value) {
     row.number<decimals>(value.value);
     put(row, value.series);
     put(row, value.deviation);
+}
+
+void put(CsvRow& row, const Estimate& estimate) {
+    row.number<decimals>(estimate.value).number<decimals>(estimate.low).number<decimals>(estimate.high);
 }
 
 /// Value and verdict of a figure under a moved choice.
@@ -156,6 +162,38 @@ void write_hit_heights(std::ostream& out, std::span<const CaseResult> cases) {
                 line.text(result.name).text(variant.variant).number<1>(from_m).number<1>(from_m + bin_m);
                 line.number<decimals>(variant.hit_heights[bin]).end();
             }
+        }
+    }
+}
+
+void write_factors(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,variant,settings,figure,value,low_95,high_95\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const FactorRow& row : result.factors) {
+            std::string settings;
+            for (std::size_t i = 0; i < row.settings.size(); ++i) {
+                settings += joined(i == 0 ? "" : " ", result.factor_settings[i], "=",
+                                   config::to_text(row.settings[i]));
+            }
+            for (const auto& [figure, estimate] : row.figures) {
+                line.text(result.name).text(row.variant).text(settings).text(figure);
+                put(line, estimate);
+                line.end();
+            }
+        }
+    }
+}
+
+void write_directions(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,variant,figure,setting,expected,source,change,low_95,high_95,steps_against,verdict\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const DirectionRow& row : result.directions) {
+            line.text(result.name).text(row.variant).text(row.figure).text(row.setting);
+            line.text(row.rises ? "rises" : "falls").text(row.source);
+            put(line, row.change);
+            line.whole(row.steps_against).text(word_of(row.verdict)).end();
         }
     }
 }

@@ -19,5 +19,8 @@ void write_run_out(std::ostream& out, std::span<const CaseResult> cases);
 void write_jumps(std::ostream& out, std::span<const CaseResult> cases);
 void write_tree_hits(std::ostream& out, std::span<const CaseResult> cases);
 void write_hit_heights(std::ostream& out, std::span<const CaseResult> cases);
+/// Figures of every combination of factors with their 95 % intervals; settings as `section.key=value`.
+void write_factors(std::ostream& out, std::span<const CaseResult> cases);
+void write_directions(std::ostream& out, std::span<const CaseResult> cases);
 
 }  // namespace coupling::validation

@@ -28,6 +28,8 @@ const std::vector<ResultFile>& files() {
         {"jumps.csv", "lengths of jumps by 10 m of slope length", write_jumps},
         {"tree_hits.csv", "share of rocks by number of tree hits", write_tree_hits},
         {"hit_heights.csv", "share of tree hits by height", write_hit_heights},
+        {"factors.csv", "forest effects over combinations of settings", write_factors},
+        {"directions.csv", "how figures go as settings grow, beside the literature", write_directions},
         {"summary.md", "the verdicts as a text", write_summary},
     };
     return list;

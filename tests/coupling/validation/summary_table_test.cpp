@@ -94,7 +94,7 @@ TEST(Summary, ShowsAMissInBoldAndGivesItsCause) {
               std::string::npos)
         << out.str();
     EXPECT_NE(out.str().find("strict 0, default 1 of 1"), std::string::npos);
-    EXPECT_NE(out.str().find("Missed: mean speed. no survey"), std::string::npos);
+    EXPECT_NE(out.str().find("Missed: mean speed. Likely cause: no survey"), std::string::npos);
     EXPECT_TRUE(has_line(out.str(), fixed_cells(row)));
 }
 
