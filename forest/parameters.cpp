@@ -61,6 +61,21 @@ void declare_regeneration(config::Options& options, RegenerationLaw& law) {
                     .source = "choice"});
 }
 
+void declare_uprooting(config::Options& options, UprootingLaw& law) {
+    options.number("forest.uprooting", law.deep_soil,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "chance that a tree which a rock overcomes is uprooted instead of broken",
+                    .source = "choice"});
+    options.number("forest.uprooting_on_shallow_soil", law.shallow_soil,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "the same on soils that hold at most 70 mm of water",
+                    .source = "choice"});
+}
+
 }  // namespace
 
 void declare(config::Options& options, Parameters& parameters) {
@@ -69,6 +84,7 @@ void declare(config::Options& options, Parameters& parameters) {
                  {.meaning = "no window of 50 m is denser than its species bear",
                   .source = "French national inventory, after matreex"});
     declare_regeneration(options, parameters.regeneration);
+    declare_uprooting(options, parameters.uprooting);
     options.flag("forest.regeneration", parameters.processes.regeneration,
                  {.meaning = "seeds fall, young trees grow up", .source = "choice"});
     options.flag("forest.co2_response", parameters.processes.co2_response,

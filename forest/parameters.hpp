@@ -3,6 +3,7 @@
 #include "config/options/options.hpp"
 #include "forest/mortality.hpp"
 #include "forest/regeneration/regeneration.hpp"
+#include "forest/wounds.hpp"
 
 namespace forest {
 
@@ -17,6 +18,7 @@ struct Processes {
 struct Parameters {
     MortalityLaw mortality;
     RegenerationLaw regeneration;
+    UprootingLaw uprooting;  ///< by rocks
     Processes processes;
 };
 

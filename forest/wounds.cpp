@@ -79,13 +79,9 @@ std::vector<Wound> joined(std::span<const Wound> old_ones, std::span<const Wound
 /// The hits of a year, before the stand hears of them.
 class Hits {
 public:
-    Hits(const Stand& stand, const SpeciesTable& species, double uprooting_chance, std::uint64_t seed,
+    Hits(const Stand& stand, const SpeciesTable& species, const UprootingLaw& law, std::uint64_t seed,
          std::uint32_t replicate)
-        : stand_{stand},
-          species_{species},
-          uprooting_chance_{uprooting_chance},
-          seed_{seed},
-          replicate_{replicate} {
+        : stand_{stand}, species_{species}, law_{law}, seed_{seed}, replicate_{replicate} {
         for (const Tree& tree : stand.trees()) {
             vitalities.push_back(tree.vitality);
             rots.push_back(tree.rot);
@@ -107,7 +103,7 @@ public:
                 .uniforms_of(1 + hits_[hit.tree]++);  // event 0 decides whether it dies of old wounds
         const double energy_share = hit.energy_share / stem_strength(tree, hit.height_m);
         if (hit.frontal && energy_share >= 1.0) {
-            fell(hit, tree, u[0] < uprooting_chance_);
+            fell(hit, tree, u[0] < uprooting_chance(tree));
         } else if (tree.stems == 1) {
             scar(hit, tree, *place, energy_share, u[1]);
         }
@@ -122,6 +118,11 @@ public:
     WoundReport report;
 
 private:
+    [[nodiscard]] double uprooting_chance(const Tree& tree) const {
+        const bool shallow = stand_.grid()[tree.patch].soil.water_capacity_mm <= law_.shallow_mm;
+        return shallow ? law_.shallow_soil : law_.deep_soil;
+    }
+
     void fell(const Impact& hit, const Tree& tree, bool uprooted) {
         removals.push_back({tree.id, Cause::rock, 1});
         ++lost_[tree.id];
@@ -170,7 +171,7 @@ private:
 
     const Stand& stand_;
     const SpeciesTable& species_;
-    double uprooting_chance_;
+    UprootingLaw law_;
     std::uint64_t seed_;
     std::uint32_t replicate_;
     std::map<TreeId, std::uint32_t> lost_;
@@ -191,8 +192,8 @@ double stem_strength(const Tree& tree, double height_m) {
 }
 
 WoundReport wound(Stand& stand, const SpeciesTable& species, std::span<const Impact> impacts,
-                  double uprooting_chance, std::uint64_t seed, std::uint32_t replicate) {
-    Hits hits{stand, species, uprooting_chance, seed, replicate};
+                  const UprootingLaw& law, std::uint64_t seed, std::uint32_t replicate) {
+    Hits hits{stand, species, law, seed, replicate};
     for (const Impact& impact : impacts) {
         hits.add(impact);
     }

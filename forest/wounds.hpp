@@ -19,6 +19,13 @@ struct Impact {
     double direction_rad = 0.0;    ///< of the rock on the map, counter-clockwise from east
 };
 
+/// How a tree that a rock overcomes gives way [choice].
+struct UprootingLaw {
+    double deep_soil = 0.2;     ///< [0, 1], chance to be uprooted instead of broken
+    double shallow_soil = 0.4;  ///< [0, 1]
+    double shallow_mm = 70.0;   ///< water capacity up to which a soil is shallow
+};
+
 /// What hits did.
 struct WoundReport {
     std::uint64_t broken = 0;    ///< stems
@@ -33,16 +40,16 @@ double stem_strength(const Tree& tree, double height_m);
 
 /// Lets rocks hit trees, in the order of the list.
 ///
-/// A frontal hit of more than the stem takes breaks it where it was hit, at 3 m at most, or uproots it
-/// (`uprooting_chance`; 0.4 on shallow or wet soil, else 0.2 [choice]): the stand gets a stump and a log, or
-/// a log. Any other hit leaves a wound of width min(rock, DBH) (0.3 + 0.5 q), q at most 1, 1.5 times as high,
-/// an ellipse [choice; field studies find 100-400 cm2]. Wounds closer than 30 cm become one. Vitality falls
-/// by 0.6 of the share of the circumference. Deep wounds, of q above 0.2 [choice], may let rot in.
+/// A frontal hit of more than the stem takes breaks it where it was hit, at 3 m at most, or uproots it: the
+/// stand gets a stump and a log, or a log. Any other hit leaves a wound of width min(rock, DBH) (0.3 + 0.5
+/// q), q at most 1, 1.5 times as high, an ellipse [choice; field studies find 100-400 cm2]. Wounds closer
+/// than 30 cm become one. Vitality falls by 0.6 of the share of the circumference. Deep wounds, of q above
+/// 0.2 [choice], may let rot in.
 ///
 /// Of a group of young trees a hit takes one stem or nothing. Chance is drawn by tree and year, hits of a
 /// tree in their order; a second call in a year begins with the same numbers.
 WoundReport wound(Stand& stand, const SpeciesTable& species, std::span<const Impact> impacts,
-                  double uprooting_chance, std::uint64_t seed, std::uint32_t replicate);
+                  const UprootingLaw& law, std::uint64_t seed, std::uint32_t replicate);
 
 /// Chance that a tree dies of its wounds within a year: 0.03 * open share of the circumference + 0.02 * the
 /// largest energy share, half of it for broadleaves [choice; Vospernik 2002 finds more deaths of wounded

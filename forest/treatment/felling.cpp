@@ -168,7 +168,7 @@ Timber fell(Stand& stand, const SpeciesTable& species, std::span<const std::size
     stand.remove_trees(removals);
     stand.add_snags(stumps);
     stand.add_logs(logs);
-    wound(stand, species, hits, 0.0, seed, replicate);
+    wound(stand, species, hits, {}, seed, replicate);
     return timber;
 }
 

@@ -31,8 +31,9 @@ Impact hit(std::uint64_t tree, double energy_share, bool frontal = true, double 
             .direction_rad = -1.0};
 }
 
-WoundReport hit_all(Stand& stand, const std::vector<Impact>& impacts, double uprooting_chance = 0.0) {
-    return wound(stand, table, impacts, uprooting_chance, 1, 0);
+WoundReport hit_all(Stand& stand, const std::vector<Impact>& impacts,
+                    const UprootingLaw& law = {.deep_soil = 0.0}) {
+    return wound(stand, table, impacts, law, 1, 0);
 }
 
 TEST(Wound, BreaksWhatCannotTakeTheEnergyAndLeavesStumpAndLog) {
@@ -58,11 +59,20 @@ TEST(Wound, UprootsAsOftenAsItsChanceSays) {
     for (std::size_t i = 0; i < count; ++i) {
         impacts.push_back(hit(i, 2.0));
     }
-    const WoundReport report = hit_all(stand, impacts, 0.4);
+    const WoundReport report = hit_all(stand, impacts, {.deep_soil = 0.4});
     EXPECT_EQ(report.broken + report.uprooted, count);
     EXPECT_NEAR(static_cast<double>(report.uprooted) / count, 0.4, 4.0 * std::sqrt(0.24 / count));
     EXPECT_EQ(stand.dead_wood().logs.size(), count);
     EXPECT_EQ(stand.dead_wood().snags.size(), report.broken);
+}
+
+TEST(Wound, UprootsOnShallowSoilRather) {
+    std::vector<Patch> patches = square_of_forest(1).patches();
+    patches[0].soil.water_capacity_mm = 50.0;
+    std::vector<Tree> trees{new_tree(table[spruce], spruce, 5.0, 5.0, 30.0, 25.0, 80.0)};
+    Stand stand{{square_of_forest(1).frame(), patches}, table.size(), trees, 2000};
+    const WoundReport report = hit_all(stand, {hit(0, 2.0)}, {.deep_soil = 0.0, .shallow_soil = 1.0});
+    EXPECT_EQ(report.uprooted, 1U);
 }
 
 TEST(Wound, LeavesAScarBySizeAndEnergyAndTakesVitality) {

@@ -133,6 +133,25 @@ TEST(Regenerate, LeavesNoPatchDenserThanTheLine) {
     }
 }
 
+TEST(Regenerate, GivesTheSameBytesForAnyOrderOfTrees) {
+    const SmallForest forest{square_of_forest(6)};
+    std::vector<Tree> trees = any_trees(forest.grid, forest.species, 60, 4);
+    Stand straight{forest.grid, forest.species.size(), trees, 2000};
+    std::reverse(trees.begin(), trees.end());
+    Stand permuted{forest.grid, forest.species.size(), trees, 2000};
+    for (int year = 0; year < 15; ++year) {
+        static_cast<void>(forest.live(straight));
+        static_cast<void>(forest.live(permuted));
+    }
+    ASSERT_GT(straight.cohorts().size(), 100U);
+    ASSERT_EQ(straight.cohorts().size(), permuted.cohorts().size());
+    for (std::size_t i = 0; i < straight.cohorts().size(); ++i) {
+        EXPECT_EQ(straight.cohorts()[i].stems, permuted.cohorts()[i].stems);
+        EXPECT_EQ(straight.cohorts()[i].height_m, permuted.cohorts()[i].height_m);
+    }
+    EXPECT_EQ(straight.total_book().saplings_recruited, permuted.total_book().saplings_recruited);
+}
+
 TEST(Regenerate, SproutsFromLastYearsStumpsOfSpeciesThatCan) {
     const SmallForest forest{square_of_forest(2)};
     Stand stand{forest.grid, forest.species.size(), {}, 2000};
