@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "coupling/inputs/scenario.hpp"
+#include "coupling/validation/quantities.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling {
@@ -132,6 +133,11 @@ void write_help(std::ostream& out, const std::string& command) {
     out << text->second;
     if (command == "check" || command == "run") {
         out << scenario_options;
+    }
+    if (command == "validate") {
+        out << "\nFigures that a case may observe, publish or set a criterion for; with a stand also "
+               "open.FIGURE (bare\nslope) and reduction.FIGURE (1 - forest / open):\n";
+        validation::write_quantities(out);
     }
 }
 

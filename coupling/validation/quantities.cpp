@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 
 #include "coupling/results/joined.hpp"
@@ -340,6 +341,16 @@ void add_open(std::map<std::string, double>& figures, const std::map<std::string
         const double forest = figures.at(name);
         figures[joined(open_prefix, name)] = value;
         figures[joined(reduction_prefix, name)] = value != 0.0 ? 1.0 - forest / value : none;
+    }
+}
+
+void write_quantities(std::ostream& out) {
+    for (const Quantity& quantity : quantities()) {
+        const char* place = quantity.about == About::station   ? ":STATION"
+                            : quantity.about == About::section ? ":SECTION"
+                                                               : "";
+        out << "  " << std::left << std::setw(30) << joined(quantity.name, place) << std::setw(5)
+            << quantity.unit << ' ' << quantity.label << '\n';
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -68,6 +69,9 @@ std::map<std::string, double> figures_of(const Falls& falls, const FigureFrame& 
 
 /// Adds open.* and reduction.* to the figures of a forest; a reduction of nothing is NaN.
 void add_open(std::map<std::string, double>& figures, const std::map<std::string, double>& open);
+
+/// Every quantity with its unit and what it is, one a line, for people who write a case.
+void write_quantities(std::ostream& out);
 
 /// The value below which a share of the values lies: straight between order statistics (definition 7 of
 /// Hyndman & Fan 1996, that of most statistics programs). NaN without values.

@@ -83,6 +83,15 @@ TEST(Validate, TellsFileAndLineOfABrokenCase) {
         << outcome.err;
 }
 
+TEST(Validate, LeavesNothingWhenInterrupted) {
+    const SampleProject project;
+    const Outcome outcome = shell(project, "\"$bannwald\" validate even_plane " + even_cases +
+                                               "--quiet --rocks 5000000 --out mine &\n"
+                                               "sleep 0.5; kill -TERM $!; wait $!\n");
+    EXPECT_EQ(outcome.code, 75) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("mine")));
+}
+
 TEST(Validate, ReplacesOnlyItsOwnResults) {
     const SampleProject project;
     const std::string command = "validate even_forest --rocks 10 --quiet " + even_cases;
