@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 
 #include "coupling/run/first_error.hpp"
@@ -196,13 +197,18 @@ void Falls::add(const WatchedFall& fall, const RebuiltSlope& slope, const SlopeL
     facts.end_m = record.end_m.x() + origin_m.x();
     facts.max_speed_mps = record.max_speed_mps;
     facts.mean_speed_mps = record.mean_speed_mps();
-    facts.max_height_m = record.max_height_m;
-    facts.jump_height_sum_m = record.jump_height_sum_m;
-    facts.jumps = record.jumps;
     facts.impacts = record.ground_impacts;
     facts.tree_hits = record.tree_hits;
     facts.trees_broken = record.trees_broken;
-    for (const rockfall::Jump& jump : fall.jumps) {
+    // The flight from a release above the ground is no jump: its height and length are the experimenter's.
+    const std::size_t first = slope.released_in_flight && !fall.jumps.empty() ? 1 : 0;
+    for (const rockfall::Jump& jump : std::span{fall.jumps}.subspan(first)) {
+        if (jump.length_m() < least_jump_m) {
+            continue;
+        }
+        ++facts.jumps;
+        facts.max_height_m = std::max(facts.max_height_m, jump.highest_m);
+        facts.jump_height_sum_m += jump.highest_m;
         if (!jump.landed) {
             continue;
         }

@@ -15,7 +15,7 @@ struct RockFacts {
     double end_m = 0.0;
     double max_speed_mps = 0.0;
     double mean_speed_mps = 0.0;  ///< length of the path divided by its time
-    double max_height_m = 0.0;    ///< of the underside, vertical
+    double max_height_m = 0.0;    ///< of the underside, vertical, over its jumps
     double jump_height_sum_m = 0.0;
     double jump_length_sum_m = 0.0;  ///< in plan, of jumps that ended on the ground
     std::uint32_t jumps = 0;
@@ -43,6 +43,9 @@ struct JumpSums {
 
 /// Stretches of slope length by which jumps are told apart (Rammer et al. 2010, section 2.4.2).
 inline constexpr double jump_segment_m = 10.0;
+
+/// Shorter flights are a rock rattling on the spot and no jumps. Choice, as in the two-dimensional mode.
+inline constexpr double least_jump_m = 1e-3;
 
 /// Rocks that fell, in rock order.
 struct Falls {

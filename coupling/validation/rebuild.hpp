@@ -18,8 +18,9 @@ inline constexpr double margin_m = 10.0;
 /// left, 0 in the axis.
 struct RebuiltSlope {
     rockfall::Slope slope;
-    Profile profile;       ///< as used: with the recipe's slope change
-    double width_m = 0.0;  ///< from -width / 2 to width / 2
+    Profile profile;                  ///< as used: with the recipe's slope change
+    double width_m = 0.0;             ///< from -width / 2 to width / 2
+    bool released_in_flight = false;  ///< rocks begin above the ground: their first flight is no jump
 
     [[nodiscard]] double upper_m() const { return profile.front().distance_m; }
     [[nodiscard]] double lower_m() const { return profile.back().distance_m; }

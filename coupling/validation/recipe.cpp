@@ -174,6 +174,21 @@ private:
         if (recipe_.kind == CaseKind::profile && recipe_.has_stand()) {
             refuse("stand.stems_per_ha", "a stand on a profile", "case.kind = slope for trees");
         }
+        if (recipe_.kind == CaseKind::profile) {
+            refuse_what_profiles_lack();
+        }
+    }
+
+    /// A setting that would change nothing is worse than none.
+    void refuse_what_profiles_lack() {
+        for (const char* key :
+             {"terrain.width_m", "terrain.channel_depth_m", "terrain.channel_half_width_m", "terrain.cell_m",
+              "terrain.relief_m", "terrain.relief_seed", "rockfall.lateral_slow_deg",
+              "rockfall.lateral_fast_deg", "rockfall.lateral_fast_mps", "rockfall.vertical_tolerance_m"}) {
+            if (recipe_.options->was_set(key)) {
+                refuse(key, joined(std::string{key}, " on a profile"), "case.kind = slope for it");
+            }
+        }
     }
 
     void read_stations() {

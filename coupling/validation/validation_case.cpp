@@ -262,8 +262,9 @@ void shrink(Recipe& recipe, std::uint64_t most_rocks) {
 std::unique_ptr<Recipe> ValidationCase::recipe(const std::string& preset,
                                                const std::vector<std::string>& overrides) const {
     std::vector<std::string> all{joined("rockfall.preset=", preset)};
-    all.insert(all.end(), overrides.begin(), overrides.end());
+    // The user's own changes first: a variant or a choice stays what its name says.
     all.insert(all.end(), changes.overrides.begin(), changes.overrides.end());
+    all.insert(all.end(), overrides.begin(), overrides.end());
     std::unique_ptr<Recipe> recipe = read_recipe(files, all);
     if (changes.most_rocks) {
         shrink(*recipe, *changes.most_rocks);

@@ -1,7 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <utility>
 
+#include "config/table/table.hpp"
 #include "coupling/validation/case_files.hpp"
 #include "coupling/validation/write_results.hpp"
 #include "tests/runs/program.hpp"
@@ -40,6 +46,78 @@ TEST(Validate, RunsEveryShippedCaseWithFewRocks) {
             call(project, "validate " + files.name + " --quiet --rocks 20 --out " + files.name);
         EXPECT_TRUE(outcome.code == 0 || outcome.code == 5) << files.name << '\n' << outcome.err;
         EXPECT_TRUE(std::filesystem::exists(project.file(files.name + "/report.html"))) << files.name;
+    }
+}
+
+config::Table result_table(const SampleProject& project, const std::string& name) {
+    std::ifstream in{project.file(name)};
+    return config::Table::read(in, name);
+}
+
+TEST(Validate, HoldsTheFiguresThatTheReadmeBuildsOn) {
+    // 1000 rocks. Limits: the criteria of the cases, widened by four standard errors of 1000 rocks (spread
+    // between rocks: 3 m/s for the largest speed, 2.2 tree hits; shares binomial), and the wider of strict
+    // and default.
+    const SampleProject project;
+    ASSERT_EQ(
+        call(project, "validate vaujany_forest vaujany_open steg bad_ischl --quiet --rocks 1000 --out few")
+            .code,
+        5);
+    const auto of_case = [&](const std::string& name) {
+        std::map<std::pair<std::string, std::string>, double> values;
+        const config::Table figures = result_table(project, "few/figures.csv");
+        for (std::size_t row = 0; row < figures.rows(); ++row) {
+            if (figures.text(row, "case") == name && !figures.text(row, "value").empty()) {
+                values[{figures.text(row, "variant"), figures.text(row, "quantity")}] =
+                    std::stod(figures.text(row, "value"));
+            }
+        }
+        return values;
+    };
+    const double speed_error_mps = 4.0 * 3.0 / std::sqrt(1000.0);
+    const double hits_error = 4.0 * 2.2 / std::sqrt(1000.0);
+    const double share_error = 4.0 * std::sqrt(0.33 * 0.67 / 1000.0);
+    const auto forest = of_case("vaujany_forest");
+    const auto open = of_case("vaujany_open");
+    const auto steg = of_case("steg");
+    const auto ischl = of_case("bad_ischl");
+    for (const std::string variant : {"strict", "default"}) {
+        EXPECT_NEAR(forest.at({variant, "tree_hits_mean"}), 0.5 * (2.52 + 3.28), 0.38 + hits_error)
+            << variant;
+        EXPECT_NEAR(forest.at({variant, "max_speed_mean_mps"}), 0.5 * (11.7 + 13.48), 0.89 + speed_error_mps)
+            << variant;
+        EXPECT_NEAR(open.at({variant, "stopped_share:B"}), 0.33, 0.05 + share_error) << variant;
+        EXPECT_NEAR(steg.at({variant, "run_out_mean_m"}), 453.0, 18.0) << variant;
+        EXPECT_GE(ischl.at({variant, "reaching_share:net"}), 0.999) << variant;
+        EXPECT_NEAR(ischl.at({variant, "energy_mean_kj:net"}), 349.0, 66.0 + 4.0 * 90.0 / std::sqrt(1000.0))
+            << variant;
+    }
+    EXPECT_GT(ischl.at({"strict_scatter", "energy_deviation_kj:net"}),
+              1.5 * ischl.at({"strict", "energy_deviation_kj:net"}));
+}
+
+TEST(Validate, MovesSomethingWithEveryChoice) {
+    const SampleProject project;
+    ASSERT_EQ(
+        call(project, "validate vaujany_forest vaujany_open steg bad_ischl --quiet --rocks 200 --out few")
+            .code,
+        5);
+    const config::Table choices = result_table(project, "few/choices.csv");
+    std::map<std::string, std::string> rebuilt;
+    std::map<std::string, bool> moved;
+    for (std::size_t row = 0; row < choices.rows(); ++row) {
+        const std::string figure_of_case = choices.text(row, "case") + ' ' + choices.text(row, "quantity");
+        const std::string value = choices.text(row, "strict") + ' ' + choices.text(row, "default");
+        if (choices.text(row, "choice") == "as rebuilt") {
+            rebuilt[figure_of_case] = value;
+        } else {
+            moved[choices.text(row, "case") + ": " + choices.text(row, "choice")] |=
+                rebuilt.at(figure_of_case) != value;
+        }
+    }
+    EXPECT_GT(moved.size(), 40U);
+    for (const auto& [choice, has_moved] : moved) {
+        EXPECT_TRUE(has_moved) << choice;
     }
 }
 

@@ -97,7 +97,7 @@ TEST(ReadCase, PutsStrictAndDefaultFirst) {
     EXPECT_EQ(of.variants[2].preset, "paper_initial");
 }
 
-TEST(ReadCase, LetsTheUserHaveTheLastWord) {
+TEST(ReadCase, TakesTheChangesOfTheUserBelowThoseOfVariantsAndChoices) {
     CaseFiles files = even_slope();
     files.texts["variants.csv"] = "variant,preset,overrides,meaning\nx,strict,terrain.cell_m=5,\n";
     files.texts["steep.csv"] = "length_m,slope_deg,surface\n300,45,fine_debris\n";
@@ -111,7 +111,8 @@ TEST(ReadCase, LetsTheUserHaveTheLastWord) {
     changes.profile_text = "distance_m,height_m,surface\n0,200,road\n290,0,road\n";
     const ValidationCase of = read_case(files, changes);
     const auto recipe = of.recipe("strict", of.variants[2].overrides);
-    EXPECT_EQ(recipe->cell_m, 4.0);
+    EXPECT_EQ(recipe->cell_m, 5.0);  // x is what its name says
+    EXPECT_EQ(of.recipe("strict", {})->cell_m, 4.0);
     EXPECT_EQ(recipe->rocks, 20U);
     EXPECT_LE(recipe->series * recipe->rocks_per_series, 20U);
     EXPECT_EQ(of.profile(*recipe).front().height_m, 200.0);
