@@ -101,8 +101,15 @@ std::string run_out_chart(const CaseResult& result) {
     Chart chart{"Run-out", Axis::from_zero("Distance in plan from the start, m", most_m),
                 Axis{"% of rocks that get further", 0.0, per_cent}};
     const std::vector<std::size_t> order = drawing_order(result);
+    // Bands of strict and default alone: those of all variants would hide each other.
+    const auto has_band = [&](std::size_t i) {
+        const VariantOutcome& variant = result.variants[i];
+        return !variant.run_out_low.empty() && (variant.variant == "strict" || variant.variant == "default");
+    };
     for (const std::size_t i : order) {
-        chart.add_band(series_of(result, i), series_band(result.variants[i]));
+        if (has_band(i)) {
+            chart.add_band(series_of(result, i), series_band(result.variants[i]));
+        }
     }
     for (const std::size_t i : order) {
         chart.add_line(series_of(result, i), in_percent(result.variants[i].run_out));
@@ -111,7 +118,7 @@ std::string run_out_chart(const CaseResult& result) {
         chart.add_name(series_of(result, i), result.variants[i].variant);
     }
     for (std::size_t i = 0; i < result.variants.size(); ++i) {
-        if (!result.variants[i].run_out_low.empty()) {
+        if (has_band(i)) {
             chart.add_band_name(series_of(result, i), joined(result.variants[i].variant, ", 90 % of series"));
         }
     }

@@ -59,8 +59,9 @@ std::string how_to_read() {
            "counts</dd></div>"
            "<div><dt>rebuilding</dt><dd>the figure was used to rebuild slope or stand: a hit proves "
            "little</dd></div></dl>\n"
-           "<p>Criteria come from the published spread and were set before our model was run on the case. A "
-           "miss "
+           "<p>Criteria come from the published spread and were set before our model was run on the case, "
+           "unless "
+           "their note says otherwise. A miss "
            "is printed as a miss, with its likely cause. A figure marked ± has the standard deviation "
            "between series of "
            "few rocks, as an experiment would have them.</p>\n";

@@ -6,6 +6,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_notes.hpp"
 #include "coupling/validation/page_parts.hpp"
+#include "coupling/validation/quantities.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
@@ -58,7 +59,14 @@ std::vector<std::string> quantities_of(const CaseResult& result) {
     }
     for (const VariantOutcome& variant : result.variants) {
         for (const auto& [name, value] : variant.values) {
-            if (std::find(names.begin(), names.end(), name) == names.end()) {
+            // What is nothing everywhere, such as tree hits without trees, is not worth a line.
+            const bool says_something = std::any_of(
+                result.variants.begin(), result.variants.end(), [&n = name](const VariantOutcome& v) {
+                    const auto found = v.values.find(n);
+                    return found != v.values.end() && std::isfinite(found->second.value) &&
+                           found->second.value != 0.0;
+                });
+            if (says_something && std::find(names.begin(), names.end(), name) == names.end()) {
                 names.push_back(name);
             }
         }
@@ -159,7 +167,9 @@ std::string misses(const CaseResult& result) {
             "<li><b>", row_name(row), "</b>: ", (strict ? miss_of("strict", row.strict_value) : ""),
             (strict && ours_missed ? " and " : ""),
             (ours_missed ? miss_of("default", row.default_value) : ""), " instead of ", criterion_text(row),
-            ". ", (row.cause.empty() ? "The cause is not known." : escaped(row.cause)), "</li>\n");
+            ". ",
+            (row.cause.empty() ? "The cause is not known." : joined("Likely cause: ", escaped(row.cause))),
+            "</li>\n");
     }
     return items.empty() ? "" : joined("<h3>Missed</h3>\n<ul class=\"causes\">\n", items, "</ul>\n");
 }
@@ -186,18 +196,34 @@ std::string nearness(const CaseResult& result) {
                         std::to_string(ours_nearer), "</b>, strict in ", std::to_string(strict), ".</p>\n");
 }
 
+/// The name of a figure for people, with its unit; the machine's name where the program knows none.
+std::string figure_name(const std::string& name) {
+    const std::optional<FigureName> figure = parse_figure(name);
+    if (!figure) {
+        return escaped(name);
+    }
+    return figure->unit() == "-" ? escaped(figure->label())
+                                 : joined(escaped(figure->label()), ", ", escaped(figure->unit()));
+}
+
+/// With room to break a line: improved_rebound -> improved rebound.
+std::string spaced(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 std::string variants_table(const CaseResult& result) {
     if (result.variants.size() < 2) {
         return "";
     }
     std::vector<std::string> head{"quantity", "observed", "published"};
     for (const VariantOutcome& variant : result.variants) {
-        head.push_back(escaped(variant.variant));
+        head.push_back(escaped(spaced(variant.variant)));
     }
     HtmlTable table{"All rocks.", head};
     for (const std::string& quantity : quantities_of(result)) {
         const VerdictRow* row = row_named(result, quantity);
-        std::vector<std::string> cells{row == nullptr ? escaped(quantity) : row_name(*row),
+        std::vector<std::string> cells{row == nullptr ? figure_name(quantity) : row_name(*row),
                                        known(row, &VerdictRow::observed), known(row, &VerdictRow::published)};
         for (const VariantOutcome& variant : result.variants) {
             cells.push_back(value_in(variant.values, quantity));

@@ -96,8 +96,9 @@ TEST(VerdictTable, GivesEachSourceOneNumber) {
 
 TEST(Misses, AreSpelledOutWithTheirCause) {
     const std::string text = misses(testing::forested_case());
-    EXPECT_NE(text.find("<b>mean speed, m/s</b>: strict 4.90 instead of 5.60 to 8.00. the taper"),
-              std::string::npos)
+    EXPECT_NE(
+        text.find("<b>mean speed, m/s</b>: strict 4.90 instead of 5.60 to 8.00. Likely cause: the taper"),
+        std::string::npos)
         << text;
     EXPECT_NE(misses(testing::bare_case()).find("strict – instead of 435 to 471. The cause is not known."),
               std::string::npos);
