@@ -42,6 +42,14 @@ private:
     config::Problems problems_;
 };
 
+/// Its codes mean nothing without the table of ground types; a setting without effect is worse than none.
+void check_stopping(const Scenario& s, Checker& checker) {
+    if (!s.stopping.empty() && s.surface_types.empty()) {
+        checker.refuse("terrain.stopping", "terrain.stopping without terrain.surface_types",
+                       "a table of what its codes mean");
+    }
+}
+
 void check_terrain(const Scenario& s, Checker& checker) {
     checker.one_of("terrain.dem", s.dem, "terrain.points", s.points);
     checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
@@ -127,6 +135,7 @@ void check(const Scenario& scenario) {
                        "0: this version assesses the trees as they stand");
     }
     profile::check_settings(scenario, checker.problems());
+    check_stopping(scenario, checker);
     if (scenario.profile.empty()) {
         check_terrain(scenario, checker);
         check_release(scenario, checker);

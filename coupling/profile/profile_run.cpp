@@ -110,9 +110,13 @@ private:
 void print_summary(const ProfileResults& results, const std::filesystem::path& folder,
                    const std::vector<WrittenFile>& written) {
     const ProfileTally& tally = results.tally;
-    std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m, standard deviation %.1f m\n",
+    std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m",
                 static_cast<unsigned long long>(tally.rocks), results.site.last_m() - results.site.first_m(),
-                tally.run_out_m.mean(), tally.run_out_m.deviation());
+                tally.run_out_m.mean());
+    if (tally.rocks > 1) {
+        std::printf(", standard deviation %.1f m", tally.run_out_m.deviation());
+    }
+    std::printf("\n");
     const auto left = tally.by_reason[static_cast<std::size_t>(rockfall::StopReason::left_terrain)];
     if (left > 0) {
         std::printf("  %.2f %% left the profile over an end: their run-out is counted to there\n",

@@ -121,6 +121,12 @@ std::vector<rockfall::ProfilePoint> corners_of(const config::Table& table, Groun
             corners.push_back({*distance_m, *height_m, *surface});
         }
     }
+    if (!corners.empty() && corners.back().height_m > corners.front().height_m) {
+        problems.add(config::ExitCode::data, {table.file()},
+                     "a profile that rises from " + config::to_text(corners.front().height_m) + " m to " +
+                         config::to_text(corners.back().height_m) + " m",
+                     "corners from above to below, distances from the upper end");
+    }
     return corners;
 }
 

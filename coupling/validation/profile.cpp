@@ -34,9 +34,15 @@ public:
                        problems_);
         problems_.throw_if_any();
         Profile profile = pieces ? read_pieces() : read_survey();
+        problems_.throw_if_any();
         if (profile.size() < 2) {
             problems_.add(config::ExitCode::data, {table_.file()}, "a profile without length",
                           pieces ? "at least one piece" : "at least two corners");
+        } else if (profile.back().height_m > profile.front().height_m) {
+            problems_.add(config::ExitCode::data, {table_.file()},
+                          joined("a profile that rises from ", config::to_text(profile.front().height_m),
+                                 " m to ", config::to_text(profile.back().height_m), " m"),
+                          "corners from above to below");
         }
         problems_.throw_if_any();
         return profile;

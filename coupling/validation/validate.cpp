@@ -35,6 +35,9 @@ public:
         }
         run_choices();
         result_.rows = verdict_rows(case_, result_.variants[0].values, result_.variants[1].values);
+        if (case_.replaces_profile()) {
+            speak_of_own_profile();
+        }
         add_sections();
         progress_.finish();
         result_.seconds = progress_.seconds();
@@ -42,6 +45,18 @@ public:
     }
 
 private:
+    /// What the case says of its rebuilt slope does not hold for a slope that somebody surveyed.
+    void speak_of_own_profile() {
+        result_.rebuilt = joined("The profile is ", case_.changes.profile_file,
+                                 ", the user's own; the rest of the recipe and the stations are the case's.");
+        for (VerdictRow& row : result_.rows) {
+            row.cause.clear();
+            if (case_.kind == CaseKind::profile) {
+                row.rests_on = "independent";
+            }
+        }
+    }
+
     [[nodiscard]] std::uint64_t all_rocks() const {
         std::uint64_t rocks = 0;
         for (const VariantSpec& variant : case_.variants) {

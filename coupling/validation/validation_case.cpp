@@ -229,7 +229,6 @@ private:
 
     void read_choice(const config::Table& t, std::size_t row) {
         ChoiceSpec choice{t.text(row, "choice"), words_of(t.text(row, "overrides")), t.text(row, "reason")};
-        try_out(t, row, "strict", choice.overrides);
         const bool other_profile =
             std::any_of(choice.overrides.begin(), choice.overrides.end(),
                         [](const std::string& text) { return text.starts_with("terrain.profile="); });
@@ -238,6 +237,7 @@ private:
                                         " left out: the profile is the user's own"));
             return;
         }
+        try_out(t, row, "strict", choice.overrides);
         out_.choices.push_back(std::move(choice));
     }
 

@@ -145,6 +145,15 @@ TEST(Validate, TakesASurveyedProfile) {
     EXPECT_EQ(outcome.code, 5) << outcome.err;
     EXPECT_NE(outcome.out.find("note: profile.csv replaced by surveyed.csv"), std::string::npos)
         << outcome.out;
+    EXPECT_NE(outcome.out.find("The profile is surveyed.csv, the user's own"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(outcome.out.find("likely cause"), std::string::npos) << outcome.out;
+    project.write("uphill.csv", "distance_m,height_m,surface\n0,0,fine_debris\n600,500,\n");
+    const Outcome uphill =
+        call(project, "validate even_plane " + even_cases + "--quiet --profile uphill.csv");
+    EXPECT_EQ(uphill.code, 4);
+    EXPECT_NE(uphill.err.find("uphill.csv: found a profile that rises from 0 m to 500 m"), std::string::npos)
+        << uphill.err;
     EXPECT_EQ(call(project, "validate all " + even_cases + "--profile surveyed.csv").code, 2);
     EXPECT_EQ(call(project, "validate even_plane " + even_cases + "--profile missing.csv").code, 3);
 }

@@ -77,6 +77,11 @@ TEST(Scenario, RefusesInputsThatExcludeEachOther) {
     EXPECT_NE(errors_of({"release.source="}).find("neither release.source nor release.source_shapes"),
               std::string::npos);
     EXPECT_NE(errors_of({"terrain.surface_types="}).find("without terrain.surface_types"), std::string::npos);
+    // Codes that nothing explains would stop no rock.
+    EXPECT_NE(errors_of({"terrain.surface=", "terrain.surface_types=", "terrain.ground=pasture",
+                         "terrain.stopping=s.csv"})
+                  .find("found terrain.stopping without terrain.surface_types"),
+              std::string::npos);
 }
 
 TEST(Scenario, DoesNotYetSimulateYears) {
