@@ -35,14 +35,21 @@ void check_folder(const fs::path& folder) {
     }
 }
 
+std::string all_examples() {
+    std::string all;
+    for (const std::string& name : example_names()) {
+        all += (all.empty() ? "" : " or ") + config::in_quotes(name);
+    }
+    return all;
+}
+
 std::vector<ExampleFile> files_of(const std::string& example) {
     std::vector<ExampleFile> files = example_files();
     std::erase_if(files, [&](const ExampleFile& file) { return file.example != example; });
     if (files.empty()) {
         const std::string nearest = config::nearest_word(example, example_names());
-        config::fail(
-            config::ExitCode::settings, {}, "example " + config::in_quotes(example),
-            nearest.empty() ? config::in_quotes(example_names().front()) : config::in_quotes(nearest));
+        config::fail(config::ExitCode::settings, {}, "example " + config::in_quotes(example),
+                     nearest.empty() ? all_examples() : config::in_quotes(nearest));
     }
     return files;
 }

@@ -68,7 +68,7 @@ std::map<std::string, StoppingCurves> read_stopping_curves(const config::Table& 
         std::sort(knots.begin(), knots.end(),
                   [](const Knot& a, const Knot& b) { return a.diameter_m < b.diameter_m; });
         curves[type] = {curve_of(knots, &Knot::probability), curve_of(knots, &Knot::rolling_stops_per_m),
-                        has_rolling};
+                        has_rolling, knots.front().diameter_m, knots.back().diameter_m};
     }
     return curves;
 }

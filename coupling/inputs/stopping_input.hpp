@@ -13,6 +13,8 @@ struct StoppingCurves {
     rockfall::StopCurve stopping;             ///< probability at an impact [-]
     rockfall::StopCurve rolling_stops_per_m;  ///< rate while rolling [1/m]
     bool has_rolling = false;                 ///< the table has the column `rolling_stops_per_m`
+    double smallest_m = 0.0;                  ///< diameters between which the table tells something
+    double largest_m = 0.0;
 };
 
 /// The curves of a stopping table: columns `diameter_m`, `p_stop` and perhaps `rolling_stops_per_m`, rows in

@@ -142,6 +142,23 @@ private:
     config::Problems& problems_;
 };
 
+/// Beyond its first and last diameter a stopping table holds its end values, which may be far off.
+void doubt_sizes_beyond(const std::map<std::string, StoppingCurves>& stopping, Reading& reading) {
+    const rockfall::DiameterLaw diameter = start_law(reading.scenario()).diameter;
+    const double smallest_m = diameter.at(0.0);
+    const double largest_m = diameter.largest_m();
+    for (const auto& [code, curves] : stopping) {
+        if (smallest_m < curves.smallest_m || largest_m > curves.largest_m) {
+            reading.doubt({reading.shown(reading.scenario().stopping)},
+                          "diameters of " + config::to_text(curves.smallest_m) + " to " +
+                              config::to_text(curves.largest_m) + " m for code " + code,
+                          "those of the rocks, " + config::to_text(smallest_m) + " to " +
+                              config::to_text(largest_m) +
+                              " m: beyond its ends a table keeps its last value");
+        }
+    }
+}
+
 std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
     config::Problems problems;
     std::map<std::string, StoppingCurves> stopping;
@@ -157,6 +174,7 @@ std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
     table.require({"code"}, problems);
     problems.throw_if_any();
 
+    const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     TypeReader reader{table, std::move(stopping), problems};
     std::vector<rockfall::SurfaceType> types = reader.all();
     if (types.empty() || types.size() >= most_types) {
@@ -170,6 +188,7 @@ std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
         reading.doubt({reading.shown(reading.scenario().stopping)}, "code " + code,
                       "codes of " + table.file());
     }
+    doubt_sizes_beyond(stopping_kept, reading);
     return types;
 }
 

@@ -61,20 +61,22 @@ SurfaceFigures figures_of(const SurfaceRecipe& recipe, const ThrowPlan& plan,
     return figures;
 }
 
-/// Diameters that the screen shows: about 0.5, 1 and 2 m where there are such, else the first ones.
+/// Diameters that the screen shows: all of a few; of many about 0.5, 1 and 2 m, else the first ones.
 std::vector<std::size_t> shown_sizes(const std::vector<StoppingFigures>& sizes) {
+    constexpr std::size_t most = 5;
     std::vector<std::size_t> shown;
     for (const double wanted_m : {0.5, 0.95, 1.84}) {
         for (std::size_t i = 0; i < sizes.size(); ++i) {
-            if (sizes[i].diameter_m == wanted_m) {
+            if (sizes.size() > most && sizes[i].diameter_m == wanted_m) {
                 shown.push_back(i);
             }
         }
     }
-    for (std::size_t i = 0; shown.empty() && i < std::min<std::size_t>(4, sizes.size()); ++i) {
-        shown.push_back(i);
+    std::vector<std::size_t> few;
+    for (std::size_t i = 0; shown.empty() && i < std::min(most, sizes.size()); ++i) {
+        few.push_back(i);
     }
-    return shown;
+    return shown.empty() ? few : shown;
 }
 
 }  // namespace
