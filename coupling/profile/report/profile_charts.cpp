@@ -189,7 +189,8 @@ std::string charts_along(const ProfileResults& results) {
         envelope(
             results, "Height above the ground", "Height, m", rockfall::height_bins, &StretchTally::height_m,
             1.0,
-            "Largest height of each rock in each stretch: of its underside, at right angles to the slope."),
+            "Largest height of each rock in each stretch: of its underside, at right angles to the slope, "
+            "so less than the vertical height of the key figures."),
         envelope(results, "Kinetic energy", "Energy, kJ", rockfall::energy_bins, &StretchTally::energy_j,
                  j_per_kj, "Largest energy of each rock in each stretch: translation and rotation."),
         "</div>\n");

@@ -82,10 +82,11 @@ std::string stations(const ProfileResults& results) {
         return "<h2>Stations</h2>\n<p>None given (profile.stations_m, profile.stations).</p>\n";
     }
     using namespace rockfall;
-    HtmlTable table{"Energy is translation and rotation; height is that of the underside above ground.",
-                    {"Station", "at, m", "rocks that pass (95 % interval)", "energy, kJ: mean", "sd", "90 %",
-                     "95 %", "99 %", "translation alone, kJ: mean", "speed, m/s: mean", "speed 95 %",
-                     "height, m: mean", "height 95 %"}};
+    HtmlTable table{
+        "Energy is translation and rotation; height is that of the underside above ground, vertical.",
+        {"Station", "at, m", "rocks that pass (95 % interval)", "energy, kJ: mean", "sd", "90 %", "95 %",
+         "99 %", "translation alone, kJ: mean", "speed, m/s: mean", "speed 95 %", "height, m: mean",
+         "height 95 %"}};
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const StationTally& tally = results.tally.stations[i];
         const auto energy_kj = [&](double share) {
@@ -129,7 +130,8 @@ std::string key_figures(const ProfileResults& results) {
     spread("Largest speed of a rock: mean / 90 % / largest, m/s", tally.max_speed_mps, fine_speed_bins, 1.0);
     spread("Largest energy of a rock: mean / 90 % / largest, kJ", tally.max_energy_j, fine_energy_bins,
            j_per_kj);
-    spread("Largest height of a rock: mean / 90 % / largest, m", tally.max_height_m, fine_height_bins, 1.0);
+    spread("Largest vertical height of a rock: mean / 90 % / largest, m", tally.max_height_m,
+           fine_height_bins, 1.0);
     table.row({"Mean speed, m/s", three_digits(tally.mean_speed_mps.mean())});
     table.row({"Ground impacts per rock", three_digits(tally.ground_impacts.mean())});
     table.row(
