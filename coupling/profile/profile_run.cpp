@@ -6,10 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
-#include <sstream>
 
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/profile/profile_results.hpp"
 #include "coupling/profile/profile_settings.hpp"
@@ -17,6 +15,7 @@
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
+#include "coupling/run/settings_hash.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::profile {
@@ -24,16 +23,6 @@ namespace {
 
 /// Thrown from within a run to end it at once.
 struct Interrupted {};
-
-std::string hash_of(const Scenario& scenario, const ProfileSite& site) {
-    std::ostringstream text;
-    text << version() << '\n';
-    scenario.options->write_ini(text, false);
-    for (const InputFile& input : site.inputs) {
-        text << input.role << ' ' << input.hash << '\n';
-    }
-    return hash_text(text.str());
-}
 
 /// Stations as lines across the strip. Rocks end at the ends of the profile: a line there lies a millimetre
 /// inside.
@@ -214,7 +203,7 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
         }
     }
     const std::filesystem::path out = request.out.empty() ? scenario.file.parent_path() / "out" : request.out;
-    OutputFolder folder{out, hash_of(scenario, site), request.overwrite};
+    OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};
     const InterruptGuard guard;
     try {
         fall_and_write(request, scenario, site, warnings, folder);

@@ -9,9 +9,6 @@
 namespace coupling::profile {
 namespace {
 
-/// Shorter ones begin and end on one spot, as at the foot of a wall.
-constexpr double least_jump_m = 1e-3;
-
 /// About 300 stretches of a round length, none shorter than 1 m.
 double stretch_length_m(const ProfileSite& site) {
     constexpr double wanted = 300.0;

@@ -51,4 +51,12 @@ void make_folder(const std::filesystem::path& folder) {
     }
 }
 
+void delete_entry(const std::filesystem::path& entry) {
+    std::error_code error;
+    std::filesystem::remove_all(entry, error);
+    if (error) {
+        config::fail(config::ExitCode::file, {entry.string()}, "cannot be deleted: " + error.message());
+    }
+}
+
 }  // namespace coupling

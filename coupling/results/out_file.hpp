@@ -44,4 +44,7 @@ private:
 /// Makes a folder and those above it. Throws config::InputError (file) naming it.
 void make_folder(const std::filesystem::path& folder);
 
+/// Deletes a file or a folder with all in it. Throws config::InputError (file) naming it.
+void delete_entry(const std::filesystem::path& entry);
+
 }  // namespace coupling

@@ -20,14 +20,6 @@ constexpr const char* mark_of_a_run = ".bannwald";
 /// Written last, so its presence says that results are whole.
 constexpr const char* mark_of_results = "summary.json";
 
-void delete_entry(const fs::path& entry) {
-    std::error_code error;
-    fs::remove_all(entry, error);
-    if (error) {
-        config::fail(config::ExitCode::file, {entry.string()}, "cannot be deleted: " + error.message());
-    }
-}
-
 }  // namespace
 
 OutputFolder::OutputFolder(fs::path folder, const std::string& settings_hash, bool overwrite)

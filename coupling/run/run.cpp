@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <sstream>
 
-#include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/profile/profile_run.hpp"
@@ -19,6 +17,7 @@
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/row_tables.hpp"
+#include "coupling/run/settings_hash.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling {
@@ -42,17 +41,6 @@ std::vector<std::span<const rockfall::Chunk>> plan_parts(std::span<const rockfal
         }
     }
     return parts;
-}
-
-/// Names the run by everything its results depend on: settings, inputs, version.
-std::string hash_of(const Scenario& scenario, const Site& site) {
-    std::ostringstream text;
-    text << version() << '\n';
-    scenario.options->write_ini(text, false);
-    for (const InputFile& input : site.inputs) {
-        text << input.role << ' ' << input.hash << '\n';
-    }
-    return hash_text(text.str());
 }
 
 std::uint64_t rocks_of(const Site& site) {
@@ -126,7 +114,7 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
     if (folder.has_parts()) {
         state_ = read_checkpoint(folder.checkpoint(), total_, histograms_.pointers());
     }
-    state_.settings_hash = hash_of(scenario_, site_);
+    state_.settings_hash = settings_hash(scenario_, site_.inputs);
     tables_ = std::make_unique<RowTables>(scenario_, site_, folder.parts(), state_.table_bytes);
     const std::uint64_t done_before =
         state_.parts_done < parts.size() ? parts[state_.parts_done].front().first_rock : rocks_;
@@ -199,7 +187,7 @@ int run_assessment(const RunRequest& request) {
     }
     const std::filesystem::path out =
         request.out.empty() ? scenario->file.parent_path() / "out" : request.out;
-    OutputFolder folder{out, hash_of(*scenario, site), request.overwrite};
+    OutputFolder folder{out, settings_hash(*scenario, site.inputs), request.overwrite};
     const InterruptGuard guard;
     AssessmentRun run{request, *scenario, site, warnings};
     if (run.fall(folder) == Ended::interrupted || run.write(folder) == Ended::interrupted) {

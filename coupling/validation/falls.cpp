@@ -203,7 +203,7 @@ void Falls::add(const WatchedFall& fall, const RebuiltSlope& slope, const SlopeL
     // The flight from a release above the ground is no jump: its height and length are the experimenter's.
     const std::size_t first = slope.released_in_flight && !fall.jumps.empty() ? 1 : 0;
     for (const rockfall::Jump& jump : std::span{fall.jumps}.subspan(first)) {
-        if (jump.length_m() < least_jump_m) {
+        if (jump.length_m() < rockfall::least_jump_m) {
             continue;
         }
         ++facts.jumps;

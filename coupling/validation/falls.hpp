@@ -44,9 +44,6 @@ struct JumpSums {
 /// Stretches of slope length by which jumps are told apart (Rammer et al. 2010, section 2.4.2).
 inline constexpr double jump_segment_m = 10.0;
 
-/// Shorter flights are a rock rattling on the spot and no jumps. Choice, as in the two-dimensional mode.
-inline constexpr double least_jump_m = 1e-3;
-
 /// Rocks that fell, in rock order.
 struct Falls {
     std::size_t lines = 0;  ///< at which arrivals were looked at: the stations and the lower end

@@ -13,14 +13,6 @@ namespace fs = std::filesystem;
 /// Says that a validation keeps the folder: without it nothing in there is ours to delete.
 constexpr const char* mark_name = ".bannwald-validation";
 
-void delete_entry(const fs::path& entry) {
-    std::error_code error;
-    fs::remove_all(entry, error);
-    if (error) {
-        config::fail(config::ExitCode::file, {entry.string()}, "cannot be deleted: " + error.message());
-    }
-}
-
 }  // namespace
 
 ResultFolder::ResultFolder(fs::path folder, bool overwrite)

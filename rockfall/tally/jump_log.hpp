@@ -9,6 +9,9 @@
 
 namespace rockfall {
 
+/// Shorter flights begin and end on one spot, as at the foot of a wall: no jumps to be counted. Choice.
+inline constexpr double least_jump_m = 1e-3;
+
 /// A flight of a rock's underside, from the ground or a stem to the next of either. The first flight of a
 /// rock released above the ground begins at its release.
 struct Jump {

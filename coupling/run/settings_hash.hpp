@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+
+namespace coupling {
+
+/// Names a run by everything its results depend on: settings, inputs, version. 16 hexadecimal digits.
+std::string settings_hash(const Scenario& scenario, std::span<const InputFile> inputs);
+
+}  // namespace coupling
