@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forest/allometry.hpp"
+#include "forest/deadwood/deadwood.hpp"
 
 namespace forest {
 
@@ -96,17 +97,25 @@ StandYear year_of(const Stand& stand, const SpeciesTable& species, double volume
     year.by_species = figures_by_species(stand.trees(), species, area_ha);
     year.volume_increment_m3pha = volume_increment_m3 / area_ha;
     year.ingrowth_stems_pha = static_cast<double>(stand.book().all_stems_in()) / area_ha;
-    for (const DeadTree& dead : stand.deaths()) {
-        const double stems_pha = dead.tree.stems / area_ha;
-        Loss& loss = year.losses[index_of(dead.cause)];
+    for (const auto& [tree, cause] : stand.deaths()) {
+        const double stems_pha = tree.stems / area_ha;
+        Loss& loss = year.losses[index_of(cause)];
         loss.stems_pha += stems_pha;
-        loss.volume_m3pha += stems_pha * stem_volume_m3(species[dead.tree.species].allometry,
-                                                        dead.tree.dbh_cm, dead.tree.height_m);
-        loss.above_ground_tpha += stems_pha * dead.tree.above_ground_kg / kg_per_t;
+        loss.volume_m3pha +=
+            stems_pha * stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m);
+        loss.above_ground_tpha += stems_pha * tree.above_ground_kg / kg_per_t;
     }
     year.saplings_pha = static_cast<double>(stand.saplings_standing()) / area_ha;
-    year.snags_pha = static_cast<double>(stand.dead_wood().snags.size()) / area_ha;
-    year.logs_pha = static_cast<double>(stand.dead_wood().logs.size()) / area_ha;
+    const SnagsAndLogs& dead = stand.dead_wood();
+    year.snags_pha = static_cast<double>(dead.snags.size()) / area_ha;
+    year.logs_pha = static_cast<double>(dead.logs.size()) / area_ha;
+    for (const Snag& snag : dead.snags) {
+        year.snags_m3pha += volume_m3(snag) / area_ha;
+    }
+    for (const Log& log : dead.logs) {
+        year.logs_m3pha += volume_m3(log) / area_ha;
+    }
+    year.dead_stems_tpha = dead_mass_kg(dead, species) / kg_per_t / area_ha;
     return year;
 }
 

@@ -58,6 +58,9 @@ struct StandYear {
     double saplings_pha = 0.0;  ///< below 1 cm
     double snags_pha = 0.0;
     double logs_pha = 0.0;
+    double snags_m3pha = 0.0;      ///< standing dead wood, stumps of felling included
+    double logs_m3pha = 0.0;       ///< lying dead wood
+    double dead_stems_tpha = 0.0;  ///< dry mass of both, as far as it has not rotted
 };
 
 /// The year of a whole landscape. `volume_increment_m3` is of its whole area.

@@ -130,9 +130,9 @@ std::vector<Log> age_logs(const Stand& stand, const SpeciesTable& species, const
     return left;
 }
 
-double cone_kg(double thick_cm, double thin_cm, double length_m, double kgpm3) {
+double cone_m3(double thick_cm, double thin_cm, double length_m) {
     const double square_cm2 = thick_cm * thick_cm + thick_cm * thin_cm + thin_cm * thin_cm;
-    return std::numbers::pi / 120'000.0 * square_cm2 * length_m * kgpm3;
+    return std::numbers::pi / 120'000.0 * square_cm2 * length_m;
 }
 
 }  // namespace
@@ -176,15 +176,21 @@ Log log_of_piece(const Snag& stem, double from_m, double to_m, double direction_
             .year = stem.year};
 }
 
+double volume_m3(const Snag& snag) {
+    return cone_m3(stem_diameter_cm(snag.dbh_cm, snag.tree_height_m, 0.0),
+                   stem_diameter_cm(snag.dbh_cm, snag.tree_height_m, snag.height_m), snag.height_m);
+}
+
+double volume_m3(const Log& log) {
+    return cone_m3(log.thick_end_cm, log.thin_end_cm, log.length_m);
+}
+
 double mass_kg(const Snag& snag, const SpeciesTable& species) {
-    return snag.density_share * cone_kg(stem_diameter_cm(snag.dbh_cm, snag.tree_height_m, 0.0),
-                                        stem_diameter_cm(snag.dbh_cm, snag.tree_height_m, snag.height_m),
-                                        snag.height_m, species[snag.species].allometry.basic_density_kgpm3);
+    return snag.density_share * volume_m3(snag) * species[snag.species].allometry.basic_density_kgpm3;
 }
 
 double mass_kg(const Log& log, const SpeciesTable& species) {
-    return log.density_share * cone_kg(log.thick_end_cm, log.thin_end_cm, log.length_m,
-                                       species[log.species].allometry.basic_density_kgpm3);
+    return log.density_share * volume_m3(log) * species[log.species].allometry.basic_density_kgpm3;
 }
 
 double dead_mass_kg(const SnagsAndLogs& wood, const SpeciesTable& species) {

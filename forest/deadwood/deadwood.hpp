@@ -35,6 +35,10 @@ double mass_kg(const Snag& snag, const SpeciesTable& species);
 double mass_kg(const Log& log, const SpeciesTable& species);
 double dead_mass_kg(const SnagsAndLogs& wood, const SpeciesTable& species);
 
+/// Volume of dead stems as cones [m3].
+double volume_m3(const Snag& snag);
+double volume_m3(const Log& log);
+
 /// A year of dead wood: this year's dead stand as snags; older ones lose density, break at 1 to 5 m
 /// [choice; BAFU] or fall and become logs; logs settle and rot; crosswise logs that have lost their strength
 /// may roll out of the slope.

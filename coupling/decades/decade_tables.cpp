@@ -1,0 +1,167 @@
+#include "coupling/decades/decade_tables.hpp"
+
+#include <functional>
+#include <set>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::decades {
+namespace {
+
+/// Begins a row of a member: regime, replicate (counted from 1, as people do) and year.
+void begin(CsvRow& row, const Names& names, const Member& member, std::int32_t year) {
+    row.text(names.regimes[member.regime])
+        .whole(member.replicate + 1)
+        .whole(static_cast<std::uint32_t>(year));
+}
+
+std::string_view species_of(const Names& names, std::uint32_t species) {
+    return species == all ? std::string_view{"all"} : names.species.all()[species].code;
+}
+
+void add_unit(CsvRow& row, std::uint32_t unit) {
+    unit == all ? row.text("all") : row.whole(unit);
+}
+
+void write_stands(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
+    out << "regime,replicate,year,stand,species,stems_pha,basal_area_m2pha,volume_m3pha,above_ground_tpha,"
+           "mean_dbh_cm,lorey_height_m,dominant_height_m,leaf_area_index\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const StandRow& stand : member.stands) {
+            begin(row, names, member.member, stand.year);
+            add_unit(row, stand.unit);
+            row.text(species_of(names, stand.species));
+            const forest::StandFigures& f = stand.figures;
+            row.number<1>(f.stems_pha).number<3>(f.basal_area_m2pha).number<2>(f.volume_m3pha);
+            row.number<3>(f.above_ground_tpha).number<2>(f.mean_dbh_cm).number<2>(f.lorey_height_m);
+            row.number<2>(f.dominant_height_m).number<3>(f.leaf_area_index);
+            row.end();
+        }
+    }
+}
+
+/// Of the whole forest; classes without stems are left out.
+void write_dbh_classes(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
+    out << "regime,replicate,year,species,dbh_from_cm,dbh_to_cm,stems_pha\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const StandRow& stand : member.stands) {
+            for (std::size_t c = 0; stand.unit == all && c < forest::dbh_classes; ++c) {
+                const double stems_pha = stand.figures.stems_pha_by_class[c];
+                if (stems_pha <= 0.0) {
+                    continue;
+                }
+                begin(row, names, member.member, stand.year);
+                row.text(species_of(names, stand.species));
+                row.number<0>(forest::dbh_class_cm * static_cast<double>(c));
+                c + 1 == forest::dbh_classes
+                    ? row.empty()
+                    : row.number<0>(forest::dbh_class_cm * static_cast<double>(c + 1));
+                row.number<2>(stems_pha);
+                row.end();
+            }
+        }
+    }
+}
+
+void write_years(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
+    out << "regime,replicate,year,calendar_year,volume_increment_m3pha,production_tpha,ingrowth_stems_pha,"
+           "saplings_pha,snags_pha,snags_m3pha,logs_pha,logs_m3pha,dead_stems_tpha,precipitation_mm,"
+           "evapotranspiration_mm,runoff_mm,storage_gain_mm,mean_temperature_degc\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const YearRow& y : member.years) {
+            begin(row, names, member.member, y.year);
+            row.whole(static_cast<std::uint32_t>(y.calendar_year));
+            if (y.year == 0) {
+                row.empty().empty().empty();
+            } else {
+                row.number<3>(y.volume_increment_m3pha).number<3>(y.production_tpha);
+                row.number<1>(y.ingrowth_stems_pha);
+            }
+            row.number<1>(y.saplings_pha).number<2>(y.snags_pha).number<3>(y.snags_m3pha);
+            row.number<2>(y.logs_pha).number<3>(y.logs_m3pha).number<3>(y.dead_stems_tpha);
+            if (y.year == 0) {
+                row.empty().empty().empty().empty().empty();
+            } else {
+                row.number<1>(y.precipitation_mm).number<1>(y.evapotranspiration_mm).number<1>(y.runoff_mm);
+                row.number<1>(y.storage_gain_mm).number<2>(y.mean_temperature_degc);
+            }
+            row.end();
+        }
+    }
+}
+
+void write_losses(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
+    out << "regime,replicate,year,cause,stems_pha,volume_m3pha,above_ground_tpha\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const LossRow& loss : member.losses) {
+            begin(row, names, member.member, loss.year);
+            row.text(forest::name_of(loss.cause));
+            row.number<3>(loss.loss.stems_pha).number<4>(loss.loss.volume_m3pha);
+            row.number<4>(loss.loss.above_ground_tpha);
+            row.end();
+        }
+    }
+}
+
+void write_trees(std::ostream& out, const Names& names, std::span<const MemberYears> members,
+                 std::int32_t year) {
+    out << "regime,replicate,year,tree_id,x_m,y_m,species,dbh_cm,height_m,crown_base_m,crown_radius_m,"
+           "age_years,light_ratio,vitality,stems\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const TreeRow& tree : member.trees) {
+            if (tree.year != year) {
+                continue;
+            }
+            begin(row, names, member.member, year);
+            row.whole(tree.tree).number<2>(tree.x_m).number<2>(tree.y_m);
+            row.text(species_of(names, tree.species)).number<2>(tree.dbh_cm).number<2>(tree.height_m);
+            row.number<2>(tree.crown_base_m).number<2>(tree.crown_radius_m).number<1>(tree.age_years);
+            row.number<3>(tree.light_ratio).number<3>(tree.vitality).whole(tree.stems);
+            row.end();
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder, const Names& names,
+                                             std::span<const MemberYears> members) {
+    make_folder(folder / "tables");
+    std::vector<WrittenFile> written;
+    const auto write = [&](const std::string& name, const std::string& sentence,
+                           const std::function<void(std::ostream&)>& fill) {
+        OutFile file{folder / "tables" / name};
+        fill(file.stream());
+        file.close();
+        written.push_back({joined("tables/", name), sentence});
+    };
+    write("stands.csv", "What stands each year, by species and stand: stems, basal area, volume, heights.",
+          [&](std::ostream& out) { write_stands(out, names, members); });
+    write("dbh_classes.csv", "Stems by species and diameter class of 4 cm each year.",
+          [&](std::ostream& out) { write_dbh_classes(out, names, members); });
+    write("forest_years.csv", "Growth, ingrowth, saplings, dead wood, water and weather of each year.",
+          [&](std::ostream& out) { write_years(out, names, members); });
+    write("mortality.csv", "Trees that left the forest each year, by cause.",
+          [&](std::ostream& out) { write_losses(out, names, members); });
+    std::set<std::int32_t> years;
+    for (const MemberYears& member : members) {
+        for (const TreeRow& tree : member.trees) {
+            years.insert(tree.year);
+        }
+    }
+    for (const std::int32_t year : years) {
+        const std::string number = std::to_string(year);
+        write(joined("trees_", number, ".csv"), joined("Every tree at the end of year ", number, "."),
+              [&](std::ostream& out) { write_trees(out, names, members, year); });
+    }
+    return written;
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,62 @@
+#include "coupling/decades/member_part.hpp"
+
+#include "coupling/run/byte_archive.hpp"
+
+namespace coupling::decades {
+namespace {
+
+constexpr std::uint64_t magic = 0x31304D45'4D4E4142ULL;  // "BANMEM01", least byte first
+
+/// The lists of a member in one order for writing and reading.
+template <class Years, class Visit>
+void each_list(Years& years, const Visit& visit) {
+    visit(years.years);
+    visit(years.stands);
+    visit(years.losses);
+    visit(years.trees);
+    visit(years.patches);
+}
+
+}  // namespace
+
+void write_part(const std::filesystem::path& file, const std::string& hash, const MemberYears& years) {
+    const std::filesystem::path temporary = file.string() + ".tmp";
+    ByteWriter out{temporary};
+    out.value(magic);
+    out.text(hash);
+    out.value(years.member);
+    each_list(years, [&](const auto& list) { out.list(list); });
+    out.close();
+    std::error_code error;
+    std::filesystem::rename(temporary, file, error);
+    if (error) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     "the part file cannot be renamed: " + error.message());
+    }
+}
+
+std::optional<MemberYears> read_part(const std::filesystem::path& file, const std::string& hash) {
+    if (!std::filesystem::exists(file)) {
+        return std::nullopt;
+    }
+    ByteReader in{file};
+    if (in.value<std::uint64_t>() != magic) {
+        config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version",
+                     "delete it, or run with --overwrite to begin anew");
+    }
+    if (in.text() != hash) {
+        config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
+                     "delete it, or run with --overwrite to begin anew");
+    }
+    MemberYears years;
+    years.member = in.value<Member>();
+    each_list(years, [&]<class Row>(std::vector<Row>& list) { list = in.list<Row>(); });
+    in.check_end();
+    return years;
+}
+
+bool has_part(const std::filesystem::path& file, const std::string& hash) {
+    return read_part(file, hash).has_value();
+}
+
+}  // namespace coupling::decades

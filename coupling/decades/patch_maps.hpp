@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/decades/decade_tables.hpp"
+#include "coupling/decades/records.hpp"
+#include "coupling/results/out_file.hpp"
+#include "forest/patch.hpp"
+
+namespace coupling::decades {
+
+/// Writes rasters/forest/REGIME/yearN/{stems,basal_area,volume,top_height,leaf_area_index,ground_light}.asc:
+/// means over the replicates, on the frame of the patches; cells without forest are NODATA. `projection` is
+/// the text for the .prj files, empty for none.
+std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, const Names& names,
+                                          std::span<const MemberYears> members, const forest::PatchGrid& grid,
+                                          const std::string& projection);
+
+}  // namespace coupling::decades

@@ -1,0 +1,128 @@
+#include "coupling/decades/record_forest.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "forest/allometry.hpp"
+#include "forest/patch.hpp"
+
+namespace coupling::decades {
+namespace {
+
+constexpr double kg_per_t = 1000.0;
+
+/// The whole of some trees and each species that has any.
+void add_stands(std::span<const forest::Tree> trees, const forest::SpeciesTable& species, double area_ha,
+                std::int32_t year, std::uint32_t unit, MemberYears& kept) {
+    kept.stands.push_back({year, unit, all, forest::figures_of(trees, species, area_ha)});
+    const std::vector<forest::StandFigures> by_species = forest::figures_by_species(trees, species, area_ha);
+    for (std::uint32_t s = 0; s < by_species.size(); ++s) {
+        if (by_species[s].stems_pha > 0.0) {
+            kept.stands.push_back({year, unit, s, by_species[s]});
+        }
+    }
+}
+
+struct Unit {
+    std::size_t patches = 0;
+    std::vector<forest::Tree> trees;
+};
+
+std::map<std::uint32_t, Unit> units_of(const forest::Stand& stand) {
+    std::map<std::uint32_t, Unit> units;
+    for (const forest::Patch& patch : stand.grid().patches()) {
+        ++units[patch.management_unit].patches;
+    }
+    if (units.size() > 1) {
+        for (const forest::Tree& tree : stand.trees()) {
+            units[stand.grid()[tree.patch].management_unit].trees.push_back(tree);
+        }
+    }
+    return units;
+}
+
+}  // namespace
+
+void record_year(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
+                 const std::optional<forest::YearReport>& report, double mean_temperature_degc,
+                 MemberYears& kept) {
+    const double area_ha = stand.grid().area_ha();
+    add_stands(stand.trees(), species, area_ha, year, all, kept);
+    const std::map<std::uint32_t, Unit> units = units_of(stand);
+    if (units.size() > 1) {
+        for (const auto& [number, unit] : units) {
+            const double unit_ha = static_cast<double>(unit.patches) * forest::patch_area_m2 / 10'000.0;
+            add_stands(unit.trees, species, unit_ha, year, number, kept);
+        }
+    }
+
+    const forest::StandYear whole =
+        forest::year_of(stand, species, report ? report->volume_increment_m3 : 0.0);
+    YearRow row;
+    row.year = year;
+    row.calendar_year = stand.year();
+    row.saplings_pha = whole.saplings_pha;
+    row.snags_pha = whole.snags_pha;
+    row.snags_m3pha = whole.snags_m3pha;
+    row.logs_pha = whole.logs_pha;
+    row.logs_m3pha = whole.logs_m3pha;
+    row.dead_stems_tpha = whole.dead_stems_tpha;
+    if (report) {
+        row.volume_increment_m3pha = whole.volume_increment_m3pha;
+        row.production_tpha = report->production_kg / kg_per_t / area_ha;
+        row.ingrowth_stems_pha = whole.ingrowth_stems_pha;
+        row.precipitation_mm = report->water.precipitation_mm;
+        row.evapotranspiration_mm = report->water.evapotranspiration_mm;
+        row.runoff_mm = report->water.runoff_mm;
+        row.storage_gain_mm = report->water.storage_gain_mm;
+        row.mean_temperature_degc = mean_temperature_degc;
+        for (std::size_t cause = 0; cause < forest::cause_count; ++cause) {
+            if (whole.losses[cause].stems_pha > 0.0) {
+                kept.losses.push_back({year, static_cast<forest::Cause>(cause), whole.losses[cause]});
+            }
+        }
+    }
+    kept.years.push_back(row);
+}
+
+void record_trees(const forest::Stand& stand, std::int32_t year, MemberYears& kept) {
+    for (const forest::Tree& tree : stand.trees()) {
+        kept.trees.push_back({.year = year,
+                              .species = static_cast<std::uint32_t>(forest::index_of(tree.species)),
+                              .tree = forest::number_of(tree.id),
+                              .x_m = tree.x_m,
+                              .y_m = tree.y_m,
+                              .dbh_cm = static_cast<float>(tree.dbh_cm),
+                              .height_m = static_cast<float>(tree.height_m),
+                              .crown_base_m = static_cast<float>(tree.crown.base_m),
+                              .crown_radius_m = static_cast<float>(tree.crown.radius_m),
+                              .age_years = static_cast<float>(tree.age_years),
+                              .light_ratio = static_cast<float>(tree.light_ratio),
+                              .vitality = static_cast<float>(tree.vitality),
+                              .stems = tree.stems});
+    }
+}
+
+void record_patches(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
+                    MemberYears& kept) {
+    constexpr double patches_pha = 10'000.0 / forest::patch_area_m2;
+    const std::size_t first = kept.patches.size();
+    for (std::uint32_t p = 0; p < stand.grid().size(); ++p) {
+        kept.patches.push_back({.year = year,
+                                .patch = p,
+                                .ground_light = static_cast<float>(stand.patch_states()[p].ground_light)});
+    }
+    for (const forest::Tree& tree : stand.trees()) {
+        PatchRow& row = kept.patches[first + forest::index_of(tree.patch)];
+        const double stems_pha = tree.stems * patches_pha;
+        row.stems_pha += static_cast<float>(stems_pha);
+        row.basal_area_m2pha += static_cast<float>(stems_pha * forest::basal_area_m2(tree.dbh_cm));
+        row.volume_m3pha += static_cast<float>(
+            stems_pha * forest::stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m));
+        row.top_height_m = std::max(row.top_height_m, static_cast<float>(tree.height_m));
+        row.leaf_area_index +=
+            static_cast<float>(tree.stems * tree.crown.leaf_area_m2 / forest::patch_area_m2);
+    }
+}
+
+}  // namespace coupling::decades

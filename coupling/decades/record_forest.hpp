@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "coupling/decades/records.hpp"
+#include "forest/site.hpp"
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+#include "forest/year.hpp"
+
+namespace coupling::decades {
+
+/// Writes down what stands now and what the year brought: rows for the forest and its species and, where
+/// there are several, for each management unit. `report` is missing for the start.
+void record_year(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
+                 const std::optional<forest::YearReport>& report, double mean_temperature_degc,
+                 MemberYears& kept);
+
+/// Every tree as it stands now.
+void record_trees(const forest::Stand& stand, std::int32_t year, MemberYears& kept);
+
+/// Every patch as it is now.
+void record_patches(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
+                    MemberYears& kept);
+
+}  // namespace coupling::decades

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "forest/tables.hpp"
+#include "forest/tree.hpp"
+
+namespace coupling::decades {
+
+// What a member of a run keeps of its years: plain rows, so that they go into part files as they are.
+
+/// A run of one regime and one replicate.
+struct Member {
+    std::uint32_t regime = 0;     ///< place in the scenario's list
+    std::uint32_t replicate = 0;  ///< counted from 0
+    friend bool operator==(const Member&, const Member&) = default;
+};
+
+/// For rows that speak of all species, or of the whole forest.
+inline constexpr std::uint32_t all = std::numeric_limits<std::uint32_t>::max();
+
+/// What stands at the end of a year: in one management unit or in the whole forest, of one species or of all.
+struct StandRow {
+    std::int32_t year = 0;  ///< simulated years since the start; 0 is the start
+    std::uint32_t unit = all;
+    std::uint32_t species = all;
+    forest::StandFigures figures;
+};
+
+/// What happened in a year, in the whole forest and per hectare.
+struct YearRow {
+    std::int32_t year = 0;
+    std::int32_t calendar_year = 0;
+    double volume_increment_m3pha = 0.0;
+    double production_tpha = 0.0;  ///< net primary production, dry mass
+    double ingrowth_stems_pha = 0.0;
+    double saplings_pha = 0.0;
+    double snags_pha = 0.0;
+    double snags_m3pha = 0.0;
+    double logs_pha = 0.0;
+    double logs_m3pha = 0.0;
+    double dead_stems_tpha = 0.0;
+    double precipitation_mm = 0.0;
+    double evapotranspiration_mm = 0.0;
+    double runoff_mm = 0.0;
+    double storage_gain_mm = 0.0;
+    double mean_temperature_degc = 0.0;  ///< over the patches
+};
+
+/// Trees that left the stand in a year for one cause, per hectare of the whole forest.
+struct LossRow {
+    std::int32_t year = 0;
+    forest::Cause cause = forest::Cause::background;
+    forest::Loss loss;
+};
+
+/// A tree of a chosen year. Groups of young trees are one row.
+struct TreeRow {
+    std::int32_t year = 0;
+    std::uint32_t species = 0;
+    std::uint64_t tree = 0;
+    double x_m = 0.0;
+    double y_m = 0.0;
+    float dbh_cm = 0.0F;
+    float height_m = 0.0F;
+    float crown_base_m = 0.0F;
+    float crown_radius_m = 0.0F;
+    float age_years = 0.0F;
+    float light_ratio = 0.0F;
+    float vitality = 0.0F;
+    std::uint32_t stems = 1;
+};
+
+/// A patch in a chosen year.
+struct PatchRow {
+    std::int32_t year = 0;
+    std::uint32_t patch = 0;
+    float stems_pha = 0.0F;
+    float basal_area_m2pha = 0.0F;
+    float volume_m3pha = 0.0F;
+    float top_height_m = 0.0F;  ///< of the tallest tree
+    float leaf_area_index = 0.0F;
+    float ground_light = 0.0F;
+};
+
+/// All that one member leaves.
+struct MemberYears {
+    Member member;
+    std::vector<YearRow> years;  ///< the first is the start
+    std::vector<StandRow> stands;
+    std::vector<LossRow> losses;
+    std::vector<TreeRow> trees;
+    std::vector<PatchRow> patches;
+};
+
+}  // namespace coupling::decades
