@@ -15,6 +15,9 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.losses);
     visit(years.trees);
     visit(years.patches);
+    visit(years.removed);
+    visit(years.slopes);
+    visit(years.targets);
 }
 
 }  // namespace
@@ -26,6 +29,12 @@ void write_part(const std::filesystem::path& file, const std::string& hash, cons
     out.text(hash);
     out.value(years.member);
     each_list(years, [&](const auto& list) { out.list(list); });
+    out.value(static_cast<std::uint64_t>(years.maps.size()));
+    for (const CellMap& map : years.maps) {
+        out.value(map.year);
+        out.value(map.cover);
+        out.list(map.cells);
+    }
     out.close();
     std::error_code error;
     std::filesystem::rename(temporary, file, error);
@@ -51,6 +60,12 @@ std::optional<MemberYears> read_part(const std::filesystem::path& file, const st
     MemberYears years;
     years.member = in.value<Member>();
     each_list(years, [&]<class Row>(std::vector<Row>& list) { list = in.list<Row>(); });
+    years.maps.resize(in.count_of(sizeof(std::int32_t)));
+    for (CellMap& map : years.maps) {
+        map.year = in.value<std::int32_t>();
+        map.cover = in.value<Cover>();
+        map.cells = in.list<rockfall::CellSums>();
+    }
     in.check_end();
     return years;
 }

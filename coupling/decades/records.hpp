@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "coupling/results/figures.hpp"
 #include "forest/tables.hpp"
 #include "forest/tree.hpp"
 
@@ -71,6 +72,44 @@ struct TreeRow {
     float light_ratio = 0.0F;
     float vitality = 0.0F;
     std::uint32_t stems = 1;
+    std::uint32_t rock_hits = 0;  ///< in that year
+    float rock_energy_kj = 0.0F;  ///< taken from rocks in that year
+};
+
+/// A tree of at least 7 cm that left the stand.
+struct RemovedRow {
+    std::int32_t year = 0;
+    std::uint32_t species = 0;
+    std::uint64_t tree = 0;
+    double x_m = 0.0;
+    double y_m = 0.0;
+    float dbh_cm = 0.0F;
+    float height_m = 0.0F;
+    forest::Cause cause = forest::Cause::background;
+};
+
+/// The rocks of a year on one slope.
+struct SlopeRow {
+    std::int32_t year = 0;
+    Cover cover = Cover::forest;
+    SlopeFigures figures;
+};
+
+/// The rocks of a year at one target, over the same rocks with forest and without.
+struct TargetRow {
+    std::int32_t year = 0;
+    std::uint32_t target = 0;
+    PairedCounts paired;
+    ArrivalFigures forest;
+    ArrivalFigures bare;
+};
+
+/// What the rocks of a year, or of all years (`all_years`), left in the cells of the map on one slope.
+struct CellMap {
+    static constexpr std::int32_t all_years = -1;
+    std::int32_t year = 0;
+    Cover cover = Cover::forest;
+    std::vector<rockfall::CellSums> cells;
 };
 
 /// A patch in a chosen year.
@@ -93,6 +132,10 @@ struct MemberYears {
     std::vector<LossRow> losses;
     std::vector<TreeRow> trees;
     std::vector<PatchRow> patches;
+    std::vector<RemovedRow> removed;
+    std::vector<SlopeRow> slopes;  ///< of years with rockfall
+    std::vector<TargetRow> targets;
+    std::vector<CellMap> maps;
 };
 
 }  // namespace coupling::decades

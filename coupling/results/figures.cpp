@@ -41,21 +41,6 @@ Distribution distribution(const rockfall::LogBins& bins, std::span<const std::ui
 constexpr double j_per_kj = 1000.0;
 constexpr double per_milli = 1000.0;
 
-ArrivalFigures arrival_figures(const rockfall::ArrivalTally& tally, std::uint64_t rocks) {
-    ArrivalFigures figures;
-    figures.share = share_of(tally.reached, rocks);
-    figures.energy_kj =
-        distribution(rockfall::fine_energy_bins, tally.energy,
-                     mean_of(tally.energy_sum_j, tally.reached, j_per_kj), tally.energy_max_j, j_per_kj);
-    figures.speed_mps =
-        distribution(rockfall::fine_speed_bins, tally.speed,
-                     mean_of(tally.speed_sum_mmps, tally.reached, per_milli), tally.speed_max_mps, 1.0);
-    figures.height_m =
-        distribution(rockfall::fine_height_bins, tally.height,
-                     mean_of(tally.height_sum_mm, tally.reached, per_milli), tally.height_max_m, 1.0);
-    return figures;
-}
-
 TargetFigures target_figures(const RunResults& results, std::size_t number) {
     const rockfall::Target& target = results.site.targets[number];
     const rockfall::TargetTally& tally = results.tally.targets[number];
@@ -65,7 +50,7 @@ TargetFigures target_figures(const RunResults& results, std::size_t number) {
     figures.is_area = target.is_area;
     for (const Cover cover : covers_of(results)) {
         figures.by_cover[index_of(cover)] =
-            arrival_figures(tally.by_cover[index_of(cover)], results.tally.runs[index_of(cover)].rocks);
+            coupling::figures_of(tally.by_cover[index_of(cover)], results.tally.runs[index_of(cover)].rocks);
     }
     if (results.with_forest) {
         const std::uint64_t forest = figures.at(Cover::forest).share.part;
@@ -108,34 +93,6 @@ Distribution run_out(const rockfall::RunTally& tally) {
     return found;
 }
 
-SlopeFigures slope_figures(const rockfall::RunTally& tally) {
-    SlopeFigures figures;
-    const std::uint64_t rocks = tally.rocks;
-    figures.rocks = rocks;
-    for (std::size_t reason = 0; reason < rockfall::stop_reasons; ++reason) {
-        figures.by_reason[reason] = share_of(tally.by_reason[reason], rocks);
-    }
-    figures.run_out_m = run_out(tally);
-    figures.max_speed_mps =
-        distribution(rockfall::fine_speed_bins, tally.max_speed,
-                     mean_of(tally.max_speed_sum_mmps, rocks, per_milli), tally.max_speed_mps, 1.0);
-    figures.max_energy_kj =
-        distribution(rockfall::fine_energy_bins, tally.max_energy,
-                     mean_of(tally.max_energy_sum_j, rocks, j_per_kj), tally.max_energy_j, j_per_kj);
-    figures.max_height_m =
-        distribution(rockfall::fine_height_bins, tally.max_height,
-                     mean_of(tally.max_height_sum_mm, rocks, per_milli), tally.max_height_m, 1.0);
-    figures.mean_speed_mps = mean_of(tally.mean_speed_sum_mmps, rocks, per_milli);
-    figures.jump_height_mean_m = mean_of(tally.jump_height_sum_mm, tally.jumps, per_milli);
-    figures.jumps_per_rock = mean_of(tally.jumps, rocks, 1.0);
-    figures.ground_impacts_per_rock = mean_of(tally.ground_impacts, rocks, 1.0);
-    figures.tree_hits_per_rock = mean_of(tally.hits, rocks, 1.0);
-    figures.trees_broken_per_rock = mean_of(tally.trees_broken, rocks, 1.0);
-    figures.tree_energy_per_rock_kj = mean_of(tally.tree_energy_sum_j, rocks, j_per_kj);
-    figures.hit_a_tree = share_of(rocks - std::min(rocks, tally.tree_hits[0]), rocks);
-    return figures;
-}
-
 }  // namespace
 
 const char* name_of(Cover cover) {
@@ -163,13 +120,56 @@ const char* name_of(rockfall::StopReason reason) {
     return "gave_up";
 }
 
+ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t rocks) {
+    ArrivalFigures figures;
+    figures.share = share_of(tally.reached, rocks);
+    figures.energy_kj =
+        distribution(rockfall::fine_energy_bins, tally.energy,
+                     mean_of(tally.energy_sum_j, tally.reached, j_per_kj), tally.energy_max_j, j_per_kj);
+    figures.speed_mps =
+        distribution(rockfall::fine_speed_bins, tally.speed,
+                     mean_of(tally.speed_sum_mmps, tally.reached, per_milli), tally.speed_max_mps, 1.0);
+    figures.height_m =
+        distribution(rockfall::fine_height_bins, tally.height,
+                     mean_of(tally.height_sum_mm, tally.reached, per_milli), tally.height_max_m, 1.0);
+    return figures;
+}
+
+SlopeFigures figures_of(const rockfall::RunTally& tally) {
+    SlopeFigures figures;
+    const std::uint64_t rocks = tally.rocks;
+    figures.rocks = rocks;
+    for (std::size_t reason = 0; reason < rockfall::stop_reasons; ++reason) {
+        figures.by_reason[reason] = share_of(tally.by_reason[reason], rocks);
+    }
+    figures.run_out_m = run_out(tally);
+    figures.max_speed_mps =
+        distribution(rockfall::fine_speed_bins, tally.max_speed,
+                     mean_of(tally.max_speed_sum_mmps, rocks, per_milli), tally.max_speed_mps, 1.0);
+    figures.max_energy_kj =
+        distribution(rockfall::fine_energy_bins, tally.max_energy,
+                     mean_of(tally.max_energy_sum_j, rocks, j_per_kj), tally.max_energy_j, j_per_kj);
+    figures.max_height_m =
+        distribution(rockfall::fine_height_bins, tally.max_height,
+                     mean_of(tally.max_height_sum_mm, rocks, per_milli), tally.max_height_m, 1.0);
+    figures.mean_speed_mps = mean_of(tally.mean_speed_sum_mmps, rocks, per_milli);
+    figures.jump_height_mean_m = mean_of(tally.jump_height_sum_mm, tally.jumps, per_milli);
+    figures.jumps_per_rock = mean_of(tally.jumps, rocks, 1.0);
+    figures.ground_impacts_per_rock = mean_of(tally.ground_impacts, rocks, 1.0);
+    figures.tree_hits_per_rock = mean_of(tally.hits, rocks, 1.0);
+    figures.trees_broken_per_rock = mean_of(tally.trees_broken, rocks, 1.0);
+    figures.tree_energy_per_rock_kj = mean_of(tally.tree_energy_sum_j, rocks, j_per_kj);
+    figures.hit_a_tree = share_of(rocks - std::min(rocks, tally.tree_hits[0]), rocks);
+    return figures;
+}
+
 Figures figures_of(const RunResults& results) {
     Figures figures;
     for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
         figures.targets.push_back(target_figures(results, target));
     }
     for (const Cover cover : covers_of(results)) {
-        figures.slopes[index_of(cover)] = slope_figures(results.tally.runs[index_of(cover)]);
+        figures.slopes[index_of(cover)] = figures_of(results.tally.runs[index_of(cover)]);
     }
     return figures;
 }

@@ -82,5 +82,8 @@ struct Figures {
 };
 
 Figures figures_of(const RunResults& results);
+/// The same of single tallies. `rocks`: how many fell.
+ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t rocks);
+SlopeFigures figures_of(const rockfall::RunTally& tally);
 
 }  // namespace coupling

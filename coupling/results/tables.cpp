@@ -6,28 +6,11 @@
 #include <string>
 
 #include "coupling/results/csv_row.hpp"
+#include "coupling/results/figure_columns.hpp"
 #include "coupling/results/rows.hpp"
 
 namespace coupling {
 namespace {
-
-constexpr double percent = 100.0;
-
-/// "energy_mean_kj,energy_50_kj,...": the columns of a distribution.
-std::string distribution_columns(const std::string& quantity, const std::string& unit) {
-    std::string columns;
-    for (const char* figure : {"mean", "50", "90", "95", "95_low", "95_high", "98", "99", "max"}) {
-        columns += "," + quantity + "_" + figure + "_" + unit;
-    }
-    return columns;
-}
-
-void add_distribution(CsvRow& row, const Distribution& d) {
-    const bool known = !std::isnan(d.mean);
-    row.number<3>(d.mean).number<3>(d.p50).number<3>(d.p90).number<3>(d.p95);
-    row.number<3>(known ? d.p95_interval.low : d.mean).number<3>(d.p95_interval.high);
-    row.number<3>(d.p98).number<3>(d.p99).number<3>(d.max);
-}
 
 /// The rows of one quantity at one target: bins that are not empty.
 void add_bins(std::ostream& out, const std::string& target, Cover cover, const char* quantity,
@@ -58,46 +41,25 @@ void write_all_paths(OutFile& points, OutFile& lines, const RunResults& results)
 }  // namespace
 
 void write_targets(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers) {
-    out << "target_id,name,kind,cover,rocks,reached,share_percent,share_low_percent,share_high_percent"
-        << distribution_columns("energy", "kj") << distribution_columns("speed", "mps")
-        << distribution_columns("height", "m") << '\n';
+    out << "target_id,name,kind,cover" << arrival_columns() << '\n';
     CsvRow row{out};
     for (const TargetFigures& target : figures.targets) {
         for (const Cover cover : covers) {
-            const ArrivalFigures& arrivals = target.at(cover);
             row.text(target.id).text(target.name).text(target.is_area ? "area" : "line").text(name_of(cover));
-            row.whole(arrivals.share.whole)
-                .whole(arrivals.share.part)
-                .number<4>(percent * arrivals.share.value);
-            row.number<4>(percent * arrivals.share.interval.low)
-                .number<4>(percent * arrivals.share.interval.high);
-            add_distribution(row, arrivals.energy_kj);
-            add_distribution(row, arrivals.speed_mps);
-            add_distribution(row, arrivals.height_m);
+            add_arrivals(row, target.at(cover));
             row.end();
         }
     }
 }
 
 void write_protection(std::ostream& out, const Figures& figures) {
-    out << "target_id,name,rocks,reached_bare,reached_forest,reached_both,protection_percent,protection_low_"
-           "percent,"
-           "protection_high_percent,bari_percent,miri_percent,orpi_percent,rocks_for_half_interval\n";
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    out << "target_id,name" << protection_columns() << ",rocks_for_half_interval\n";
     CsvRow row{out};
     for (const TargetFigures& target : figures.targets) {
         const std::uint64_t rocks = target.at(Cover::bare).share.whole;
-        const ProtectionEffect effect =
-            target.protection.value_or(ProtectionEffect{unknown, {unknown, unknown}, true});
-        const RiskReduction reduction = target.reduction.value_or(RiskReduction{unknown, unknown, unknown});
-        row.text(target.id).text(target.name).whole(rocks);
-        row.whole(target.paired.bare()).whole(target.paired.forest()).whole(target.paired.both);
-        row.number<3>(percent * effect.value);
-        row.number<3>(percent * effect.interval.low).number<3>(percent * effect.interval.high);
-        row.number<3>(reduction.bari_percent)
-            .number<3>(reduction.miri_percent)
-            .number<3>(reduction.orpi_percent);
-        effect.one_sided ? row.empty() : row.whole(rocks_for_half(rocks));
+        row.text(target.id).text(target.name);
+        add_protection(row, rocks, target.paired, target.protection, target.reduction);
+        !target.protection || target.protection->one_sided ? row.empty() : row.whole(rocks_for_half(rocks));
         row.end();
     }
 }
@@ -116,32 +78,11 @@ void write_target_distributions(std::ostream& out, const RunResults& results) {
 }
 
 void write_runs(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers) {
-    out << "cover,rocks,at_rest,caught,stopped_by_tree,left_terrain,gave_up,run_out_mean_m,run_out_50_m,run_"
-           "out_90_m,"
-           "run_out_95_m,run_out_98_m,run_out_99_m,run_out_max_m"
-        << distribution_columns("max_speed", "mps") << distribution_columns("max_energy", "kj")
-        << distribution_columns("max_height", "m")
-        << ",mean_speed_mps,jump_height_mean_m,jumps_per_rock,ground_impacts_per_rock,tree_hits_per_rock,"
-           "trees_broken_per_rock,tree_energy_per_rock_kj,hit_a_tree_percent\n";
+    out << "cover" << slope_columns() << '\n';
     CsvRow row{out};
     for (const Cover cover : covers) {
-        const SlopeFigures& slope = figures.at(cover);
-        row.text(name_of(cover)).whole(slope.rocks);
-        for (const Share& share : slope.by_reason) {
-            row.whole(share.part);
-        }
-        const Distribution& run_out = slope.run_out_m;
-        row.number<2>(run_out.mean).number<2>(run_out.p50).number<2>(run_out.p90).number<2>(run_out.p95);
-        row.number<2>(run_out.p98).number<2>(run_out.p99).number<2>(run_out.max);
-        add_distribution(row, slope.max_speed_mps);
-        add_distribution(row, slope.max_energy_kj);
-        add_distribution(row, slope.max_height_m);
-        row.number<3>(slope.mean_speed_mps)
-            .number<3>(slope.jump_height_mean_m)
-            .number<3>(slope.jumps_per_rock);
-        row.number<3>(slope.ground_impacts_per_rock).number<4>(slope.tree_hits_per_rock);
-        row.number<4>(slope.trees_broken_per_rock).number<3>(slope.tree_energy_per_rock_kj);
-        row.number<4>(percent * slope.hit_a_tree.value);
+        row.text(name_of(cover));
+        add_slope(row, figures.at(cover));
         row.end();
     }
 }

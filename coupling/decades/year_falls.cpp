@@ -1,0 +1,118 @@
+#include "coupling/decades/year_falls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "coupling/run/fall_rocks.hpp"
+
+namespace coupling::decades {
+namespace {
+
+/// Stems that rocks meet, and whose they are.
+struct Obstacles {
+    std::vector<rockfall::Stem> stems;
+    std::vector<const forest::Tree*> trees;  ///< nullptr: an obstacle that does not grow
+};
+
+}  // namespace
+
+RockSeason::RockSeason(const Scenario& scenario, const Site& site, std::vector<double> fracture_energy,
+                       std::vector<rockfall::Stem> standing)
+    : scenario_{scenario},
+      site_{site},
+      frame_{site.map_frame_on_terrain()},
+      start_{start_law(scenario)},
+      chunks_{rockfall::plan_chunks(site.sources)},
+      fracture_energy_{std::move(fracture_energy)},
+      standing_{std::move(standing)},
+      rocks_{site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks} {}
+
+FallsOfYear RockSeason::fall(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,
+                             int threads) const {
+    Obstacles obstacles;
+    for (const forest::Tree& tree : stand.trees()) {
+        if (tree.dbh_cm >= least_obstacle_cm) {
+            obstacles.stems.push_back(
+                {.x_m = tree.x_m,
+                 .y_m = tree.y_m,
+                 .dbh_cm = tree.dbh_cm,
+                 .height_m = tree.height_m,
+                 .fracture_energy = fracture_energy_[forest::index_of(tree.species)] *
+                                    forest::stem_strength(tree, rockfall::breast_height_m)});
+            obstacles.trees.push_back(&tree);
+        }
+    }
+    obstacles.stems.insert(obstacles.stems.end(), standing_.begin(), standing_.end());
+    obstacles.trees.resize(obstacles.stems.size(), nullptr);
+    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, 0.5 * start_.diameter.largest_m(),
+                                    scenario_.rockfall.fall.tree.taper};
+    rockfall::Assessment assessment{site_.slope,   stems,         site_.sources,
+                                    site_.targets, start_,        scenario_.rockfall.fall,
+                                    frame_,        scenario_.seed};
+    assessment.replicate = replicate;
+    assessment.year = static_cast<std::uint16_t>(year);
+
+    FallsOfYear falls{
+        .tally = {frame_, site_.targets.size(), stems.placed().size()}, .takes = {}, .hits = {}};
+    falls.with_forest = !stems.empty();
+    const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
+        falls.not_started += rows.not_started;
+        const auto& rocks = rows.rocks[static_cast<std::size_t>(Cover::forest)];
+        auto rock = rocks.begin();
+        for (const auto& [number, hit] : rows.tree_hits) {
+            while (rock->rock != number) {
+                ++rock;
+            }
+            const forest::Tree* tree = obstacles.trees[hit.stem];
+            if (tree == nullptr) {
+                continue;
+            }
+            const rockfall::PlacedStem& stem = stems.placed()[hit.stem];
+            falls.hits.push_back({number,
+                                  {.tree = tree->id,
+                                   .height_m = std::max(0.0, static_cast<double>(hit.height_m)),
+                                   .energy_share = hit.energy_j / stem.largest_energy_j,
+                                   .frontal = hit.type == rockfall::HitType::frontal,
+                                   .rock_diameter_m = rock->diameter_m,
+                                   .direction_rad = std::atan2(stem.y_m - hit.position_m.y(),
+                                                               stem.x_m - hit.position_m.x())}});
+        }
+    };
+    std::vector<std::uint8_t> none_falls;
+    if (fall_rocks(assessment, chunks_, {}, none_falls, threads, falls.tally, keep_hits) ==
+        Ended::interrupted) {
+        throw Interrupted{};
+    }
+    for (std::size_t i = 0; i < obstacles.trees.size(); ++i) {
+        if (obstacles.trees[i] != nullptr && falls.tally.stems[i].hits > 0) {
+            falls.takes.push_back({obstacles.trees[i]->id, falls.tally.stems[i]});
+        }
+    }
+    return falls;
+}
+
+void record_falls(const FallsOfYear& falls, std::int32_t year, MemberYears& kept) {
+    const auto bare = static_cast<std::size_t>(Cover::bare);
+    // Without a single stem the slope with forest is the bare slope.
+    const std::size_t forest = falls.with_forest ? static_cast<std::size_t>(Cover::forest) : bare;
+    for (const auto& [cover, counted] : {std::pair{Cover::forest, forest}, std::pair{Cover::bare, bare}}) {
+        kept.slopes.push_back({year, cover, figures_of(falls.tally.runs[counted])});
+    }
+    const std::uint64_t rocks = falls.tally.runs[bare].rocks;
+    for (std::uint32_t t = 0; t < falls.tally.targets.size(); ++t) {
+        const rockfall::TargetTally& target = falls.tally.targets[t];
+        TargetRow row;
+        row.year = year;
+        row.target = t;
+        const std::uint64_t with = target.by_cover[forest].reached;
+        const std::uint64_t without = target.by_cover[bare].reached;
+        const std::uint64_t both = falls.with_forest ? target.reached_both : without;
+        row.paired = {both, with - both, without - both};
+        row.forest = figures_of(target.by_cover[forest], rocks);
+        row.bare = figures_of(target.by_cover[bare], rocks);
+        kept.targets.push_back(row);
+    }
+}
+
+}  // namespace coupling::decades
