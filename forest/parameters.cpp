@@ -76,6 +76,42 @@ void declare_uprooting(config::Options& options, UprootingLaw& law) {
                     .source = "choice"});
 }
 
+void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
+    options.flag("disturbance.wind", law.wind,
+                 {.meaning = "storms throw trees", .source = "Barrere et al. 2023; off: choice"});
+    options.flag("disturbance.snow", law.snow,
+                 {.meaning = "wet snow breaks slender conifers at 500 to 1300 m", .source = "choice"});
+    options.flag("disturbance.beetle", law.beetle,
+                 {.meaning = "bark beetles kill spruces of 15 cm and more",
+                  .source = "iLand bark beetle module, PHENIPS; off: choice"});
+    options.number("disturbance.storm_interval", law.storm_interval_years,
+                   {.unit = "years",
+                    .low = 1.0,
+                    .high = 10'000.0,
+                    .meaning = "mean time from one storm year to the next",
+                    .source = "Barrere et al. 2023"});
+    options.number("disturbance.wet_snow", law.wet_snow_chance,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "chance of a year to bring heavy wet snow",
+                    .source = "choice"});
+    options.number(
+        "disturbance.beetle_in_windthrow", law.beetle_in_windthrow,
+        {.unit = "-",
+         .low = 0.0,
+         .high = 1.0,
+         .meaning = "chance that beetles breed in windthrown spruces of a patch which still lie there a "
+                    "year later",
+         .source = "choice; iLand takes 0.8"});
+    options.number("disturbance.beetle_background", law.beetle_background,
+                   {.unit = "1/ha/year",
+                    .low = 0.0,
+                    .high = 0.99,
+                    .meaning = "chance that an outbreak begins of itself on a hectare with spruces",
+                    .source = "iLand"});
+}
+
 }  // namespace
 
 void declare(config::Options& options, Parameters& parameters) {
@@ -85,6 +121,7 @@ void declare(config::Options& options, Parameters& parameters) {
                   .source = "French national inventory, after matreex"});
     declare_regeneration(options, parameters.regeneration);
     declare_uprooting(options, parameters.uprooting);
+    declare_disturbance(options, parameters.disturbance);
     options.flag("forest.regeneration", parameters.processes.regeneration,
                  {.meaning = "seeds fall, young trees grow up", .source = "choice"});
     options.flag("forest.co2_response", parameters.processes.co2_response,

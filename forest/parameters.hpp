@@ -1,6 +1,7 @@
 #pragma once
 
 #include "config/options/options.hpp"
+#include "forest/disturbance/disturbance.hpp"
 #include "forest/mortality.hpp"
 #include "forest/regeneration/regeneration.hpp"
 #include "forest/wounds.hpp"
@@ -19,10 +20,11 @@ struct Parameters {
     MortalityLaw mortality;
     RegenerationLaw regeneration;
     UprootingLaw uprooting;  ///< by rocks
+    DisturbanceLaw disturbance;
     Processes processes;
 };
 
-/// Declares the settings [forest].
+/// Declares the settings [forest] and [disturbance].
 void declare(config::Options& options, Parameters& parameters);
 
 }  // namespace forest

@@ -51,9 +51,10 @@ struct PatchState {
     double ground_light = 1.0;    ///< [0, 1], May to September light at the ground relative to the open
     double june_sun_hours = 0.0;  ///< hours a day of direct sun reaching the ground in June
     double drought_index = 0.0;  ///< [0, 1], share of the year's water demand that was not met; 0 = never dry
-    double water_modifier = 1.0;   ///< [0, 1], mean soil-water modifier of the last growing season
-    std::uint16_t open_years = 0;  ///< years in a row with ground light above 0.3
-    float herb_cover = 0.0F;       ///< [0, 1]
+    double water_modifier = 1.0;     ///< [0, 1], mean soil-water modifier of the last growing season
+    std::uint16_t open_years = 0;    ///< years in a row with ground light above 0.3
+    float herb_cover = 0.0F;         ///< [0, 1]
+    std::uint16_t beetle_years = 0;  ///< age of the outbreak whose bark beetles winter here, 0 = none do
 };
 
 /// The patches of a forest on a raster of 10 m cells. Cells without forest have no patch.

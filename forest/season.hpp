@@ -18,6 +18,9 @@ struct SiteWeather {
     std::span<const ClimateYear> units;  ///< one for each site unit, at its elevation
     double co2_ppm = 350.0;
     bool co2_response = false;  ///< whether trees respond to it; otherwise as at 350 ppm
+    /// Rain of June to August in a usual year of each site unit; empty = every summer counts as usual. Bark
+    /// beetles start fewer outbreaks in wet ones.
+    std::span<const double> usual_summer_mm{};
 };
 
 /// Where a year's water went, mean over the patches [mm]. Precipitation = evapotranspiration + runoff + what

@@ -9,7 +9,6 @@
 
 #include "config/random/stream.hpp"
 #include "forest/deadwood/deadwood.hpp"
-#include "forest/deadwood/decay.hpp"
 
 namespace forest {
 
@@ -130,24 +129,15 @@ private:
         if (tree.dbh_cm < least_dead_wood_cm) {
             return;
         }
-        Snag stem{.tree = tree.id,
-                  .x_m = tree.x_m,
-                  .y_m = tree.y_m,
-                  .species = tree.species,
-                  .dbh_cm = tree.dbh_cm,
-                  .tree_height_m = tree.height_m,
-                  .height_m = tree.height_m,
-                  .year = stand_.year()};
-        const double break_m = uprooted ? 0.0 : std::clamp(hit.height_m, lowest_break_m, highest_break_m);
-        if (break_m < tree.height_m) {
-            Log log = log_of_piece(stem, break_m, tree.height_m, hit.direction_rad);
-            log.clearance_m = fresh_clearance_m;
-            log.origin = LogOrigin::broken_by_rock;
-            logs.push_back(log);
-        }
-        if (!uprooted) {
-            stem.height_m = std::min(break_m, tree.height_m);
-            snags.push_back(stem);
+        // Trees of this thickness are taller than that; one that is not breaks below its tip.
+        const double break_m = uprooted ? 0.0
+                                        : std::min(std::clamp(hit.height_m, lowest_break_m, highest_break_m),
+                                                   0.9 * tree.height_m);
+        const Wreck wreck =
+            wreck_of(tree, break_m, hit.direction_rad, LogOrigin::broken_by_rock, stand_.year());
+        logs.push_back(wreck.log);
+        if (wreck.stump) {
+            snags.push_back(*wreck.stump);
         }
     }
 

@@ -5,6 +5,7 @@
 
 #include "forest/allometry.hpp"
 #include "forest/deadwood/deadwood.hpp"
+#include "forest/disturbance/disturbance.hpp"
 #include "forest/growth.hpp"
 #include "forest/mortality.hpp"
 #include "forest/production/allocation.hpp"
@@ -109,6 +110,7 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
     grow(stand, species, seasons_of(stand, site, species, light.trees, season), report);
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
     let_die(stand, site, species, parameters, key);
+    disturb(stand, site, species, weather, parameters.disturbance, key.seed, key.replicate);
     heal(stand, species);
     if (parameters.processes.regeneration) {
         regenerate(stand, site, species, weather.units, parameters.regeneration, key.seed, key.replicate);

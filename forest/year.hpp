@@ -25,8 +25,8 @@ struct YearReport {
         1.0;  ///< intercepted light / light on the leaves, July; far from 1 = the light model fails
 };
 
-/// One year of a forest: it becomes light, trees produce and grow, some die, young ones come up, dead wood
-/// decays and falls.
+/// One year of a forest: it becomes light, trees produce and grow, some die, snow, storm and beetles strike
+/// if they are switched on, young trees come up, dead wood decays and falls.
 ///
 /// Nothing but the arguments decides, and not the order of trees: the same stand, weather and key give the
 /// same bytes. Requires a stand on the grid that the site was made for, and weather for each of the site's

@@ -32,6 +32,9 @@ enum class Purpose : std::uint8_t {
     dead_wood = 50,      ///< breakage and fall of one snag, rolling of one log
     wounding = 51,       ///< what a hit does to a tree, and whether it dies of old wounds
     treatment = 52,      ///< choices within one intervention on one tree
+    wind = 53,           ///< a year's storm, and what it does to a tree
+    snow = 54,           ///< whether snow falls wet in a year, and what it does to a tree
+    beetle = 55,         ///< waking and flights of the bark beetles of one patch
     test = 255,
 };
 

@@ -21,7 +21,8 @@ constexpr double rolling_slope_deg = 35.0;
 constexpr double rolling_chance = 0.01;
 
 bool stands_after(Cause cause) {
-    return cause != Cause::felled && cause != Cause::wind && cause != Cause::rock && cause != Cause::browsing;
+    return cause != Cause::felled && cause != Cause::wind && cause != Cause::snow && cause != Cause::rock &&
+           cause != Cause::browsing;
 }
 
 /// Place and climate of one piece of dead wood.
@@ -85,6 +86,10 @@ std::vector<Snag> age_snags(const Stand& stand, const SpeciesTable& species, con
     std::vector<Snag> left;
     left.reserve(stand.dead_wood().snags.size());
     for (Snag snag : stand.dead_wood().snags) {
+        if (snag.year == stand.year()) {
+            left.push_back(snag);
+            continue;
+        }
         const Deadwood& law = species[snag.species].deadwood;
         const Bed bed = beds.at(snag.x_m, snag.y_m);
         const double rate_pyear = snag.cut ? law.log_decay_pyear : law.snag_decay_pyear;
@@ -114,6 +119,10 @@ std::vector<Log> age_logs(const Stand& stand, const SpeciesTable& species, const
     std::vector<Log> left;
     left.reserve(stand.dead_wood().logs.size());
     for (Log log : stand.dead_wood().logs) {
+        if (log.year == stand.year()) {
+            left.push_back(log);
+            continue;
+        }
         const Bed bed = beds.at(log.x_m, log.y_m);
         log.density_share *= yearly_density_left(species[log.species].deadwood.log_decay_pyear, bed.speed);
         const double age_years = stand.year() - log.year;
@@ -135,6 +144,17 @@ double cone_m3(double thick_cm, double thin_cm, double length_m) {
     return std::numbers::pi / 120'000.0 * square_cm2 * length_m;
 }
 
+Snag snag_of(const Tree& tree, int year) {
+    return {.tree = tree.id,
+            .x_m = tree.x_m,
+            .y_m = tree.y_m,
+            .species = tree.species,
+            .dbh_cm = tree.dbh_cm,
+            .tree_height_m = tree.height_m,
+            .height_m = tree.height_m,
+            .year = year};
+}
+
 }  // namespace
 
 std::vector<Snag> snags_of_deaths(const Stand& stand) {
@@ -144,14 +164,7 @@ std::vector<Snag> snags_of_deaths(const Stand& stand) {
         if (tree.dbh_cm < least_dead_wood_cm || !stands_after(dead.cause)) {
             continue;
         }
-        snags.push_back({.tree = tree.id,
-                         .x_m = tree.x_m,
-                         .y_m = tree.y_m,
-                         .species = tree.species,
-                         .dbh_cm = tree.dbh_cm,
-                         .tree_height_m = tree.height_m,
-                         .height_m = tree.height_m,
-                         .year = stand.year()});
+        snags.push_back(snag_of(tree, stand.year()));
     }
     return snags;
 }
@@ -183,6 +196,19 @@ double volume_m3(const Snag& snag) {
 
 double volume_m3(const Log& log) {
     return cone_m3(log.thick_end_cm, log.thin_end_cm, log.length_m);
+}
+
+Wreck wreck_of(const Tree& tree, double break_m, double direction_rad, LogOrigin origin, int year) {
+    assert(break_m >= 0.0 && break_m < tree.height_m);
+    Snag stem = snag_of(tree, year);
+    Wreck wreck{std::nullopt, log_of_piece(stem, break_m, tree.height_m, direction_rad)};
+    wreck.log.clearance_m = fresh_clearance_m;
+    wreck.log.origin = origin;
+    if (break_m > 0.0) {
+        stem.height_m = break_m;
+        wreck.stump = stem;
+    }
+    return wreck;
 }
 
 double mass_kg(const Snag& snag, const SpeciesTable& species) {

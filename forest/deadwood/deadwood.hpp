@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "forest/climate/series.hpp"
@@ -19,9 +20,9 @@ inline constexpr double soil_density = 0.1;
 /// Height of the stump that felling leaves, as a rule [m].
 inline constexpr double stump_height_m = 0.3;
 
-/// What stands of the year's natural deaths: trees of at least 7 cm that died of age, stress, crowding, snow,
-/// beetles or wounds become whole snags. Windthrown, felled and broken trees are the business of those who
-/// fell them.
+/// What stands of the year's natural deaths: trees of at least 7 cm that died of age, stress, crowding,
+/// beetles or wounds become whole snags. Thrown, felled and broken trees are the business of those who fell
+/// them.
 std::vector<Snag> snags_of_deaths(const Stand& stand);
 
 /// Diameter of a stem of that tree at a height: a cone from the DBH to the tip [cm].
@@ -29,6 +30,16 @@ double stem_diameter_cm(double dbh_cm, double tree_height_m, double height_m);
 
 /// The lying piece of a stem between two heights, thick end at the given place. Requires from < to.
 Log log_of_piece(const Snag& stem, double from_m, double to_m, double direction_rad);
+
+/// What is left of a stem that gives way.
+struct Wreck {
+    std::optional<Snag> stump;  ///< nothing if the tree went with its roots
+    Log log;
+};
+
+/// A tree that breaks at a height, or is uprooted at 0. What lies has its branches yet and rests on them.
+/// Requires a height below that of the tree.
+Wreck wreck_of(const Tree& tree, double break_m, double direction_rad, LogOrigin origin, int year);
 
 /// Dry mass of dead stems [kg], as cones of the species' basic density.
 double mass_kg(const Snag& snag, const SpeciesTable& species);
@@ -44,7 +55,7 @@ double volume_m3(const Log& log);
 /// may roll out of the slope.
 ///
 /// Falling stems lie down the slope with a scatter of 60 degrees either way [choice]. Chance is drawn by tree
-/// and year. `weather` has one year for each of the site's units.
+/// and year. What came down this year is left as it is. `weather` has one year for each of the site's units.
 void age_dead_wood(Stand& stand, const Site& site, const SpeciesTable& species,
                    std::span<const ClimateYear> weather, std::uint64_t seed, std::uint32_t replicate);
 

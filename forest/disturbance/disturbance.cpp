@@ -1,0 +1,27 @@
+#include "forest/disturbance/disturbance.hpp"
+
+#include "forest/disturbance/beetle.hpp"
+#include "forest/disturbance/snow_breakage.hpp"
+#include "forest/disturbance/wind.hpp"
+
+namespace forest {
+
+void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const SiteWeather& weather,
+             const DisturbanceLaw& law, std::uint64_t seed, std::uint32_t replicate) {
+    if (law.snow) {
+        break_by_snow(stand, species, law.wet_snow_chance, seed, replicate);
+    }
+    if (law.wind) {
+        if (const std::optional<Storm> storm =
+                storm_of_year(law.storm_interval_years, seed, replicate, stand.year())) {
+            throw_by_wind(stand, species, site.windows(), *storm, seed, replicate);
+        }
+    }
+    if (law.beetle) {
+        attack_by_beetles(stand, site, species, weather,
+                          {.in_windthrow = law.beetle_in_windthrow, .background_pha = law.beetle_background},
+                          seed, replicate);
+    }
+}
+
+}  // namespace forest

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "forest/season.hpp"
+#include "forest/site.hpp"
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+
+namespace forest {
+
+/// Which disturbances strike, and how often. All off: validation runs know none.
+struct DisturbanceLaw {
+    bool wind = false;
+    bool snow = false;
+    bool beetle = false;
+    double storm_interval_years = 25.0;  ///< >= 1, mean time from storm to storm [Barrere et al. 2023]
+    double wet_snow_chance = 0.05;       ///< [0, 1] a year [choice]
+    double beetle_in_windthrow = 0.05;   ///< [0, 1] a patch with fresh wood of hosts [choice; iLand 0.8]
+    double beetle_background =
+        0.000685;  ///< [0, 1) a hectare of hosts and year, outbreaks of themselves [iLand]
+};
+
+/// Snow breakage, storm and bark beetles of the running year, in this order, as far as they are switched on.
+///
+/// Each draws from numbers of its own, so that none changes another's chance. What outlives the year stands
+/// in the stand: fallen wood among the logs, wintering beetles among the patches' states. Requires the light,
+/// water and growth of the year.
+void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const SiteWeather& weather,
+             const DisturbanceLaw& law, std::uint64_t seed, std::uint32_t replicate);
+
+}  // namespace forest

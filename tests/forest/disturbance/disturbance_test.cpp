@@ -1,0 +1,166 @@
+#include "forest/disturbance/disturbance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "config/options/options.hpp"
+#include "tests/forest/small_forest.hpp"
+
+namespace forest {
+namespace {
+
+constexpr DisturbanceLaw everything{.wind = true,
+                                    .snow = true,
+                                    .beetle = true,
+                                    .storm_interval_years = 2.0,
+                                    .wet_snow_chance = 0.5,
+                                    .beetle_in_windthrow = 0.5,
+                                    .beetle_background = 0.5};
+
+Stand mountain_spruces(const SmallForest& forest, bool reversed = false) {
+    StandRecord record;
+    for (std::uint32_t i = 0; i < forest.grid.size(); ++i) {
+        record.patches.push_back(PatchId{i});
+    }
+    record.species = {{.species = *forest.species.find("piab"), .stems_pha = 500.0, .mean_dbh_cm = 32.0},
+                      {.species = *forest.species.find("fasy"), .stems_pha = 100.0, .mean_dbh_cm = 25.0}};
+    record.degree_days = 1300.0;
+    std::vector<Tree> trees = trees_from_record(record, forest.grid, forest.species, 1, 0, 0);
+    if (reversed) {
+        std::reverse(trees.begin(), trees.end());
+    }
+    return {forest.grid, forest.species.size(), trees, 2000};
+}
+
+std::set<TreeId> lost_to(const Stand& stand, Cause cause) {
+    std::set<TreeId> lost;
+    for (const DeadTree& dead : stand.deaths()) {
+        if (dead.cause == cause) {
+            lost.insert(dead.tree.id);
+        }
+    }
+    return lost;
+}
+
+TEST(Disturb, DoesNothingUnlessSwitchedOn) {
+    const SmallForest forest{square_of_forest(6)};
+    Stand stand = mountain_spruces(forest);
+    stand.begin_year();
+    for (std::uint32_t replicate = 0; replicate < 200; ++replicate) {
+        disturb(stand, forest.site, forest.species, {forest.weather, 350.0, false}, {}, 1, replicate);
+    }
+    EXPECT_TRUE(stand.deaths().empty());
+    EXPECT_TRUE(stand.dead_wood().logs.empty());
+    EXPECT_TRUE(std::all_of(stand.patch_states().begin(), stand.patch_states().end(),
+                            [](const PatchState& state) { return state.beetle_years == 0; }));
+}
+
+TEST(Disturb, LeavesTheChanceOfOneDisturbanceToItself) {
+    const SmallForest forest{square_of_forest(8)};
+    for (std::uint32_t replicate = 0; replicate < 5; ++replicate) {
+        Stand both = mountain_spruces(forest);
+        Stand snow = both;
+        both.begin_year();
+        snow.begin_year();
+        DisturbanceLaw law = everything;
+        law.storm_interval_years = 1.0;
+        law.wet_snow_chance = 1.0;
+        disturb(both, forest.site, forest.species, {forest.weather, 350.0, false}, law, 1, replicate);
+        law.wind = false;
+        law.beetle = false;
+        disturb(snow, forest.site, forest.species, {forest.weather, 350.0, false}, law, 1, replicate);
+        EXPECT_EQ(lost_to(both, Cause::snow), lost_to(snow, Cause::snow));
+        EXPECT_FALSE(lost_to(snow, Cause::snow).empty());
+        EXPECT_TRUE(lost_to(snow, Cause::wind).empty());
+    }
+}
+
+TEST(Disturb, KeepsTheBooksThroughYearsOfStormsAndBeetles) {
+    SmallForest forest{square_of_forest(10)};
+    forest.parameters.disturbance = everything;
+    Stand stand = mountain_spruces(forest);
+    for (int year = 0; year < 15; ++year) {
+        const Stand before = stand;
+        static_cast<void>(forest.live(stand));
+        const Book book = stand.total_book();
+        EXPECT_EQ(stand.stems_at_start() + book.all_stems_in(),
+                  book.all_stems_out() + stand.stems_standing());
+        const double in_kg = stand.mass_at_start_kg() + book.mass_in_kg + book.grown_kg - book.shed_kg;
+        EXPECT_NEAR(in_kg, book.all_lost_kg() + stand.mass_standing_kg(), 1e-9 * in_kg);
+        for (const Tree& tree : stand.trees()) {
+            const auto old = before.find(tree.id);
+            EXPECT_TRUE(!old || tree.height_m >= before.trees()[*old].height_m) << "what breaks has died";
+        }
+    }
+    const Book book = stand.total_book();
+    for (const Cause cause : {Cause::wind, Cause::snow, Cause::beetle}) {
+        EXPECT_GT(book.stems_out[index_of(cause)], 0U) << name_of(cause);
+    }
+    // Everything thicker than 7 cm that died left wood, thrown and broken stems logs.
+    EXPECT_GT(stand.dead_wood().logs.size(), 20U);
+    EXPECT_GT(stand.dead_wood().snags.size(), 20U);
+}
+
+TEST(Disturb, GivesTheSameBytesForAnyOrderOfTrees) {
+    SmallForest forest{square_of_forest(8)};
+    forest.parameters.disturbance = everything;
+    Stand straight = mountain_spruces(forest);
+    Stand reversed = mountain_spruces(forest, true);
+    for (int year = 0; year < 6; ++year) {
+        static_cast<void>(forest.live(straight));
+        static_cast<void>(forest.live(reversed));
+    }
+    EXPECT_LT(straight.trees().size(), mountain_spruces(forest).trees().size());
+    ASSERT_EQ(straight.trees().size(), reversed.trees().size());
+    for (std::size_t i = 0; i < straight.trees().size(); ++i) {
+        EXPECT_EQ(straight.trees()[i].id, reversed.trees()[i].id);
+        EXPECT_EQ(straight.trees()[i].dbh_cm, reversed.trees()[i].dbh_cm);
+    }
+    ASSERT_EQ(straight.dead_wood().logs.size(), reversed.dead_wood().logs.size());
+    for (std::size_t i = 0; i < straight.dead_wood().logs.size(); ++i) {
+        EXPECT_EQ(straight.dead_wood().logs[i].tree, reversed.dead_wood().logs[i].tree);
+        EXPECT_EQ(straight.dead_wood().logs[i].direction_rad, reversed.dead_wood().logs[i].direction_rad);
+    }
+}
+
+TEST(Disturb, LetsBeetlesFollowAStormUnlessItsWoodIsCleared) {
+    // The storm of 2001 throws trees; in 2002 beetles come out of them, or not if they have been taken away.
+    const SmallForest forest{square_of_forest(16)};
+    DisturbanceLaw storm{.wind = true, .storm_interval_years = 1.0};
+    DisturbanceLaw beetles{.beetle = true, .beetle_in_windthrow = 0.8, .beetle_background = 0.0};
+    double after_storm = 0.0;
+    double after_clearing = 0.0;
+    for (std::uint32_t replicate = 0; replicate < 5; ++replicate) {
+        Stand stand = mountain_spruces(forest);
+        stand.begin_year();
+        disturb(stand, forest.site, forest.species, {forest.weather, 350.0, false}, storm, 1, replicate);
+        Stand cleared = stand;
+        cleared.set_dead_wood({});
+        for (Stand* one : {&stand, &cleared}) {
+            one->begin_year();
+            disturb(*one, forest.site, forest.species, {forest.weather, 350.0, false}, beetles, 1, replicate);
+        }
+        after_storm += static_cast<double>(lost_to(stand, Cause::beetle).size());
+        after_clearing += static_cast<double>(lost_to(cleared, Cause::beetle).size());
+    }
+    EXPECT_GT(after_storm, 10.0);
+    EXPECT_EQ(after_clearing, 0.0);
+}
+
+TEST(DisturbanceSettings, AreOffByDefaultAndReadFromTheirSection) {
+    Parameters parameters;
+    config::Options options;
+    declare(options, parameters);
+    EXPECT_FALSE(parameters.disturbance.wind || parameters.disturbance.snow || parameters.disturbance.beetle);
+    std::istringstream text{"[disturbance]\nwind = yes\nbeetle = yes\nstorm_interval = 40\n"};
+    options.read(text, "scenario.ini", {"disturbance.beetle_in_windthrow=0.8"});
+    EXPECT_TRUE(parameters.disturbance.wind && parameters.disturbance.beetle);
+    EXPECT_FALSE(parameters.disturbance.snow);
+    EXPECT_EQ(parameters.disturbance.storm_interval_years, 40.0);
+    EXPECT_EQ(parameters.disturbance.beetle_in_windthrow, 0.8);
+}
+
+}  // namespace
+}  // namespace forest
