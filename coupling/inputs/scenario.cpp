@@ -50,8 +50,9 @@ void declare_terrain(config::Options& options, Scenario& s) {
     options.text(
         "terrain.ground", s.ground,
         {.meaning = "shipped ground type (see `bannwald info surfaces`) where no grid or polygon says"});
-    options.text("terrain.profile", s.profile,
-                 {.meaning = "instead of all maps: CSV with distance_m, height_m, surface; a run in two dimensions"});
+    options.text(
+        "terrain.profile", s.profile,
+        {.meaning = "instead of all maps: CSV with distance_m, height_m, surface; a run in two dimensions"});
 }
 
 void declare_profile(config::Options& options, Scenario& s) {
@@ -211,10 +212,22 @@ void declare(config::Options& options, Scenario& scenario) {
     options.text("rockfall.preset", scenario.preset,
                  {.meaning = "default, or a named set: strict, paper_rebound, paper_initial"});
     rockfall::declare(options, scenario.rockfall);
+    declare(options, scenario.forest);
 }
 
 std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
                                         const std::vector<std::string>& overrides) {
+    auto scenario = read_any_scenario(file, overrides);
+    if (scenario->years != 0) {
+        config::fail(config::ExitCode::settings, scenario->options->place_of("run.years"),
+                     "run.years " + std::to_string(scenario->years),
+                     "0: this version assesses the trees as they stand");
+    }
+    return scenario;
+}
+
+std::unique_ptr<Scenario> read_any_scenario(const std::filesystem::path& file,
+                                            const std::vector<std::string>& overrides) {
     auto scenario = std::make_unique<Scenario>();
     scenario->file = file;
     scenario->options = std::make_shared<config::Options>();
@@ -229,6 +242,10 @@ std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
     }
     rockfall::take_over(scenario->rockfall, *scenario->options);
     return scenario;
+}
+
+bool has_rocks(const Scenario& scenario) {
+    return scenario.years == 0 || scenario.forest.rockfall_every > 0;
 }
 
 rockfall::StartLaw start_law(const Scenario& scenario) {

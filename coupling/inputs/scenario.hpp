@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/options/options.hpp"
+#include "coupling/inputs/forest_settings.hpp"
 #include "rockfall/parameters.hpp"
 #include "rockfall/release/release.hpp"
 
@@ -76,6 +77,9 @@ struct Scenario {
     std::string preset = "default";
     rockfall::Parameters rockfall;
 
+    // what a simulation over years asks for: [forest], [stands], [soil], [climate] and parts of [run], [output]
+    ForestSettings forest;
+
     std::filesystem::path file;       ///< the scenario file itself
     std::shared_ptr<config::Options> options;  ///< all of the above as declared, for listings and messages
 
@@ -88,6 +92,12 @@ void declare(config::Options& options, Scenario& scenario);
 
 /// Reads a scenario file and `section.key=value` overrides. Throws InputError with every problem found.
 std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// The same for a scenario whose years may be above 0.
+std::unique_ptr<Scenario> read_any_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// Whether rocks fall: always today, over years unless run.rockfall_every is 0.
+bool has_rocks(const Scenario& scenario);
 
 /// Start of the rocks as the rockfall room wants it.
 rockfall::StartLaw start_law(const Scenario& scenario);

@@ -51,7 +51,6 @@ void check_stopping(const Scenario& s, Checker& checker) {
 }
 
 void check_terrain(const Scenario& s, Checker& checker) {
-    checker.one_of("terrain.dem", s.dem, "terrain.points", s.points);
     checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
     const bool has_codes = !s.surface.empty() || !s.surface_polygons.empty();
     if (!has_codes && s.ground.empty()) {
@@ -130,13 +129,17 @@ void check_diameter(const Scenario& s, Checker& checker) {
 
 void check(const Scenario& scenario) {
     Checker checker{scenario};
-    if (scenario.years != 0) {
-        checker.refuse("run.years", "run.years " + std::to_string(scenario.years),
-                       "0: this version assesses the trees as they stand");
+    if (scenario.years != 0 && !scenario.profile.empty()) {
+        checker.refuse("run.years", "run.years " + std::to_string(scenario.years) + " beside terrain.profile",
+                       "0: no forest grows along a profile");
     }
+    check(scenario.forest, scenario.years, !scenario.trees.empty(), *scenario.options, checker.problems());
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
     if (scenario.profile.empty()) {
+        checker.one_of("terrain.dem", scenario.dem, "terrain.points", scenario.points);
+    }
+    if (scenario.profile.empty() && has_rocks(scenario)) {
         check_terrain(scenario, checker);
         check_release(scenario, checker);
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "coupling/inputs/forest_site.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
@@ -11,6 +12,7 @@
 #include "coupling/inputs/target_input.hpp"
 #include "coupling/inputs/terrain_input.hpp"
 #include "coupling/inputs/tree_input.hpp"
+#include "coupling/results/joined.hpp"
 
 namespace coupling {
 
@@ -59,14 +61,35 @@ struct Files {
 };
 
 Files read_files(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
     Files files;
     files.heights = read_heights(reading);
-    files.types = read_surface_types(reading);
-    files.cover = read_ground_cover(reading);
-    files.sources = read_sources(reading);
-    files.trees = read_trees(reading);
-    files.targets = read_targets(reading);
+    files.trees.emplace();
+    if (scenario.years == 0) {
+        files.trees = read_trees(reading);
+        if (!scenario.forest.stand_records.empty()) {
+            reading.note(joined("stands.records is not read where run.years is 0"));
+        }
+    }
+    if (has_rocks(scenario)) {
+        files.types = read_surface_types(reading);
+        files.cover = read_ground_cover(reading);
+        files.sources = read_sources(reading);
+        files.targets = read_targets(reading);
+    }
     return files;
+}
+
+/// Heights for the forest: of the grid as read, of points on the frame of the maps.
+std::shared_ptr<ForestSite> forest_on(const HeightInput& heights, const rockfall::Terrain& terrain,
+                                      Reading& reading) {
+    return open_forest(heights.grid ? *heights.grid : heights_on_map(heights, terrain), heights.file,
+                       reading);
+}
+
+/// Takes the obstacles that rocks cannot meet out of the forest.
+void drop_off_terrain(ForestSite& forest, const rockfall::Terrain& terrain, Reading& reading) {
+    forest.obstacles = on_terrain(std::move(forest.obstacles), terrain, reading);
 }
 
 }  // namespace
@@ -107,8 +130,18 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     if (files.targets) {
         files.targets = on_terrain(std::move(*files.targets), terrain, reading);
     }
+    std::shared_ptr<ForestSite> forest;
+    if (scenario.years > 0) {
+        forest = forest_on(*files.heights, terrain, reading);
+        if (forest) {
+            drop_off_terrain(*forest, terrain, reading);
+        }
+    }
     reading.problems().throw_if_any();
 
+    if (!has_rocks(scenario)) {
+        ground = GroundMap{.types = {}, .ids = config::Raster<std::uint8_t>{files.heights->frame(), GroundMap::none}};
+    }
     rockfall::SurfaceMap surface = surface_map(*ground, terrain.origin_m());
     config::Raster<double> heights = heights_on_map(*files.heights, terrain);
     return {.slope = {std::move(terrain), std::move(surface), std::move(ground->types)},
@@ -117,9 +150,10 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .projection = std::move(files.heights->projection),
             .map_frame = files.heights->map_frame,
             .trees = std::move(*files.trees),
-            .sources = std::move(*sources),
-            .targets = std::move(*files.targets),
-            .inputs = reading.inputs()};
+            .sources = std::move(sources).value_or(std::vector<rockfall::ReleaseSource>{}),
+            .targets = std::move(files.targets).value_or(std::vector<rockfall::Target>{}),
+            .inputs = reading.inputs(),
+            .forest = std::move(forest)};
 }
 
 }  // namespace coupling

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "config/errors/warnings.hpp"
 #include "config/grid/raster.hpp"
@@ -16,32 +16,36 @@
 
 namespace coupling {
 
+struct ForestSite;
+
 /// A tree of the user's list.
 struct TreeRecord {
     std::string id;
-    std::string species;      ///< code in capitals, as the tables know it
+    std::string species;  ///< code in capitals, as the tables know it
     rockfall::Stem stem;
 };
 
 /// A file that a run read, with a hash of its bytes.
 struct InputFile {
-    std::string role;         ///< dem, surface, trees, ...
-    std::string name;         ///< as the scenario names it
-    std::string hash;         ///< 16 hexadecimal digits
+    std::string role;  ///< dem, surface, trees, ...
+    std::string name;  ///< as the scenario names it
+    std::string hash;  ///< 16 hexadecimal digits
     std::uint64_t bytes = 0;
 };
 
-/// A slope with everything on it, read, checked and valid.
+/// A slope with everything on it, read, checked and valid. Without rocks (run.rockfall_every = 0) it has no
+/// ground types, sources and targets.
 struct Site {
     rockfall::Slope slope;                 ///< the ground that rocks feel
     config::Raster<double> heights;        ///< heights on the map frame for pictures, absolute; NaN: none
     config::Raster<std::uint8_t> surface;  ///< index into slope.types on the map frame; 255: none
     std::string projection;                ///< ESRI text of the .prj file, empty without one
     config::GridFrame map_frame;           ///< of the results, absolute coordinates
-    std::vector<TreeRecord> trees;         ///< on the terrain, in file order
+    std::vector<TreeRecord> trees;         ///< on the terrain, in file order; none where they grow over years
     std::vector<rockfall::ReleaseSource> sources;  ///< allotted, coordinates of the terrain
     std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
     std::vector<InputFile> inputs;
+    std::shared_ptr<const ForestSite> forest;  ///< with run.years > 0
 
     [[nodiscard]] Eigen::Vector2d origin_m() const { return slope.terrain.origin_m(); }
     /// The map frame in coordinates of the terrain.
@@ -49,8 +53,8 @@ struct Site {
     [[nodiscard]] std::vector<rockfall::Stem> stems() const;
 };
 
-/// Opens, reads and checks every file of a scenario. Throws InputError with all problems that can be found at once;
-/// what is only doubtful becomes a warning (or an error with strict_inputs).
+/// Opens, reads and checks every file of a scenario. Throws InputError with all problems that can be found at
+/// once; what is only doubtful becomes a warning (or an error with strict_inputs).
 Site open_site(const Scenario& scenario, config::Warnings& warnings);
 
 }  // namespace coupling

@@ -1,12 +1,16 @@
 #include "coupling/inputs/tree_input.hpp"
 
 #include <algorithm>
+#include <iomanip>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/species_table.hpp"
+#include "coupling/results/joined.hpp"
+#include "forest/start/height_curve.hpp"
 
 namespace coupling {
 
@@ -35,7 +39,7 @@ double median_of(const config::Table& table, const std::string& column) {
 /// A wrong unit shows in the median before it shows anywhere else.
 void check_units(const config::Table& table, Reading& reading) {
     const double dbh = median_of(table, "dbh_cm");
-    const double height = median_of(table, "height_m");
+    const double height = table.has("height_m") ? median_of(table, "height_m") : 0.0;
     if (dbh > 200.0 || (dbh > 0.0 && dbh < 1.0)) {
         reading.doubt(
             {table.file()}, "a median dbh_cm of " + config::to_text(dbh),
@@ -48,86 +52,41 @@ void check_units(const config::Table& table, Reading& reading) {
     }
 }
 
-/// Looks up species and counts what is unknown or borrowed, one message for each name.
-class SpeciesFinder {
-public:
-    explicit SpeciesFinder(const config::Table& table) : table_{table}, known_{SpeciesTable::shipped()} {}
-
-    const Species* find(std::size_t row) {
-        const std::string& name = table_.text(row, "species");
-        const auto [entry, is_new] = seen_.try_emplace(name);
-        if (is_new) {
-            entry->second = {known_.find(name), row, 0};
-        }
-        ++entry->second.count;
-        return entry->second.species;
-    }
-
-    void tell(Reading& reading, config::Problems& problems) const {
-        std::map<std::string, std::size_t> borrowed;
-        for (const auto& [name, use] : seen_) {
-            if (use.species == nullptr) {
-                refuse(name, use, problems);
-            } else if (!use.species->stand_in.empty()) {
-                borrowed[use.species->code] += use.count;
-            }
-        }
-        for (const auto& [code, count] : borrowed) {
-            const Species& species = *known_.find(code);
-            reading.note(table_.file() + ": " + counted(count, "tree") + " of " + species.code + " (" +
-                         species.latin_name + ") taken like " + species.stand_in + "; the fracture energy " +
-                         config::to_text(species.fracture_energy) + " is the species' own");
-        }
-    }
-
-private:
-    struct Use {
-        const Species* species = nullptr;
-        std::size_t first_row = 0;
-        std::size_t count = 0;
-    };
-
-    void refuse(const std::string& name, const Use& use, config::Problems& problems) const {
-        const std::string nearest = known_.nearest(name);
-        std::string found = name.empty() ? "no species" : "species " + config::in_quotes(name);
-        if (use.count > 1) {
-            found += ", " + std::to_string(use.count) + " times";
-        }
-        problems.add(config::ExitCode::data, table_.place(use.first_row, "species"), std::move(found),
-                     "a code or Latin name of the species table" +
-                         (nearest.empty() ? std::string{", such as ABAL"} : " (" + nearest + "?)"));
-    }
-
-    const config::Table& table_;
-    SpeciesTable known_;
-    std::map<std::string, Use> seen_;
-};
+std::optional<double> optional_number(const config::Table& table, std::size_t row, const std::string& column,
+                                      const config::NumberRange& range, config::Problems& problems) {
+    return table.has(column) && !table.text(row, column).empty() ? table.number(row, column, range, problems)
+                                                                 : std::nullopt;
+}
 
 /// A row's tree; the fields that are wrong become problems.
-std::optional<TreeRecord> tree_of(const config::Table& table, std::size_t row, SpeciesFinder& finder,
-                                  config::Problems& problems) {
-    TreeRecord tree;
+std::optional<ListedRow> row_of(const config::Table& table, std::size_t row, SpeciesColumn& column,
+                                config::Problems& problems) {
+    ListedRow tree;
     tree.id = table.has("tree_id") ? table.text(row, "tree_id") : "";
     if (tree.id.empty()) {
         tree.id = std::to_string(row + 1);
     }
+    const std::size_t problems_before = problems.list().size();
     const auto x_m = table.number(row, "x_m", {}, problems);
     const auto y_m = table.number(row, "y_m", {}, problems);
     const auto dbh_cm = table.number(row, "dbh_cm", dbh_range_cm, problems);
-    const auto height_m = table.number(row, "height_m", height_range_m, problems);
-    const Species* species = finder.find(row);
-    if (!x_m || !y_m || !dbh_cm || !height_m || species == nullptr) {
+    tree.height_m = optional_number(table, row, "height_m", height_range_m, problems);
+    tree.age_years = optional_number(table, row, "age_years", {.low = 0.0, .high = 2000.0}, problems);
+    const auto species = column.find(row);
+    if (problems.list().size() > problems_before || !species) {
         return std::nullopt;
     }
-    tree.species = species->code;
-    tree.stem = {*x_m, *y_m, *dbh_cm, *height_m, species->fracture_energy};
+    tree.species = *species;
+    tree.x_m = *x_m;
+    tree.y_m = *y_m;
+    tree.dbh_cm = *dbh_cm;
     return tree;
 }
 
-void tell_doubled_ids(const std::vector<TreeRecord>& trees, const std::string& file, Reading& reading) {
+void tell_doubled_ids(const std::vector<ListedRow>& trees, const std::string& file, Reading& reading) {
     std::set<std::string> seen;
     std::set<std::string> doubled;
-    for (const TreeRecord& tree : trees) {
+    for (const ListedRow& tree : trees) {
         if (!seen.insert(tree.id).second) {
             doubled.insert(tree.id);
         }
@@ -140,33 +99,118 @@ void tell_doubled_ids(const std::vector<TreeRecord>& trees, const std::string& f
     }
 }
 
-std::vector<TreeRecord> read_tree_table(Reading& reading) {
-    const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
-    config::Problems problems;
-    if (!table.require({"x_m", "y_m", "species", "dbh_cm", "height_m"}, problems)) {
-        problems.throw_if_any();
-    }
-    check_units(table, reading);
-    SpeciesFinder finder{table};
-    std::vector<TreeRecord> trees;
-    trees.reserve(table.rows());
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (auto tree = tree_of(table, row, finder, problems)) {
-            trees.push_back(std::move(*tree));
+/// Fills heights from a curve through the measured ones of the species, else of all species, and tells it.
+std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const SpeciesTable& species,
+                                     const config::Table& table, Reading& reading) {
+    std::map<std::size_t, std::vector<forest::MeasuredHeight>> measured;
+    std::vector<forest::MeasuredHeight> all;
+    for (const ListedRow& row : rows) {
+        if (row.height_m && *row.height_m > 1.3) {
+            measured[row.species].push_back({row.dbh_cm, *row.height_m});
+            all.push_back({row.dbh_cm, *row.height_m});
         }
     }
-    config::Problems shown;
-    finder.tell(reading, shown);
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
-    if (trees.empty()) {
-        reading.doubt({table.file()}, "no trees", "at least one, or no trees.file for a bare slope");
+    const forest::HeightFit of_all = forest::fit_heights(all);
+    std::map<std::size_t, forest::HeightFit> fits;
+    std::map<std::size_t, std::size_t> filled;
+    std::vector<TreeRecord> trees;
+    trees.reserve(rows.size());
+    for (const ListedRow& row : rows) {
+        double height_m = row.height_m.value_or(0.0);
+        if (!row.height_m) {
+            const auto [fit, is_new] = fits.try_emplace(row.species);
+            if (is_new) {
+                fit->second = forest::fit_heights(measured[row.species]);
+            }
+            ++filled[row.species];
+            const forest::HeightFit& used = fit->second.trees > 0 ? fit->second : of_all;
+            height_m = used.trees > 0 ? used.curve.height_m(row.dbh_cm) : 0.0;
+        }
+        const Species& kind = species.all()[row.species];
+        trees.push_back({row.id, kind.code, {row.x_m, row.y_m, row.dbh_cm, height_m, kind.fracture_energy}});
     }
-    tell_doubled_ids(trees, table.file(), reading);
+    for (const auto& [place, count] : filled) {
+        const bool has_own = fits[place].trees > 0;
+        const forest::HeightFit& used = has_own ? fits[place] : of_all;
+        if (used.trees == 0) {
+            const auto first =
+                std::find_if(rows.begin(), rows.end(), [](const ListedRow& row) { return !row.height_m; });
+            config::fail(
+                config::ExitCode::data,
+                table.has("height_m") ? table.place(first->row, "height_m") : config::Place{table.file()},
+                joined(counted(count, "tree"), " of ", species.all()[place].code, " without height_m, and ",
+                       counted(all.size(), "measured height"), " to draw a height curve through"),
+                "height_m for each tree, or for enough trees of different diameters (five at least)");
+        }
+        std::ostringstream error;
+        error << std::fixed << std::setprecision(1) << used.standard_error_m;
+        reading.note(joined(table.file(), ": ", counted(count, "height"), " of ", species.all()[place].code,
+                            " filled in from a height curve through ", std::to_string(used.trees),
+                            " measured trees", has_own ? "" : " of all species", " (standard error ",
+                            error.str(), " m)"));
+    }
     return trees;
 }
 
+void tell_borrowers(const SpeciesColumn& column, const SpeciesTable& known, const std::string& file,
+                    Reading& reading) {
+    std::map<std::string, std::string> sentences;
+    for (const auto& [place, count] : column.counts()) {
+        const Species& species = known.all()[place];
+        if (!species.stand_in.empty()) {
+            sentences[species.code] =
+                joined(file, ": ", counted(count, "tree"), " of ", species.code, " (", species.latin_name,
+                       ") taken like ", species.stand_in, "; the fracture energy ",
+                       config::to_text(species.fracture_energy), " is the species' own");
+        }
+    }
+    for (const auto& [code, sentence] : sentences) {
+        reading.note(sentence);
+    }
+}
+
+std::vector<TreeRecord> read_tree_table(Reading& reading) {
+    const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
+    const SpeciesTable known = SpeciesTable::shipped();
+    const SpeciesLookup lookup{
+        [&](const std::string& name) -> std::optional<std::size_t> {
+            const Species* species = known.find(name);
+            return species == nullptr ? std::nullopt
+                                      : std::optional{static_cast<std::size_t>(species - known.all().data())};
+        },
+        [&](const std::string& name) { return known.nearest(name); }};
+    SpeciesColumn column{table, lookup};
+    const std::vector<ListedRow> rows = read_listed_rows(table, column, reading);
+    tell_borrowers(column, known, table.file(), reading);
+    return with_heights(rows, known, table, reading);
+}
+
 }  // namespace
+
+std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading) {
+    config::Problems problems;
+    if (!table.require({"x_m", "y_m", "species", "dbh_cm"}, problems)) {
+        problems.throw_if_any();
+    }
+    check_units(table, reading);
+    std::vector<ListedRow> rows;
+    rows.reserve(table.rows());
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (auto tree = row_of(table, row, column, problems)) {
+            tree->row = row;
+            rows.push_back(std::move(*tree));
+        }
+    }
+    config::Problems shown;
+    column.refuse_unknown(shown);
+    add_first(shown, problems, table.file());
+    shown.throw_if_any();
+    if (rows.empty()) {
+        reading.doubt({table.file()}, "no trees", "at least one, or no trees.file for a bare slope");
+    }
+    tell_doubled_ids(rows, table.file(), reading);
+    return rows;
+}
 
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading) {
     if (reading.scenario().trees.empty()) {

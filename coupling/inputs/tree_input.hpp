@@ -5,15 +5,32 @@
 
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/inputs/species_column.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace coupling {
 
+/// A row of a tree list, read and checked.
+struct ListedRow {
+    std::string id;  ///< the row's number where the list gives none
+    std::size_t row = 0;
+    std::size_t species = 0;  ///< place in the table that the lookup knows
+    double x_m = 0.0;
+    double y_m = 0.0;
+    double dbh_cm = 0.0;
+    std::optional<double> height_m{};
+    std::optional<double> age_years{};
+};
+
+/// Rows of a tree list with the columns x_m, y_m, species, dbh_cm and perhaps tree_id, height_m, age_years;
+/// others are passed over. Medians that look like another unit and identities used twice are told. Throws
+/// InputError (data) with unknown species and up to 20 other faults.
+std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading);
+
 /// Reads and checks the tree list of the scenario; an empty list without one.
 ///
-/// Columns x_m, y_m, species, dbh_cm, height_m and perhaps tree_id; others are passed over. Species by code
-/// or Latin name. Medians that look like another unit, identities used twice and species that borrow
-/// parameters are told.
+/// Missing heights come from a curve through the measured ones (forest/start/height_curve.hpp), which is
+/// told; where there are too few of them the list is refused. Species that borrow parameters are told.
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading);
 
 /// Drops trees that do not stand on the terrain and tells how many.

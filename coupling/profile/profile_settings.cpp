@@ -34,6 +34,10 @@ constexpr std::array meaningless{
     Meaningless{"rockfall.lateral_fast_deg", "nothing: rocks are not turned sideways along a profile"},
     Meaningless{"rockfall.lateral_fast_mps", "nothing: rocks are not turned sideways along a profile"},
     Meaningless{"tree_impact.", "nothing: rocks meet no trees along a profile"},
+    Meaningless{"forest.", "nothing: no forest grows along a profile"},
+    Meaningless{"stands.", "nothing: no forest grows along a profile"},
+    Meaningless{"soil.", "nothing: no forest grows along a profile"},
+    Meaningless{"climate.", "nothing: no forest grows along a profile"},
 };
 
 const Meaningless* found_for(const std::string& key) {

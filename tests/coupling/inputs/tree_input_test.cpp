@@ -66,15 +66,45 @@ TEST(Trees, WithoutDiameterAreRefused) {
               "trees.csv:4:18: found dbh_cm empty, expected a number in (0, 500]");
 }
 
-TEST(Trees, WithoutHeightAreRefused) {
-    const Opened opened = with_trees("1,1060,2050,ABAL,30,\n");
+/// Heights on a curve of Petterson's law: ABAL of 10, 20, ... cm.
+std::string measured(int trees) {
+    std::string rows;
+    for (int i = 1; i <= trees; ++i) {
+        const double dbh_cm = 10.0 * i;
+        const double height_m = 1.3 + std::pow(dbh_cm / (2.0 + 0.28 * dbh_cm), 3.0);
+        rows += std::to_string(i) + ",10" + std::to_string(50 + i) + ",2050,ABAL," + std::to_string(dbh_cm) +
+                "," + std::to_string(height_m) + "\n";
+    }
+    return rows;
+}
+
+TEST(Trees, WithoutHeightGetThatOfTheCurveThroughTheOthers) {
+    const Opened opened = with_trees(measured(6) + "7,1070,2050,ABAL,35,\n8,1071,2050,PIAB,35,\n");
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const double of_law_m = 1.3 + std::pow(35.0 / (2.0 + 0.28 * 35.0), 3.0);
+    EXPECT_NEAR(opened.site->trees[6].stem.height_m, of_law_m, 1e-3);
+    EXPECT_NEAR(opened.site->trees[7].stem.height_m, of_law_m, 1e-3);
+    EXPECT_EQ(opened.warnings,
+              (std::vector<std::string>{"trees.csv: 1 height of ABAL filled in from a height curve through 6 "
+                                        "measured trees (standard error 0.0 m)",
+                                        "trees.csv: 1 height of PIAB filled in from a height curve through 6 "
+                                        "measured trees of all species (standard error 0.0 m)"}));
+}
+
+TEST(Trees, WithoutHeightAreRefusedWhereTooFewWereMeasured) {
+    const Opened opened = with_trees(measured(4) + "5,1060,2050,ABAL,30,\n6,1061,2050,ABAL,31,\n");
     EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(opened.errors, "trees.csv:2:21: found height_m empty, expected a number in (0, 150]");
+    EXPECT_EQ(opened.errors,
+              "trees.csv:6:21: found 2 trees of ABAL without height_m, and 4 measured heights to draw a "
+              "height curve "
+              "through, expected height_m for each tree, or for enough trees of different diameters (five at "
+              "least)");
 
     const SampleProject project;
     project.write("trees.csv", "tree_id,x_m,y_m,species,dbh_cm\n1,1060,2050,ABAL,30\n");
     EXPECT_EQ(open(project).code, ExitCode::data);
-    EXPECT_EQ(open(project).errors, "trees.csv: no column 'height_m'");
+    EXPECT_NE(open(project).errors.find("trees.csv: found 1 tree of ABAL without height_m"),
+              std::string::npos);
 }
 
 TEST(Trees, InAnotherUnitAreDoubted) {

@@ -1,0 +1,221 @@
+#include "coupling/inputs/climate_input.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
+#include "forest/climate/summary.hpp"
+
+namespace coupling {
+
+namespace {
+
+using config::ExitCode;
+
+std::string years_of(const forest::ClimateSeries& series) {
+    return joined(std::to_string(series.first_year()), " to ", std::to_string(series.last_year()));
+}
+
+/// The elevation of the place, from the table or the setting; NaN never comes back.
+double elevation_of(const forest::ClimateSeries& series, Reading& reading) {
+    const config::Options& options = *reading.scenario().options;
+    const double set_m = reading.scenario().forest.climate_elevation_m;
+    const bool was_set = options.was_set("climate.elevation_m");
+    if (!was_set && !series.elevation_m) {
+        config::fail(ExitCode::settings, options.place_of("climate.file"),
+                     joined("neither climate.elevation_m nor a column elev_m in ",
+                            reading.shown(reading.scenario().forest.climate)),
+                     "the height of the place that the series is of");
+    }
+    if (was_set && series.elevation_m && *series.elevation_m != set_m) {
+        config::fail(ExitCode::settings, options.place_of("climate.elevation_m"),
+                     joined("climate.elevation_m ", config::to_text(set_m)),
+                     joined("the elev_m of the series, ", config::to_text(*series.elevation_m),
+                            ", or no climate.elevation_m"));
+    }
+    return series.elevation_m.value_or(set_m);
+}
+
+/// Only the years of the window.
+forest::ClimateSeries cut(forest::ClimateSeries series, Reading& reading) {
+    const ForestSettings& s = reading.scenario().forest;
+    const auto bound = [&](const std::string& key, std::uint64_t asked_for, int otherwise) {
+        if (asked_for == 0) {
+            return otherwise;
+        }
+        const int year = static_cast<int>(asked_for);
+        if (series.find(year) == nullptr) {
+            reading.problems().add(ExitCode::settings, reading.scenario().options->place_of(key),
+                                   joined(key, " ", std::to_string(year)),
+                                   joined("a year of ", reading.shown(s.climate), ", ", years_of(series)));
+        }
+        return year;
+    };
+    const int first = bound("climate.window_first_year", s.window_first_year, series.first_year());
+    const int last = bound("climate.window_last_year", s.window_last_year, series.last_year());
+    std::vector<forest::ClimateYear> kept;
+    std::copy_if(series.years.begin(), series.years.end(), std::back_inserter(kept),
+                 [&](const forest::ClimateYear& year) { return year.year >= first && year.year <= last; });
+    if (kept.empty()) {
+        reading.problems().throw_if_any();
+        config::fail(ExitCode::settings, reading.scenario().options->place_of("climate.window_first_year"),
+                     "a climate window without years",
+                     joined("years of ", reading.shown(s.climate), ", ", years_of(series)));
+    }
+    series.years = std::move(kept);
+    return series;
+}
+
+void check_reach(const ClimateSource& climate, Reading& reading) {
+    if (climate.order != ClimateOrder::once) {
+        return;
+    }
+    const int last = climate.first_year + static_cast<int>(reading.scenario().years) - 1;
+    for (int year = climate.first_year; year <= last; ++year) {
+        if (climate.series.find(year) == nullptr) {
+            reading.refuse(
+                {reading.shown(reading.scenario().forest.climate)},
+                joined("years ", years_of(climate.series), ", but none for ", std::to_string(year)),
+                joined("all years of the run, ", std::to_string(climate.first_year), " to ",
+                       std::to_string(last), ", or climate.sequence = repeat or random"));
+            return;
+        }
+    }
+}
+
+forest::ClimateChange read_change(Reading& reading) {
+    const ForestSettings& s = reading.scenario().forest;
+    if (s.climate_change.empty()) {
+        return forest::ClimateChange::of(s.temperature_change_k, s.precipitation_change);
+    }
+    const config::Table table = reading.table("climate.change", "climate_change", s.climate_change);
+    config::Problems problems;
+    table.require({"month", "temperature_k", "precipitation"}, problems);
+    problems.throw_if_any();
+    forest::ClimateChange change;
+    std::array<bool, 12> given{};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto month = table.whole(row, "month", {1.0, 12.0}, problems);
+        const auto temperature_k = table.number(row, "temperature_k", {-15.0, 15.0}, problems);
+        const auto precipitation = table.number(row, "precipitation", {0.0, 5.0}, problems);
+        if (!month || !temperature_k || !precipitation) {
+            continue;
+        }
+        const auto m = static_cast<std::size_t>(*month - 1);
+        if (given[m]) {
+            problems.add(ExitCode::data, table.place(row, "month"),
+                         joined("month ", std::to_string(*month), " a second time"), "each month once");
+        }
+        given[m] = true;
+        change.temperature_k[m] = *temperature_k;
+        change.precipitation[m] = *precipitation;
+    }
+    for (std::size_t m = 0; m < given.size() && table.rows() < given.size(); ++m) {
+        if (!given[m]) {
+            problems.add(ExitCode::data, {table.file()}, joined("no month ", std::to_string(m + 1)),
+                         "all twelve");
+        }
+    }
+    problems.throw_if_any();
+    return change;
+}
+
+forest::ClimateSeries read_series(Reading& reading) {
+    const config::Table table = reading.table("climate.file", "climate", reading.scenario().forest.climate);
+    config::Warnings told;
+    forest::ClimateSeries series = forest::read_climate_of_one_place(table, told);
+    for (const std::string& sentence : told.sentences()) {
+        reading.note(sentence);
+    }
+    series.elevation_m = elevation_of(series, reading);
+    return cut(std::move(series), reading);
+}
+
+}  // namespace
+
+int ClimateSource::source_of(int year, std::uint32_t replicate) const {
+    const forest::YearWindow window{series.first_year(), series.last_year()};
+    switch (order) {
+        case ClimateOrder::once:
+            return year;
+        case ClimateOrder::random:
+            return forest::YearSequence::drawn(window, seed, replicate).source_of(year);
+        case ClimateOrder::repeat:
+            break;
+    }
+    return forest::YearSequence::repeating(series, window).source_of(year);
+}
+
+double ClimateSource::share_of_change(int year) const {
+    if (year < first_year) {
+        return 0.0;
+    }
+    return change_years == 0 ? 1.0 : std::min(1.0, static_cast<double>(year - first_year + 1) / change_years);
+}
+
+YearWeather ClimateSource::weather(int year, std::uint32_t replicate,
+                                   std::span<const double> elevations_m) const {
+    YearWeather weather;
+    weather.source_year = source_of(year, replicate);
+    weather.co2_ppm = co2.ppm(year);
+    weather.co2_response = co2_response;
+    const forest::ClimateYear& source = *series.find(weather.source_year);
+    const forest::ClimateChange part = change.scaled(share_of_change(year));
+    weather.units.reserve(elevations_m.size());
+    for (const double elevation_m : elevations_m) {
+        forest::ClimateChange both =
+            change_with_elevation(series, elevation_m - *series.elevation_m, lapse_rates);
+        for (std::size_t m = 0; m < 12; ++m) {
+            both.temperature_k[m] += part.temperature_k[m];
+            both.precipitation[m] *= part.precipitation[m];
+        }
+        weather.units.push_back(changed(source, both));
+        weather.units.back().year = year;
+    }
+    return weather;
+}
+
+double ClimateSource::degree_days(double elevation_m) const {
+    const forest::ClimateSeries there = at_elevation(series, elevation_m - *series.elevation_m, lapse_rates);
+    double sum = 0.0;
+    for (const forest::ClimateYear& year : there.years) {
+        sum += forest::degree_days(year);
+    }
+    return sum / static_cast<double>(there.years.size());
+}
+
+std::array<double, 12> ClimateSource::mean_radiation_mjpm2() const {
+    std::array<double, 12> mean{};
+    for (const forest::ClimateYear& year : series.years) {
+        for (std::size_t m = 0; m < 12; ++m) {
+            mean[m] += year.months[m].radiation_mjpm2 / static_cast<double>(series.years.size());
+        }
+    }
+    return mean;
+}
+
+std::optional<ClimateSource> read_climate_source(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
+    auto series = reading.attempt([&] { return read_series(reading); });
+    const auto change = reading.attempt([&] { return read_change(reading); });
+    if (!series || !change) {
+        return std::nullopt;
+    }
+    ClimateSource climate;
+    climate.series = std::move(*series);
+    climate.order = scenario.forest.order;
+    climate.seed = scenario.seed;
+    climate.change = *change;
+    climate.change_years = static_cast<int>(scenario.forest.change_years);
+    climate.first_year = scenario.forest.first_year > 0 ? static_cast<int>(scenario.forest.first_year)
+                                                        : climate.series.first_year();
+    if (scenario.forest.co2_ppm > 0.0) {
+        climate.co2 = forest::Co2Series::constant(scenario.forest.co2_ppm);
+    }
+    climate.co2_response = scenario.forest.parameters.processes.co2_response;
+    check_reach(climate, reading);
+    return climate;
+}
+
+}  // namespace coupling

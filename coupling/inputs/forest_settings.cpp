@@ -1,0 +1,232 @@
+#include "coupling/inputs/forest_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling {
+
+namespace {
+
+void declare_run(config::Options& options, ForestSettings& s) {
+    options.count(
+        "run.first_year", s.first_year,
+        {.unit = "yr",
+         .low = 0.0,
+         .high = 9999.0,
+         .meaning = "calendar year of the first simulated year; 0: first year of the climate window",
+         .source = "choice"});
+    options.count("run.rockfall_every", s.rockfall_every,
+                  {.unit = "yr",
+                   .low = 0.0,
+                   .high = 1000.0,
+                   .meaning = "rocks fall every n-th simulated year; 0: the forest alone",
+                   .source = "choice"});
+    options.count("run.replicates", s.replicates,
+                  {.low = 1.0,
+                   .high = 10'000.0,
+                   .meaning = "how often the years are simulated, each time with chance of its own",
+                   .source = "choice"});
+}
+
+void declare_forest(config::Options& options, ForestSettings& s) {
+    options.number("forest.latitude_deg", s.latitude_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 75.0,
+                    .meaning = "latitude of the slope, north; needed for run.years > 0"});
+    options.text("forest.species", s.species,
+                 {.meaning = "CSV with the columns of the shipped species table, instead of it"});
+    options.text(
+        "forest.region_species", s.region_species,
+        {.meaning = "species whose seeds come from outside, such as PIAB, ABAL; none: all of the table",
+         .source = "choice"});
+    options.choice("forest.edges", s.edges,
+                   {{"mirror", forest::Edges::mirror}, {"open", forest::Edges::open}},
+                   {.meaning = "what shades the rim of the area: the forest goes on as in a mirror, or ends",
+                    .source = "choice"});
+}
+
+void declare_stands(config::Options& options, ForestSettings& s) {
+    options.text("stands.map", s.stand_map,
+                 {.meaning = "ESRI ASCII grid of stand numbers, any cell size; 0 or NODATA: no forest"});
+    options.text("stands.polygons", s.stand_polygons,
+                 {.meaning = "instead: CSV with stand, wkt (POLYGON); neither: all the terrain is stand 1"});
+    options.text(
+        "stands.records", s.stand_records,
+        {.meaning = "CSV with stand, species, stems_pha, basal_area_m2pha, mean_dbh_cm, mean_height_m, "
+                    "age_years, structure; instead of trees.file"});
+}
+
+void declare_soil(config::Options& options, ForestSettings& s) {
+    options.text("soil.map", s.soil_map, {.meaning = "ESRI ASCII grid of soil codes, any cell size"});
+    options.text(
+        "soil.types", s.soil_types,
+        {.meaning =
+             "CSV with code, water_capacity_mm, texture_class, fertility, nitrogen_kg_per_ha_year, ph"});
+    options.text("soil.type", s.soil_type,
+                 {.meaning = "shipped soil where no map says: scree, shallow, normal or deep"});
+}
+
+void declare_climate(config::Options& options, ForestSettings& s) {
+    options.text(
+        "climate.file", s.climate,
+        {.meaning = "CSV with year, month, tmin_c, tmax_c, prec_mm, rad_mj_m2_d; needed for run.years > 0"});
+    options.number("climate.elevation_m", s.climate_elevation_m,
+                   {.unit = "m",
+                    .low = -500.0,
+                    .high = 9000.0,
+                    .meaning = "height of the place of the series, where it has no column elev_m"});
+    options.choice(
+        "climate.sequence", s.order,
+        {{"once", ClimateOrder::once}, {"repeat", ClimateOrder::repeat}, {"random", ClimateOrder::random}},
+        {.meaning = "climate of simulated years: their own, then the window again, or drawn from it",
+         .source = "choice"});
+    options.count(
+        "climate.window_first_year", s.window_first_year,
+        {.unit = "yr", .low = 0.0, .high = 9999.0, .meaning = "years before are left out; 0: none"});
+    options.count("climate.window_last_year", s.window_last_year,
+                  {.unit = "yr", .low = 0.0, .high = 9999.0, .meaning = "years after are left out; 0: none"});
+    options.number(
+        "climate.temperature_change_k", s.temperature_change_k,
+        {.unit = "K", .low = -15.0, .high = 15.0, .meaning = "added to the temperatures of all months"});
+    options.number("climate.precipitation_change", s.precipitation_change,
+                   {.low = 0.0, .high = 5.0, .meaning = "factor on the precipitation of all months"});
+    options.text("climate.change", s.climate_change,
+                 {.meaning = "instead of the two: CSV with month, temperature_k, precipitation (factor)"});
+    options.count(
+        "climate.change_years", s.change_years,
+        {.unit = "yr",
+         .low = 0.0,
+         .high = 1000.0,
+         .meaning = "years in which the change grows evenly to its full size; 0: full from the start",
+         .source = "choice"});
+    options.number(
+        "climate.co2_ppm", s.co2_ppm,
+        {.unit = "ppm",
+         .low = 0.0,
+         .high = 2000.0,
+         .meaning = "CO2 of the air in all years; 0: the record, after its end as in the last year",
+         .source = "choice"});
+}
+
+void declare_output(config::Options& options, ForestSettings& s) {
+    options.numbers(
+        "output.tree_list_years", s.tree_list_years,
+        {.unit = "yr",
+         .low = 0.0,
+         .high = 1000.0,
+         .meaning = "years of simulation (0 = start) with a list of trees; none: first and last"});
+    options.numbers("output.map_years", s.map_years,
+                    {.unit = "yr",
+                     .low = 0.0,
+                     .high = 1000.0,
+                     .meaning = "years of simulation (0 = start) with maps; none: first and last"});
+}
+
+/// Adds problems at the line where a setting stands.
+struct Checker {
+    const config::Options& options;
+    config::Problems& problems;
+
+    void refuse(const std::string& key, std::string found, std::string expected) {
+        problems.add(config::ExitCode::settings, options.place_of(key), std::move(found),
+                     std::move(expected));
+    }
+    void not_both(const std::string& first, const std::string& second) {
+        if (options.was_set(first) && options.was_set(second)) {
+            refuse(second, joined(second, " beside ", first), "only one of them");
+        }
+    }
+};
+
+void check_years(const std::string& key, const std::vector<double>& asked_for, std::uint64_t years,
+                 Checker& checker) {
+    for (const double year : asked_for) {
+        if (std::floor(year) != year || year > static_cast<double>(years)) {
+            checker.refuse(key, joined(key, " ", config::to_text(year)),
+                           joined("whole years from 0 to run.years ", std::to_string(years)));
+        }
+    }
+}
+
+void check_climate(const ForestSettings& s, Checker& checker) {
+    if (s.climate.empty()) {
+        checker.refuse("climate.file", "run.years above 0 without climate.file",
+                       "a table of monthly climate");
+    }
+    if (s.window_first_year > 0 && s.window_last_year > 0 && s.window_last_year < s.window_first_year) {
+        checker.refuse(
+            "climate.window_last_year",
+            joined("climate.window_last_year ", std::to_string(s.window_last_year)),
+            joined("no year before climate.window_first_year ", std::to_string(s.window_first_year)));
+    }
+    if (s.co2_ppm != 0.0 && s.co2_ppm < 100.0) {
+        checker.refuse("climate.co2_ppm", joined("climate.co2_ppm ", config::to_text(s.co2_ppm)),
+                       "0 for the record, or a number in [100, 2000] ppm");
+    }
+    checker.not_both("climate.temperature_change_k", "climate.change");
+    checker.not_both("climate.precipitation_change", "climate.change");
+}
+
+}  // namespace
+
+void declare(config::Options& options, ForestSettings& settings) {
+    declare_run(options, settings);
+    declare_forest(options, settings);
+    forest::declare(options, settings.parameters);
+    declare_stands(options, settings);
+    declare_soil(options, settings);
+    declare_climate(options, settings);
+    declare_output(options, settings);
+}
+
+void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, const config::Options& options,
+           config::Problems& problems) {
+    Checker checker{options, problems};
+    if (years == 0) {
+        if (s.rockfall_every == 0) {
+            checker.refuse("run.rockfall_every", "neither rocks nor years",
+                           "run.rockfall_every or run.years above 0");
+        }
+        if (s.replicates > 1) {
+            checker.refuse("run.replicates", joined("run.replicates ", std::to_string(s.replicates)),
+                           "1 where run.years is 0: more rocks narrow the figures of a standing forest");
+        }
+        return;
+    }
+    if (!options.was_set("forest.latitude_deg")) {
+        checker.refuse("forest.latitude_deg", "run.years above 0 without forest.latitude_deg",
+                       "a number in [0, 75] deg");
+    }
+    checker.not_both("stands.map", "stands.polygons");
+    if (listed_trees && !s.stand_records.empty()) {
+        checker.refuse("stands.records", "stands.records beside trees.file", "only one of them");
+    }
+    if (s.soil_map.empty() && s.soil_type.empty()) {
+        checker.refuse("soil.type", "run.years above 0 without a soil",
+                       "soil.type, or soil.map with soil.types");
+    }
+    if (s.soil_map.empty() != s.soil_types.empty()) {
+        checker.refuse(s.soil_map.empty() ? "soil.types" : "soil.map",
+                       s.soil_map.empty() ? "soil.types without soil.map" : "soil.map without soil.types",
+                       "both of them, or soil.type alone");
+    }
+    check_climate(s, checker);
+    check_years("output.tree_list_years", s.tree_list_years, years, checker);
+    check_years("output.map_years", s.map_years, years, checker);
+}
+
+std::vector<int> chosen_years(const std::vector<double>& asked_for, std::uint64_t years) {
+    std::vector<int> chosen(asked_for.begin(), asked_for.end());
+    if (chosen.empty()) {
+        chosen = {0, static_cast<int>(years)};
+    }
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    return chosen;
+}
+
+}  // namespace coupling

@@ -1,0 +1,243 @@
+#include "coupling/inputs/forest_site.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/patch_input.hpp"
+#include "coupling/inputs/soil_input.hpp"
+#include "coupling/inputs/stand_input.hpp"
+#include "coupling/inputs/tree_input.hpp"
+#include "coupling/results/joined.hpp"
+#include "forest/growth.hpp"
+#include "forest/start/height_curve.hpp"
+
+namespace coupling {
+
+namespace {
+
+/// Trees that come up later get numbers above all of these.
+constexpr double highest_listed_id = 1e12;
+
+/// Everything as read from the files; what could not be read is missing.
+struct Files {
+    std::optional<ForestSpecies> species;
+    std::optional<forest::Parameters> parameters;
+    std::optional<ClimateSource> climate;
+    std::optional<SoilCover> soils;
+    std::optional<StandCover> stands;
+    std::optional<std::vector<ListedRow>> rows;
+    std::optional<std::map<std::uint32_t, InventoriedStand>> records;
+};
+
+std::vector<ListedRow> read_rows(const ForestSpecies& species, Reading& reading) {
+    const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
+    const SpeciesLookup lookup = species.lookup();
+    SpeciesColumn column{table, lookup};
+    std::vector<ListedRow> rows = read_listed_rows(table, column, reading);
+    tell_stand_ins(column, species, table.file(), reading);
+    return rows;
+}
+
+Files read_files(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
+    Files files;
+    files.species = read_forest_species(reading);
+    files.climate = read_climate_source(reading);
+    files.soils = read_soils(reading);
+    files.stands = read_stand_cover(reading);
+    if (!files.species) {
+        return files;  // nothing can be said about species in other files
+    }
+    files.parameters = read_forest_parameters(*files.species, reading);
+    files.rows.emplace();
+    files.records.emplace();
+    if (!scenario.trees.empty()) {
+        files.rows = reading.attempt([&] { return read_rows(*files.species, reading); });
+    } else if (!scenario.forest.stand_records.empty()) {
+        files.records = read_records(*files.species, reading);
+    } else {
+        reading.note(joined("neither trees.file nor stands.records: the forest begins on bare ground"));
+    }
+    return files;
+}
+
+/// The ground with its stands and soils; refuses forest without a soil.
+std::optional<ForestGround> lay_ground(const config::Raster<double>& heights_m,
+                                       const std::string& heights_file, const StandCover& stands,
+                                       const SoilCover& soils, Reading& reading) {
+    std::size_t without_soil = 0;
+    const auto cover_at = [&](double x_m, double y_m) -> std::optional<PatchCover> {
+        const std::uint32_t stand = stands.at(x_m, y_m);
+        if (stand == 0) {
+            return std::nullopt;
+        }
+        const auto soil = soils.at(x_m, y_m);
+        without_soil += soil ? 0U : 1U;
+        return PatchCover{stand, soil.value_or(forest::Soil{})};
+    };
+    auto ground = reading.attempt([&] { return make_ground(heights_m, heights_file, cover_at, reading); });
+    if (without_soil > 0) {
+        reading.refuse({soils.file},
+                       joined("no soil code for ", counted(without_soil, "forest cell"), " of 10 m"),
+                       "a code wherever there is forest, or soil.type for the rest");
+    }
+    if (ground) {
+        tell_stands_without_patch(stands, ground->grid, reading);
+    }
+    return ground;
+}
+
+forest::Site site_on(const ForestGround& ground, const ClimateSource& climate,
+                     const ForestSettings& settings) {
+    const config::Angle latitude = config::Angle::from_degrees(settings.latitude_deg);
+    forest::SkySettings sky;
+    sky.latitude = latitude;
+    forest::LightGround light_ground;
+    light_ground.elevation_m = ground.elevation_m;
+    light_ground.edges = settings.edges;
+    return {ground.grid, latitude,
+            forest::LightFrame{
+                .sky = forest::Sky{sky, forest::split_radiation(latitude, climate.mean_radiation_mjpm2())},
+                .ground = std::move(light_ground),
+                .horizons = ground.horizons}};
+}
+
+double mean_elevation_m(const forest::PatchGrid& grid, const std::vector<forest::PatchId>& patches) {
+    double sum_m = 0.0;
+    for (const forest::PatchId patch : patches) {
+        sum_m += grid[patch].ground_m;
+    }
+    return sum_m / static_cast<double>(patches.size());
+}
+
+std::vector<forest::PatchId> all_patches(const forest::PatchGrid& grid) {
+    std::vector<forest::PatchId> patches;
+    for (std::uint32_t i = 0; i < grid.size(); ++i) {
+        patches.push_back(forest::PatchId{i});
+    }
+    return patches;
+}
+
+/// The user's own numbers where they are different whole numbers, else those of the rows, which is told.
+std::vector<std::uint64_t> numbers_of(const std::vector<ListedRow>& rows, const std::string& file,
+                                      Reading& reading) {
+    std::vector<std::uint64_t> numbers;
+    std::set<std::uint64_t> seen;
+    for (const ListedRow& row : rows) {
+        const auto number = config::parse_whole(row.id);
+        if (number && *number >= 0 && static_cast<double>(*number) < highest_listed_id) {
+            numbers.push_back(static_cast<std::uint64_t>(*number));
+            seen.insert(numbers.back());
+        }
+    }
+    if (seen.size() == rows.size()) {
+        return numbers;
+    }
+    reading.note(
+        joined(file, ": tree_id are not different whole numbers; trees are numbered as the rows from 1 on"));
+    numbers.clear();
+    for (const ListedRow& row : rows) {
+        numbers.push_back(row.row + 1);
+    }
+    return numbers;
+}
+
+/// Puts the trees of the list where they grow, or among the obstacles.
+void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& reading) {
+    const std::string file = reading.shown(reading.scenario().trees);
+    const std::vector<std::uint64_t> numbers = numbers_of(rows, file, reading);
+    const forest::SpeciesTable& table = site.species.table;
+    std::vector<forest::ListedTree> list;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        list.push_back({.id = numbers[i],
+                        .x_m = rows[i].x_m,
+                        .y_m = rows[i].y_m,
+                        .species = forest::SpeciesId{static_cast<std::uint16_t>(rows[i].species)},
+                        .dbh_cm = rows[i].dbh_cm,
+                        .height_m = rows[i].height_m,
+                        .age_years = rows[i].age_years});
+    }
+    const double degree_days = site.climate.degree_days(mean_elevation_m(site.grid, all_patches(site.grid)));
+    config::Warnings told;
+    forest::StartingTrees start = forest::trees_from_list(list, site.grid, table, degree_days, told);
+    for (const std::string& sentence : told.sentences()) {
+        reading.note(joined(file, ": ", sentence));
+    }
+    site.listed = std::move(start.trees);
+    std::size_t filled = 0;
+    for (const std::size_t i : start.outside) {
+        const forest::ListedTree& tree = list[i];
+        const forest::Species& kind = table[tree.species];
+        const double height_m = tree.height_m.value_or(forest::height_by_growth(
+            kind, tree.dbh_cm, forest::site_height_factor(kind.height_growth, degree_days)));
+        filled += tree.height_m ? 0U : 1U;
+        std::string code = kind.code;
+        std::transform(code.begin(), code.end(), code.begin(),
+                       [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+        const double energy =
+            site.species.fracture_energy.empty() ? 1.0 : site.species.fracture_energy[rows[i].species];
+        site.obstacles.push_back(
+            {std::to_string(tree.id), code, {tree.x_m, tree.y_m, tree.dbh_cm, height_m, energy}});
+    }
+    if (filled > 0) {
+        reading.note(joined(file, ": ", counted(filled, "height"),
+                            " of trees outside the forest filled in from the growth law of the species"));
+    }
+}
+
+}  // namespace
+
+forest::Stand ForestSite::start(std::uint64_t seed, std::uint32_t replicate) const {
+    std::vector<forest::Tree> trees = listed;
+    std::uint64_t next_id = 1;
+    for (const forest::StandRecord& record : inventory) {
+        const auto of_stand =
+            forest::trees_from_record(record, grid, species.table, seed, replicate, next_id);
+        next_id += of_stand.size();
+        trees.insert(trees.end(), of_stand.begin(), of_stand.end());
+    }
+    return {grid, species.table.size(), std::move(trees), first_year() - 1};
+}
+
+YearWeather ForestSite::weather(int calendar_year, std::uint32_t replicate) const {
+    std::vector<double> elevations_m;
+    for (const forest::SiteUnit& unit : place.units()) {
+        elevations_m.push_back(unit.elevation_m);
+    }
+    return climate.weather(calendar_year, replicate, elevations_m);
+}
+
+std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
+                                        const std::string& heights_file, Reading& reading) {
+    Files files = read_files(reading);
+    std::optional<ForestGround> ground;
+    std::vector<forest::StandRecord> inventory;
+    if (files.stands && files.soils) {
+        ground = lay_ground(heights_m, heights_file, *files.stands, *files.soils, reading);
+    }
+    if (ground && files.records && !files.records->empty()) {
+        inventory = place_records(std::move(*files.records), ground->grid, *files.stands, reading);
+    }
+    if (!files.species || !files.parameters || !files.climate || !ground || !files.rows || !files.records ||
+        !reading.problems().empty()) {
+        return nullptr;
+    }
+    forest::Site place = site_on(*ground, *files.climate, reading.scenario().forest);
+    auto site = std::make_shared<ForestSite>(ForestSite{.species = std::move(*files.species),
+                                                        .parameters = std::move(*files.parameters),
+                                                        .grid = std::move(ground->grid),
+                                                        .place = std::move(place),
+                                                        .climate = std::move(*files.climate),
+                                                        .listed = {},
+                                                        .inventory = std::move(inventory),
+                                                        .obstacles = {}});
+    for (forest::StandRecord& record : site->inventory) {
+        record.degree_days = site->climate.degree_days(mean_elevation_m(site->grid, record.patches));
+    }
+    plant(*files.rows, *site, reading);
+    return site;
+}
+
+}  // namespace coupling

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupling/inputs/climate_input.hpp"
+#include "coupling/inputs/forest_species.hpp"
+#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/site.hpp"
+#include "forest/start/starting_stand.hpp"
+#include "forest/year.hpp"
+
+namespace coupling {
+
+/// A forest with all that its years need, read, checked and valid. Shared by all replicates; never changes.
+///
+/// All coordinates are absolute, as in the files. The terrain of the rocks has an origin of its own
+/// (Site::origin_m).
+struct ForestSite {
+    ForestSpecies species;
+    forest::Parameters parameters;
+    forest::PatchGrid grid;  ///< cells of 10 m at multiples of 10 m; management_unit is the stand number
+    forest::Site place;
+    ClimateSource climate;
+    std::vector<forest::Tree> listed;            ///< trees of the list that grow, or
+    std::vector<forest::StandRecord> inventory;  ///< by rising stand number; both empty: bare ground
+    std::vector<TreeRecord>
+        obstacles;  ///< trees of the list on no patch, which stand as they are; with rocks on the terrain
+
+    /// Calendar year of the first simulated year.
+    [[nodiscard]] int first_year() const { return climate.first_year; }
+    /// The forest at the beginning, in the calendar year before the first simulated one. A list gives the
+    /// same trees to all replicates, an inventory other places in each.
+    [[nodiscard]] forest::Stand start(std::uint64_t seed, std::uint32_t replicate) const;
+    /// The weather of a calendar year, for Stand::year() + 1. The change of climate is in it.
+    [[nodiscard]] YearWeather weather(int calendar_year, std::uint32_t replicate) const;
+};
+
+/// Opens, reads and checks everything about the forest on heights in absolute coordinates (NaN: no ground;
+/// `heights_file` names them in messages). Nothing where something is wrong: what, is in reading.problems().
+/// Requires scenario.years > 0.
+std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
+                                        const std::string& heights_file, Reading& reading);
+
+}  // namespace coupling

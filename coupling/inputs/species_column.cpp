@@ -1,0 +1,53 @@
+#include "coupling/inputs/species_column.hpp"
+
+#include "coupling/results/joined.hpp"
+
+namespace coupling {
+
+std::optional<std::size_t> SpeciesColumn::find(std::size_t row) {
+    const std::string& name = table_.text(row, "species");
+    const auto [entry, is_new] = seen_.try_emplace(name);
+    if (is_new) {
+        entry->second = {lookup_.find(name), row, 0};
+    }
+    ++entry->second.count;
+    return entry->second.species;
+}
+
+void SpeciesColumn::refuse_unknown(config::Problems& problems) const {
+    for (const auto& [name, use] : seen_) {
+        if (use.species) {
+            continue;
+        }
+        const std::string nearest = lookup_.nearest(name);
+        std::string found = name.empty() ? "no species" : "species " + config::in_quotes(name);
+        if (use.count > 1) {
+            found += ", " + std::to_string(use.count) + " times";
+        }
+        problems.add(config::ExitCode::data, table_.place(use.first_row, "species"), std::move(found),
+                     joined("a code or Latin name of the species table",
+                            nearest.empty() ? std::string{", such as ABAL"} : joined(" (", nearest, "?)")));
+    }
+}
+
+std::map<std::size_t, std::size_t> SpeciesColumn::counts() const {
+    std::map<std::size_t, std::size_t> counts;
+    for (const auto& [name, use] : seen_) {
+        if (use.species) {
+            counts[*use.species] += use.count;
+        }
+    }
+    return counts;
+}
+
+std::map<std::string, std::size_t> SpeciesColumn::counts_by_name() const {
+    std::map<std::string, std::size_t> counts;
+    for (const auto& [name, use] : seen_) {
+        if (use.species) {
+            counts[name] = use.count;
+        }
+    }
+    return counts;
+}
+
+}  // namespace coupling
