@@ -20,7 +20,7 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald init DIR [--example NAME]   writes an example project, ready to run
   bannwald check SCENARIO              reads everything, tells size, memory and time; writes nothing
   bannwald run SCENARIO                lets the rocks fall and writes maps, tables and a report
-  bannwald validate [CASE...|all]      holds the model against published experiments
+  bannwald validate [CASE...|all]      holds the model against published experiments and tables
   bannwald stopping-table [RECIPE]     makes stopping probabilities from virtual surfaces
   bannwald info FILE                   tells what a grid or a table holds
 
@@ -77,14 +77,16 @@ Interrupted by Ctrl-C it keeps finished parts; the same call goes on from there.
 constexpr std::string_view validate_help = R"(bannwald validate [CASE...|all] [options]
 
 Lets the rocks of published experiments fall with the settings of the paper (strict) and with ours (default),
-prints every figure beside what was observed and published, and says which criteria are met.
+prints every figure beside what was observed and published, and says which criteria are met. Cases forest_... hold
+parts of the forest model against other programs and tables; they have one set of settings (default).
 Ends with exit code 5 if strict or default misses a criterion of any case, with 0 otherwise.
   --list                    the cases, one a line
   --out DIR                 folder of report.html, summary.md and the tables (default: validation-results)
   --overwrite               replaces results that the folder holds
   --cases DIR               cases of this folder instead of the built-in ones
   --profile FILE            takes the place of the profile of the one case named: a surveyed slope
-  --rocks N                 rocks of the large ensemble; series and moved choices shrink with it
+  --rocks N                 rocks of the large ensemble; series and moved choices shrink with it. It and settings
+                            of rocks change nothing in a case of the forest, which says so
   --set section.key=value   changes a setting of case.ini, [rockfall] or [tree_impact]; again for more
   --seed N                  the same as --set series.seed=N
   --threads N               threads to use; results do not depend on it (default: all of the machine)

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/validation/plot.hpp"
+
 namespace coupling::validation {
 
 /// A figure of a case: over all rocks, and between series of few rocks as an experiment has them.
@@ -140,7 +142,11 @@ struct CaseResult {
     std::vector<FactorRow> factors;
     std::vector<DirectionRow> directions;
     std::vector<std::string> notes;  ///< such as "profile.csv replaced by surveyed.csv"
-    std::uint64_t rocks = 0;
+    bool has_strict = true;          ///< else `default` alone is judged
+    std::string extent;              ///< what was computed, such as "10000 rocks, 100 series of 100"
+    std::vector<PlotGroup> plots;
+    std::vector<PlainTable> tables;
+    std::uint64_t rocks = 0;  ///< 0 where none falls
     std::uint64_t series = 0;
     std::uint64_t rocks_per_series = 0;
     double seconds = 0.0;

@@ -197,14 +197,15 @@ std::uint64_t falls_planned(const Recipe& recipe, const FactorPlan& plan) {
 CaseResult head_of(const ValidationCase& of, const Recipe& recipe) {
     CaseResult result;
     result.name = of.files.name;
-    result.title = recipe.title;
-    result.citation = recipe.citation;
-    result.rebuilt = recipe.rebuilt;
+    result.title = recipe.head.title;
+    result.citation = recipe.head.citation;
+    result.rebuilt = recipe.head.rebuilt;
     result.profile = with_slope_change(of.profile(recipe), recipe.slope_change_deg);
     result.notes = of.notes;
     result.rocks = recipe.rocks;
     result.series = recipe.series;
     result.rocks_per_series = recipe.rocks_per_series;
+    result.extent = extent_of(recipe);
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "coupling/results/joined.hpp"
 #include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/validation/artificial_stand.hpp"
@@ -244,6 +245,11 @@ void Falls::append(const Falls& other) {
 
 std::uint64_t rocks_of(const Recipe& recipe) {
     return recipe.rocks + recipe.series * recipe.rocks_per_series;
+}
+
+std::string extent_of(const Recipe& recipe) {
+    return joined(std::to_string(recipe.rocks), " rocks, ", std::to_string(recipe.series), " series of ",
+                  std::to_string(recipe.rocks_per_series));
 }
 
 Ensembles let_fall(const Recipe& recipe, const RebuiltSlope& slope, const FallRequest& request) {

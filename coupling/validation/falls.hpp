@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/run/watched_falls.hpp"
+#include "coupling/validation/interrupted.hpp"
 #include "coupling/validation/rebuild.hpp"
 
 namespace coupling::validation {
@@ -75,11 +76,11 @@ struct FallRequest {
         fallen;  ///< told of rocks as they come; from any thread, one at a time
 };
 
-/// Thrown where the user wants no more (InterruptGuard).
-struct Interrupted {};
-
 /// How many rocks a recipe lets fall, in the large ensemble and the series.
 std::uint64_t rocks_of(const Recipe& recipe);
+
+/// "10000 rocks, 100 series of 100".
+std::string extent_of(const Recipe& recipe);
 
 /// Lets the rocks of a recipe fall. With a stand, series i falls through stand i modulo their number, and the
 /// large ensemble is shared evenly among the stands. Series i has replicate i + 1, the large ensemble 0.

@@ -24,17 +24,21 @@ std::string case_part(const CaseResult& result) {
     std::string html = joined("<h2 id=\"", escaped(result.name), "\">",
                               escaped(result.title.empty() ? result.name : result.title),
                               "</h2>\n<p class=\"soft\">", escaped(result.citation), "</p>\n");
-    if (strict.met + strict.missed + ours.met + ours.missed > 0) {
+    if (!result.has_strict) {
+        html += joined("<p class=\"lead\">Criteria met: <b>", ours.text(), "</b>.</p>\n");
+    } else if (strict.met + strict.missed + ours.met + ours.missed > 0) {
         html += joined("<p class=\"lead\">Criteria met: <b>", strict.text(), "</b> in strict, <b>",
                        ours.text(), "</b> in default.</p>\n");
     }
     html += nearness(result);
     if (!result.rebuilt.empty()) {
-        html += joined("<p><b>What is rebuilt.</b> ", escaped(result.rebuilt), "</p>\n");
+        html += joined(result.has_strict ? "<p><b>What is rebuilt.</b> " : "<p><b>What it shows.</b> ",
+                       escaped(result.rebuilt), "</p>\n");
     }
     html += notes_of(result);
     return joined(html, "<section class=\"card\">", verdict_table(result), misses(result), "</section>\n",
-                  case_charts(result), factors_part(result), variants_table(result), choices_table(result));
+                  case_charts(result), plots_part(result), factors_part(result), variants_table(result),
+                  choices_table(result));
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_parts.hpp"
@@ -41,8 +43,10 @@ std::string overview(std::span<const CaseResult> cases) {
     for (const CaseResult& result : cases) {
         table.row({joined("<a href=\"#", escaped(result.name), "\">",
                           escaped(result.title.empty() ? result.name : result.title), "</a>"),
-                   score_of(result, strict_side).text(), score_of(result, default_side).text(),
-                   missed_in(result, strict_side), missed_in(result, default_side)});
+                   result.has_strict ? score_of(result, strict_side).text() : "–",
+                   score_of(result, default_side).text(),
+                   result.has_strict ? missed_in(result, strict_side) : "–",
+                   missed_in(result, default_side)});
     }
     return table.html();
 }
@@ -54,10 +58,13 @@ std::string how_to_read() {
            "program</dd></div>"
            "<div><dt>strict</dt><dd>Bannwald with exactly what the paper states; where it is silent, our "
            "choices</dd></div>"
-           "<div><dt>default</dt><dd>Bannwald as it is shipped: our best</dd></div>"
+           "<div><dt>default</dt><dd>Bannwald as it is shipped: our best. The forest has no strict "
+           "set</dd></div>"
            "<div><dt>independent</dt><dd>the figure was not used to rebuild slope or stand: a hit "
            "counts</dd></div>"
-           "<div><dt>rebuilding</dt><dd>the figure was used to rebuild slope or stand: a hit proves "
+           "<div><dt>fitted</dt><dd>the model was calibrated with the figure: a hit proves little</dd></div>"
+           "<div><dt>rebuilding</dt><dd>the figure was used to rebuild slope or stand, or the reference is "
+           "our own: a hit proves "
            "little</dd></div></dl>\n"
            "<p>Criteria come from the published spread and were set before our model was run on the case, "
            "unless "
@@ -72,13 +79,18 @@ std::string how_to_read() {
 std::string page_opening(std::span<const CaseResult> cases) {
     const Score strict = sum_of(cases, strict_side);
     const Score ours = sum_of(cases, default_side);
+    const bool has_strict =
+        std::any_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.has_strict; });
+    const std::string of_strict =
+        has_strict ? joined("<b>strict</b> meets <b>", strict.text(),
+                            "</b> criteria, of the independent ones ", independent_of(strict), ". ")
+                   : "";
     return joined(
         "<h1>Bannwald against the published cases</h1>\n<section class=\"card\"><p "
-        "class=\"answer\"><b>strict</b> "
-        "meets <b>",
-        strict.text(), "</b> criteria, of the independent ones ", independent_of(strict),
-        ". <b>default</b> meets <b>", ours.text(), "</b>, of the independent ones ", independent_of(ours),
-        ".</p>\n", overview(cases), "</section>\n", how_to_read());
+        "class=\"answer\">",
+        of_strict, "<b>default</b> meets <b>", ours.text(), has_strict ? "</b>" : "</b> criteria",
+        ", of the independent ones ", independent_of(ours), ".</p>\n", overview(cases), "</section>\n",
+        how_to_read());
 }
 
 }  // namespace coupling::validation

@@ -32,6 +32,9 @@ std::string choices_table(const CaseResult& result);
 /// Figures over the settings of stand and rock; empty without them.
 std::string factors_part(const CaseResult& result);
 
+/// Plots and tables of a case of the forest; empty for others.
+std::string plots_part(const CaseResult& result);
+
 /// What the page adds to the style of a report.
 std::string_view page_style();
 

@@ -30,6 +30,9 @@ std::string_view page_style() {
 .dot.other0{fill:var(--blue);stroke:none}
 .dot.other1{fill:var(--paper);stroke:var(--violet);stroke-dasharray:none}
 .whiskers{stroke-dasharray:none;stroke-width:1.2}
+.dot.tree{fill:var(--forest);fill-opacity:.35;stroke:none;r:2.6px}
+.equal{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:4 3;fill:none}
+.level{stroke:var(--soft);stroke-width:1;stroke-dasharray:2 3;fill:none}
 .profile .ground{stroke:var(--ink);stroke-width:2;fill:none}
 .profile .change{stroke:var(--soft);stroke-width:1;fill:none}
 .profile text{font-size:13px}

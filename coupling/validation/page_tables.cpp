@@ -131,9 +131,36 @@ std::size_t turned(const CaseResult& result, const std::vector<const VerdictRow*
         rows.begin(), rows.end(), [&](const VerdictRow* row) { return quantities.contains(row->quantity); }));
 }
 
+/// The verdicts of the forest: one set of settings, no series.
+std::string forest_verdicts(const CaseResult& result) {
+    const bool has_reference = std::any_of(result.rows.begin(), result.rows.end(),
+                                           [](const VerdictRow& row) { return row.published.has_value(); });
+    std::vector<std::string> head{"quantity", "Bannwald", "criterion", "rests on"};
+    if (has_reference) {
+        head.emplace_back("reference");
+    }
+    HtmlTable table{escaped(result.extent), head};
+    table.text_columns({3});
+    Notes notes;
+    for (const VerdictRow& row : result.rows) {
+        std::vector<std::string> cells{row_name(row), ours(row.default_value, row.default_verdict),
+                                       joined(criterion_text(row), notes.cite(row.rule)),
+                                       escaped(row.rests_on)};
+        if (has_reference) {
+            cells.push_back(
+                row.published ? joined(figure_text(*row.published), notes.cite(row.published_source)) : "–");
+        }
+        table.row(cells);
+    }
+    return result.rows.empty() ? "" : joined(table.html(), notes.html());
+}
+
 }  // namespace
 
 std::string verdict_table(const CaseResult& result) {
+    if (!result.has_strict) {
+        return forest_verdicts(result);
+    }
     HtmlTable table{
         joined("Large figures: all ", report::grouped(result.rocks),
                " rocks; small ones: mean ± standard deviation of ", report::grouped(result.series),
@@ -166,8 +193,8 @@ std::string misses(const CaseResult& result) {
         items += joined(
             "<li><b>", row_name(row), "</b>: ", (strict ? miss_of("strict", row.strict_value) : ""),
             (strict && ours_missed ? " and " : ""),
-            (ours_missed ? miss_of("default", row.default_value) : ""), " instead of ", criterion_text(row),
-            ". ",
+            (ours_missed ? miss_of(result.has_strict ? "default" : "Bannwald", row.default_value) : ""),
+            " instead of ", criterion_text(row), ". ",
             (row.cause.empty() ? "The cause is not known." : joined("Likely cause: ", escaped(row.cause))),
             "</li>\n");
     }

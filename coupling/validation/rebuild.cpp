@@ -153,7 +153,7 @@ rockfall::Target RebuiltSlope::line_at(const std::string& name, double distance_
 RebuiltSlope rebuild(const Recipe& recipe, const Profile& surveyed) {
     Profile profile = with_slope_change(surveyed, recipe.slope_change_deg);
     rockfall::Slope slope =
-        recipe.kind == CaseKind::profile ? strip(recipe, profile) : in_space(recipe, profile);
+        recipe.head.kind == CaseKind::profile ? strip(recipe, profile) : in_space(recipe, profile);
     return {std::move(slope), std::move(profile), recipe.width_m, recipe.start_height_m > 0.0};
 }
 

@@ -18,17 +18,13 @@ constexpr const char* recipe_file = "case.ini";
 
 const std::vector<std::pair<std::string, CaseKind>>& kinds() {
     static const std::vector<std::pair<std::string, CaseKind>> names{
-        {"slope", CaseKind::slope}, {"profile", CaseKind::profile}, {"factors", CaseKind::factors}};
+        {"slope", CaseKind::slope},
+        {"profile", CaseKind::profile},
+        {"factors", CaseKind::factors},
+        {"forest_production", CaseKind::forest_production},
+        {"forest_light", CaseKind::forest_light},
+        {"forest_yield", CaseKind::forest_yield}};
     return names;
-}
-
-void declare_case(config::Options& options, Recipe& r) {
-    options.text("case.title", r.title, {.meaning = "one line on what the case is"});
-    options.text("case.citation", r.citation, {.meaning = "where its figures were published"});
-    options.choice("case.kind", r.kind, kinds(),
-                   {.meaning = "three dimensions, a profile without deviation and trees, or factors"});
-    options.text("case.rebuilt", r.rebuilt,
-                 {.meaning = "what is rebuilt, and what that means for the verdicts"});
 }
 
 void declare_rock(config::Options& options, Recipe& r) {
@@ -163,18 +159,21 @@ private:
     }
 
     void check_head() {
-        if (recipe_.title.empty()) {
+        if (is_forest(recipe_.head.kind)) {
+            refuse("case.kind", "a kind of the forest for a case with rocks", "the kind of its case.ini");
+        }
+        if (recipe_.head.title.empty()) {
             refuse("case.title", "no case.title", "one line on what the case is");
         }
-        if (recipe_.kind != CaseKind::factors && !recipe_.options->free_entries().empty()) {
+        if (recipe_.head.kind != CaseKind::factors && !recipe_.options->free_entries().empty()) {
             const config::FreeEntry& entry = recipe_.options->free_entries().front();
             problems_.add(config::ExitCode::settings, entry.place, "section [factors]",
                           "case.kind = factors");
         }
-        if (recipe_.kind == CaseKind::profile && recipe_.has_stand()) {
+        if (recipe_.head.kind == CaseKind::profile && recipe_.has_stand()) {
             refuse("stand.stems_per_ha", "a stand on a profile", "case.kind = slope for trees");
         }
-        if (recipe_.kind == CaseKind::profile) {
+        if (recipe_.head.kind == CaseKind::profile) {
             refuse_what_profiles_lack();
         }
     }
@@ -265,8 +264,18 @@ private:
 
 }  // namespace
 
+void declare(config::Options& options, CaseHead& head) {
+    options.text("case.title", head.title, {.meaning = "one line on what the case is"});
+    options.text("case.citation", head.citation, {.meaning = "where its figures were published"});
+    options.choice("case.kind", head.kind, kinds(),
+                   {.meaning = "three dimensions, a profile without deviation and trees, factors, or a part "
+                               "of the forest"});
+    options.text("case.rebuilt", head.rebuilt,
+                 {.meaning = "what is rebuilt, and what that means for the verdicts"});
+}
+
 void declare(config::Options& options, Recipe& recipe) {
-    declare_case(options, recipe);
+    declare(options, recipe.head);
     declare_rock(options, recipe);
     declare_series(options, recipe);
     declare_terrain(options, recipe);
@@ -281,7 +290,7 @@ std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<st
     std::istringstream in{files.texts.at(recipe_file)};
     recipe->options->read(in, files.shown(recipe_file), overrides, "rockfall.preset");
     RecipeCheck{*recipe}.run();
-    if (recipe->kind == CaseKind::profile) {
+    if (recipe->head.kind == CaseKind::profile) {
         recipe->rockfall.written.lateral_slow_deg = 0.0;
         recipe->rockfall.written.lateral_fast_deg = 0.0;
     }

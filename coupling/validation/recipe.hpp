@@ -12,9 +12,25 @@
 namespace coupling::validation {
 
 enum class CaseKind : std::uint8_t {
-    slope,    ///< a profile with a cross-section: rocks move in three dimensions, trees may stand
-    profile,  ///< the two-dimensional mode: no deviation, no trees
-    factors,  ///< forest against bare slope over several settings (factors.hpp)
+    slope,              ///< a profile with a cross-section: rocks move in three dimensions, trees may stand
+    profile,            ///< the two-dimensional mode: no deviation, no trees
+    factors,            ///< forest against bare slope over several settings (factors.hpp)
+    forest_production,  ///< the production core against other programs (forest_cases)
+    forest_light,       ///< light in a mapped stand against another program
+    forest_yield,       ///< plantations against yield tables
+};
+
+/// Whether no rock falls in it.
+constexpr bool is_forest(CaseKind kind) {
+    return kind >= CaseKind::forest_production;
+}
+
+/// Section [case], which every kind has.
+struct CaseHead {
+    std::string title;
+    std::string citation;
+    CaseKind kind = CaseKind::slope;
+    std::string rebuilt;
 };
 
 /// A line across the slope at which arrivals are looked at.
@@ -32,11 +48,7 @@ struct SpeciesShare {
 
 /// The settings of one variant of a case: its case.ini with overrides, all checked.
 struct Recipe {
-    // [case]
-    std::string title;
-    std::string citation;
-    CaseKind kind = CaseKind::slope;
-    std::string rebuilt;
+    CaseHead head;
 
     // [rock]
     double diameter_m = 1.0;
@@ -91,7 +103,10 @@ struct Recipe {
     [[nodiscard]] bool has_stand() const { return stems_per_ha > 0.0; }
 };
 
-/// Declares every setting of a case. The options keep references into the recipe: it must not move after.
+/// Declares [case].
+void declare(config::Options& options, CaseHead& head);
+/// Declares every setting of a case with rocks. The options keep references into the recipe: it must not move
+/// after.
 void declare(config::Options& options, Recipe& recipe);
 
 /// The recipe of a case with `section.key=value` overrides, later ones winning; the named set of settings is
@@ -99,11 +114,7 @@ void declare(config::Options& options, Recipe& recipe);
 /// every problem found.
 std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<std::string>& overrides);
 
-/// Title and kind of a case, read without checking the rest.
-struct CaseHead {
-    std::string title;
-    CaseKind kind = CaseKind::slope;
-};
+/// Title and kind of a case, read without checking the rest; a kind that there is not stays `slope`.
 CaseHead head_of(const CaseFiles& files);
 
 }  // namespace coupling::validation

@@ -1,5 +1,6 @@
 #include "coupling/validation/screen.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -43,9 +44,9 @@ std::string with_deviation(const Value& value, const std::string& unit) {
 }
 
 std::string criterion_text(const VerdictRow& row) {
-    return row.low && row.high ? joined(config::to_text(*row.low), " to ", config::to_text(*row.high),
-                                        row.rests_on == "rebuilding" ? " r" : "")
-                               : "";
+    return row.low && row.high
+               ? joined(config::to_text(*row.low), " to ", config::to_text(*row.high), mark_of(row))
+               : "";
 }
 
 std::string verdict_text(Verdict verdict) {
@@ -61,43 +62,70 @@ std::string verdict_text(Verdict verdict) {
 }
 
 /// The lines of a figure: a label that is too wide goes on below.
-void add_figure(AlignedTable& table, const VerdictRow& row) {
-    constexpr std::size_t label_columns = 32;
+void add_figure(AlignedTable& table, const VerdictRow& row, bool has_strict) {
+    const std::size_t label_columns = has_strict ? 32 : 52;
     const std::vector<std::string> label = wrapped(row.label, label_columns);
-    table.add({label.empty() ? row.quantity : label.front(), row.unit, value_text(row.observed, row.unit),
-               row.published ? with_deviation(*row.published, row.published_deviation, row.unit) : "",
-               with_deviation(row.strict_value, row.unit), verdict_text(row.strict_verdict),
-               with_deviation(row.default_value, row.unit), verdict_text(row.default_verdict),
-               criterion_text(row)});
+    std::vector<std::string> cells{label.empty() ? row.quantity : label.front(), row.unit};
+    if (has_strict) {
+        cells.push_back(value_text(row.observed, row.unit));
+    }
+    cells.push_back(row.published ? with_deviation(*row.published, row.published_deviation, row.unit) : "");
+    if (has_strict) {
+        cells.push_back(with_deviation(row.strict_value, row.unit));
+        cells.push_back(verdict_text(row.strict_verdict));
+    }
+    cells.push_back(with_deviation(row.default_value, row.unit));
+    cells.push_back(verdict_text(row.default_verdict));
+    cells.push_back(criterion_text(row));
+    table.add(std::move(cells));
     for (std::size_t k = 1; k < label.size(); ++k) {
         table.add({joined("  ", label[k])});
     }
 }
 
+/// What the marks behind criteria mean, of those that a case has.
+std::string legend_of_marks(const CaseResult& result) {
+    const auto any = [&](const char* word) {
+        return std::any_of(result.rows.begin(), result.rows.end(),
+                           [&](const VerdictRow& row) { return row.rests_on == word; });
+    };
+    const char* const rebuilt = result.has_strict ? "r: used to rebuild the slope, a hit proves little. "
+                                                  : "r: the reference is our own, a hit proves little. ";
+    return joined(any("rebuilding") ? rebuilt : "",
+                  any("fitted") ? "f: the model was calibrated with it, a hit proves little." : "");
+}
+
 void print_verdicts(std::ostream& out, const CaseResult& result) {
-    AlignedTable table{{0, 1, 5, 7, 8}};
-    table.add({"", "unit", "observed", "published", "strict", "", "default", "", "criterion"});
+    AlignedTable table{result.has_strict ? std::set<std::size_t>{0, 1, 5, 7, 8}
+                                         : std::set<std::size_t>{0, 1, 4, 5}};
+    table.add(result.has_strict
+                  ? std::vector<std::string>{"", "unit", "observed", "published", "strict", "", "default", "",
+                                             "criterion"}
+                  : std::vector<std::string>{"", "unit", "reference", "Bannwald", "", "criterion"});
     for (const VerdictRow& row : result.rows) {
-        add_figure(table, row);
+        add_figure(table, row, result.has_strict);
     }
     table.print(out);
-    print_wrapped(out, "  ",
-                  joined("±: between series of ", std::to_string(result.rocks_per_series),
-                         " rocks (published: as the source says). r: used to rebuild the slope, a hit proves "
-                         "little."));
+    const std::string series = result.series == 0
+                                   ? ""
+                                   : joined("±: between series of ", std::to_string(result.rocks_per_series),
+                                            " rocks (published: as the source says). ");
+    const std::string marks = legend_of_marks(result);
+    if (!series.empty() || !marks.empty()) {
+        print_wrapped(out, "  ", joined(series, marks));
+    }
 }
 
 void print_miss(std::ostream& out, const VerdictRow& row, const char* variant, const Value& value) {
     const std::string by = figure_text(
         std::abs(value.value < *row.low ? *row.low - value.value : value.value - *row.high), row.unit);
     const std::string unit = row.unit == "-" ? "" : joined(" ", row.unit);
-    print_wrapped(
-        out, "  ",
-        std::isfinite(value.value)
-            ? joined("missed by ", variant, ": ", row.label, " ", figure_text(value.value, row.unit), unit,
-                     ", ", by, unit, value.value < *row.low ? " below " : " above ",
-                     config::to_text(*row.low), " to ", config::to_text(*row.high))
-            : joined("missed by ", variant, ": ", row.label, " is given by no rock"));
+    print_wrapped(out, "  ",
+                  std::isfinite(value.value)
+                      ? joined("missed", variant, ": ", row.label, " ", figure_text(value.value, row.unit),
+                               unit, ", ", by, unit, value.value < *row.low ? " below " : " above ",
+                               config::to_text(*row.low), " to ", config::to_text(*row.high))
+                      : joined("missed", variant, ": ", row.label, " is given by no rock"));
 }
 
 void print_misses(std::ostream& out, const CaseResult& result) {
@@ -105,10 +133,10 @@ void print_misses(std::ostream& out, const CaseResult& result) {
         const bool strict = row.strict_verdict == Verdict::missed;
         const bool ours = row.default_verdict == Verdict::missed;
         if (strict) {
-            print_miss(out, row, "strict", row.strict_value);
+            print_miss(out, row, " by strict", row.strict_value);
         }
         if (ours) {
-            print_miss(out, row, "default", row.default_value);
+            print_miss(out, row, result.has_strict ? " by default" : "", row.default_value);
         }
         if ((strict || ours) && !row.cause.empty()) {
             print_wrapped(out, "      ", joined("likely cause: ", row.cause));
@@ -157,6 +185,10 @@ void print_directions(std::ostream& out, const CaseResult& result) {
 
 }  // namespace
 
+std::string mark_of(const VerdictRow& row) {
+    return row.rests_on == "rebuilding" ? " r" : row.rests_on == "fitted" ? " f" : "";
+}
+
 std::string figure_text(double value, const std::string& unit) {
     return std::isfinite(value) ? fixed_text(value, decimals_of(value, unit)) : "-";
 }
@@ -170,8 +202,7 @@ std::string figure_text(double value, double deviation, const std::string& unit)
 void print_case(std::ostream& out, const CaseResult& result) {
     out << result.name << ": " << result.title << '\n';
     print_wrapped(out, "  ", result.rebuilt);
-    out << "  " << result.rocks << " rocks; " << result.series << " series of " << result.rocks_per_series
-        << '\n';
+    out << "  " << result.extent << '\n';
     for (const std::string& note : result.notes) {
         print_wrapped(out, "  ", joined("note: ", note));
     }

@@ -25,8 +25,13 @@ std::string value_cell(const Value& value, const std::string& unit, Verdict verd
     return verdict == Verdict::missed ? joined("**", text, "**") : text;
 }
 
-void write_row(std::ostream& out, const VerdictRow& row) {
+void write_row(std::ostream& out, const VerdictRow& row, bool has_strict) {
     const std::vector<std::string> fixed = fixed_cells(row);
+    if (!has_strict) {
+        out << "| " << fixed[0] << " | " << fixed[1] << " | " << fixed[3] << " | "
+            << value_cell(row.default_value, row.unit, row.default_verdict) << " | " << fixed[4] << " |\n";
+        return;
+    }
     out << "| " << fixed[0] << " | " << fixed[1] << " | " << fixed[2] << " | " << fixed[3] << " | "
         << value_cell(row.strict_value, row.unit, row.strict_verdict) << " | "
         << value_cell(row.default_value, row.unit, row.default_verdict) << " | " << fixed[4] << " |\n";
@@ -41,7 +46,7 @@ std::size_t met(const CaseResult& result, Verdict VerdictRow::*verdict) {
 std::size_t criteria(const CaseResult& result) {
     return static_cast<std::size_t>(
         std::count_if(result.rows.begin(), result.rows.end(),
-                      [](const VerdictRow& row) { return row.strict_verdict != Verdict::no_criterion; }));
+                      [](const VerdictRow& row) { return row.default_verdict != Verdict::no_criterion; }));
 }
 
 /// "0.34 (0.33 to 0.35)", in bold where the direction does not hold.
@@ -76,15 +81,19 @@ void write_directions(std::ostream& out, const CaseResult& result) {
 }
 
 void write_case(std::ostream& out, const CaseResult& result) {
-    out << "\n**" << result.name << "** - " << result.title << ". " << result.rocks << " rocks, "
-        << result.series << " series of " << result.rocks_per_series << ". Criteria met: strict "
-        << met(result, &VerdictRow::strict_verdict) << ", default "
-        << met(result, &VerdictRow::default_verdict) << " of " << criteria(result) << ".\n";
+    out << "\n**" << result.name << "** - " << result.title << ". " << result.extent << ". Criteria met: ";
+    if (result.has_strict) {
+        out << "strict " << met(result, &VerdictRow::strict_verdict) << ", default ";
+    }
+    out << met(result, &VerdictRow::default_verdict) << " of " << criteria(result) << ".\n";
     if (!result.rows.empty()) {
-        out << "\n| figure | unit | observed | published | strict | default | criterion |\n"
-               "|---|---|---|---|---|---|---|\n";
+        out << (result.has_strict
+                    ? "\n| figure | unit | observed | published | strict | default | criterion |\n"
+                      "|---|---|---|---|---|---|---|\n"
+                    : "\n| figure | unit | reference | Bannwald | criterion |\n"
+                      "|---|---|---|---|---|\n");
         for (const VerdictRow& row : result.rows) {
-            write_row(out, row);
+            write_row(out, row, result.has_strict);
         }
     }
     write_directions(out, result);
@@ -111,8 +120,7 @@ std::vector<std::string> fixed_cells(const VerdictRow& row) {
     }
     std::string criterion;
     if (row.low && row.high) {
-        criterion = joined(config::to_text(*row.low), " to ", config::to_text(*row.high),
-                           row.rests_on == "rebuilding" ? " r" : "");
+        criterion = joined(config::to_text(*row.low), " to ", config::to_text(*row.high), mark_of(row));
     }
     return {cell(row.label), row.unit, value(row.observed), published, criterion};
 }
@@ -120,7 +128,8 @@ std::vector<std::string> fixed_cells(const VerdictRow& row) {
 void write_summary(std::ostream& out, std::span<const CaseResult> cases) {
     out << "Value of the large ensemble ± standard deviation between series; **bold**: outside the "
            "criterion;\n"
-           "r: the figure was used to rebuild the slope, so a hit proves little.\n";
+           "r: the figure was used to rebuild the slope, f: the model was fitted to it, so a hit proves "
+           "little.\n";
     for (const CaseResult& result : cases) {
         write_case(out, result);
     }

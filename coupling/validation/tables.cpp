@@ -88,6 +88,30 @@ void write_figures(std::ostream& out, std::span<const CaseResult> cases) {
     }
 }
 
+void write_plots(std::ostream& out, std::span<const CaseResult> cases) {
+    out << "case,group,plot,x_title,y_title,series,x,y,y_low\n";
+    CsvRow line{out};
+    for (const CaseResult& result : cases) {
+        for (const PlotGroup& group : result.plots) {
+            for (const Plot& plot : group.plots) {
+                for (const PlotSeries& series : plot.series) {
+                    const auto put_point = [&](double x, double y, double y_low) {
+                        line.text(result.name).text(group.title).text(plot.title).text(plot.x.title);
+                        line.text(plot.y.title).text(series.name);
+                        line.number<decimals>(x).number<decimals>(y).number<decimals>(y_low).end();
+                    };
+                    for (const report::ChartPoint& point : series.points) {
+                        put_point(point.x, point.y, none);
+                    }
+                    for (const report::ChartRange& range : series.ranges) {
+                        put_point(range.x, range.high, range.low);
+                    }
+                }
+            }
+        }
+    }
+}
+
 void write_choices(std::ostream& out, std::span<const CaseResult> cases) {
     out << "case,choice,overrides,reason,quantity,unit,low,high,strict,strict_verdict,default,"
            "default_verdict\n";

@@ -22,5 +22,7 @@ void write_hit_heights(std::ostream& out, std::span<const CaseResult> cases);
 /// Figures of every combination of factors with their 95 % intervals; settings as `section.key=value`.
 void write_factors(std::ostream& out, std::span<const CaseResult> cases);
 void write_directions(std::ostream& out, std::span<const CaseResult> cases);
+/// Every point of every plot of the forest.
+void write_plots(std::ostream& out, std::span<const CaseResult> cases);
 
 }  // namespace coupling::validation

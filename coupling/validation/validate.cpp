@@ -3,6 +3,7 @@
 #include "coupling/results/joined.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/validation/factors.hpp"
+#include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/outcome.hpp"
 #include "coupling/validation/verdict.hpp"
 
@@ -22,13 +23,14 @@ public:
     CaseResult run() {
         const std::unique_ptr<Recipe> recipe = case_.recipe("default");
         result_.name = case_.files.name;
-        result_.title = recipe->title;
-        result_.citation = recipe->citation;
-        result_.rebuilt = recipe->rebuilt;
+        result_.title = recipe->head.title;
+        result_.citation = recipe->head.citation;
+        result_.rebuilt = recipe->head.rebuilt;
         result_.profile = with_slope_change(case_.profile(*recipe), recipe->slope_change_deg);
         result_.rocks = recipe->rocks;
         result_.series = recipe->series;
         result_.rocks_per_series = recipe->rocks_per_series;
+        result_.extent = extent_of(*recipe);
         result_.notes = case_.notes;
         for (const VariantSpec& variant : case_.variants) {
             result_.variants.push_back(run_variant(variant));
@@ -149,9 +151,39 @@ private:
     Progress progress_;
 };
 
+/// Computes a part of the forest model and holds it against its reference.
+CaseResult validate_forest(const ValidationCase& of, const ValidateRequest& request) {
+    Progress progress{of.files.name, of.forest->pieces, 0, request.quiet};
+    forest_cases::Outcome outcome =
+        of.forest->run({request.threads, [&progress](std::uint64_t pieces) { progress.add(pieces); }});
+    VariantOutcome variant;
+    variant.variant = "default";
+    for (const auto& [name, value] : outcome.values) {
+        variant.values[name] = {value, {}, {}};
+    }
+    CaseResult result;
+    result.name = of.files.name;
+    result.title = of.head.title;
+    result.citation = of.head.citation;
+    result.rebuilt = of.head.rebuilt;
+    result.notes = of.notes;
+    result.has_strict = of.has_strict();
+    result.extent = of.forest->extent;
+    result.rows = verdict_rows(of, {}, variant.values);
+    result.variants = {std::move(variant)};
+    result.plots = std::move(outcome.plots);
+    result.tables = std::move(outcome.tables);
+    progress.finish();
+    result.seconds = progress.seconds();
+    return result;
+}
+
 }  // namespace
 
 CaseResult validate(const ValidationCase& of, const ValidateRequest& request) {
+    if (is_forest(of.kind)) {
+        return validate_forest(of, request);
+    }
     return of.kind == CaseKind::factors ? validate_factors(of, request.threads, request.quiet)
                                         : CaseRun{of, request}.run();
 }

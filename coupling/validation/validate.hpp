@@ -12,7 +12,8 @@ struct ValidateRequest {
 };
 
 /// Lets the rocks of a case fall under every variant and every moved choice and holds the figures against
-/// its criteria. A case of factors is handed on to validate_factors().
+/// its criteria; a case of the forest is computed once. A case of factors is handed on to
+/// validate_factors().
 CaseResult validate(const ValidationCase& of, const ValidateRequest& request);
 
 }  // namespace coupling::validation

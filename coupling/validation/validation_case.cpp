@@ -6,6 +6,7 @@
 #include "config/table/table.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/validation/forest_cases/comparison.hpp"
 
 namespace coupling::validation {
 
@@ -24,18 +25,50 @@ std::vector<std::string> words_of(const std::string& text) {
 /// Reads the tables of a case one after the other and collects what is wrong in any of them.
 class CaseReader {
 public:
-    CaseReader(ValidationCase& out, const Recipe& recipe) : out_{out}, recipe_{recipe} {}
+    explicit CaseReader(ValidationCase& out) : out_{out} {}
 
-    void read() {
-        read_profile_file();
+    /// The files of a case with rocks.
+    void read(const Recipe& recipe) {
+        read_profile_file(recipe);
         read_sections();
-        frame_.sections = out_.sections;
-        for (const Station& station : recipe_.stations) {
-            frame_.stations.push_back(station.name);
+        FigureFrame frame;
+        frame.sections = out_.sections;
+        for (const Station& station : recipe.stations) {
+            frame.stations.push_back(station.name);
         }
-        check_stations();
+        check_stations(recipe);
+        if (out_.kind != CaseKind::factors) {
+            names_ = figure_names(frame, recipe.has_stand());
+        }
+        read_criteria();
+        read_falls(recipe);
+        problems_.throw_if_any();
+    }
+
+    /// The files of a case of the forest, which has read its own.
+    void read(const forest_cases::Comparison& comparison) {
+        for (const forest_cases::Figure& figure : comparison.figures) {
+            names_.push_back(figure.name);
+        }
+        read_criteria();
+        for (const auto& [name, reference] : comparison.references) {
+            out_.published[name] = {reference.value, {}, {}, reference.source};
+        }
+        for (const std::string& name : names_) {
+            if (out_.published.contains(name)) {
+                add_figure(name);
+            }
+        }
+        problems_.throw_if_any();
+    }
+
+private:
+    void read_criteria() {
         table("criteria.csv", {"quantity", "low", "high", "rests_on", "rule"},
               [this](const config::Table& t, std::size_t row) { read_criterion(t, row); });
+    }
+
+    void read_falls(const Recipe& recipe) {
         table("observed.csv", {"quantity", "value", "source"},
               [this](const config::Table& t, std::size_t row) { read_observed(t, row); });
         table("published.csv", {"quantity", "value", "deviation", "series", "source"},
@@ -43,13 +76,11 @@ public:
         out_.variants = {{"strict", "strict", {}, "exactly what the paper states"},
                          {"default", "default", {}, "our best settings"}};
         table("variants.csv", {"variant", "preset", "overrides", "meaning"},
-              [this](const config::Table& t, std::size_t row) { read_variant(t, row); });
+              [&](const config::Table& t, std::size_t row) { read_variant(t, row, recipe); });
         table("choices.csv", {"choice", "overrides", "reason"},
-              [this](const config::Table& t, std::size_t row) { read_choice(t, row); });
-        problems_.throw_if_any();
+              [&](const config::Table& t, std::size_t row) { read_choice(t, row, recipe); });
     }
 
-private:
     template <class Row>
     void table(const std::string& file, const std::vector<std::string>& columns, Row read_row) {
         const auto text = out_.files.texts.find(file);
@@ -76,17 +107,17 @@ private:
                       config::in_quotes(table.text(row, column)), std::move(expected));
     }
 
-    void read_profile_file() {
+    void read_profile_file(const Recipe& recipe) {
         if (out_.kind == CaseKind::factors) {
             return;
         }
         try {
-            profile_ = out_.profile(recipe_);
+            profile_ = out_.profile(recipe);
         } catch (const config::InputError& error) {
             problems_.add(error);
         }
         if (out_.replaces_profile()) {
-            out_.notes.push_back(joined(recipe_.profile, " replaced by ", out_.changes.profile_file));
+            out_.notes.push_back(joined(recipe.profile, " replaced by ", out_.changes.profile_file));
         }
     }
 
@@ -101,14 +132,14 @@ private:
         });
     }
 
-    void check_stations() {
+    void check_stations(const Recipe& recipe) {
         if (profile_.empty()) {
             return;
         }
-        for (const Station& station : recipe_.stations) {
+        for (const Station& station : recipe.stations) {
             if (station.distance_m < profile_.front().distance_m ||
                 station.distance_m > profile_.back().distance_m) {
-                problems_.add(config::ExitCode::data, recipe_.options->place_of("stations.distances_m"),
+                problems_.add(config::ExitCode::data, recipe.options->place_of("stations.distances_m"),
                               joined("station ", config::in_quotes(station.name), " at ",
                                      config::to_text(station.distance_m), " m"),
                               joined("a distance on the profile, which ends at ",
@@ -120,21 +151,23 @@ private:
     /// The name of a figure that the program computes; "" with a problem for any other.
     std::string figure(const config::Table& table, std::size_t row) {
         const std::string& name = table.text(row, "quantity");
-        if (out_.kind != CaseKind::factors) {
-            const std::vector<std::string> names = figure_names(frame_, recipe_.has_stand());
-            if (std::find(names.begin(), names.end(), name) == names.end()) {
-                const std::string nearest = config::nearest_word(name, names);
-                refuse(table, row, "quantity",
-                       nearest.empty() ? "a figure of `bannwald validate --help`, with a section or station "
-                                         "of this case where it needs one"
-                                       : config::in_quotes(nearest));
-                return "";
-            }
+        if (!names_.empty() && std::find(names_.begin(), names_.end(), name) == names_.end()) {
+            const std::string nearest = config::nearest_word(name, names_);
+            refuse(table, row, "quantity",
+                   nearest.empty()
+                       ? "a figure of `bannwald validate --help`, with a section, station or site "
+                         "of this case where it needs one"
+                       : config::in_quotes(nearest));
+            return "";
         }
+        add_figure(name);
+        return name;
+    }
+
+    void add_figure(const std::string& name) {
         if (std::find(out_.figures.begin(), out_.figures.end(), name) == out_.figures.end()) {
             out_.figures.push_back(name);
         }
-        return name;
     }
 
     void read_criterion(const config::Table& t, std::size_t row) {
@@ -145,8 +178,8 @@ private:
         if (low && high && *high < *low) {
             refuse(t, row, "high", "a number not below low");
         }
-        if (rests_on != "independent" && rests_on != "rebuilding") {
-            refuse(t, row, "rests_on", "independent or rebuilding");
+        if (rests_on != "independent" && rests_on != "rebuilding" && rests_on != "fitted") {
+            refuse(t, row, "rests_on", "independent, rebuilding or fitted");
         }
         if (low && high && !name.empty()) {
             const bool is_new = out_.criteria
@@ -197,12 +230,12 @@ private:
 
     /// Tries the overrides with a preset; what is wrong with them becomes a problem of the field.
     void try_out(const config::Table& t, std::size_t row, const std::string& preset,
-                 const std::vector<std::string>& overrides) {
+                 const std::vector<std::string>& overrides, const Recipe& recipe) {
         try {
             const std::unique_ptr<Recipe> moved = out_.recipe(preset, overrides);
-            if (moved->kind != out_.kind) {
+            if (moved->head.kind != out_.kind) {
                 refuse(t, row, "overrides", "the kind of the case unchanged");
-            } else if (out_.kind != CaseKind::factors && moved->profile != recipe_.profile) {
+            } else if (out_.kind != CaseKind::factors && moved->profile != recipe.profile) {
                 static_cast<void>(out_.profile(*moved));
             }
         } catch (const config::InputError& error) {
@@ -212,10 +245,10 @@ private:
         }
     }
 
-    void read_variant(const config::Table& t, std::size_t row) {
+    void read_variant(const config::Table& t, std::size_t row, const Recipe& recipe) {
         VariantSpec variant{t.text(row, "variant"), t.text(row, "preset"), words_of(t.text(row, "overrides")),
                             t.text(row, "meaning")};
-        try_out(t, row, variant.preset, variant.overrides);
+        try_out(t, row, variant.preset, variant.overrides, recipe);
         const auto same = std::find_if(out_.variants.begin(), out_.variants.end(),
                                        [&](const VariantSpec& v) { return v.name == variant.name; });
         if (same == out_.variants.end()) {
@@ -227,7 +260,7 @@ private:
         }
     }
 
-    void read_choice(const config::Table& t, std::size_t row) {
+    void read_choice(const config::Table& t, std::size_t row, const Recipe& recipe) {
         ChoiceSpec choice{t.text(row, "choice"), words_of(t.text(row, "overrides")), t.text(row, "reason")};
         const bool other_profile =
             std::any_of(choice.overrides.begin(), choice.overrides.end(),
@@ -237,14 +270,13 @@ private:
                                         " left out: the profile is the user's own"));
             return;
         }
-        try_out(t, row, "strict", choice.overrides);
+        try_out(t, row, "strict", choice.overrides, recipe);
         out_.choices.push_back(std::move(choice));
     }
 
     ValidationCase& out_;
-    const Recipe& recipe_;
+    std::vector<std::string> names_;  ///< of figures that the case may speak of; any where empty
     Profile profile_;
-    FigureFrame frame_;
     config::Problems problems_;
 };
 
@@ -255,6 +287,54 @@ void shrink(Recipe& recipe, std::uint64_t most_rocks) {
     recipe.rocks_per_series = std::min(recipe.rocks_per_series, std::max<std::uint64_t>(1, most_rocks / 2));
     recipe.series = std::min(recipe.series, most_rocks / recipe.rocks_per_series);
     recipe.stands = std::min(recipe.stands, most_rocks);
+}
+
+/// What the user asks for that means something here: the settings of the kind. Those of rocks are left out
+/// with a note, so that they may go with all cases at once.
+std::vector<std::string> overrides_of_forest(ValidationCase& out) {
+    Recipe rocks;
+    config::Options known;
+    declare(known, rocks);
+    const std::vector<config::ParameterRow> rows = known.rows();
+    std::vector<std::string> own;
+    for (const std::string& text : out.changes.overrides) {
+        const std::string key = text.substr(0, text.find('='));
+        const bool of_rocks = !key.starts_with("case.") &&
+                              std::any_of(rows.begin(), rows.end(),
+                                          [&](const config::ParameterRow& row) { return row.key == key; });
+        if (of_rocks) {
+            out.notes.push_back(joined(key, " changes nothing here: no rock falls"));
+        } else {
+            own.push_back(text);
+        }
+    }
+    return own;
+}
+
+void read_forest(ValidationCase& out) {
+    if (out.replaces_profile()) {
+        config::fail(config::ExitCode::settings, {}, joined("--profile for ", out.files.name),
+                     "a case with rocks: none falls here");
+    }
+    if (out.changes.most_rocks) {
+        out.notes.emplace_back("--rocks changes nothing here: no rock falls");
+    }
+    config::Options options;
+    forest_cases::Settings settings;
+    declare(options, out.head);
+    forest_cases::declare(options, settings, out.kind);
+    std::istringstream in{out.files.texts.at("case.ini")};
+    options.read(in, out.files.shown("case.ini"), overrides_of_forest(out));
+    if (out.head.kind != out.kind) {
+        config::fail(config::ExitCode::settings, options.place_of("case.kind"), "another kind of case",
+                     "the kind of its case.ini");
+    }
+    if (out.head.title.empty()) {
+        config::fail(config::ExitCode::settings, options.place_of("case.title"), "no case.title",
+                     "one line on what the case is");
+    }
+    out.forest =
+        std::make_shared<const forest_cases::Comparison>(forest_cases::read(out.kind, out.files, settings));
 }
 
 }  // namespace
@@ -292,13 +372,30 @@ bool ValidationCase::needs_open() const {
     });
 }
 
+std::string ValidationCase::label_of(const std::string& figure) const {
+    const auto name = parse_figure(figure);
+    return forest ? forest->figure(figure).label : name ? name->label() : "";
+}
+
+std::string ValidationCase::unit_of(const std::string& figure) const {
+    const auto name = parse_figure(figure);
+    return forest ? forest->figure(figure).unit : name ? name->unit() : "";
+}
+
 ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
     ValidationCase out;
     out.files = files;
     out.changes = changes;
+    out.kind = head_of(files).kind;
+    if (is_forest(out.kind)) {
+        read_forest(out);
+        CaseReader{out}.read(*out.forest);
+        return out;
+    }
     const std::unique_ptr<Recipe> recipe = out.recipe("default");
-    out.kind = recipe->kind;
-    CaseReader{out, *recipe}.read();
+    out.kind = recipe->head.kind;
+    out.head = recipe->head;
+    CaseReader{out}.read(*recipe);
     return out;
 }
 

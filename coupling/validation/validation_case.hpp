@@ -28,11 +28,16 @@ struct PublishedFigure {
     std::string source;
 };
 
+namespace forest_cases {
+struct Comparison;
+}
+
 /// What a figure has to keep to; set before the model was run.
 struct Criterion {
     double low = 0.0;
     double high = 0.0;
-    std::string rests_on;  ///< independent, or rebuilding: the figure was used to rebuild the slope
+    std::string
+        rests_on;  ///< independent; rebuilding: used to rebuild the slope; fitted: to calibrate the model
     std::string rule;
     std::string cause;  ///< likely cause of a miss, "" without
 };
@@ -70,10 +75,17 @@ struct ValidationCase {
     std::map<std::string, ObservedFigure> observed;
     std::map<std::string, PublishedFigure> published;
     std::map<std::string, Criterion> criteria;
-    std::vector<VariantSpec> variants;  ///< strict and default first
+    std::vector<VariantSpec> variants;  ///< strict and default first; none without rocks
     std::vector<ChoiceSpec> choices;
     std::vector<std::string> notes;
+    CaseHead head;
+    std::shared_ptr<const forest_cases::Comparison> forest;  ///< of a kind of the forest
 
+    /// Whether the settings of a paper are held against its figures beside ours.
+    [[nodiscard]] bool has_strict() const { return !is_forest(kind); }
+    /// Of a figure for people; empty for a name that there is not.
+    [[nodiscard]] std::string label_of(const std::string& figure) const;
+    [[nodiscard]] std::string unit_of(const std::string& figure) const;
     [[nodiscard]] bool replaces_profile() const { return !changes.profile_file.empty(); }
     /// The settings under a named set with overrides of a variant or choice and the user's after them.
     [[nodiscard]] std::unique_ptr<Recipe> recipe(const std::string& preset,

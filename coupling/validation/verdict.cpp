@@ -22,10 +22,8 @@ VerdictRow row_of(const ValidationCase& of, const std::string& name, const Value
                   const Values& default_values) {
     VerdictRow row;
     row.quantity = name;
-    if (const auto figure = parse_figure(name)) {
-        row.label = figure->label();
-        row.unit = figure->unit();
-    }
+    row.label = of.label_of(name);
+    row.unit = of.unit_of(name);
     if (const ObservedFigure* observed = find_in(of.observed, name)) {
         row.observed = observed->value;
         row.observed_source = observed->source;
@@ -43,7 +41,9 @@ VerdictRow row_of(const ValidationCase& of, const std::string& name, const Value
         row.rests_on = criterion->rests_on;
         row.rule = criterion->rule;
         row.cause = criterion->cause;
-        row.strict_verdict = verdict_of(row.strict_value.value, *criterion);
+        if (of.has_strict()) {
+            row.strict_verdict = verdict_of(row.strict_value.value, *criterion);
+        }
         row.default_verdict = verdict_of(row.default_value.value, *criterion);
     }
     return row;

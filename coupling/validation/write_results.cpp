@@ -30,6 +30,7 @@ const std::vector<ResultFile>& files() {
         {"hit_heights.csv", "share of tree hits by height", write_hit_heights},
         {"factors.csv", "forest effects over combinations of settings", write_factors},
         {"directions.csv", "how figures go as settings grow, beside the literature", write_directions},
+        {"plots.csv", "the points of the forest's plots", write_plots},
         {"summary.md", "the verdicts as a text", write_summary},
     };
     return list;

@@ -217,6 +217,7 @@ LightAgreement compare_light(const MappedStand& stand, const MappedSlope& slope,
     agreement.ground_light = mean_of(field.ground_light);
     agreement.ground_light_difference = agreement.ground_light - mean_of(slope.ground_light);
     compare_trees(field.light_ratio, slope.tree_light, agreement);
+    agreement.tree_light.assign(field.light_ratio.begin(), field.light_ratio.end());
     return agreement;
 }
 

@@ -56,6 +56,7 @@ struct LightAgreement {
     double tree_light_correlation = 0.0;   ///< Pearson's r over the trees
     double tree_light_bias = 0.0;          ///< mean of ours - reference
     double tree_light_rmse = 0.0;
+    std::vector<double> tree_light;  ///< ours, of each tree [0, 1]
 };
 
 /// Light of the stand on a slope against that of the reference, SamsaRaLight (Courbaud et al. 2003), which

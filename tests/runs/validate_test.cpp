@@ -121,6 +121,37 @@ TEST(Validate, MovesSomethingWithEveryChoice) {
     }
 }
 
+TEST(Validate, JudgesTheForestWithOneSetOfSettings) {
+    const SampleProject project;
+    const Outcome light = call(project, "validate forest_light --quiet --threads 1 --rocks 20 --out light");
+    EXPECT_EQ(light.code, 5) << light.err;
+    EXPECT_NE(light.out.find("missed: trees' light, r, 35 deg south 0.806"), std::string::npos) << light.out;
+    EXPECT_NE(light.out.find("note: --rocks changes nothing here"), std::string::npos) << light.out;
+    EXPECT_EQ(light.out.find("strict"), std::string::npos) << light.out;
+    const config::Table verdicts = result_table(project, "light/verdicts.csv");
+    EXPECT_GT(verdicts.rows(), 24U);
+    for (std::size_t row = 0; row < verdicts.rows(); ++row) {
+        EXPECT_EQ(verdicts.text(row, "strict"), "");
+        EXPECT_NE(verdicts.text(row, "default"), "");
+    }
+    EXPECT_GT(result_table(project, "light/plots.csv").rows(), 6U * 333U);
+    const Outcome again = shell(project,
+                                "\"$bannwald\" validate forest_light --quiet --threads 3 --rocks 20 "
+                                "--out again; diff -r light again\n");
+    EXPECT_EQ(again.code, 0) << again.out << again.err;
+    EXPECT_EQ(call(project, "validate forest_production --quiet --out production").code, 0);
+    EXPECT_EQ(call(project, "validate forest_light --profile light/verdicts.csv").code, 2);
+}
+
+TEST(Validate, LeavesNothingOfAForestCaseWhenInterrupted) {
+    const SampleProject project;
+    const Outcome outcome = shell(project,
+                                  "\"$bannwald\" validate forest_yield --quiet --out mine &\n"
+                                  "sleep 0.5; kill -TERM $!; wait $!\n");
+    EXPECT_EQ(outcome.code, 75) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("mine")));
+}
+
 TEST(Validate, ListsItsCases) {
     const SampleProject project;
     const Outcome outcome = call(project, "validate --list " + even_cases);

@@ -134,6 +134,11 @@ void Chart::add_mark(double x, const std::string& label) {
                      "\">", escaped(label), "</text>");
 }
 
+void Chart::add_label(double x, double y, const std::string& text) {
+    marks_ += joined("<text class=\"small\" x=\"", place(x_of(x) + 4.0), "\" y=\"", place(y_of(y) + 4.0),
+                     "\">", escaped(text), "</text>");
+}
+
 void Chart::add_name(const std::string& series, const std::string& name) {
     names_.push_back({series, name, Sample::line});
 }

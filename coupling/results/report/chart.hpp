@@ -57,11 +57,15 @@ public:
     void add_dots(const std::string& series, std::span<const ChartPoint> points);
     /// A thin vertical line with a small label at its top.
     void add_mark(double x, const std::string& label);
+    /// A small word that begins at a point.
+    void add_label(double x, double y, const std::string& text);
     void add_name(const std::string& series, const std::string& name);
     void add_band_name(const std::string& series, const std::string& name);
     void add_dot_name(const std::string& series, const std::string& name);
 
     [[nodiscard]] std::string figure(const std::string& caption) const;
+    /// The names as a list, for a place outside the figure.
+    [[nodiscard]] std::string list_of_names() const;
 
 private:
     [[nodiscard]] double x_of(double value) const;
@@ -69,7 +73,6 @@ private:
     [[nodiscard]] std::string axes() const;
     [[nodiscard]] bool names_fit() const;
     [[nodiscard]] std::string names() const;
-    [[nodiscard]] std::string list_of_names() const;
 
     std::string title_;
     Axis x_;

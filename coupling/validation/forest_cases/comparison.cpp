@@ -1,0 +1,83 @@
+#include "coupling/validation/forest_cases/comparison.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::validation::forest_cases {
+
+namespace {
+
+/// Whole numbers, each above the one before.
+std::vector<int> rising(const std::string& key, const std::vector<double>& values) {
+    std::vector<int> whole;
+    for (const double value : values) {
+        const int next = static_cast<int>(std::lround(value));
+        if (next != value || (!whole.empty() && next <= whole.back())) {
+            config::fail(config::ExitCode::settings, {}, joined(key, " ", config::to_text(value)),
+                         "whole numbers, each above the one before");
+        }
+        whole.push_back(next);
+    }
+    if (whole.empty()) {
+        config::fail(config::ExitCode::settings, {}, joined("no ", key), "one number or more");
+    }
+    return whole;
+}
+
+}  // namespace
+
+Figure Comparison::figure(const std::string& name) const {
+    for (const Figure& candidate : figures) {
+        if (candidate.name == name) {
+            return candidate;
+        }
+    }
+    return {};
+}
+
+void declare(config::Options& options, Settings& settings, CaseKind kind) {
+    if (kind == CaseKind::forest_yield) {
+        options.numbers("yield.ages_years", settings.yield_ages_years,
+                        {.unit = "years",
+                         .low = 13.0,
+                         .high = 300.0,
+                         .meaning = "rising ages at which stands are compared; tables must have them"});
+        options.numbers("yield.drawn_ages_years", settings.yield_drawn_ages_years,
+                        {.unit = "years",
+                         .low = 13.0,
+                         .high = 300.0,
+                         .meaning = "those of them that are drawn over elevation"});
+    }
+}
+
+Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings) {
+    switch (kind) {
+        case CaseKind::forest_production:
+            return read_production(files);
+        case CaseKind::forest_light:
+            return read_light(files);
+        case CaseKind::forest_yield:
+            return read_yield(files, rising("yield.ages_years", settings.yield_ages_years),
+                              rising("yield.drawn_ages_years", settings.yield_drawn_ages_years));
+        case CaseKind::slope:
+        case CaseKind::profile:
+        case CaseKind::factors:
+            break;
+    }
+    throw std::logic_error{"no kind of the forest"};
+}
+
+config::Table table_of(const CaseFiles& files, const std::string& name) {
+    const auto text = files.texts.find(name);
+    if (text == files.texts.end()) {
+        config::fail(config::ExitCode::file, {files.shown(name)}, "no such file", "a table of the case");
+    }
+    std::istringstream in{text->second};
+    return config::Table::read(in, files.shown(name));
+}
+
+}  // namespace coupling::validation::forest_cases

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "config/options/options.hpp"
+#include "config/table/table.hpp"
+#include "coupling/run/first_error.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/validation/case_files.hpp"
+#include "coupling/validation/interrupted.hpp"
+#include "coupling/validation/plot.hpp"
+#include "coupling/validation/recipe.hpp"
+
+namespace coupling::validation::forest_cases {
+
+/// A figure that a case of the forest computes.
+struct Figure {
+    std::string name;   ///< as criteria.csv has it
+    std::string label;  ///< for people
+    std::string unit;
+};
+
+/// What the reference says of a figure.
+struct Reference {
+    double value = 0.0;
+    std::string source;
+};
+
+/// How a case is worked through; none of it changes the outcome.
+struct Work {
+    int threads = 1;
+    std::function<void(std::uint64_t)> done;  ///< told of pieces as they come; one at a time
+};
+
+/// What a comparison has found.
+struct Outcome {
+    std::map<std::string, double> values;  ///< by the name of their figure
+    std::vector<PlotGroup> plots;
+    std::vector<PlainTable> tables;
+};
+
+/// A part of the forest model held against a reference: everything read and checked, nothing computed yet.
+struct Comparison {
+    std::string extent;           ///< what is compared, such as "333 trees on 3 slopes"
+    std::vector<Figure> figures;  ///< all that run() gives
+    std::map<std::string, Reference> references;
+    std::uint64_t pieces = 0;  ///< of work that Work::done will be told of
+    std::function<Outcome(const Work&)> run;
+
+    /// Empty for a name that there is not.
+    [[nodiscard]] Figure figure(const std::string& name) const;
+};
+
+/// The settings of case.ini beside [case], each for one kind.
+struct Settings {
+    std::vector<double> yield_ages_years{40, 50, 60, 70, 80, 90, 100, 110, 120};
+    std::vector<double> yield_drawn_ages_years{70, 100};
+};
+
+/// Declares the settings that a kind has.
+void declare(config::Options& options, Settings& settings, CaseKind kind);
+
+/// Reads the files of a case of the forest. Throws InputError (file, data) for what is missing or not
+/// plausible.
+Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings);
+
+Comparison read_production(const CaseFiles& files);
+Comparison read_light(const CaseFiles& files);
+/// Stands at rising ages; those drawn over elevation are some of them.
+Comparison read_yield(const CaseFiles& files, const std::vector<int>& ages_years,
+                      const std::vector<int>& drawn_ages_years);
+
+/// A table of the case. Throws InputError (file) where it is missing.
+config::Table table_of(const CaseFiles& files, const std::string& name);
+
+/// Does pieces 0, 1, ... of some work on several threads. Each must write to a place of its own. Throws
+/// Interrupted between pieces.
+template <class Piece>
+void each_piece(const Work& work, std::size_t pieces, const Piece& piece) {
+    FirstError error;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(work.threads)
+    for (std::size_t i = 0; i < pieces; ++i) {
+        error.guard([&] {
+            if (InterruptGuard::requested()) {
+                throw Interrupted{};
+            }
+            piece(i);
+#pragma omp critical(pieces_done)
+            work.done(1);
+        });
+    }
+    error.rethrow();
+}
+
+}  // namespace coupling::validation::forest_cases

@@ -1,0 +1,304 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/validation/forest_cases/comparison.hpp"
+#include "forest/check_mode/check_mode.hpp"
+
+namespace coupling::validation::forest_cases {
+
+namespace {
+
+namespace check = forest::check_mode;
+
+/// A run of another program and the inputs it was made with.
+struct ReferenceRun {
+    std::string name;
+    check::Inputs inputs;
+    check::Settings settings;
+    config::Table table;
+    double floor = 0.0;  ///< differences are relative to the reference, or to this where it is smaller
+    std::string source;
+};
+
+/// How far a column lies from its reference.
+struct ColumnDifference {
+    const check::Column* column = nullptr;
+    double largest = 0.0;           ///< relative [-]
+    double largest_absolute = 0.0;  ///< in the unit of the column
+    std::size_t row = 0;            ///< of the run, where the largest stands
+    std::size_t compared = 0;
+};
+
+struct RunOutcome {
+    std::vector<check::Row> rows;
+    std::vector<ColumnDifference> columns;
+};
+
+/// The texts between a sign, without the blanks around it.
+std::vector<std::string> between(const std::string& text, char sign) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(sign, begin), text.size());
+        parts.emplace_back(config::trimmed(std::string_view{text}.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+check::Inputs inputs_of(const CaseFiles& files, const std::vector<std::string>& wanted, bool thinned) {
+    const check::Site site = check::read_site(table_of(files, "demo_site.csv"));
+    std::vector<check::StartingSpecies> species;
+    for (check::StartingSpecies& candidate : check::read_species(table_of(files, "demo_species.csv"))) {
+        if (std::find(wanted.begin(), wanted.end(), candidate.species) != wanted.end()) {
+            species.push_back(std::move(candidate));
+        }
+    }
+    if (species.size() != wanted.size()) {
+        config::fail(config::ExitCode::data, {files.shown("runs.csv")}, "a species that does not start",
+                     joined("species of ", files.shown("demo_species.csv")));
+    }
+    return check::inputs_of(site, std::move(species),
+                            check::read_parameters(table_of(files, "demo_parameters.csv")),
+                            check::read_climate(table_of(files, "demo_climate.csv"), site),
+                            thinned ? check::read_thinnings(table_of(files, "demo_thinning.csv"))
+                                    : std::vector<check::Thinning>{});
+}
+
+/// Rows that a run gives: one a species and month.
+std::size_t rows_of(const check::Inputs& inputs) {
+    return inputs.species.size() *
+           static_cast<std::size_t>(inputs.site.to.count() - inputs.site.from.count() + 1);
+}
+
+std::vector<ReferenceRun> read_runs(const CaseFiles& files) {
+    const config::Table table = table_of(files, "runs.csv");
+    config::Problems problems;
+    std::vector<ReferenceRun> runs;
+    if (!table.require({"run", "species", "models", "thinned", "reference", "floor", "source"}, problems)) {
+        problems.throw_if_any();
+    }
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& models = table.text(row, "models");
+        if (models != "3-PGpjs" && models != "3-PGmix") {
+            problems.add(config::ExitCode::data, table.place(row, "models"), config::in_quotes(models),
+                         "3-PGpjs or 3-PGmix");
+        }
+        const double floor = table.number(row, "floor", {.low = 1e-12, .high = 1e3}, problems).value_or(1.0);
+        ReferenceRun run{
+            table.text(row, "run"),
+            inputs_of(files, between(table.text(row, "species"), '+'), table.text(row, "thinned") == "yes"),
+            models == "3-PGmix" ? check::mixture_settings : check::Settings{},
+            table_of(files, table.text(row, "reference")),
+            floor,
+            table.text(row, "source")};
+        const std::size_t rows = rows_of(run.inputs);
+        if (run.table.rows() != rows && run.table.rows() + run.inputs.species.size() != rows) {
+            problems.add(config::ExitCode::data, {run.table.file()},
+                         joined(std::to_string(run.table.rows()), " rows"),
+                         joined(std::to_string(rows),
+                                " rows, one a species and month, the first month "
+                                "perhaps left out"));
+        }
+        runs.push_back(std::move(run));
+    }
+    problems.throw_if_any();
+    return runs;
+}
+
+bool is_stock(const check::Column& column) {
+    return column.name.starts_with("biom_") && column.unit == "t/ha";
+}
+
+/// All figures of all months that both programs give. What has not been computed before the first month is 0
+/// in r3PG, and is not compared.
+RunOutcome compare(const ReferenceRun& run) {
+    RunOutcome outcome{check::run(run.inputs, run.settings), {}};
+    const std::size_t skipped = outcome.rows.size() - run.table.rows();
+    for (const check::Column& column : check::columns()) {
+        if (!run.table.has(column.name)) {
+            continue;
+        }
+        ColumnDifference difference{&column, 0.0, 0.0, 0, 0};
+        for (std::size_t i = 0; i < run.table.rows(); ++i) {
+            const std::optional<double> expected = config::parse_number(run.table.text(i, column.name));
+            const std::size_t row = i + skipped;
+            if (!expected || (row < run.inputs.species.size() && *expected == 0.0)) {
+                continue;
+            }
+            const double absolute = std::abs(column.of(outcome.rows[row]) - *expected);
+            const double relative = absolute / std::max(std::abs(*expected), run.floor);
+            ++difference.compared;
+            difference.largest_absolute = std::max(difference.largest_absolute, absolute);
+            if (relative > difference.largest) {
+                difference.largest = relative;
+                difference.row = row;
+            }
+        }
+        outcome.columns.push_back(difference);
+    }
+    return outcome;
+}
+
+constexpr double per_billion = 1e9;
+constexpr double g_per_t = 1e6;
+
+std::string difference_name(const ReferenceRun& run) {
+    return joined("largest_difference_ppb:", run.name);
+}
+
+std::string biomass_name(const ReferenceRun& run) {
+    return joined("largest_biomass_difference_gpha:", run.name);
+}
+
+std::string month_words(const check::YearMonth& when) {
+    return joined(std::to_string(when.year), when.month < 10 ? "-0" : "-", std::to_string(when.month));
+}
+
+/// The end of a month in years since the beginning of the first.
+double time_of(const check::YearMonth& when, const check::Site& site) {
+    return static_cast<double>(when.count() + 1 - site.from.count()) / 12.0;
+}
+
+/// One of r3PG's columns over the months, ours as a line and every so many months of the reference as a dot.
+struct Curve {
+    std::string_view column;
+    const char* words;
+    const char* style;
+};
+
+void add_curve(Plot& plot, const ReferenceRun& run, const RunOutcome& outcome, const Curve& curve,
+               std::size_t species, std::size_t every) {
+    const std::span<const check::Column> columns = check::columns();
+    const auto column = std::find_if(columns.begin(), columns.end(),
+                                     [&](const check::Column& one) { return one.name == curve.column; });
+    PlotSeries ours{curve.words, curve.style, PlotSeries::Form::line, {}, {}};
+    PlotSeries reference{"reference", "published", PlotSeries::Form::dots, {}, {}};
+    const std::size_t count = run.inputs.species.size();
+    const std::size_t skipped = outcome.rows.size() - run.table.rows();
+    double most = plot.y.high;
+    for (std::size_t row = species; row < outcome.rows.size(); row += count) {
+        const double at = time_of(outcome.rows[row].when, run.inputs.site);
+        ours.points.push_back({at, column->of(outcome.rows[row])});
+        most = std::max(most, ours.points.back().y);
+        const std::size_t month = row / count;
+        if (row < skipped || month % every != 0 || !run.table.has(column->name)) {
+            continue;
+        }
+        if (const auto value = config::parse_number(run.table.text(row - skipped, column->name))) {
+            reference.points.push_back({at, *value});
+        }
+    }
+    plot.y = report::Axis::from_zero(plot.y.title, most);
+    plot.series.push_back(std::move(ours));
+    if (!reference.points.empty()) {
+        plot.series.push_back(std::move(reference));
+    }
+}
+
+Plot empty_plot(const ReferenceRun& run, std::string title, std::string unit) {
+    const check::Site& site = run.inputs.site;
+    return {.title = std::move(title),
+            .x = report::Axis::from_zero(joined("Years since the beginning of ", month_words(site.from)),
+                                         time_of(site.to, site)),
+            .y = {std::move(unit), 0.0, 0.0},
+            .series = {},
+            .labels = {},
+            .caption = ""};
+}
+
+PlotGroup plots_of(const ReferenceRun& run, const RunOutcome& outcome, std::size_t species) {
+    const std::string& latin = run.inputs.species[species].species;
+    PlotGroup group{
+        .title = joined(latin, ", run ", run.name, ", against ", run.source), .plots = {}, .small = false};
+    Plot stocks = empty_plot(run, "Biomass", "Dry mass, t/ha");
+    constexpr std::size_t twice_a_year = 6;
+    for (const Curve& curve : {Curve{"biom_stem", "stem", "default"}, Curve{"biom_root", "root", "other0"},
+                               Curve{"biom_foliage", "foliage", "other1"}}) {
+        add_curve(stocks, run, outcome, curve, species, twice_a_year);
+    }
+    stocks.caption = "Lines: Bannwald. Of the reference every sixth month is drawn.";
+    // Our second implementation tells the gross production alone.
+    const bool has_npp = run.table.has("npp");
+    Plot flux = empty_plot(run, has_npp ? "Net primary production" : "Gross primary production",
+                           has_npp ? "NPP, t/ha in the month" : "GPP, t/ha in the month");
+    add_curve(flux, run, outcome, {has_npp ? "npp" : "gpp", has_npp ? "NPP" : "GPP", "default"}, species, 1);
+    flux.caption = "Line: Bannwald. Of the reference every month is drawn.";
+    group.plots = {std::move(stocks), std::move(flux)};
+    return group;
+}
+
+PlainTable table_for(const ReferenceRun& run, const RunOutcome& outcome) {
+    constexpr std::size_t shown = 10;
+    std::vector<ColumnDifference> worst = outcome.columns;
+    std::stable_sort(worst.begin(), worst.end(), [](const ColumnDifference& a, const ColumnDifference& b) {
+        return a.largest > b.largest;
+    });
+    std::size_t compared = 0;
+    for (const ColumnDifference& one : worst) {
+        compared += one.compared;
+    }
+    PlainTable table{
+        .caption = joined("Run ", run.name, " against ", run.source, ": ", std::to_string(compared),
+                          " figures of ", std::to_string(worst.size()), " columns; the ",
+                          std::to_string(std::min(shown, worst.size())), " columns that differ most"),
+        .head = {"column of r3PG", "unit", "largest difference, ppb",
+                 "largest difference, unit of the column", "month of the largest"},
+        .rows = {}};
+    worst.resize(std::min(shown, worst.size()));
+    for (const ColumnDifference& one : worst) {
+        table.rows.push_back({std::string{one.column->name}, std::string{one.column->unit},
+                              report::three_digits(per_billion * one.largest),
+                              report::three_digits(one.largest_absolute),
+                              month_words(outcome.rows[one.row].when)});
+    }
+    return table;
+}
+
+Outcome compare_all(const std::vector<ReferenceRun>& runs, const Work& work) {
+    std::vector<RunOutcome> outcomes(runs.size());
+    each_piece(work, runs.size(), [&](std::size_t i) { outcomes[i] = compare(runs[i]); });
+    Outcome out;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        double largest = 0.0;
+        double largest_stock_tpha = 0.0;
+        for (const ColumnDifference& column : outcomes[i].columns) {
+            largest = std::max(largest, column.largest);
+            largest_stock_tpha =
+                std::max(largest_stock_tpha, is_stock(*column.column) ? column.largest_absolute : 0.0);
+        }
+        out.values[difference_name(runs[i])] = per_billion * largest;
+        out.values[biomass_name(runs[i])] = g_per_t * largest_stock_tpha;
+        for (std::size_t species = 0; species < runs[i].inputs.species.size(); ++species) {
+            out.plots.push_back(plots_of(runs[i], outcomes[i], species));
+        }
+        out.tables.push_back(table_for(runs[i], outcomes[i]));
+    }
+    return out;
+}
+
+}  // namespace
+
+Comparison read_production(const CaseFiles& files) {
+    const auto runs = std::make_shared<const std::vector<ReferenceRun>>(read_runs(files));
+    Comparison comparison;
+    std::size_t months = 0;
+    for (const ReferenceRun& run : *runs) {
+        months += rows_of(run.inputs) / run.inputs.species.size();
+        comparison.figures.push_back(
+            {difference_name(run), joined("largest difference of any column and month, ", run.name), "ppb"});
+        comparison.figures.push_back(
+            {biomass_name(run), joined("largest difference of biomass, ", run.name), "g/ha"});
+    }
+    comparison.extent =
+        joined(std::to_string(runs->size()), " reference runs, ", std::to_string(months), " months");
+    comparison.pieces = runs->size();
+    comparison.run = [runs](const Work& work) { return compare_all(*runs, work); };
+    return comparison;
+}
+
+}  // namespace coupling::validation::forest_cases

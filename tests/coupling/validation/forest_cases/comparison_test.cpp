@@ -1,0 +1,190 @@
+#include "coupling/validation/forest_cases/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "coupling/validation/tables.hpp"
+#include "coupling/validation/validate.hpp"
+#include "coupling/validation/verdict.hpp"
+
+namespace coupling::validation::forest_cases {
+namespace {
+
+CaseFiles shipped(const std::string& name) {
+    for (CaseFiles& files : shipped_cases()) {
+        if (files.name == name) {
+            return std::move(files);
+        }
+    }
+    ADD_FAILURE() << "no case " << name;
+    return {};
+}
+
+CaseResult result_of(const CaseFiles& files, const CaseChanges& changes = {}, int threads = 2) {
+    return validate(read_case(files, changes), {.threads = threads, .quiet = true});
+}
+
+const VerdictRow& row_of(const CaseResult& result, const std::string& quantity) {
+    for (const VerdictRow& row : result.rows) {
+        if (row.quantity == quantity) {
+            return row;
+        }
+    }
+    throw std::runtime_error{"no row " + quantity};
+}
+
+void replace(std::string& text, const std::string& what, const std::string& with) {
+    const std::size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    text.replace(at, what.size(), with);
+}
+
+std::string problem_of(const CaseFiles& files, const CaseChanges& changes = {}) {
+    try {
+        read_case(files, changes);
+    } catch (const config::InputError& error) {
+        return config::to_string(error.problems().front());
+    }
+    return "";
+}
+
+/// Two of the shipped plantations, of spruce with its table and of fir without, up to age 50.
+CaseFiles small_yield() {
+    CaseFiles files = shipped("forest_yield");
+    files.texts["sites.csv"] =
+        "site,species,elevation_m,fertility,table,class\n"
+        "piab_1000,piab,1000,0.8,guttenberg_1915,2\nabal_500,abal,500,0.8,,\n";
+    files.texts["criteria.csv"] =
+        "quantity,low,high,rests_on,rule,cause\nvolume_ratio:piab_1000:50,0.5,2,fitted,,\n"
+        "volume_m3pha:abal_500:40,1e6,2e6,independent,meant to be missed,no fir is that thick\n";
+    replace(files.texts["case.ini"], "ages_years = 40, 50, 60, 70, 80, 90, 100, 110, 120",
+            "ages_years = 40, 50");
+    replace(files.texts["case.ini"], "drawn_ages_years = 70, 100", "drawn_ages_years = 50");
+    return files;
+}
+
+TEST(ProductionCase, MeetsAllOfItsCriteria) {
+    const CaseResult result = result_of(shipped("forest_production"));
+    EXPECT_EQ(result.rows.size(), 5U);
+    EXPECT_FALSE(misses_any(result));
+    EXPECT_FALSE(result.has_strict);
+}
+
+TEST(ProductionCase, NoticesOneWrongDigitOfTheReference) {
+    CaseFiles files = shipped("forest_production");
+    // 1e-6 on 0.29643865 t/ha: 3373 ppb.
+    replace(files.texts["out_pine_pjs.csv"], ",0.29643865,", ",0.29643965,");
+    const CaseResult result = result_of(files);
+    const VerdictRow& pine = row_of(result, "largest_difference_ppb:pine");
+    EXPECT_EQ(pine.default_verdict, Verdict::missed);
+    EXPECT_NEAR(pine.default_value.value, 3373.0, 50.0);
+    EXPECT_EQ(row_of(result, "largest_difference_ppb:beech").default_verdict, Verdict::inside);
+}
+
+TEST(ProductionCase, RefusesAReferenceOfAnotherLength) {
+    CaseFiles files = shipped("forest_production");
+    std::string& text = files.texts["out_pine_pjs.csv"];
+    for (int rows = 0; rows < 2; ++rows) {
+        text.erase(text.rfind('\n', text.size() - 2) + 1);
+    }
+    EXPECT_NE(problem_of(files).find("118 rows"), std::string::npos) << problem_of(files);
+}
+
+TEST(LightCase, MissesTheCorrelationOnTheSouthSlopeAlone) {
+    const CaseResult result = result_of(shipped("forest_light"));
+    for (const VerdictRow& row : result.rows) {
+        EXPECT_EQ(row.default_verdict == Verdict::missed,
+                  row.quantity == "tree_light_correlation:slope_35_south")
+            << row.quantity;
+        EXPECT_EQ(row.strict_verdict, Verdict::no_criterion) << row.quantity;
+        EXPECT_FALSE(row.label.empty()) << row.quantity;
+    }
+    EXPECT_TRUE(misses_any(result));
+}
+
+TEST(LightCase, ShowsEveryTreeOnEverySlope) {
+    const CaseResult result = result_of(shipped("forest_light"));
+    ASSERT_EQ(result.plots.size(), 2U);
+    for (const PlotGroup& group : result.plots) {
+        ASSERT_EQ(group.plots.size(), 3U);
+        for (const Plot& plot : group.plots) {
+            EXPECT_EQ(plot.series.back().points.size(), 333U);
+        }
+    }
+}
+
+TEST(YieldCase, JudgesEachSiteAgainstItsTable) {
+    const CaseResult result = result_of(small_yield());
+    // Guttenberg, class II, age 50.
+    const double ratio = row_of(result, "volume_ratio:piab_1000:50").default_value.value;
+    const Values& values = result.variants.front().values;
+    EXPECT_NEAR(values.at("volume_m3pha:piab_1000:50").value / ratio, 320.0, 1e-9);
+    EXPECT_EQ(row_of(result, "volume_m3pha:abal_500:40").default_verdict, Verdict::missed);
+    EXPECT_FALSE(values.contains("volume_ratio:abal_500:50"));
+    EXPECT_TRUE(values.contains("layers_volume_m3pha:abal_500:50"));
+}
+
+TEST(YieldCase, GivesTheSameFiguresOnAnyNumberOfThreads) {
+    const auto figures = [](int threads) {
+        const CaseResult result = result_of(small_yield(), {}, threads);
+        std::ostringstream out;
+        write_figures(out, {&result, 1});
+        write_plots(out, {&result, 1});
+        return out.str();
+    };
+    EXPECT_EQ(figures(1), figures(3));
+}
+
+TEST(YieldCase, AsksForTheTableAtEveryAge) {
+    CaseFiles files = small_yield();
+    EXPECT_NE(problem_of(files, {.overrides = {"yield.ages_years=45, 50"},
+                                 .most_rocks = {},
+                                 .profile_text = {},
+                                 .profile_file = {}})
+                  .find("no row of table 'guttenberg_1915' for site piab_1000 at age 45"),
+              std::string::npos);
+    replace(files.texts["case.ini"], "ages_years = 40, 50", "ages_years = 50, 40");
+    EXPECT_NE(problem_of(files).find("yield.ages_years 40"), std::string::npos) << problem_of(files);
+}
+
+TEST(ForestCase, SaysWhatChangesNothingWithoutRocks) {
+    CaseChanges changes;
+    changes.most_rocks = 20;
+    changes.overrides = {"series.seed=3", "rockfall.preset=strict"};
+    const ValidationCase of = read_case(shipped("forest_light"), changes);
+    ASSERT_EQ(of.notes.size(), 3U);
+    EXPECT_EQ(of.notes[0], "--rocks changes nothing here: no rock falls");
+    EXPECT_EQ(of.notes[1], "series.seed changes nothing here: no rock falls");
+    EXPECT_EQ(of.notes[2], "rockfall.preset changes nothing here: no rock falls");
+}
+
+TEST(ForestCase, RefusesAProfileAndUnknownSettings) {
+    CaseChanges changes;
+    changes.profile_file = "mine.csv";
+    changes.profile_text = "distance_m,height_m,surface\n0,500,fine_debris\n600,0,\n";
+    EXPECT_NE(problem_of(shipped("forest_light"), changes).find("--profile for forest_light"),
+              std::string::npos);
+    const auto with = [](const std::string& text) {
+        CaseChanges one;
+        one.overrides = {text};
+        return one;
+    };
+    EXPECT_NE(problem_of(shipped("forest_light"), with("yield.ages_years=50")), "");
+    EXPECT_NE(problem_of(shipped("forest_light"), with("case.kind=forest_yield")), "");
+    EXPECT_NE(problem_of(shipped("vaujany_open"), with("case.kind=forest_yield")), "");
+    EXPECT_NE(problem_of(small_yield(), with("yield.age_years=50")), "");
+}
+
+TEST(ForestCase, NamesAMissingTableAndAnUnknownFigure) {
+    CaseFiles files = shipped("forest_light");
+    files.texts.erase("ground.csv");
+    EXPECT_NE(problem_of(files).find("forest_light/ground.csv"), std::string::npos);
+    files = shipped("forest_light");
+    files.texts["criteria.csv"] += "tree_light_bais:slope_6,0,1,independent,,\n";
+    EXPECT_NE(problem_of(files).find("'tree_light_bias:slope_6'"), std::string::npos) << problem_of(files);
+}
+
+}  // namespace
+}  // namespace coupling::validation::forest_cases
