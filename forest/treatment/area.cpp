@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "forest/light/direction.hpp"
 
@@ -14,12 +15,51 @@ namespace {
 
 constexpr int points_a_side = 5;
 
-bool inside_any(std::span<const config::Shape> polygons, config::Point2 point) {
-    return polygons.empty() ||
-           std::any_of(polygons.begin(), polygons.end(), [point](const config::Shape& polygon) {
-               return config::point_in_polygon(polygon, point);
-           });
-}
+/// The upright rectangle around a polygon.
+struct Box {
+    config::Point2 low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+    config::Point2 high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+
+    explicit Box(const config::Shape& polygon) {
+        for (const auto& ring : polygon.parts) {
+            for (const config::Point2 point : ring) {
+                low = {std::min(low.x_m, point.x_m), std::min(low.y_m, point.y_m)};
+                high = {std::max(high.x_m, point.x_m), std::max(high.y_m, point.y_m)};
+            }
+        }
+    }
+    /// Whether a square around a point meets it.
+    [[nodiscard]] bool meets(config::Point2 point, double half_side_m) const {
+        return point.x_m >= low.x_m - half_side_m && point.x_m <= high.x_m + half_side_m &&
+               point.y_m >= low.y_m - half_side_m && point.y_m <= high.y_m + half_side_m;
+    }
+};
+
+/// Polygons with their boxes: most points are far from most polygons.
+class Outline {
+public:
+    explicit Outline(const TreatmentArea& area)
+        : polygons_{area.polygons}, boxes_(area.polygons.begin(), area.polygons.end()) {}
+
+    [[nodiscard]] bool holds(config::Point2 point) const {
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            if (boxes_[i].meets(point, 0.0) && config::point_in_polygon(polygons_[i], point)) {
+                return true;
+            }
+        }
+        return polygons_.empty();
+    }
+    /// Whether a square around a point may hold points of it.
+    [[nodiscard]] bool may_meet(config::Point2 point, double half_side_m) const {
+        return polygons_.empty() || std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) {
+                   return box.meets(point, half_side_m);
+               });
+    }
+
+private:
+    std::span<const config::Shape> polygons_;
+    std::vector<Box> boxes_;
+};
 
 bool in_units(const TreatmentArea& area, const Patch& patch) {
     const auto& units = area.management_units;
@@ -65,13 +105,15 @@ Span span_of(const PatchGrid& grid, const Turn& direction) {
 
 bool belongs(const TreatmentArea& area, const PatchGrid& grid, double x_m, double y_m) {
     const std::optional<PatchId> patch = grid.at(x_m, y_m);
-    return patch && in_units(area, grid[*patch]) && inside_any(area.polygons, {x_m, y_m});
+    return patch && in_units(area, grid[*patch]) && Outline{area}.holds({x_m, y_m});
 }
 
 std::vector<std::size_t> trees_in(const Stand& stand, const TreatmentArea& area) {
+    const Outline outline{area};
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < stand.trees().size(); ++i) {
-        if (belongs(area, stand.grid(), stand.trees()[i].x_m, stand.trees()[i].y_m)) {
+        const Tree& tree = stand.trees()[i];
+        if (in_units(area, stand.grid()[tree.patch]) && outline.holds({tree.x_m, tree.y_m})) {
             places.push_back(i);
         }
     }
@@ -79,10 +121,11 @@ std::vector<std::size_t> trees_in(const Stand& stand, const TreatmentArea& area)
 }
 
 std::vector<PatchId> patches_in(const PatchGrid& grid, const TreatmentArea& area) {
+    const Outline outline{area};
     std::vector<PatchId> patches;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const PatchId id{static_cast<std::uint32_t>(i)};
-        if (belongs(area, grid, grid.x_centre_m(id), grid.y_centre_m(id))) {
+        if (in_units(area, grid[id]) && outline.holds({grid.x_centre_m(id), grid.y_centre_m(id)})) {
             patches.push_back(id);
         }
     }
@@ -92,17 +135,19 @@ std::vector<PatchId> patches_in(const PatchGrid& grid, const TreatmentArea& area
 double area_ha(const PatchGrid& grid, const TreatmentArea& area) {
     constexpr double m2_per_ha = 10'000.0;
     constexpr double point_side_m = patch_side_m / points_a_side;
+    const Outline outline{area};
     std::size_t points = 0;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const PatchId id{static_cast<std::uint32_t>(i)};
-        if (!in_units(area, grid[id])) {
+        if (!in_units(area, grid[id]) ||
+            !outline.may_meet({grid.x_centre_m(id), grid.y_centre_m(id)}, 0.5 * patch_side_m)) {
             continue;
         }
         for (int row = 0; row < points_a_side; ++row) {
             for (int column = 0; column < points_a_side; ++column) {
                 const double middle = 0.5 * (points_a_side - 1);
-                points += inside_any(area.polygons, {grid.x_centre_m(id) + (column - middle) * point_side_m,
-                                                     grid.y_centre_m(id) + (row - middle) * point_side_m})
+                points += outline.holds({grid.x_centre_m(id) + (column - middle) * point_side_m,
+                                         grid.y_centre_m(id) + (row - middle) * point_side_m})
                               ? 1
                               : 0;
             }

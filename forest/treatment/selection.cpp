@@ -48,22 +48,30 @@ double volume_of(const Stand& stand, const SpeciesTable& species, std::span<cons
     return sum_m3;
 }
 
-/// The first trees of an order whose basal area stays within a share of all candidates'.
-Picks up_to_share(const Stand& stand, std::span<const std::size_t> candidates, const Picks& order,
-                  double share) {
-    double room_m2 = 0.0;
+/// The first trees of an order whose measure stays within a share of all candidates'.
+template <class Measure>
+Picks up_to_share(std::span<const std::size_t> candidates, const Picks& order, double share,
+                  Measure measure) {
+    double room = 0.0;
     for (const std::size_t place : candidates) {
-        room_m2 += share * basal_area_of(stand.trees()[place]);
+        room += share * measure(place);
     }
     Picks picks;
     for (const std::size_t place : order) {
-        room_m2 -= basal_area_of(stand.trees()[place]);
-        if (room_m2 < 0.0) {
+        room -= measure(place);
+        if (room < 0.0) {
             break;
         }
         picks.push_back(place);
     }
     return picks;
+}
+
+/// The same by basal area.
+Picks up_to_share(const Stand& stand, std::span<const std::size_t> candidates, const Picks& order,
+                  double share) {
+    return up_to_share(candidates, order, share,
+                       [&stand](std::size_t place) { return basal_area_of(stand.trees()[place]); });
 }
 
 Picks thinnest_first(const Stand& stand, Picks picks) {
@@ -100,6 +108,18 @@ private:
     std::vector<double> stems_;
     std::vector<double> squares_cm2_;
 };
+
+Density density_of(const Stand& stand, const SpeciesTable& species, std::span<const std::size_t> candidates,
+                   double area_ha) {
+    assert(area_ha > 0.0 || candidates.empty());
+    Density density{species, area_ha};
+    for (const std::size_t place : candidates) {
+        if (stand.trees()[place].dbh_cm >= counted_dbh_cm) {
+            density.add(stand.trees()[place], 1.0);
+        }
+    }
+    return density;
+}
 
 double squared_distance_m2(const Tree& a, const Tree& b) {
     const double dx = a.x_m - b.x_m;
@@ -186,15 +206,20 @@ Picks thin_from_below(const Stand& stand, std::span<const std::size_t> candidate
                        basal_area_share);
 }
 
+Picks thin_volume_from_below(const Stand& stand, const SpeciesTable& species,
+                             std::span<const std::size_t> candidates, double volume_share) {
+    return up_to_share(candidates, thinnest_first(stand, fellable(stand, candidates)), volume_share,
+                       [&](std::size_t place) { return volume_of(stand.trees()[place], species); });
+}
+
+double relative_density(const Stand& stand, const SpeciesTable& species,
+                        std::span<const std::size_t> candidates, double area_ha) {
+    return density_of(stand, species, candidates, area_ha).value();
+}
+
 Picks thin_to_density(const Stand& stand, const SpeciesTable& species,
                       std::span<const std::size_t> candidates, double area_ha, double target_density) {
-    assert(area_ha > 0.0 || candidates.empty());
-    Density density{species, area_ha};
-    for (const std::size_t place : candidates) {
-        if (stand.trees()[place].dbh_cm >= counted_dbh_cm) {
-            density.add(stand.trees()[place], 1.0);
-        }
-    }
+    Density density = density_of(stand, species, candidates, area_ha);
     Picks picks;
     for (const std::size_t place : thinnest_first(stand, all_trees(stand, candidates, counted_dbh_cm))) {
         if (density.value() <= target_density) {

@@ -20,6 +20,14 @@ Picks all_trees(const Stand& stand, std::span<const std::size_t> candidates, dou
 
 /// The thinnest trees, until their share of the basal area is reached (usually 0.15-0.3); never more.
 Picks thin_from_below(const Stand& stand, std::span<const std::size_t> candidates, double basal_area_share);
+/// The same by share of the volume.
+Picks thin_volume_from_below(const Stand& stand, const SpeciesTable& species,
+                             std::span<const std::size_t> candidates, double volume_share);
+
+/// Relative density of trees on an area [-]: of those of 7 cm and more, sum over species of stems / most
+/// stems at the species' mean diameter (forest/self_thinning.hpp). Requires an area above 0.
+double relative_density(const Stand& stand, const SpeciesTable& species,
+                        std::span<const std::size_t> candidates, double area_ha);
 
 /// The thinnest trees of 7 cm and more, until the relative density is no more than the target (usually
 /// 0.5-0.7; matreex 0.65).

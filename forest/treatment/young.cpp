@@ -11,6 +11,7 @@ namespace forest {
 namespace {
 
 constexpr std::uint32_t cluster_stems = 25;
+constexpr double m2_per_ha = 10'000.0;
 
 Cohort planted(PatchId patch, const Planting& planting, std::uint32_t stems) {
     return {.patch = patch,
@@ -35,12 +36,33 @@ bool is_favoured(const Tending& tending, SpeciesId species) {
 
 }  // namespace
 
-std::uint64_t plant(Stand& stand, const TreatmentArea& area, const Planting& planting, std::uint64_t seed,
-                    std::uint32_t replicate) {
+std::vector<double> young_trees_pha(const Stand& stand) {
+    std::vector<double> young_pha(stand.grid().size(), 0.0);
+    for (const Cohort& cohort : stand.cohorts()) {
+        if (cohort.height_m >= established_height_m) {
+            young_pha[index_of(cohort.patch)] += cohort.stems * m2_per_ha / patch_area_m2;
+        }
+    }
+    for (const Tree& tree : stand.trees()) {
+        if (tree.dbh_cm < young_dbh_cm) {
+            young_pha[index_of(tree.patch)] += tree.stems * m2_per_ha / patch_area_m2;
+        }
+    }
+    return young_pha;
+}
+
+std::vector<PatchId> patches_with_fewer(const Stand& stand, const TreatmentArea& area, double young_pha) {
+    const std::vector<double> present_pha = young_trees_pha(stand);
+    std::vector<PatchId> patches = patches_in(stand.grid(), area);
+    std::erase_if(patches, [&](PatchId patch) { return present_pha[index_of(patch)] >= young_pha; });
+    return patches;
+}
+
+std::uint64_t plant_on(Stand& stand, std::span<const PatchId> patches, const Planting& planting,
+                       std::uint64_t seed, std::uint32_t replicate) {
     assert(planting.height_m > 0.0 && planting.stems_pha > 0.0);
-    constexpr double m2_per_ha = 10'000.0;
     std::vector<Cohort> plants;
-    for (const PatchId patch : patches_in(stand.grid(), area)) {
+    for (const PatchId patch : patches) {
         const double u =
             config::RandomStream{{seed, replicate, static_cast<std::uint16_t>(stand.year()), index_of(patch)},
                                  config::Purpose::young_place}
@@ -53,11 +75,21 @@ std::uint64_t plant(Stand& stand, const TreatmentArea& area, const Planting& pla
     return add(stand, plants);
 }
 
+std::uint64_t plant(Stand& stand, const TreatmentArea& area, const Planting& planting, std::uint64_t seed,
+                    std::uint32_t replicate) {
+    return plant_on(stand, patches_in(stand.grid(), area), planting, seed, replicate);
+}
+
 std::uint64_t plant_clusters(Stand& stand, const TreatmentArea& area, const Planting& planting,
                              int every_patches) {
+    return plant_clusters_on(stand, patches_in(stand.grid(), area), planting, every_patches);
+}
+
+std::uint64_t plant_clusters_on(Stand& stand, std::span<const PatchId> patches, const Planting& planting,
+                                int every_patches) {
     assert(every_patches >= 1);
     std::vector<Cohort> plants;
-    for (const PatchId patch : patches_in(stand.grid(), area)) {
+    for (const PatchId patch : patches) {
         const config::Cell cell = stand.grid()[patch].cell;
         if (cell.row % every_patches == 0 && cell.column % every_patches == 0) {
             plants.push_back(planted(patch, planting, cluster_stems));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "forest/species.hpp"
 #include "forest/stand.hpp"
@@ -16,13 +17,26 @@ struct Planting {
     double height_m = 0.35;     ///< > 0, < 2
 };
 
-/// Plants on all patches whose middle lies in an area; parts of a stem a patch are decided by chance. One in
-/// five dies within two years (forest/regeneration/saplings.hpp). Gives the number of plants.
+/// Young trees of a patch that count as established: 0.3 m and more [choice], up to this diameter.
+inline constexpr double established_height_m = 0.3;
+inline constexpr double young_dbh_cm = 5.0;
+
+/// Young trees on every patch [1/ha]: saplings of 0.3 m and more and trees below 5 cm diameter.
+std::vector<double> young_trees_pha(const Stand& stand);
+/// Patches of an area with fewer young trees per hectare.
+std::vector<PatchId> patches_with_fewer(const Stand& stand, const TreatmentArea& area, double young_pha);
+
+/// Plants on patches, or on all whose middle lies in an area; parts of a stem a patch are decided by chance.
+/// One in five dies within two years (forest/regeneration/saplings.hpp). Gives the number of plants.
+std::uint64_t plant_on(Stand& stand, std::span<const PatchId> patches, const Planting& planting,
+                       std::uint64_t seed, std::uint32_t replicate);
 std::uint64_t plant(Stand& stand, const TreatmentArea& area, const Planting& planting, std::uint64_t seed,
                     std::uint32_t replicate);
 
 /// The same in clusters, as on steep slopes: 25 plants on every patch whose row and column both divide by
 /// `every_patches` (1 or 2: 10 or 20 m apart). `stems_pha` has no say.
+std::uint64_t plant_clusters_on(Stand& stand, std::span<const PatchId> patches, const Planting& planting,
+                                int every_patches);
 std::uint64_t plant_clusters(Stand& stand, const TreatmentArea& area, const Planting& planting,
                              int every_patches);
 

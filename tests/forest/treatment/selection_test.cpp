@@ -159,5 +159,34 @@ TEST(Loosen, TakesTreesOfAnySizeUpToTheShare) {
     EXPECT_NE(picks, loosen(stand, all, 0.35, 2, 0));
 }
 
+TEST(ThinVolumeFromBelow, TakesMoreStemsThanTheSameShareOfBasalArea) {
+    const Stand stand = hectare(Structure::even_aged, 900.0, 25.0);
+    const Picks all = everyone(stand);
+    const auto volume_m3 = [&](const Picks& places) {
+        double sum = 0.0;
+        for (const std::size_t place : places) {
+            const Tree& tree = stand.trees()[place];
+            sum += stem_volume_m3(table[spruce].allometry, tree.dbh_cm, tree.height_m);
+        }
+        return sum;
+    };
+    const Picks picks = thin_volume_from_below(stand, table, all, 0.25);
+    EXPECT_NEAR(volume_m3(picks) / volume_m3(all), 0.25, 0.005);
+    EXPECT_GT(picks.size(), thin_from_below(stand, all, 0.25).size());
+}
+
+TEST(RelativeDensity, IsOneOnTheLineOfMostStems) {
+    const Stand stand = hectare(Structure::even_aged, 900.0, 25.0);
+    double stems = 0.0;
+    double squares_cm2 = 0.0;
+    for (const Tree& tree : stand.trees()) {
+        stems += tree.dbh_cm >= counted_dbh_cm ? 1.0 : 0.0;
+        squares_cm2 += tree.dbh_cm >= counted_dbh_cm ? tree.dbh_cm * tree.dbh_cm : 0.0;
+    }
+    const double area_ha = stems / most_stems_pha(table[spruce].mortality, std::sqrt(squares_cm2 / stems));
+    EXPECT_NEAR(relative_density(stand, table, everyone(stand), area_ha), 1.0, 1e-9);
+    EXPECT_EQ(relative_density(stand, table, {}, 1.0), 0.0);
+}
+
 }  // namespace
 }  // namespace forest

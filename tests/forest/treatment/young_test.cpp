@@ -52,5 +52,20 @@ TEST(Tend, CutsOthersWhereAFavouredSpeciesStands) {
     EXPECT_EQ(stand.book().saplings_out[index_of(Cause::felled)], 15U);
 }
 
+TEST(PatchesWithFewer, CountWhatHasEstablished) {
+    Stand stand{square_of_forest(2), table.size(), {}, 2000};
+    stand.add_cohorts(std::vector<Cohort>{
+        {.patch = PatchId{0}, .species = spruce, .stems = 9, .height_m = 0.5},
+        {.patch = PatchId{1}, .species = spruce, .stems = 10, .height_m = 0.5},
+        {.patch = PatchId{2}, .species = spruce, .stems = 900, .height_m = 0.1},
+    });
+    const PatchGrid& grid = stand.grid();
+    stand.add_trees(std::vector<Tree>{new_tree(table[spruce], spruce, grid.x_centre_m(PatchId{3}),
+                                               grid.y_centre_m(PatchId{3}), 3.0, 3.0, 9.0)});
+    EXPECT_EQ(young_trees_pha(stand), (std::vector{900.0, 1000.0, 0.0, 100.0}));
+    EXPECT_EQ(patches_with_fewer(stand, {}, 1000.0), (std::vector{PatchId{0}, PatchId{2}, PatchId{3}}));
+    EXPECT_EQ(plant_on(stand, std::vector{PatchId{2}}, {.species = spruce, .stems_pha = 500.0}, 1, 0), 5U);
+}
+
 }  // namespace
 }  // namespace forest

@@ -1,0 +1,208 @@
+#include "coupling/regimes/apply.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "coupling/regimes/due.hpp"
+#include "forest/treatment/groups.hpp"
+#include "forest/treatment/young.hpp"
+
+namespace coupling {
+
+namespace {
+
+/// Carries out a year.
+class Crew {
+public:
+    Crew(const Regime& regime, int year, forest::Stand& stand, const forest::SpeciesTable& species,
+         const forest::YearKey& key)
+        : regime_{regime}, year_{year}, stand_{stand}, species_{species}, key_{key} {}
+
+    RegimeReport work(const std::vector<Due>& due) {
+        RegimeReport report;
+        std::vector<std::vector<forest::TreeId>> marked;
+        for (const Due& row : due) {
+            Entry entry = empty_entry(row);
+            marked.push_back(mark(row, entry));
+            report.entries.push_back(entry);
+        }
+        const auto each = [&](auto wanted, auto step) {
+            for (std::size_t i = 0; i < due.size(); ++i) {
+                const Intervention& row = regime_.interventions()[due[i].intervention];
+                if (wanted(row)) {
+                    step(row, i);
+                }
+            }
+        };
+        each([](const Intervention& row) { return row.cuts(); },
+             [&](const Intervention& row, std::size_t i) {
+                 add(fell(marked[i], row), report.entries[i], report);
+             });
+        each([](const Intervention& row) { return row.treatment == Treatment::salvage; },
+             [&](const Intervention& row, std::size_t i) {
+                 for (const Area* area : areas_of(due[i])) {
+                     add(forest::salvage(stand_, species_, area->place, row.share, row.oldest_years,
+                                         key_.seed, key_.replicate),
+                         report.entries[i], report);
+                 }
+             });
+        each([](const Intervention& row) { return row.treatment == Treatment::tend; },
+             [&](const Intervention& row, std::size_t i) {
+                 for (const Area* area : areas_of(due[i])) {
+                     report.entries[i].tended += forest::tend(
+                         stand_, area->place, {row.species, row.from_height_m, row.to_height_m, row.share});
+                 }
+             });
+        each([](const Intervention& row) { return row.plants(); },
+             [&](const Intervention& row, std::size_t i) {
+                 for (const Area* area : areas_of(due[i])) {
+                     report.entries[i].plants += plant(row, area->place);
+                 }
+             });
+        return report;
+    }
+
+private:
+    [[nodiscard]] std::vector<const Area*> areas_of(const Due& due) const {
+        std::vector<const Area*> areas;
+        for (const std::size_t place : due.areas) {
+            areas.push_back(&regime_.areas_of(due.intervention)[place]);
+        }
+        return areas;
+    }
+
+    [[nodiscard]] Entry empty_entry(const Due& due) const {
+        const Intervention& row = regime_.interventions()[due.intervention];
+        Entry entry{
+            .year = year_, .intervention = row.name, .treatment = row.treatment, .areas = due.areas.size()};
+        for (const Area* area : areas_of(due)) {
+            entry.area_ha += area->area_ha;
+        }
+        return entry;
+    }
+
+    /// Trees that go, area by area; none that an upper row has marked.
+    std::vector<forest::TreeId> mark(const Due& due, Entry& entry) {
+        const Intervention& row = regime_.interventions()[due.intervention];
+        std::vector<forest::TreeId> trees;
+        if (!row.cuts()) {
+            return trees;
+        }
+        taken_.resize(stand_.trees().size(), 0);
+        if (row.treatment == Treatment::group_cut) {
+            entry.area_ha = 0.0;
+        }
+        for (const Area* area : areas_of(due)) {
+            forest::Picks candidates = forest::trees_in(stand_, area->place);
+            std::erase_if(candidates, [&](std::size_t place) {
+                return taken_[place] != 0 || stand_.trees()[place].dbh_cm < row.from_dbh_cm;
+            });
+            for (const std::size_t place : select(row, candidates, *area, entry)) {
+                taken_[place] = 1;
+                trees.push_back(stand_.trees()[place].id);
+            }
+        }
+        return trees;
+    }
+
+    forest::Picks select(const Intervention& row, const forest::Picks& candidates, const Area& area,
+                         Entry& entry) const {
+        switch (row.treatment) {
+            case Treatment::thin_below:
+                return row.of_volume ? forest::thin_volume_from_below(stand_, species_, candidates, row.share)
+                                     : forest::thin_from_below(stand_, candidates, row.share);
+            case Treatment::thin_density:
+                return forest::thin_to_density(stand_, species_, candidates, area.area_ha,
+                                               row.target_density);
+            case Treatment::thin_crop_trees: {
+                forest::CropTreeThinning rule = row.crop;
+                rule.favoured = row.species;
+                return forest::thin_for_crop_trees(stand_, species_, candidates, area.area_ha, rule);
+            }
+            case Treatment::target_diameter:
+                return forest::target_diameter(stand_, candidates, row.from_dbh_cm);
+            case Treatment::selection:
+                return forest::single_tree_selection(stand_, species_, candidates, area.area_ha,
+                                                     row.selection, key_.seed, key_.replicate);
+            case Treatment::shelter_cut:
+                return forest::loosen(stand_, candidates, row.share, key_.seed, key_.replicate);
+            case Treatment::clear_cut:
+                return forest::all_trees(stand_, candidates);
+            case Treatment::group_cut: {
+                const std::vector<config::Shape> holes =
+                    forest::ripest_groups(stand_, species_, candidates, area.place, row.groups);
+                entry.area_ha += static_cast<double>(holes.size()) * row.groups.side_m * row.groups.side_m /
+                                 square_metres_per_hectare;
+                forest::Picks inside;
+                for (const std::size_t place : candidates) {
+                    const forest::Tree& tree = stand_.trees()[place];
+                    if (!holes.empty() && forest::belongs({holes, {}}, stand_.grid(), tree.x_m, tree.y_m)) {
+                        inside.push_back(place);
+                    }
+                }
+                return forest::all_trees(stand_, inside);
+            }
+            default:
+                assert(false && "not a cut");
+                return {};
+        }
+    }
+
+    forest::Timber fell(const std::vector<forest::TreeId>& trees, const Intervention& row) {
+        forest::Picks picks;
+        for (const forest::TreeId tree : trees) {
+            const auto place = stand_.find(tree);
+            assert(place);
+            picks.push_back(*place);
+        }
+        return forest::fell(stand_, species_, picks, row.felling, key_.seed, key_.replicate);
+    }
+
+    std::uint64_t plant(const Intervention& row, const forest::TreatmentArea& place) {
+        const std::vector<forest::PatchId> patches =
+            row.where_fewer_pha ? forest::patches_with_fewer(stand_, place, *row.where_fewer_pha)
+                                : forest::patches_in(stand_.grid(), place);
+        if (row.treatment == Treatment::plant_clusters) {
+            return forest::plant_clusters_on(
+                stand_, patches, {.species = row.species.front(), .height_m = row.plant_height_m},
+                static_cast<int>(std::lround(row.spacing_m / forest::patch_side_m)));
+        }
+        std::uint64_t plants = 0;
+        for (std::size_t i = 0; i < row.species.size(); ++i) {
+            plants +=
+                forest::plant_on(stand_, patches, {row.species[i], row.plants_pha[i], row.plant_height_m},
+                                 key_.seed, key_.replicate);
+        }
+        return plants;
+    }
+
+    static void add(const forest::Timber& timber, Entry& entry, RegimeReport& report) {
+        const forest::TimberClass sum = timber.total();
+        entry.stems += sum.stems;
+        entry.taken_m3 += sum.taken_m3;
+        entry.left_m3 += sum.left_m3;
+        report.timber += timber;
+    }
+
+    static constexpr double square_metres_per_hectare = 10'000.0;
+
+    const Regime& regime_;
+    int year_;
+    forest::Stand& stand_;
+    const forest::SpeciesTable& species_;
+    forest::YearKey key_;
+    std::vector<char> taken_;
+};
+
+}  // namespace
+
+RegimeReport apply(const Regime& regime, int year, forest::Stand& stand, const forest::SpeciesTable& species,
+                   RegimeState& state, const forest::YearKey& key) {
+    const std::vector<Due> due = due_in(regime, year, stand, species, state);
+    RegimeReport report = Crew{regime, year, stand, species, key}.work(due);
+    remember(regime, year, due, state);
+    return report;
+}
+
+}  // namespace coupling

@@ -1,0 +1,63 @@
+#include "coupling/regimes/regime.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "coupling/regimes/rows.hpp"
+
+namespace coupling {
+
+namespace {
+
+/// How the areas lie, whoever takes turns on them; the rungs of slits are cut into entries.
+Ground lie_of(Ground ground) {
+    ground.entries = ground.where == Where::slits ? ground.entries : 1;
+    return ground;
+}
+
+}  // namespace
+
+Regime Regime::read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
+                    const forest::PatchGrid& grid, const PolygonsOf& polygons_of) {
+    config::Problems problems;
+    Regime regime;
+    regime.name_ = std::move(name);
+    regime.interventions_ = read_interventions(table, species, problems);
+    std::vector<Ground> grounds;
+    for (const Intervention& intervention : regime.interventions_) {
+        const Ground ground = lie_of(intervention.ground);
+        const auto known = std::find(grounds.begin(), grounds.end(), ground);
+        regime.ground_of_.push_back(static_cast<std::size_t>(known - grounds.begin()));
+        if (known == grounds.end()) {
+            grounds.push_back(ground);
+            regime.areas_.push_back(
+                coupling::areas_of(ground, grid, polygons_of, intervention.place, problems));
+        }
+        const auto followed =
+            std::find_if(regime.interventions_.begin(), regime.interventions_.end(),
+                         [&](const Intervention& other) { return other.name == intervention.after; });
+        regime.follows_.push_back(
+            intervention.after.empty()
+                ? std::nullopt
+                : std::optional{static_cast<std::size_t>(followed - regime.interventions_.begin())});
+    }
+    find_contradictions(regime, problems);
+    problems.throw_if_any();
+    return regime;
+}
+
+std::optional<int> turn_of(const Intervention& intervention, int year) {
+    if (!intervention.after.empty() || year < intervention.first_year ||
+        year > intervention.last_year.value_or(year)) {
+        return std::nullopt;
+    }
+    const int since = year - intervention.first_year;
+    if (!intervention.every_years) {
+        return since == 0 || intervention.has_condition() ? std::optional{0} : std::nullopt;
+    }
+    return since % *intervention.every_years == 0
+               ? std::optional{since / *intervention.every_years % intervention.ground.entries}
+               : std::nullopt;
+}
+
+}  // namespace coupling

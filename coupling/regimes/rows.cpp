@@ -1,0 +1,349 @@
+#include "coupling/regimes/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "config/options/values.hpp"
+#include "config/text/reading.hpp"
+#include "coupling/regimes/columns.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling {
+
+namespace {
+
+/// Words that foresters use for what has another name here.
+struct Synonym {
+    std::string_view word;
+    std::string_view here;
+};
+constexpr Synonym synonyms[] = {{"slit_cut", "'clear_cut' with where = slits"},
+                                {"strip_clear", "'clear_cut' with where = strips"},
+                                {"strip_cut", "'clear_cut' with where = strips"},
+                                {"strip_shelterwood", "'shelter_cut' with where = strips, then 'clear_cut'"},
+                                {"shelterwood", "'shelter_cut', then 'clear_cut'"},
+                                {"seed_cut", "'shelter_cut'"},
+                                {"clearance", "'clear_cut'"},
+                                {"plenter", "'selection'"},
+                                {"crop_trees", "'thin_crop_trees'"}};
+
+constexpr std::string_view comment_column = "note";
+
+/// Words between commas and semicolons; without any, between blanks.
+std::vector<std::string> words_in(std::string_view text, std::string_view separators) {
+    std::vector<std::string> words;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of(separators), text.size());
+        if (const std::string_view word = config::trimmed(text.substr(0, end)); !word.empty()) {
+            words.emplace_back(word);
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return words;
+}
+
+/// Reads the rows one after the other.
+class RowReader {
+public:
+    RowReader(const config::Table& table, const forest::SpeciesTable& species, config::Problems& problems)
+        : table_{table}, species_{species}, problems_{problems} {}
+
+    std::vector<Intervention> all() {
+        std::vector<Intervention> rows;
+        for (std::size_t row = 0; row < table_.rows(); ++row) {
+            if (std::optional<Intervention> intervention = read(row, rows)) {
+                rows.push_back(std::move(*intervention));
+            }
+        }
+        return rows;
+    }
+
+private:
+    std::optional<Intervention> read(std::size_t row, const std::vector<Intervention>& above) {
+        row_ = row;
+        fine_ = true;
+        Intervention intervention;
+        intervention.place = table_.place(row, table_.columns().front());
+        intervention.place.column = 0;
+        // Treatment and place say which other fields mean something.
+        set(intervention, "treatment");
+        const bool known = fine_;
+        set(intervention, "where");
+        set(intervention, "after");
+        if (!intervention.after.empty()) {
+            follow(intervention, above);
+        }
+        if (!known) {
+            return std::nullopt;
+        }
+        for (const RegimeColumn& column : regime_columns()) {
+            if (column.name != "treatment" && column.name != "where" && column.name != "after") {
+                set(intervention, column);
+            }
+        }
+        name(intervention, above);
+        check(intervention);
+        return fine_ ? std::optional{intervention} : std::nullopt;
+    }
+
+    void set(Intervention& intervention, std::string_view name) {
+        set(intervention, *std::find_if(regime_columns().begin(), regime_columns().end(),
+                                        [name](const RegimeColumn& column) { return column.name == name; }));
+    }
+
+    void set(Intervention& intervention, const RegimeColumn& column) {
+        const std::string name{column.name};
+        const bool empty = !table_.has(name) || table_.text(row_, name).empty();
+        const bool followed = !intervention.after.empty() && is_ground(column);
+        if (!is_used(column, intervention) || followed) {
+            if (!empty && followed) {
+                refuse(name, joined(name, " = ", config::in_quotes(table_.text(row_, name))),
+                       "nothing: a row with `after` acts on the ground of the row it follows");
+            } else if (!empty) {
+                refuse(name, joined(name, " = ", config::in_quotes(table_.text(row_, name))),
+                       joined("nothing: it has no meaning for ",
+                              column.places != 0 && column.treatments == 0
+                                  ? joined("where = ", name_of(intervention.ground.where))
+                                  : name_of(intervention.treatment),
+                              " (but for ", users_text(column), ")"));
+            }
+            return;
+        }
+        if (empty) {
+            if (column.needed) {
+                refuse(table_.has(name) ? name : table_.columns().front(), joined("no ", name),
+                       joined("a value for ", name, ", which ",
+                              column.places != 0    ? joined("where = ", name_of(intervention.ground.where))
+                              : name == "treatment" ? std::string{"each row"}
+                                                    : name_of(intervention.treatment),
+                              " needs"));
+            }
+            return;
+        }
+        std::visit([&](auto field) { read_into(field(intervention), name, column.range); }, column.field);
+    }
+
+    static bool is_ground(const RegimeColumn& column) {
+        return column.name == "where" || column.name == "stands" || column.name == "entries" ||
+               column.places != 0;
+    }
+
+    template <class T>
+    void read_into(T& target, const std::string& name, const config::NumberRange& range) {
+        const std::string& text = table_.text(row_, name);
+        if constexpr (std::is_same_v<T, bool>) {
+            keep(target, config::flag_in(text), name, "yes or no");
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            target = text;
+        } else if constexpr (std::is_same_v<T, config::Angle>) {
+            double degrees = 0.0;
+            read_into(degrees, name, range);
+            target = config::Angle::from_degrees(degrees);
+        } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>) {
+            keep(target, config::number_in(text, range), name, config::describe("a number", range));
+        } else if constexpr (std::is_same_v<T, int> || std::is_same_v<T, std::size_t> ||
+                             std::is_same_v<T, std::optional<int>>) {
+            const std::optional<long long> whole = config::parse_whole(text);
+            const bool good = whole && range.contains(static_cast<double>(*whole));
+            keep(target, good ? std::optional{static_cast<int>(*whole)} : std::nullopt, name,
+                 config::describe("a whole number", range));
+        } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+            keep(target, config::numbers_in(text, range), name,
+                 config::describe("numbers with blanks between, each", range));
+        } else if constexpr (std::is_same_v<T, std::vector<std::uint32_t>>) {
+            for (const std::string& word : words_in(text, " ,;")) {
+                const auto number = config::count_in(word, range);
+                if (!number) {
+                    refuse(name, config::in_quotes(word), "whole numbers with blanks between");
+                } else {
+                    target.push_back(static_cast<std::uint32_t>(*number));
+                }
+            }
+        } else if constexpr (std::is_same_v<T, std::vector<forest::SpeciesId>>) {
+            read_species(target, text, name);
+        } else if constexpr (std::is_same_v<T, Treatment>) {
+            read_word(target, treatment_count, text, name);
+        } else {
+            static_assert(std::is_same_v<T, Where>);
+            read_word(target, where_count, text, name);
+        }
+    }
+
+    template <class T, class Value>
+    void keep(T& target, const std::optional<Value>& value, const std::string& name, std::string expected) {
+        if (value) {
+            if constexpr (std::is_same_v<T, std::size_t>) {
+                target = static_cast<std::size_t>(*value);
+            } else {
+                target = *value;
+            }
+        } else {
+            refuse(name, joined(name, " = ", config::in_quotes(table_.text(row_, name))),
+                   std::move(expected));
+        }
+    }
+
+    template <class Enum>
+    void read_word(Enum& target, std::size_t count, const std::string& text, const std::string& name) {
+        std::vector<std::string> words;
+        for (std::size_t i = 0; i < count; ++i) {
+            words.push_back(name_of(static_cast<Enum>(i)));
+            if (words.back() == text) {
+                target = static_cast<Enum>(i);
+                return;
+            }
+        }
+        std::string expected;
+        for (const Synonym& synonym : synonyms) {
+            if (synonym.word == text) {
+                expected = synonym.here;
+            }
+        }
+        const std::string nearest = config::nearest_word(text, words);
+        if (expected.empty() && !nearest.empty()) {
+            expected = config::in_quotes(nearest);
+        }
+        if (expected.empty()) {
+            for (const std::string& word : words) {
+                expected.append(expected.empty() ? "one of " : ", ").append(word);
+            }
+        }
+        refuse(name, joined(name, " ", config::in_quotes(text)), expected);
+    }
+
+    void read_species(std::vector<forest::SpeciesId>& target, const std::string& text,
+                      const std::string& name) {
+        const bool parted = text.find_first_of(",;") != std::string::npos;
+        const std::vector<std::string> words =
+            species_.find(text) ? std::vector{text} : words_in(text, parted ? ",;" : " ");
+        for (const std::string& word : words) {
+            const auto found = species_.find(word, table_.place(row_, name), problems_);
+            fine_ = fine_ && found.has_value();
+            if (found && std::find(target.begin(), target.end(), *found) != target.end()) {
+                refuse(name, joined("species ", config::in_quotes(word), " a second time"),
+                       "each species once");
+            } else if (found) {
+                target.push_back(*found);
+            }
+        }
+    }
+
+    void follow(Intervention& intervention, const std::vector<Intervention>& above) {
+        std::vector<std::string> names;
+        for (const Intervention& earlier : above) {
+            if (earlier.name == intervention.after) {
+                intervention.ground = earlier.ground;
+                return;
+            }
+            names.push_back(earlier.name);
+        }
+        const std::string nearest = config::nearest_word(intervention.after, names);
+        refuse("after", joined("after ", config::in_quotes(intervention.after)),
+               nearest.empty() ? "the name of a row above it" : config::in_quotes(nearest));
+    }
+
+    void name(Intervention& intervention, const std::vector<Intervention>& above) {
+        const bool given = !intervention.name.empty();
+        intervention.name = given ? intervention.name : name_of(intervention.treatment);
+        for (const Intervention& earlier : above) {
+            if (earlier.name == intervention.name) {
+                refuse(given ? "name" : "treatment",
+                       joined("a second row with the name ", config::in_quotes(intervention.name)),
+                       "a name of its own in the column `name`");
+            }
+        }
+    }
+
+    /// What fields of one row say together.
+    void check(const Intervention& i) {
+        if (i.last_year && *i.last_year < i.first_year) {
+            refuse("last_year", joined("last_year ", std::to_string(*i.last_year)),
+                   joined("first_year (", std::to_string(i.first_year), ") or later"));
+        }
+        if (i.from_age_years && i.to_age_years && *i.to_age_years <= *i.from_age_years) {
+            refuse("to_age_years", joined("to_age_years ", config::to_text(*i.to_age_years)),
+                   joined("more than from_age_years (", config::to_text(*i.from_age_years), ")"));
+        }
+        if (i.after.empty() && i.ground.entries > 1 && !i.every_years) {
+            refuse("entries", joined(std::to_string(i.ground.entries), " entries without every_years"),
+                   "the years from one entry to the next in every_years");
+        }
+        if (!i.after.empty() &&
+            (i.every_years || (table_.has("first_year") && !table_.text(row_, "first_year").empty()))) {
+            refuse("after", "first_year or every_years beside `after`",
+                   "after_years alone: the row it follows says when");
+        }
+        if (i.after.empty() && i.after_years > 0) {
+            refuse("after_years", "after_years without `after`", "the name of a row above it in `after`");
+        }
+        if (i.treatment == Treatment::plant && i.plants_pha.size() != i.species.size()) {
+            refuse("plants_pha",
+                   joined(std::to_string(i.plants_pha.size()), " numbers for ",
+                          std::to_string(i.species.size()), " species"),
+                   "one for each species");
+        }
+        if (i.treatment == Treatment::plant_clusters && i.species.size() != 1) {
+            refuse("treatment", joined(std::to_string(i.species.size()), " species for clusters"),
+                   "one species");
+        }
+        if (i.treatment == Treatment::tend && i.species.empty()) {
+            refuse("treatment", "tending without favoured species", "at least one in the column `species`");
+        }
+        if (i.treatment == Treatment::target_diameter && i.from_dbh_cm <= 0.0) {
+            refuse("treatment", "target_diameter without from_dbh_cm", "a diameter above 0");
+        }
+        if (std::fmod(i.spacing_m, forest::patch_side_m) != 0.0) {
+            refuse("spacing_m", joined("spacing_m ", config::to_text(i.spacing_m)), "a multiple of 10 m");
+        }
+        if (i.from_height_m > i.to_height_m) {
+            refuse("from_height_m", joined("from_height_m ", config::to_text(i.from_height_m)),
+                   joined("at most to_height_m (", config::to_text(i.to_height_m), ")"));
+        }
+    }
+
+    void refuse(std::string_view column, std::string found, std::string expected) {
+        fine_ = false;
+        const std::string name{table_.has(column) ? column : std::string_view{table_.columns().front()}};
+        problems_.add(config::ExitCode::data, table_.place(row_, name), std::move(found),
+                      std::move(expected));
+    }
+
+    const config::Table& table_;
+    const forest::SpeciesTable& species_;
+    config::Problems& problems_;
+    std::size_t row_ = 0;
+    bool fine_ = true;
+};
+
+void refuse_unknown_columns(const config::Table& table, config::Problems& problems) {
+    std::vector<std::string> known{std::string{comment_column}};
+    for (const RegimeColumn& column : regime_columns()) {
+        known.emplace_back(column.name);
+    }
+    for (const std::string& column : table.columns()) {
+        if (std::find(known.begin(), known.end(), column) == known.end()) {
+            const std::string nearest = config::nearest_word(column, known);
+            problems.add(config::ExitCode::data, {table.file(), 0, 0},
+                         joined("column ", config::in_quotes(column)),
+                         nearest.empty() ? "a column of a regime (coupling/regimes/README.md)"
+                                         : config::in_quotes(nearest));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Intervention> read_interventions(const config::Table& table, const forest::SpeciesTable& species,
+                                             config::Problems& problems) {
+    refuse_unknown_columns(table, problems);
+    if (!table.require({"treatment"}, problems)) {
+        return {};
+    }
+    return RowReader{table, species, problems}.all();
+}
+
+}  // namespace coupling

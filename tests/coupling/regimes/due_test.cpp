@@ -1,0 +1,106 @@
+#include "coupling/regimes/due.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "forest/tables.hpp"
+#include "forest/treatment/selection.hpp"
+#include "tests/coupling/regimes/regime_forest.hpp"
+
+namespace coupling {
+namespace {
+
+/// Years of a list in which a row comes to an area, on a stand that does not change.
+std::string years_of(const Regime& regime, std::size_t intervention, std::size_t area,
+                     const forest::Stand& stand, int last_year) {
+    RegimeState state;
+    std::string years;
+    for (int year = 0; year <= last_year; ++year) {
+        const std::vector<Due> due = due_in(regime, year, stand, species_table(), state);
+        for (const Due& row : due) {
+            if (row.intervention == intervention &&
+                std::find(row.areas.begin(), row.areas.end(), area) != row.areas.end()) {
+                years += std::to_string(year) + ' ';
+            }
+        }
+        remember(regime, year, due, state);
+    }
+    return years;
+}
+
+TEST(DueIn, TakesEntriesInTurn) {
+    const forest::Stand stand = spruce_stand(6);
+    const Regime regime = regime_of(
+        "treatment,first_year,every_years,last_year,where,entries,width_m,angle_deg\n"
+        "clear_cut,5,10,50,strips,3,20,0\n",
+        stand.grid());
+    ASSERT_EQ(regime.areas_of(0).size(), 4U) << "strips begin half a patch outside";
+    EXPECT_EQ(years_of(regime, 0, 0, stand, 80), "5 35 ");
+    EXPECT_EQ(years_of(regime, 0, 1, stand, 80), "15 45 ");
+    EXPECT_EQ(years_of(regime, 0, 3, stand, 80), "5 35 ");
+}
+
+TEST(DueIn, FollowsAnotherRowAreaByArea) {
+    const forest::Stand stand = spruce_stand(6);
+    const Regime regime = regime_of(
+        "name,treatment,first_year,every_years,last_year,after,after_years,where,entries,width_m,angle_deg,"
+        "share\n"
+        "open,shelter_cut,0,10,30,,,strips,3,20,0,0.3\nclear,clear_cut,,,,open,8,,,,,\n",
+        stand.grid());
+    EXPECT_EQ(years_of(regime, 1, 0, stand, 60), "8 38 ");
+    EXPECT_EQ(years_of(regime, 1, 2, stand, 60), "28 ");
+}
+
+TEST(DueIn, WaitsForAgeAndComesOnceUntilTheAreaIsCleared) {
+    const forest::Stand stand = spruce_stand(4);  // 80 years old for ever, until it is cleared
+    const std::string head = "name,treatment,first_year,every_years,from_age_years,to_age_years,share\n";
+    const auto years = [&](const std::string& rows) {
+        return years_of(regime_of(head + rows, stand.grid()), 0, 0, stand, 99);
+    };
+    EXPECT_EQ(years("a,thin_below,0,,75,85,0.2\n"), "0 ");
+    EXPECT_EQ(years("a,thin_below,0,,85,,0.2\n"), "");
+    EXPECT_EQ(years("a,thin_below,0,,,80,0.2\n"), "") << "younger than";
+    EXPECT_EQ(years("a,thin_below,0,40,75,,0.2\n"), "0 40 80 ") << "a calendar repeats";
+    // Cleared in year 20: age counts from there.
+    EXPECT_EQ(years("a,thin_below,0,,30,45,0.2\nb,clear_cut,20,,,,\n"), "50 ");
+    EXPECT_EQ(years("a,thin_below,0,,30,85,0.2\nb,clear_cut,20,,,,\n"), "0 50 ");
+    EXPECT_EQ(years("a,clear_cut,0,,30,,\n"), "0 30 60 90 ");
+}
+
+TEST(DueIn, WaitsForHeightBasalAreaAndDensity) {
+    const forest::Stand stand = spruce_stand(4);
+    const auto due = [&](const std::string& condition, double value) {
+        const Regime regime =
+            regime_of("treatment,share," + condition + "\nthin_below,0.2," + std::to_string(value) + '\n',
+                      stand.grid());
+        return !due_in(regime, 0, stand, species_table(), {}).empty();
+    };
+    std::vector<std::size_t> all(stand.trees().size());
+    std::iota(all.begin(), all.end(), 0);
+    const forest::StandFigures figures = forest::figures_of(stand.trees(), species_table(), 0.16);
+    const double density = forest::relative_density(stand, species_table(), all, 0.16);
+    for (const auto& [condition, value] : {std::pair{"from_dominant_height_m", figures.dominant_height_m},
+                                           std::pair{"from_basal_area_m2pha", figures.basal_area_m2pha},
+                                           std::pair{"from_relative_density", density}}) {
+        EXPECT_TRUE(due(condition, 0.99 * value)) << condition;
+        EXPECT_FALSE(due(condition, 1.01 * value)) << condition;
+    }
+}
+
+TEST(AgeOf, IsThatOfTheThickestHundredPerHectare) {
+    std::vector<forest::Tree> trees = spruces(4);  // 100 trees on 0.16 ha: 16 count
+    for (forest::Tree& tree : trees) {
+        tree.age_years = tree.dbh_cm >= 40.0 ? 120.0 : 30.0;
+    }
+    const forest::Stand stand{two_stands(4), species_table().size(), trees, 2000};
+    std::vector<std::size_t> all(trees.size());
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_NEAR(age_of(stand, all, 0.16, std::nullopt), 120.0, 1e-9);
+    EXPECT_NEAR(age_of(stand, all, 0.16, 7), 7.0, 1e-9);
+    EXPECT_EQ(age_of(stand, {}, 0.16, std::nullopt), 0.0);
+}
+
+}  // namespace
+}  // namespace coupling
