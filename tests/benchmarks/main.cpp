@@ -14,6 +14,7 @@ namespace benchmarks {
 void register_trajectories();
 void register_pieces();
 void register_light();
+void register_forest_years();
 }  // namespace benchmarks
 
 namespace {
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
     benchmarks::register_trajectories();
     benchmarks::register_pieces();
     benchmarks::register_light();
+    benchmarks::register_forest_years();
     benchmarks::MedianKeeper results;
     benchmark::RunSpecifiedBenchmarks(&results);
     benchmarks::print_goals(std::cout, results);

@@ -80,6 +80,21 @@ struct SmallForest {
     Parameters parameters;
 };
 
+/// Spruce in two layers with beech and fir between, on all patches.
+inline std::vector<Tree> mixed_stand(const SmallForest& forest, double stems_pha, std::uint64_t seed) {
+    StandRecord record;
+    for (std::uint32_t i = 0; i < forest.grid.size(); ++i) {
+        record.patches.push_back(PatchId{i});
+    }
+    const auto kind = [&forest](const char* code) { return *forest.species.find(code); };
+    record.species = {{.species = kind("piab"), .stems_pha = 0.3 * stems_pha, .mean_dbh_cm = 30.0},
+                      {.species = kind("piab"), .stems_pha = 0.3 * stems_pha, .mean_dbh_cm = 12.0},
+                      {.species = kind("fasy"), .stems_pha = 0.2 * stems_pha, .mean_dbh_cm = 15.0},
+                      {.species = kind("abal"), .stems_pha = 0.2 * stems_pha, .mean_dbh_cm = 20.0}};
+    record.degree_days = 1300.0;
+    return trees_from_record(record, forest.grid, forest.species, seed, 0, 0);
+}
+
 /// Any trees: all species, sizes and crowns that can be, at random over the patches.
 inline std::vector<Tree> any_trees(const PatchGrid& grid, const SpeciesTable& species, std::size_t count,
                                    std::uint64_t seed) {
