@@ -7,9 +7,6 @@ std::string_view page_style() {
 :root{--blue:#2458ad;--violet:#7c3aa6;--grey:#5c6468;--rose:#a8205f;--sand:#7d6200;--default-band:#00966e30;--strict-band:#e07b2030}
 @media (prefers-color-scheme:dark){:root{--blue:#86b4ff;--violet:#d09df2;--grey:#b4bcb9;--rose:#ff8fbf;--sand:#e0c25a;
 --default-band:#3fc79f38;--strict-band:#ff9d5230}}
-.chart ul.names{list-style:none;margin:.3em 0 .5em;padding:0;display:flex;flex-wrap:wrap;gap:.15em 1.1em;font-size:.85rem}
-.chart ul.names li{display:flex;align-items:center;gap:.45em}
-.chart ul.names svg{width:30px;height:14px;flex:none}
 .line{fill:none}
 .default{stroke:var(--forest);stroke-width:2.4;fill:none}
 .strict{stroke:var(--bare);stroke-width:2;stroke-dasharray:7 4;fill:none}

@@ -146,9 +146,6 @@ std::string_view style_of_profile() {
     return R"css(
 .most{stroke:var(--soft);stroke-width:1.6;stroke-dasharray:2 3;fill:none}
 .band.forest{fill:var(--forest-fill);stroke:none}
-.chart ul.names{list-style:none;margin:.3em 0 .5em;padding:0;display:flex;flex-wrap:wrap;gap:.15em 1.1em;font-size:.85rem}
-.chart ul.names li{display:flex;align-items:center;gap:.45em}
-.chart ul.names svg{width:30px;height:14px;flex:none}
 figure.map .grid{stroke:#d5d9d4}figure.map .axis{stroke:#1d2528}
 .profile .body{fill:#efede6;stroke:none}
 .profile .ground{fill:none;stroke-width:4;stroke-linejoin:round}

@@ -124,6 +124,42 @@ void Chart::add_dots(const std::string& series, std::span<const ChartPoint> poin
     }
 }
 
+void Chart::add_bar(const std::string& series, const ChartRange& range, double x_right) {
+    const double x = x_of(range.x);
+    drawing_ +=
+        joined("<path class=\"band ", series, "\" d=\"M", place(x), " ", place(y_of(range.low)), "V",
+               place(y_of(range.high)), "H", place(x_of(x_right)), "V", place(y_of(range.low)), "z\"/>");
+}
+
+void Chart::add_word(const ChartPoint& at, const std::string& word) {
+    const double half = 4.0 * static_cast<double>(word.size());
+    marks_ += joined("<text class=\"word\" x=\"", place(std::clamp(x_of(at.x), left + half, right - half)),
+                     "\" y=\"", place(y_of(at.y) + 4.5), "\">", escaped(word), "</text>");
+}
+
+void Chart::add_end_letter(double y, const std::string& letter) {
+    end_letters_.push_back({y_of(y), letter});
+}
+
+std::string Chart::end_letters() const {
+    constexpr double apart = 13.0;
+    std::vector<EndLetter> letters = end_letters_;
+    std::stable_sort(letters.begin(), letters.end(),
+                     [](const EndLetter& a, const EndLetter& b) { return a.y < b.y; });
+    // Down where they are too close, then up from the foot of the drawing.
+    for (std::size_t i = 1; i < letters.size(); ++i) {
+        letters[i].y = std::max(letters[i].y, letters[i - 1].y + apart);
+    }
+    double lowest = bottom;
+    std::string svg;
+    for (std::size_t i = letters.size(); i-- > 0; lowest = letters[i].y - apart) {
+        letters[i].y = std::min(letters[i].y, lowest);
+        svg += joined("<text class=\"letter\" x=\"", place(right + 5.0), "\" y=\"", place(letters[i].y + 4.5),
+                      "\">", escaped(letters[i].letter), "</text>");
+    }
+    return svg;
+}
+
 void Chart::add_mark(double x, const std::string& label) {
     if (x_.share_of(x) <= 0.0 || x_.share_of(x) >= 1.0) {
         return;
@@ -215,8 +251,8 @@ std::string Chart::figure(const std::string& caption) const {
     return joined("<figure class=\"chart\"><figcaption><b>", escaped(title_), "</b></figcaption>",
                   (fit ? "" : list_of_names()), "<svg viewBox=\"", (fit ? "0 0 430 310" : "0 18 430 292"),
                   "\" role=\"img\" aria-label=\"", escaped(title_), "\">", axes(), drawing_, marks_,
-                  (fit ? names() : ""), "</svg>", (caption.empty() ? "" : joined("<p>", caption, "</p>")),
-                  "</figure>\n");
+                  end_letters(), (fit ? names() : ""), "</svg>",
+                  (caption.empty() ? "" : joined("<p>", caption, "</p>")), "</figure>\n");
 }
 
 }  // namespace coupling::report

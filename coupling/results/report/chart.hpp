@@ -40,7 +40,7 @@ struct ChartRange {
 /// too.
 ///
 /// Series are named by a class that the page's style knows: "forest" (solid, filled), "bare" (dashed). Bands
-/// and dots need a style of their own: "band" and "dot" beside the class of the series.
+/// and dots need a style of their own: "band" and "dot" beside the class of the series. Bars are bands.
 ///
 /// Two short names stand in the drawing; more, or longer ones, in a list above it.
 class Chart {
@@ -55,6 +55,13 @@ public:
     /// A vertical stroke with caps at each range.
     void add_whiskers(const std::string& series, std::span<const ChartRange> ranges);
     void add_dots(const std::string& series, std::span<const ChartPoint> points);
+    /// A filled rectangle from `range.low` to `range.high`, its left side at `range.x`.
+    void add_bar(const std::string& series, const ChartRange& range, double x_right);
+    /// A short word around a place inside the drawing, over all series.
+    void add_word(const ChartPoint& place, const std::string& word);
+    /// A letter or two right of the drawing, at the height where a series ends; letters that would cover each
+    /// other move apart.
+    void add_end_letter(double y, const std::string& letter);
     /// A thin vertical line with a small label at its top.
     void add_mark(double x, const std::string& label);
     /// A small word that begins at a point.
@@ -71,6 +78,7 @@ private:
     [[nodiscard]] double x_of(double value) const;
     [[nodiscard]] double y_of(double value) const;
     [[nodiscard]] std::string axes() const;
+    [[nodiscard]] std::string end_letters() const;
     [[nodiscard]] bool names_fit() const;
     [[nodiscard]] std::string names() const;
 
@@ -79,6 +87,11 @@ private:
     Axis y_;
     std::string drawing_;
     std::string marks_;
+    struct EndLetter {
+        double y = 0.0;  ///< of the drawing
+        std::string letter;
+    };
+    std::vector<EndLetter> end_letters_;
     enum class Sample : std::uint8_t { line, band, dot };
     struct Name {
         std::string series;

@@ -5,6 +5,7 @@
 
 #include "coupling/results/report/hillshade.hpp"
 #include "coupling/results/report/labels.hpp"
+#include "coupling/results/report/map_furniture.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
 #include "coupling/results/report/png.hpp"
@@ -38,10 +39,6 @@ config::Raster<double> thinned(const config::Raster<double>& heights_m, int bloc
                                        std::min(cell.row * block + block / 2, heights_m.frame.rows - 1)});
     }
     return thin;
-}
-
-std::string attribute(const char* name, double value) {
-    return std::string{" "}.append(name).append("=\"").append(place(value)).append("\"");
 }
 
 }  // namespace
@@ -222,38 +219,6 @@ std::string MapSheet::target_names(double lettering) const {
     return svg;
 }
 
-std::string MapSheet::scale_bar(double lettering) const {
-    const double most_m = 0.3 * sheet_width / units_per_m_;
-    double length_m = nice_step(0.15 * sheet_width / units_per_m_);
-    length_m = length_m > most_m ? 0.5 * length_m : length_m;
-    const double length = length_m * units_per_m_;
-    const double y = height_ - 0.7 * lettering;
-    const std::string half = place(0.5 * length);
-    const std::string bar = place(0.35 * lettering);
-    return joined("<g class=\"bar\" transform=\"translate(", place(0.8 * lettering), " ", place(y),
-                  ")\"><rect class=\"plate\"", attribute("x", -0.4 * lettering),
-                  attribute("y", -1.5 * lettering), attribute("width", length + 3.6 * lettering),
-                  attribute("height", 1.9 * lettering), "/><path class=\"filled\" d=\"M0 0v-", bar, "h", half,
-                  "v", bar, "z\"/><path class=\"hollow\" d=\"M", half, " 0v-", bar, "h", half, "v", bar,
-                  "z\"/><text", attribute("font-size", 0.85 * lettering), attribute("y", -0.6 * lettering),
-                  ">0</text><text", attribute("font-size", 0.85 * lettering), attribute("x", length),
-                  attribute("y", -0.6 * lettering), " text-anchor=\"middle\">",
-                  (length_m >= 1000.0 ? tick_text(length_m / 1000.0) + " km" : tick_text(length_m) + " m"),
-                  "</text></g>");
-}
-
-std::string MapSheet::north_arrow(double lettering) const {
-    const std::string a = place(lettering);
-    const std::string half = place(0.45 * lettering);
-    return joined("<g class=\"north\" transform=\"translate(", place(sheet_width - 1.2 * lettering), " ",
-                  place(0.5 * lettering), ")\"><rect class=\"plate\"", attribute("x", -0.8 * lettering),
-                  attribute("y", -0.2 * lettering), attribute("width", 1.6 * lettering),
-                  attribute("height", 2.6 * lettering), "/><path class=\"filled\" d=\"M0 0l", half, " ", a,
-                  "l-", half, " -", place(0.3 * lettering), "l-", half, " ", place(0.3 * lettering),
-                  "z\"/><text text-anchor=\"middle\"", attribute("font-size", lettering),
-                  attribute("y", 2.1 * lettering), ">N</text></g>");
-}
-
 std::string MapSheet::coordinates(double lettering) const {
     const double step_m = nice_step(170.0 / units_per_m_);
     std::string marks;
@@ -289,7 +254,8 @@ std::string MapSheet::figure(const MapContent& content, MapSize size) const {
                   "<rect class=\"neat\"", attribute("width", sheet_width), attribute("height", height_), "/>",
                   (large ? coordinates(lettering) : ""),
                   (large ? joined("<g class=\"targets\">", target_names(lettering), "</g>") : ""),
-                  scale_bar(lettering), north_arrow(lettering), "</svg>",
+                  scale_bar({sheet_width, height_, units_per_m_, lettering}),
+                  north_arrow({sheet_width, height_, units_per_m_, lettering}), "</svg>",
                   (content.caption.empty() ? "" : joined("<p>", content.caption, "</p>")), "</figure>\n");
 }
 

@@ -51,8 +51,6 @@ private:
     [[nodiscard]] std::string source_lines() const;
     [[nodiscard]] std::string target_lines(bool halo) const;
     [[nodiscard]] std::string target_names(double lettering) const;
-    [[nodiscard]] std::string scale_bar(double lettering) const;
-    [[nodiscard]] std::string north_arrow(double lettering) const;
     [[nodiscard]] std::string coordinates(double lettering) const;
     [[nodiscard]] std::string image(const std::string& attributes, const std::string& png_bytes) const;
 

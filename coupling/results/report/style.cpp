@@ -39,6 +39,11 @@ svg text{font-family:inherit;fill:var(--ink)}
 .chart .grid{stroke:var(--line);stroke-width:1;fill:none}
 .chart .axis{stroke:var(--ink);stroke-width:1;fill:none}
 .chart .mark{stroke:var(--soft);stroke-width:1;stroke-dasharray:2 3}
+ul.names{list-style:none;margin:.3em 0 .5em;padding:0;display:flex;flex-wrap:wrap;gap:.15em 1.1em;font-size:.85rem}
+ul.names li{display:flex;align-items:center;gap:.45em}
+ul.names svg{width:30px;height:14px;flex:none}
+.chart svg text.word{font-weight:600;text-anchor:middle;stroke:var(--paper);stroke-width:3.5;stroke-linejoin:round;paint-order:stroke}
+.chart svg text.letter{font-weight:700}
 .forest{stroke:var(--forest);stroke-width:2;fill:none}
 .bare{stroke:var(--bare);stroke-width:2;stroke-dasharray:6 4;fill:none}
 .area.forest{fill:var(--forest-fill)}

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/decades/decade_tables.hpp"
+#include "coupling/decades/records.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/out_file.hpp"
+#include "forest/patch.hpp"
+
+namespace coupling::decades {
+
+/// A part of the page. Both are HTML; an empty heading makes none.
+struct Section {
+    std::string heading;
+    std::string html;
+};
+
+/// What the page of a run over years tells. Everything referred to must live as long as it is written.
+struct PageContent {
+    const Scenario& scenario;
+    Names names;
+    const forest::PatchGrid& grid;
+    /// Those that ran, in any order; of a regime without members nothing is told. All have the same years.
+    std::span<const MemberYears> members;
+    const config::Warnings& warnings;
+    const std::vector<InputFile>& inputs;
+    const std::vector<WrittenFile>& files;
+    std::string version;
+    std::string climate;         ///< in words; may be empty
+    std::vector<Section> first;  ///< what stands before the forest, such as its protection over the years
+    /// Settings that the page lists, all without it.
+    std::function<bool(const std::string&)> shows_setting = {};
+};
+
+/// The years of a forest as one self-contained HTML page: no script, no outside address, same bytes from the
+/// same content.
+void write_decade_page(std::ostream& out, const PageContent& content);
+
+}  // namespace coupling::decades

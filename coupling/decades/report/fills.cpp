@@ -1,0 +1,141 @@
+#include <array>
+
+#include "coupling/decades/report/page_parts.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::decades {
+namespace {
+
+/// Strokes over the plain colour, in a square of 6 units.
+constexpr const char* rising = "M-1 1l2-2M0 6l6-6M5 7l2-2";
+constexpr const char* falling = "M-1 5l2 2M0 0l6 6M5-1l2 2";
+constexpr const char* level = "M0 2h6M0 5h6";
+constexpr const char* upright = "M2 0v6M5 0v6";
+constexpr const char* crossed = "M0 3h6M3 0v6";
+constexpr const char* dotted = "M1.5 1.5h0M4.5 4.5h0";
+
+struct Fill {
+    const char* on_light;
+    const char* on_dark;  ///< brighter where the colour would sink into a dark page
+    const char* strokes;  ///< empty: plain
+    const char* stroke_colour;
+};
+
+/// Colours of P. Tol's schemes for colour-blind readers (SRON/EPS/TN/09-002).
+constexpr std::array<Fill, 12> species_fills{{{"#117733", "#2f9a55", "", "#fff"},
+                                              {"#332288", "#7d70d8", rising, "#fff"},
+                                              {"#ddcc77", "#ddcc77", dotted, "#222"},
+                                              {"#cc6677", "#cc6677", falling, "#fff"},
+                                              {"#88ccee", "#88ccee", level, "#222"},
+                                              {"#882255", "#c25590", upright, "#fff"},
+                                              {"#999933", "#999933", crossed, "#fff"},
+                                              {"#44aa99", "#44aa99", dotted, "#fff"},
+                                              {"#aa4499", "#c46bb5", level, "#fff"},
+                                              {"#dddddd", "#dddddd", "", "#222"},
+                                              {"#661100", "#b5613f", upright, "#fff"},
+                                              {"#6699cc", "#6699cc", falling, "#222"}}};
+/// In the order of forest::Cause.
+constexpr std::array<Fill, forest::cause_count> cause_fills{{{"#bbbbbb", "#bbbbbb", "", "#222"},
+                                                             {"#ddaa33", "#ddaa33", dotted, "#222"},
+                                                             {"#228833", "#3da556", rising, "#fff"},
+                                                             {"#004488", "#5d92d6", level, "#fff"},
+                                                             {"#66ccee", "#66ccee", dotted, "#222"},
+                                                             {"#bb5566", "#cf7080", falling, "#fff"},
+                                                             {"#555555", "#8a8a8a", crossed, "#fff"},
+                                                             {"#aa3377", "#c75a97", upright, "#fff"},
+                                                             {"#774411", "#b57a45", upright, "#fff"},
+                                                             {"#ee99aa", "#ee99aa", level, "#222"}}};
+constexpr std::size_t regime_lines = 8;
+
+template <std::size_t Count>
+std::string patterns(const std::string& kind, const std::array<Fill, Count>& fills) {
+    std::string svg;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const std::string name = joined(kind, std::to_string(i));
+        svg += joined("<pattern id=\"", name,
+                      "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><rect class=\"", name,
+                      "-colour\" width=\"6\" height=\"6\"/>");
+        if (*fills[i].strokes != '\0') {
+            svg +=
+                joined("<path stroke=\"", fills[i].stroke_colour, "\" stroke-width=\"",
+                       (fills[i].strokes == dotted ? "1.7" : "1.1"),
+                       "\" stroke-linecap=\"round\" stroke-opacity=\".85\" d=\"", fills[i].strokes, "\"/>");
+        }
+        svg += "</pattern>";
+    }
+    return svg;
+}
+
+template <std::size_t Count>
+std::string rules(const std::string& kind, const std::array<Fill, Count>& fills) {
+    std::string plain;
+    std::string dark;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const std::string name = joined(kind, std::to_string(i));
+        plain +=
+            joined(".", name, "{fill:url(#", name, ");stroke:var(--ink);stroke-width:.6}\n.", name,
+                   "-colour{fill:", fills[i].on_light, "}.", name, "-line{stroke:", fills[i].on_light, "}\n");
+        dark += joined(".", name, "-colour{fill:", fills[i].on_dark, "}");
+    }
+    return joined(plain, "@media (prefers-color-scheme:dark){", dark, "}\n");
+}
+
+}  // namespace
+
+std::string fill_definitions() {
+    return joined("<svg class=\"definitions\" aria-hidden=\"true\"><defs>",
+                  patterns("species", species_fills), patterns("cause", cause_fills), "</defs></svg>\n");
+}
+
+std::string fill_of_species(std::size_t species) {
+    return joined("species", std::to_string(species % species_fills.size()));
+}
+
+std::string fill_of_cause(forest::Cause cause) {
+    return joined("cause", std::to_string(forest::index_of(cause)));
+}
+
+std::string line_of_regime(std::size_t place) {
+    return joined("regime", std::to_string(place % regime_lines));
+}
+
+std::string page_style() {
+    return joined(rules("species", species_fills), rules("cause", cause_fills), R"css(
+:root{--blue:#2458ad;--violet:#7c3aa6;--grey:#5c6468;--rose:#a8205f;--sand:#7d6200}
+@media (prefers-color-scheme:dark){:root{--blue:#86b4ff;--violet:#d09df2;--grey:#b4bcb9;--rose:#ff8fbf;--sand:#e0c25a}}
+.line,.most{fill:none}
+.regime0{stroke:var(--forest);stroke-width:2.4}
+.regime1{stroke:var(--bare);stroke-width:2;stroke-dasharray:7 4}
+.regime2{stroke:var(--blue);stroke-width:2;stroke-dasharray:1.5 3.5}
+.regime3{stroke:var(--violet);stroke-width:2;stroke-dasharray:9 3 2 3}
+.regime4{stroke:var(--grey);stroke-width:1.8;stroke-dasharray:14 5}
+.regime5{stroke:var(--rose);stroke-width:1.8;stroke-dasharray:9 3 2 3 2 3}
+.regime6{stroke:var(--sand);stroke-width:1.8;stroke-dasharray:4 2}
+.regime7{stroke:var(--ink);stroke-width:1.2}
+.band.regime0{fill:var(--forest)}.band.regime1{fill:var(--bare)}.band.regime2{fill:var(--blue)}.band.regime3{fill:var(--violet)}
+.band.regime0,.band.regime1,.band.regime2,.band.regime3{fill-opacity:.15;stroke-width:.6;stroke-dasharray:none;stroke-opacity:.7}
+.increment{stroke:var(--ink);stroke-width:2}
+.dot.increment{fill:var(--paper);stroke:var(--ink);stroke-width:1.8}
+.most{stroke:var(--soft);stroke-width:1.8;stroke-dasharray:2 3}
+.area.most{fill:none}
+table small{color:var(--soft);white-space:nowrap}
+.stand svg text{font-size:13px}
+.stand{--ink:#1d2528;--paper:#fff;--soft:#566166}
+.forest-ground{fill:#f1efe6;stroke:#8d8877;stroke-width:.6}
+.forest-cells{fill:#f1efe6;stroke:#f1efe6;stroke-width:.6}
+.forest-rim{fill:none;stroke:#555;stroke-width:1}
+.contour{fill:none;stroke:#a59d86;stroke-width:.8}
+.stand .crown{fill-opacity:.85;stroke:#1d2528;stroke-width:.5}
+.stand .stem{fill:#5b4a3a;stroke:#1d2528;stroke-width:.3}
+.stand .strip{fill:none;stroke:#000;stroke-width:1.6;stroke-dasharray:6 3}
+.stand .halo{fill:none;stroke:#fff;stroke-width:4}
+.stand .frame{fill:none;stroke:#333;stroke-width:1}
+.stand .window{fill:none;stroke:#000;stroke-width:1.6}
+.stand .points{fill:none;stroke-linecap:round}
+.stand .axis{stroke:#1d2528;stroke-width:1;fill:none}
+.stand .grid{stroke:#d5d9d4;stroke-width:1;fill:none}
+.stand text.letter{font-weight:700;stroke:#fff;stroke-width:4;stroke-linejoin:round;paint-order:stroke}
+)css");
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "coupling/decades/report/page_parts.hpp"
+#include "coupling/decades/report/stand_drawing.hpp"
+#include "coupling/results/report/map_furniture.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/outlines.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using report::place;
+
+constexpr double widest = 430.0;
+constexpr double highest = 480.0;
+constexpr double lettering = 13.0;
+/// A page with many regimes must stay readable for a browser.
+constexpr std::size_t most_crowns = 2500;
+constexpr std::size_t most_points = 6000;
+
+/// The largest trees, the smallest of them first, and how many are left out.
+struct Chosen {
+    DrawnTrees trees;
+    std::size_t left_out = 0;
+};
+Chosen largest(const DrawnTrees& trees, float TreeRow::*size, std::size_t most) {
+    Chosen chosen{trees, 0};
+    std::stable_sort(chosen.trees.begin(), chosen.trees.end(),
+                     [&](const TreeRow* a, const TreeRow* b) { return a->*size < b->*size; });
+    if (chosen.trees.size() > most) {
+        chosen.left_out = chosen.trees.size() - most;
+        chosen.trees.erase(chosen.trees.begin(),
+                           chosen.trees.begin() + static_cast<std::ptrdiff_t>(chosen.left_out));
+    }
+    return chosen;
+}
+
+std::string left_out_text(const Chosen& chosen, const char* which) {
+    return chosen.left_out == 0 ? ""
+                                : joined("Left out: the ", report::grouped(chosen.left_out), " ", which, ".");
+}
+
+/// The part of one contour inside a square of four heights: it enters through one side and leaves through
+/// another; a saddle has two such parts, and either way to join them is right.
+void add_contour(report::PathText& path, const std::array<double, 4>& heights_m,
+                 const std::array<std::array<double, 2>, 4>& corners, double level_m) {
+    std::array<std::array<double, 2>, 4> crossings{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = (i + 1) % 4;
+        if ((heights_m[i] < level_m) != (heights_m[j] < level_m)) {
+            const double part = (level_m - heights_m[i]) / (heights_m[j] - heights_m[i]);
+            crossings[count++] = {std::lerp(corners[i][0], corners[j][0], part),
+                                  std::lerp(corners[i][1], corners[j][1], part)};
+        }
+    }
+    for (std::size_t i = 0; i + 1 < count; i += 2) {
+        path.line(crossings[i][0], crossings[i][1], crossings[i + 1][0], crossings[i + 1][1]);
+    }
+}
+
+}  // namespace
+
+PlanDrawing::PlanDrawing(const forest::PatchGrid& grid, const ForestGround& ground,
+                         const config::GridFrame& shown, std::string id)
+    : grid_{grid},
+      ground_{ground},
+      frame_{shown},
+      id_{std::move(id)},
+      per_m_{std::min(widest / (shown.x_east_m() - shown.x_west_m),
+                      highest / (shown.y_north_m() - shown.y_south_m))} {
+    double low_m = INFINITY;
+    double high_m = -INFINITY;
+    for (const forest::Patch& patch : grid.patches()) {
+        if (shown.covers(grid.frame().x_centre_m(patch.cell.column),
+                         grid.frame().y_centre_m(patch.cell.row))) {
+            low_m = std::min(low_m, patch.ground_m);
+            high_m = std::max(high_m, patch.ground_m);
+        }
+    }
+    contour_step_m_ = report::nice_step(std::max(1.0, (high_m - low_m) / 12.0));
+}
+
+std::string PlanDrawing::forest_cells() const {
+    config::Raster<std::uint8_t> forest{frame_, 0};
+    std::string cells;
+    const double side = forest::patch_side_m * per_m_;
+    for (std::size_t i = 0; i < forest.values.size(); ++i) {
+        const config::Cell cell = frame_.cell_of(i);
+        if (grid_.at(frame_.x_centre_m(cell.column), frame_.y_centre_m(cell.row))) {
+            forest.values[i] = 1;
+            cells += joined("M", place(cell.column * side), " ", place(cell.row * side), "h", place(side),
+                            "v", place(side), "h-", place(side), "z");
+        }
+    }
+    return joined("<path class=\"forest-cells\" d=\"", cells, "\"/><path class=\"forest-rim\" d=\"",
+                  report::outlines(forest, side, side), "\"/>");
+}
+
+std::string PlanDrawing::contours() const {
+    const config::Raster<double>& heights = ground_.heights();
+    report::PathText path;
+    for (std::size_t i = 0; i < heights.values.size(); ++i) {
+        const config::Cell cell = heights.frame.cell_of(i);
+        const std::array<config::Cell, 4> around{
+            cell, {cell.column + 1, cell.row}, {cell.column + 1, cell.row + 1}, {cell.column, cell.row + 1}};
+        if (!heights.frame.contains(around[2])) {
+            continue;
+        }
+        std::array<double, 4> heights_m{};
+        std::array<std::array<double, 2>, 4> corners{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            heights_m[k] = heights.at(around[k]);
+            corners[k] = {x_of(heights.frame.x_centre_m(around[k].column)),
+                          y_of(heights.frame.y_centre_m(around[k].row))};
+        }
+        const bool shown = corners[1][0] >= 0.0 && corners[0][0] <= width() && corners[2][1] >= 0.0 &&
+                           corners[0][1] <= height();
+        const auto [low, high] = std::minmax_element(heights_m.begin(), heights_m.end());
+        if (!shown ||
+            std::any_of(heights_m.begin(), heights_m.end(), [](double h) { return std::isnan(h); })) {
+            continue;
+        }
+        for (double level_m = std::ceil(*low / contour_step_m_) * contour_step_m_; level_m <= *high;
+             level_m += contour_step_m_) {
+            add_contour(path, heights_m, corners, level_m);
+        }
+    }
+    return path.text();
+}
+
+std::string PlanDrawing::definitions() const {
+    return joined("<clipPath id=\"", id_, "-sheet\"><rect", report::attribute("width", width()),
+                  report::attribute("height", height()), "/></clipPath><g id=\"", id_, "\">", forest_cells(),
+                  "<path class=\"contour\" d=\"", contours(), "\"/></g>");
+}
+
+std::string PlanDrawing::sheet(const std::string& label, const std::string& drawing) const {
+    const report::SheetSize size{width(), height(), per_m_, lettering};
+    // In the middle of the figure, however narrow the forest is.
+    const double x = 0.5 * (width() - widest) - 2.0;
+    return joined("<svg class=\"sheet\" viewBox=\"", place(x), " -2 ", place(widest + 4.0), " ",
+                  place(height() + 4.0), "\" role=\"img\" aria-label=\"", report::escaped(label),
+                  "\"><g clip-path=\"url(#", id_, "-sheet)\"><use href=\"#", id_, "\"/>", drawing,
+                  "</g><rect class=\"frame\"", report::attribute("width", width()),
+                  report::attribute("height", height()), "/>", report::scale_bar(size),
+                  report::north_arrow(size), "</svg>");
+}
+
+std::string PlanDrawing::strip_outline(const Transect& strip) const {
+    std::string path;
+    const std::array<std::array<double, 2>, 4> corners{{{0.0, 0.5 * strip_m},
+                                                        {strip.length_m, 0.5 * strip_m},
+                                                        {strip.length_m, -0.5 * strip_m},
+                                                        {0.0, -0.5 * strip_m}}};
+    for (const auto& [along_m, aside_m] : corners) {
+        path += joined(path.empty() ? "M" : "L", place(x_of(strip.x_at(along_m) - aside_m * strip.along_y)),
+                       " ", place(y_of(strip.y_at(along_m) + aside_m * strip.along_x)));
+    }
+    const auto letter = [&](double along_m, const char* name) {
+        return joined("<text class=\"letter\" text-anchor=\"middle\"",
+                      report::attribute("x", x_of(strip.x_at(along_m))),
+                      report::attribute("y", y_of(strip.y_at(along_m)) + 4.5), ">", name, "</text>");
+    };
+    // The ends carry the letters of the side view, as far inside as they are high.
+    const double inside_m = std::min(0.25 * strip.length_m, lettering / per_m_);
+    return joined("<path class=\"halo\" d=\"", path, "z\"/><path class=\"strip\" d=\"", path, "z\"/>",
+                  letter(inside_m, "P"), letter(strip.length_m - inside_m, "Q"));
+}
+
+Drawing PlanDrawing::crowns(const DrawnTrees& trees, const Transect& strip) const {
+    DrawnTrees inside;
+    std::copy_if(trees.begin(), trees.end(), std::back_inserter(inside),
+                 [&](const TreeRow* tree) { return frame_.covers(tree->x_m, tree->y_m); });
+    const Chosen chosen = largest(inside, &TreeRow::height_m, most_crowns);
+    std::string svg;
+    for (const TreeRow* tree : chosen.trees) {
+        const double radius = std::max(0.6, static_cast<double>(tree->crown_radius_m) * per_m_);
+        svg += joined("<circle class=\"", fill_of_species(tree->species), "\"",
+                      report::attribute("cx", x_of(tree->x_m)), report::attribute("cy", y_of(tree->y_m)),
+                      report::attribute("r", radius), "/>");
+    }
+    return {sheet("crowns seen from above", joined("<g class=\"crown\">", svg, "</g>", strip_outline(strip))),
+            left_out_text(chosen, "lowest trees")};
+}
+
+Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& window) const {
+    constexpr std::array<float, 4> limits_cm{12.0F, 24.0F, 36.0F, 52.0F};
+    const Chosen chosen = largest(trees, &TreeRow::dbh_cm, most_points);
+    // By size, then by species: one path each.
+    std::map<std::pair<std::size_t, std::uint32_t>, std::string> paths;
+    for (const TreeRow* tree : chosen.trees) {
+        const auto size = static_cast<std::size_t>(
+            std::upper_bound(limits_cm.begin(), limits_cm.end(), tree->dbh_cm) - limits_cm.begin());
+        paths[{size, tree->species}] +=
+            joined("M", place(x_of(tree->x_m)), " ", place(y_of(tree->y_m)), "h0");
+    }
+    std::string svg;
+    for (const auto& [key, path] : paths) {
+        svg += joined("<path class=\"", fill_of_species(key.second), "-line\"",
+                      report::attribute("stroke-width", 0.8 + 0.6 * static_cast<double>(key.first)), " d=\"",
+                      path, "\"/>");
+    }
+    const std::string outline =
+        joined("<rect class=\"window\"", report::attribute("x", x_of(window.x_west_m)),
+               report::attribute("y", y_of(window.y_north_m())),
+               report::attribute("width", (window.x_east_m() - window.x_west_m) * per_m_),
+               report::attribute("height", (window.y_north_m() - window.y_south_m) * per_m_), "/>");
+    return {sheet("trees seen from above", joined("<g class=\"points\">", svg, "</g>", outline)),
+            left_out_text(chosen, "thinnest trees")};
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,127 @@
+#include "coupling/decades/report/series.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "coupling/results/joined.hpp"
+
+namespace coupling::decades {
+namespace {
+
+/// Requires sorted values.
+double quantile(const std::vector<double>& sorted, double share) {
+    const double at = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(at);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
+}
+
+std::vector<YearView> years_of(const MemberYears& member, std::size_t species_count) {
+    std::vector<YearView> years;
+    for (const YearRow& row : member.years) {
+        assert(row.year == static_cast<std::int32_t>(years.size()));
+        years.push_back({&row, nullptr, std::vector<double>(species_count, 0.0), {}});
+    }
+    for (const StandRow& stand : member.stands) {
+        if (stand.unit != all) {
+            continue;
+        }
+        YearView& year = years[static_cast<std::size_t>(stand.year)];
+        if (stand.species == all) {
+            year.stand = &stand.figures;
+        } else {
+            year.volumes_m3pha[stand.species] = stand.figures.volume_m3pha;
+        }
+    }
+    for (const LossRow& loss : member.losses) {
+        years[static_cast<std::size_t>(loss.year)].losses[forest::index_of(loss.cause)] = loss.loss;
+    }
+    return years;
+}
+
+std::string letter_of(std::size_t place, std::size_t regimes) {
+    if (regimes < 2) {
+        return "";
+    }
+    return regimes <= 26 ? std::string(1, static_cast<char>('A' + place)) : std::to_string(place + 1);
+}
+
+}  // namespace
+
+Band band_of(std::vector<double> values) {
+    assert(!values.empty());
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    std::sort(values.begin(), values.end());
+    return {sum / static_cast<double>(values.size()), quantile(values, 0.05), quantile(values, 0.95)};
+}
+
+std::string RegimeView::title() const {
+    return letter.empty() ? name : joined(letter, ": ", name);
+}
+
+Band RegimeView::band(std::size_t year, const YearFigure& figure) const {
+    return mean_band(year, year, figure);
+}
+
+Band RegimeView::mean_band(std::size_t first_year, std::size_t last_year, const YearFigure& figure) const {
+    std::vector<double> means;
+    for (const std::vector<YearView>& years : replicates) {
+        double sum = 0.0;
+        for (std::size_t year = first_year; year <= last_year; ++year) {
+            sum += figure(years[year]);
+        }
+        means.push_back(sum / static_cast<double>(last_year - first_year + 1));
+    }
+    return band_of(std::move(means));
+}
+
+std::size_t RunView::replicates() const {
+    std::size_t most = 0;
+    for (const RegimeView& regime : regimes) {
+        most = std::max(most, regime.replicates.size());
+    }
+    return most;
+}
+
+RunView view_of(const Names& names, std::span<const MemberYears> members) {
+    std::vector<const MemberYears*> order;
+    std::set<std::size_t> species;
+    for (const MemberYears& member : members) {
+        order.push_back(&member);
+        for (const StandRow& stand : member.stands) {
+            if (stand.species != all) {
+                species.insert(stand.species);
+            }
+        }
+    }
+    std::sort(order.begin(), order.end(), [](const MemberYears* a, const MemberYears* b) {
+        return std::pair{a->member.regime, a->member.replicate} <
+               std::pair{b->member.regime, b->member.replicate};
+    });
+    RunView run;
+    run.species.assign(species.begin(), species.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i == 0 || order[i]->member.regime != order[i - 1]->member.regime) {
+            run.regimes.push_back({names.regimes[order[i]->member.regime],
+                                   letter_of(order[i]->member.regime, names.regimes.size()),
+                                   {},
+                                   order[i]});
+        }
+        run.regimes.back().replicates.push_back(years_of(*order[i], names.species.size()));
+    }
+    if (!order.empty()) {
+        run.years = order.front()->years.size() - 1;
+    }
+    return run;
+}
+
+double stems_from_12_cm(const forest::StandFigures& stand) {
+    const std::size_t first = forest::dbh_class_of(12.0);
+    return std::accumulate(stand.stems_pha_by_class.begin() + static_cast<std::ptrdiff_t>(first),
+                           stand.stems_pha_by_class.end(), 0.0);
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/decades/decade_tables.hpp"
+#include "coupling/decades/records.hpp"
+
+namespace coupling::decades {
+
+/// A figure over replicates: their mean and where nine in ten of them lie.
+struct Band {
+    double mean = 0.0;
+    double low = 0.0;   ///< 5th percentile, straight between order statistics; the value itself of one
+    double high = 0.0;  ///< 95th
+};
+
+/// Requires at least one value.
+Band band_of(std::vector<double> values);
+
+/// What one member says of one year.
+struct YearView {
+    const YearRow* row = nullptr;
+    const forest::StandFigures* stand = nullptr;  ///< the whole forest, all species
+    std::vector<double> volumes_m3pha;            ///< by species of the table
+    std::array<forest::Loss, forest::cause_count> losses{};
+};
+
+/// A figure of a year.
+using YearFigure = std::function<double(const YearView&)>;
+
+/// A regime with its replicates in order; views are of the same years in all of them.
+struct RegimeView {
+    std::string name;
+    std::string letter;                             ///< "A", ... : its name in charts; empty for a single one
+    std::vector<std::vector<YearView>> replicates;  ///< [replicate][year]
+    const MemberYears* first = nullptr;             ///< the lowest replicate there is
+
+    [[nodiscard]] std::string title() const;  ///< "A: no management"
+    [[nodiscard]] Band band(std::size_t year, const YearFigure& figure) const;
+    /// Of each replicate's mean over the years `first_year` to `last_year`.
+    [[nodiscard]] Band mean_band(std::size_t first_year, std::size_t last_year,
+                                 const YearFigure& figure) const;
+};
+
+/// The members of a run, looked up by regime, replicate and year. Refers to the members.
+struct RunView {
+    std::vector<RegimeView> regimes;
+    std::size_t years = 0;                         ///< simulated, without the start; 0 without members too
+    std::vector<std::size_t> species;              ///< of the table, those that ever stood
+    [[nodiscard]] std::size_t replicates() const;  ///< most of any regime
+};
+
+/// Requires that all members have rows of the same years, from the start on.
+RunView view_of(const Names& names, std::span<const MemberYears> members);
+
+/// Stems from 12 cm on, where foresters begin to count.
+double stems_from_12_cm(const forest::StandFigures& stand);
+
+}  // namespace coupling::decades

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+namespace coupling::report {
+
+/// A map as those who draw on it see it, in units of the drawing.
+struct SheetSize {
+    double width = 0.0;
+    double height = 0.0;
+    double units_per_m = 1.0;
+    double lettering = 13.0;  ///< size of the type
+};
+
+/// In the lower left corner, about a sixth of the sheet long.
+std::string scale_bar(const SheetSize& sheet);
+/// In the upper right corner.
+std::string north_arrow(const SheetSize& sheet);
+
+/// ` name="12.3"`.
+std::string attribute(const char* name, double value);
+
+}  // namespace coupling::report

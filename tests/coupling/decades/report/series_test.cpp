@@ -1,0 +1,52 @@
+#include "coupling/decades/report/series.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/coupling/decades/report/some_years.hpp"
+
+namespace coupling::decades {
+namespace {
+
+TEST(BandOf, LiesStraightBetweenOrderStatistics) {
+    std::vector<double> values;
+    for (int i = 20; i >= 0; --i) {
+        values.push_back(i);
+    }
+    const Band band = band_of(values);
+    EXPECT_DOUBLE_EQ(band.mean, 10.0);
+    EXPECT_DOUBLE_EQ(band.low, 1.0);
+    EXPECT_DOUBLE_EQ(band.high, 19.0);
+    EXPECT_DOUBLE_EQ(band_of({3.0}).low, 3.0);
+    EXPECT_DOUBLE_EQ(band_of({3.0}).high, 3.0);
+}
+
+TEST(ViewOf, FindsRowsByYearWhateverTheOrderOfMembers) {
+    SomeYears some;
+    some.regimes = {"none", "thinning"};
+    some.add_member(1, 1, {4.0, 5.0});
+    some.add_member(1, 0, {2.0, 3.0});
+    some.add_member(0, 0, {1.0, 9.0});
+    const Names names{some.regimes, some.species};
+    const RunView run = view_of(names, some.members);
+    ASSERT_EQ(run.regimes.size(), 2U);
+    EXPECT_EQ(run.years, 1U);
+    EXPECT_EQ(run.replicates(), 2U);
+    EXPECT_EQ(run.species, std::vector<std::size_t>{0});
+    EXPECT_EQ(run.regimes[1].title(), "B: thinning");
+    EXPECT_EQ(run.regimes[1].replicates[0][1].volumes_m3pha[0], 3.0);
+    EXPECT_EQ(run.regimes[1].replicates[1][0].stand->volume_m3pha, 4.0);
+    const YearFigure volume = [](const YearView& year) { return year.stand->volume_m3pha; };
+    EXPECT_EQ(run.regimes[1].band(1, volume).mean, 4.0);
+    EXPECT_EQ(run.regimes[1].mean_band(0, 1, volume).mean, 3.5);
+}
+
+TEST(StemsFrom12Cm, LeavesOutTheFirstThreeClasses) {
+    forest::StandFigures stand;
+    for (std::size_t c = 0; c < forest::dbh_classes; ++c) {
+        stand.stems_pha_by_class[c] = c < 3 ? 1000.0 : 1.0;
+    }
+    EXPECT_EQ(stems_from_12_cm(stand), 27.0);
+}
+
+}  // namespace
+}  // namespace coupling::decades
