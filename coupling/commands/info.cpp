@@ -18,6 +18,8 @@
 #include "config/text/reading.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/reading.hpp"
+#include "coupling/regimes/listing.hpp"
+#include "coupling/regimes/shipped.hpp"
 
 namespace coupling {
 
@@ -135,11 +137,16 @@ void write_table(const config::Table& table, std::ostream& out) {
     }
 }
 
-/// The shipped table of a name, with or without its ending.
+/// The shipped table or regime of a name, with or without its ending.
 std::optional<std::string_view> shipped(const std::string& name) {
     for (const std::string& table : config::shipped_table_names()) {
         if (name == table || name + ".csv" == table) {
             return config::shipped_table(table);
+        }
+    }
+    for (const std::string& regime : shipped_regime_names()) {
+        if (name == regime || name == regime + ".csv") {
+            return shipped_regime(regime);
         }
     }
     return std::nullopt;
@@ -150,6 +157,10 @@ std::optional<std::string_view> shipped(const std::string& name) {
 void write_info(const std::string& name, std::ostream& out) {
     std::error_code error;
     if (!fs::exists(name, error)) {
+        if (name == "regimes") {
+            write_regime_listing(out);
+            return;
+        }
         if (const auto text = shipped(name)) {
             out << *text;
             return;

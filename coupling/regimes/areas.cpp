@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/shape_input.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
@@ -104,6 +106,20 @@ std::vector<Area> raw_areas(const Ground& ground, const forest::PatchGrid& grid,
 }
 
 }  // namespace
+
+std::vector<config::Shape> polygons_in(const config::Table& table) {
+    config::Problems problems;
+    std::vector<config::Shape> polygons;
+    if (table.require({"wkt"}, problems)) {
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            if (auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems)) {
+                polygons.push_back(std::move(*shape));
+            }
+        }
+    }
+    problems.throw_if_any();
+    return polygons;
+}
 
 std::vector<Area> areas_of(const Ground& ground, const forest::PatchGrid& grid, const PolygonsOf& polygons_of,
                            const config::Place& place, config::Problems& problems) {

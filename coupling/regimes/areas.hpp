@@ -7,6 +7,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/geometry/shape.hpp"
+#include "config/table/table.hpp"
 #include "coupling/regimes/intervention.hpp"
 #include "forest/patch.hpp"
 
@@ -14,6 +15,10 @@ namespace coupling {
 
 /// The polygons of a file that a regime names. Throws config::InputError.
 using PolygonsOf = std::function<std::vector<config::Shape>(const std::string& file)>;
+
+/// The polygons in the column `wkt` of a table, in its order. Throws one InputError (data) for all that are
+/// none.
+std::vector<config::Shape> polygons_in(const config::Table& table);
 
 /// A piece of forest that is treated as one.
 struct Area {

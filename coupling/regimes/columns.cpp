@@ -170,7 +170,8 @@ std::vector<RegimeColumn> all_columns() {
              return i.treatment == Treatment::selection ? i.selection.most_volume_share
                                                         : i.crop.most_volume_share;
          },
-         "at most this share of the standing volume an entry", practice, some_share, crop | selecting},
+         "at most this share of the standing volume an entry; for selection 0.25 unless given", practice,
+         some_share, crop | selecting},
         {"basal_area_m2pha",
          +[](I& i) -> double& { return i.selection.basal_area_m2pha; },
          "that stays in the selection forest; usually 25-32",
@@ -346,6 +347,9 @@ std::string default_text(const RegimeColumn& column) {
 std::string users_text(const RegimeColumn& column) {
     if (column.treatments == 0 && column.places == 0) {
         return "all";
+    }
+    if (column.treatments == cuts) {
+        return "all cuts";
     }
     return column.treatments != 0 ? names_in(column.treatments, treatment_names)
                                   : names_in(column.places, where_names);

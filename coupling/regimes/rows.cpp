@@ -55,8 +55,11 @@ public:
     std::vector<Intervention> all() {
         std::vector<Intervention> rows;
         for (std::size_t row = 0; row < table_.rows(); ++row) {
-            if (std::optional<Intervention> intervention = read(row, rows)) {
+            std::optional<Intervention> intervention = read(row, rows);
+            if (intervention) {
                 rows.push_back(std::move(*intervention));
+            } else {
+                refused_.push_back(table_.text(row, table_.has("name") ? "name" : "treatment"));
             }
         }
         return rows;
@@ -86,7 +89,9 @@ private:
             }
         }
         name(intervention, above);
-        check(intervention);
+        if (fine_) {
+            check(intervention);
+        }
         return fine_ ? std::optional{intervention} : std::nullopt;
     }
 
@@ -241,6 +246,10 @@ private:
             }
             names.push_back(earlier.name);
         }
+        if (std::find(refused_.begin(), refused_.end(), intervention.after) != refused_.end()) {
+            fine_ = false;  // its problems are told already
+            return;
+        }
         const std::string nearest = config::nearest_word(intervention.after, names);
         refuse("after", joined("after ", config::in_quotes(intervention.after)),
                nearest.empty() ? "the name of a row above it" : config::in_quotes(nearest));
@@ -315,6 +324,7 @@ private:
     const config::Table& table_;
     const forest::SpeciesTable& species_;
     config::Problems& problems_;
+    std::vector<std::string> refused_;  ///< names of rows with problems
     std::size_t row_ = 0;
     bool fine_ = true;
 };

@@ -210,8 +210,10 @@ std::vector<config::Shape> ladder_of_slits(const PatchGrid& grid, const Slit& sl
     const double whole_ha = slit.length_m * slit.width_m / 10'000.0;
 
     std::vector<config::Shape> slits;
-    for (double left_m = span.low.left_m + half * lines_m; left_m < span.high.left_m; left_m += lines_m) {
-        int rung = 0;
+    int line = 0;
+    for (double left_m = span.low.left_m + half * lines_m; left_m < span.high.left_m;
+         left_m += lines_m, ++line) {
+        int rung = line % 2 * (entries / 2);
         for (double along_m = span.low.along_m + half * rung_m; along_m < span.high.along_m;
              along_m += rung_m, ++rung) {
             if (rung % entries != entry) {

@@ -49,8 +49,9 @@ config::Angle mean_fall_line(const PatchGrid& grid);
 config::Shape slit_at(config::Point2 centre, config::Angle fall_line, const Slit& slit);
 
 /// Slits in lines down the slope, as rungs of ladders: `gap_m` apart along the line, lines `lines_m` apart.
-/// Rung `entry` of `entries` is cut, so that further entries open the forest between. Slits with less than
-/// half of their area in the forest are left out. Requires entry < entries.
+/// Of `entries` rungs one is cut, so that further entries open the forest between; on every second line that
+/// is the rung half a cycle off, so that slits of one entry stand on gaps, as left and right of a cable line.
+/// Slits with less than half of their area in the forest are left out. Requires entry < entries.
 std::vector<config::Shape> ladder_of_slits(const PatchGrid& grid, const Slit& slit, double gap_m,
                                            double lines_m, int entry, int entries);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -107,6 +108,15 @@ TEST(ReadInterventions, NamesEveryProblemWithItsLine) {
           "where 'everywhere', expected one of all, stands, strips, slits, polygons"}) {
         EXPECT_NE(text.find(expected), std::string::npos) << expected << "\nnot in\n" << text;
     }
+}
+
+TEST(ReadInterventions, TellsAProblemOnce) {
+    const std::string text = problems_in(
+        "name,treatment,after,after_years,share,species,plants_pha\n"
+        "open,shelter_cut,,,1.4,,\nclear,clear_cut,open,10,,,\nyoung,plant,clear,5,,piab,many\n");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+    EXPECT_NE(text.find("share = '1.4'"), std::string::npos) << text;
+    EXPECT_NE(text.find("plants_pha = 'many'"), std::string::npos) << text;
 }
 
 TEST(ReadInterventions, RefusesFieldsThatContradictEachOther) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "tests/forest/small_forest.hpp"
 
@@ -70,6 +72,26 @@ TEST(LadderOfSlits, CutsARungAtEachEntryAndNoRungTwice) {
     }
     EXPECT_NEAR(area_ha(grid, {all, {}}), sum_ha, 1e-9) << "no two overlap";
     EXPECT_GT(sum_ha / grid.area_ha(), 0.1);
+}
+
+TEST(LadderOfSlits, SetsSlitsOfAnEntryOnGap) {
+    // Two lines of rungs 20 m apart: of the four rungs of a cycle the first and, beside it, the third.
+    const PatchGrid grid = square_of_forest(16);
+    const Slit slit{.length_m = 40.0, .width_m = 10.0, .to_fall_line = degrees(90.0)};
+    const auto middles = [&](int entry) {
+        std::map<long, std::set<long>> by_line;
+        for (const config::Shape& shape : ladder_of_slits(grid, slit, 10.0, 90.0, entry, 4)) {
+            const config::Point2 a = shape.parts[0][0];
+            const config::Point2 c = shape.parts[0][2];
+            by_line[std::lround(0.5 * (a.x_m + c.x_m))].insert(std::lround(0.5 * (a.y_m + c.y_m)));
+        }
+        return by_line;
+    };
+    const auto entry = middles(0);
+    ASSERT_EQ(entry.size(), 2U);
+    const std::set<long>& one = entry.begin()->second;
+    const std::set<long>& other = entry.rbegin()->second;
+    EXPECT_EQ(std::abs(*one.begin() - *other.begin()), 40) << "half of a cycle of 80 m";
 }
 
 TEST(Strips, CoverTheForestOnceInAllEntries) {
