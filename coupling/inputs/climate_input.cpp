@@ -37,32 +37,28 @@ double elevation_of(const forest::ClimateSeries& series, Reading& reading) {
     return series.elevation_m.value_or(set_m);
 }
 
-/// Only the years of the window.
+/// Only the years of the window, of which there is one at least (check of the settings).
 forest::ClimateSeries cut(forest::ClimateSeries series, Reading& reading) {
     const ForestSettings& s = reading.scenario().forest;
+    config::Problems problems;
     const auto bound = [&](const std::string& key, std::uint64_t asked_for, int otherwise) {
         if (asked_for == 0) {
             return otherwise;
         }
         const int year = static_cast<int>(asked_for);
         if (series.find(year) == nullptr) {
-            reading.problems().add(ExitCode::settings, reading.scenario().options->place_of(key),
-                                   joined(key, " ", std::to_string(year)),
-                                   joined("a year of ", reading.shown(s.climate), ", ", years_of(series)));
+            problems.add(ExitCode::settings, reading.scenario().options->place_of(key),
+                         joined(key, " ", std::to_string(year)),
+                         joined("a year of ", reading.shown(s.climate), ", ", years_of(series)));
         }
         return year;
     };
     const int first = bound("climate.window_first_year", s.window_first_year, series.first_year());
     const int last = bound("climate.window_last_year", s.window_last_year, series.last_year());
+    problems.throw_if_any();
     std::vector<forest::ClimateYear> kept;
     std::copy_if(series.years.begin(), series.years.end(), std::back_inserter(kept),
                  [&](const forest::ClimateYear& year) { return year.year >= first && year.year <= last; });
-    if (kept.empty()) {
-        reading.problems().throw_if_any();
-        config::fail(ExitCode::settings, reading.scenario().options->place_of("climate.window_first_year"),
-                     "a climate window without years",
-                     joined("years of ", reading.shown(s.climate), ", ", years_of(series)));
-    }
     series.years = std::move(kept);
     return series;
 }

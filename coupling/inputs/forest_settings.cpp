@@ -135,11 +135,6 @@ struct Checker {
         problems.add(config::ExitCode::settings, options.place_of(key), std::move(found),
                      std::move(expected));
     }
-    void not_both(const std::string& first, const std::string& second) {
-        if (options.was_set(first) && options.was_set(second)) {
-            refuse(second, joined(second, " beside ", first), "only one of them");
-        }
-    }
 };
 
 void check_years(const std::string& key, const std::vector<double>& asked_for, std::uint64_t years,
@@ -167,8 +162,11 @@ void check_climate(const ForestSettings& s, Checker& checker) {
         checker.refuse("climate.co2_ppm", joined("climate.co2_ppm ", config::to_text(s.co2_ppm)),
                        "0 for the record, or a number in [100, 2000] ppm");
     }
-    checker.not_both("climate.temperature_change_k", "climate.change");
-    checker.not_both("climate.precipitation_change", "climate.change");
+    for (const std::string key : {"climate.temperature_change_k", "climate.precipitation_change"}) {
+        if (!s.climate_change.empty() && checker.options.was_set(key)) {
+            checker.refuse("climate.change", joined("climate.change beside ", key), "only one of them");
+        }
+    }
 }
 
 }  // namespace
@@ -201,7 +199,9 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
         checker.refuse("forest.latitude_deg", "run.years above 0 without forest.latitude_deg",
                        "a number in [0, 75] deg");
     }
-    checker.not_both("stands.map", "stands.polygons");
+    if (!s.stand_map.empty() && !s.stand_polygons.empty()) {
+        checker.refuse("stands.polygons", "stands.polygons beside stands.map", "only one of them");
+    }
     if (listed_trees && !s.stand_records.empty()) {
         checker.refuse("stands.records", "stands.records beside trees.file", "only one of them");
     }

@@ -217,7 +217,7 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     if (files.stands && files.soils) {
         ground = lay_ground(heights_m, heights_file, *files.stands, *files.soils, reading);
     }
-    if (ground && files.records && !files.records->empty()) {
+    if (ground && files.records && !reading.scenario().forest.stand_records.empty()) {
         inventory = place_records(std::move(*files.records), ground->grid, *files.stands, reading);
     }
     if (!files.species || !files.parameters || !files.climate || !ground || !files.rows || !files.records ||

@@ -168,6 +168,10 @@ config::GridFrame patch_frame(const config::GridFrame& heights) {
 ForestGround make_ground(const config::Raster<double>& heights_m, const std::string& file,
                          const std::function<std::optional<PatchCover>(double x_m, double y_m)>& cover_at,
                          Reading& reading) {
+    if (std::min(heights_m.frame.columns, heights_m.frame.rows) < 2) {
+        config::fail(config::ExitCode::data, {file}, to_string(heights_m.frame),
+                     "at least 2 x 2 cells for a forest");
+    }
     const config::GridFrame whole = patch_frame(heights_m.frame);
     std::vector<forest::Patch> patches;
     Faults faults;

@@ -80,11 +80,15 @@ Files read_files(Reading& reading) {
     return files;
 }
 
-/// Heights for the forest: of the grid as read, of points on the frame of the maps.
+/// Heights for the forest: of the grid as read, of points those of their terrain in cells of 5 m [choice].
 std::shared_ptr<ForestSite> forest_on(const HeightInput& heights, const rockfall::Terrain& terrain,
                                       Reading& reading) {
-    return open_forest(heights.grid ? *heights.grid : heights_on_map(heights, terrain), heights.file,
-                       reading);
+    if (heights.grid) {
+        return open_forest(*heights.grid, heights.file, reading);
+    }
+    HeightInput cells;
+    cells.map_frame = frame_over(heights.points, 5.0);
+    return open_forest(heights_on_map(cells, terrain), heights.file, reading);
 }
 
 /// Takes the obstacles that rocks cannot meet out of the forest.
@@ -140,7 +144,8 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     reading.problems().throw_if_any();
 
     if (!has_rocks(scenario)) {
-        ground = GroundMap{.types = {}, .ids = config::Raster<std::uint8_t>{files.heights->frame(), GroundMap::none}};
+        ground = GroundMap{.types = {},
+                           .ids = config::Raster<std::uint8_t>{files.heights->frame(), GroundMap::none}};
     }
     rockfall::SurfaceMap surface = surface_map(*ground, terrain.origin_m());
     config::Raster<double> heights = heights_on_map(*files.heights, terrain);

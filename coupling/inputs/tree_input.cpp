@@ -169,6 +169,17 @@ void tell_borrowers(const SpeciesColumn& column, const SpeciesTable& known, cons
     }
 }
 
+void tell_doubled_places(const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
+    std::set<std::pair<double, double>> places;
+    for (const ListedRow& row : rows) {
+        places.emplace(row.x_m, row.y_m);
+    }
+    if (places.size() < rows.size()) {
+        reading.note(
+            joined(file, ": ", counted(rows.size() - places.size(), "tree"), " on the same spot as another"));
+    }
+}
+
 std::vector<TreeRecord> read_tree_table(Reading& reading) {
     const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
     const SpeciesTable known = SpeciesTable::shipped();
@@ -182,6 +193,7 @@ std::vector<TreeRecord> read_tree_table(Reading& reading) {
     SpeciesColumn column{table, lookup};
     const std::vector<ListedRow> rows = read_listed_rows(table, column, reading);
     tell_borrowers(column, known, table.file(), reading);
+    tell_doubled_places(rows, table.file(), reading);
     return with_heights(rows, known, table, reading);
 }
 
