@@ -72,7 +72,8 @@ std::vector<Ranked> ranked_trees(const Stand& stand, const ThinningWindows& wind
             {seed, replicate, static_cast<std::uint16_t>(stand.year()), number_of(trees[i].id)},
             config::Purpose::tree_rank};
         ranked.push_back(
-            {trees[i].light_ratio + config::normal(stream.uniform(), 0.0, rank_scatter), window, i});
+            {trees[i].increments_cm[0] * (1.0 + config::normal(stream.uniform(), 0.0, rank_scatter)), window,
+             i});
     }
     std::sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
         return a.window != b.window ? a.window < b.window

@@ -41,12 +41,13 @@ private:
 std::vector<double> relative_densities(const Stand& stand, const SpeciesTable& species,
                                        const ThinningWindows& windows);
 
-/// Scatter of the light ratio in the order of dying [choice].
-inline constexpr double rank_scatter = 0.05;
+/// Scatter of growth in the order of dying, relative to it [choice].
+inline constexpr double rank_scatter = 0.2;
 
-/// Who has to go so that no window is denser than 1: the most shaded trees first, by light ratio with a
-/// scatter drawn by tree and year. Trees below 7 cm are thinned in the same way, measured among themselves
-/// [choice].
+/// Who has to go so that no window is denser than 1: the trees whose diameter grew least this year first
+/// [choice, as growth tells death best: Bigler & Bugmann 2003], with a scatter drawn by tree and year. By
+/// light alone a tolerant understorey would go before the pioneers that it is about to replace. Trees below
+/// 7 cm are thinned in the same way, measured among themselves [choice].
 std::vector<Removal> self_thinning(const Stand& stand, const SpeciesTable& species,
                                    const ThinningWindows& windows, std::uint64_t seed,
                                    std::uint32_t replicate);

@@ -53,10 +53,17 @@ double late_frost_days(const Establishment& species, const ClimateYear& year) {
 }  // namespace
 
 double degree_day_response(const Response& species, double degree_days) {
+    const double low = species.min_degree_days;
+    const double high = species.max_degree_days;
+    if (degree_days <= low || degree_days >= high) {
+        return 0.0;
+    }
     constexpr double steepness = 0.0013;
-    return degree_days <= species.min_degree_days
-               ? 0.0
-               : 1.0 - config::exp_of(-steepness * (degree_days - species.min_degree_days));
+    const double cold = 1.0 - config::exp_of(-steepness * (degree_days - low));
+    const bool is_warm = degree_days > 0.5 * (low + high);
+    const double warm =
+        is_warm ? 4.0 * (degree_days - low) * (high - degree_days) / ((high - low) * (high - low)) : 1.0;
+    return cold * warm;
 }
 
 double nitrogen_response(double nitrogen_class, double nitrogen_kg_per_ha_year) {

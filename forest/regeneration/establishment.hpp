@@ -9,7 +9,8 @@ namespace forest {
 // Nitschke & Innes 2008, on monthly climate; light limits of ForClim).
 
 /// Growth of young trees by degree-days above 5.5 degC: 1 - exp(-0.0013 (GDD - least)) (Bugmann & Solomon
-/// 2000).
+/// 2000), beyond the middle between least and most times the parabola 4 (GDD - least)(most - GDD) / (most -
+/// least)^2 (Bugmann 1994).
 double degree_day_response(const Response& species, double degree_days);
 
 /// Growth by nitrogen [kg/ha/yr]: 1 - exp(k (N - least)), k and least by the species' demand, straight

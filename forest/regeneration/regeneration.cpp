@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
+#include "config/math/elementary.hpp"
 #include "config/random/stream.hpp"
 #include "forest/allometry.hpp"
 #include "forest/climate/summary.hpp"
@@ -17,7 +19,7 @@ namespace forest {
 namespace {
 
 constexpr double most_seedlings = 200.0;  // of a species, patch and year [choice]
-/// Patches with room for fewer seedlings get none: they would be many small cohorts that change nothing.
+/// Species with room for fewer seedlings get none: they would be many small cohorts that change nothing.
 constexpr double least_room_stems = 5.0;
 
 /// Snow glides on open slopes steeper than this [choice].
@@ -111,8 +113,10 @@ void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
             const Cohort& cohort = stand.cohorts()[here[k]];
             const Species& kind = species[cohort.species];
             SaplingPlace own = place;
-            own.environment *= climate.warmth[index_of(cohort.species)] *
-                               nitrogen_response(kind.response.nitrogen_class, nitrogen_kg);
+            // The geometric mean of the three responses, as ForClim takes them (v3.0, Eq. 4.8).
+            own.environment = config::pow_of(own.environment * climate.warmth[index_of(cohort.species)] *
+                                                 nitrogen_response(kind.response.nitrogen_class, nitrogen_kg),
+                                             1.0 / 3.0);
             const SaplingYear year =
                 year_of_cohort(kind, cohort, own, stream.uniforms_of(static_cast<std::uint32_t>(k)));
             growth[here[k]] = year.growth;
@@ -126,19 +130,47 @@ void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
     stand.remove_saplings(deaths);
 }
 
-/// Takes the smallest saplings off patches that are too full.
+/// Parts of a room for those who want it: none gets more than it wants, and what one leaves the others share
+/// evenly.
+std::vector<double> even_parts(std::span<const double> wanted, double room) {
+    std::vector<std::size_t> order(wanted.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [wanted](std::size_t a, std::size_t b) { return wanted[a] < wanted[b]; });
+    std::vector<double> parts(wanted.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const double even = room / static_cast<double>(order.size() - i);
+        parts[order[i]] = std::min(wanted[order[i]], even);
+        room -= parts[order[i]];
+    }
+    return parts;
+}
+
+/// Takes saplings off patches that are too full: species share the room evenly, in each the tallest stay.
 void thin_saplings(Stand& stand) {
     CohortsByPatch by_patch{stand};
     const std::span<const Cohort> cohorts = stand.cohorts();
     std::vector<SaplingRemoval> removals;
+    std::vector<double> wanted(stand.species_count());
     for (std::size_t patch = 0; patch < stand.grid().size(); ++patch) {
         const std::span<std::size_t> here = by_patch.of(patch);
+        std::fill(wanted.begin(), wanted.end(), 0.0);
+        double all = 0.0;
+        for (const std::size_t place : here) {
+            const double room = cohorts[place].stems * room_of_stem(cohorts[place].height_m);
+            wanted[index_of(cohorts[place].species)] += room;
+            all += room;
+        }
+        if (all <= 1.0) {
+            continue;
+        }
         std::stable_sort(here.begin(), here.end(), [cohorts](std::size_t a, std::size_t b) {
             return cohorts[a].height_m > cohorts[b].height_m;
         });
-        double room = 1.0;
+        std::vector<double> rooms = even_parts(wanted, 1.0);
         for (const std::size_t place : here) {
             const double each = room_of_stem(cohorts[place].height_m);
+            double& room = rooms[index_of(cohorts[place].species)];
             const auto fit = std::min(cohorts[place].stems, static_cast<std::uint32_t>(room / each + 1e-9));
             if (fit < cohorts[place].stems) {
                 removals.push_back({place, cohorts[place].stems - fit, Cause::self_thinning});
@@ -176,10 +208,12 @@ void recruit_trees(Stand& stand, const SpeciesTable& species, const Chance& chan
     stand.recruit(places, trees);
 }
 
-std::vector<double> rooms_left(const Stand& stand) {
-    std::vector<double> rooms(stand.grid().size(), 1.0);
+/// Room that saplings take, by patch and species.
+std::vector<double> rooms_taken(const Stand& stand) {
+    std::vector<double> rooms(stand.grid().size() * stand.species_count(), 0.0);
     for (const Cohort& cohort : stand.cohorts()) {
-        rooms[index_of(cohort.patch)] -= cohort.stems * room_of_stem(cohort.height_m);
+        rooms[index_of(cohort.patch) * stand.species_count() + index_of(cohort.species)] +=
+            cohort.stems * room_of_stem(cohort.height_m);
     }
     return rooms;
 }
@@ -203,29 +237,28 @@ void expect_seedlings(const Stand& stand, const SpeciesTable& species, const See
 
 void establish(Stand& stand, const Site& site, const SpeciesTable& species,
                std::span<const UnitClimate> climates, const SeedRain& rain, const Chance& chance) {
-    const std::vector<double> rooms = rooms_left(stand);
+    const std::vector<double> taken = rooms_taken(stand);
     const std::vector<double> rotten = rotten_wood_cover(stand);
+    const double each = room_of_stem(seedling_height_m);
     std::vector<Cohort> seedlings;
     std::vector<double> expected(species.size());
-    for (std::size_t patch = 0; patch < rooms.size(); ++patch) {
-        const double room_stems = rooms[patch] / room_of_stem(seedling_height_m);
-        if (room_stems < least_room_stems) {
-            continue;
-        }
+    std::vector<double> wanted(species.size());
+    for (std::size_t patch = 0; patch < stand.grid().size(); ++patch) {
         const PatchId id{static_cast<std::uint32_t>(patch)};
         expect_seedlings(stand, species, rain, climates[site.unit_of(id)], patch, rotten[patch], expected);
-        double all = 0.0;
-        for (const double stems : expected) {
-            all += stems;
+        const std::span<const double> here = std::span{taken}.subspan(patch * species.size(), species.size());
+        for (std::size_t s = 0; s < expected.size(); ++s) {
+            wanted[s] = here[s] + expected[s] * each;
         }
-        if (all <= 0.0) {
-            continue;
-        }
-        const double scale = std::min(1.0, room_stems / all);
+        const std::vector<double> rooms = even_parts(wanted, 1.0);
         const config::RandomStream stream = chance.of(patch, config::Purpose::establishment);
         for (std::size_t s = 0; s < expected.size(); ++s) {
+            const double room_stems = std::max(0.0, rooms[s] - here[s]) / each;
+            if (room_stems < std::min(expected[s], least_room_stems)) {
+                continue;
+            }
             const double u = stream.uniforms_of(static_cast<std::uint32_t>(s))[0];
-            const auto stems = static_cast<std::uint32_t>(scale * expected[s] + u);
+            const auto stems = static_cast<std::uint32_t>(std::min(room_stems, expected[s]) + u);
             if (stems > 0) {
                 seedlings.push_back({.patch = id,
                                      .species = SpeciesId{static_cast<std::uint16_t>(s)},
@@ -322,6 +355,7 @@ void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
 
     const SeedRain rain{stand, species, crops_of_year(species, seed, replicate, stand.year()), law.outside};
     establish(stand, site, species, climates, rain, chance);
+    thin_saplings(stand);
     stand.add_cohorts(sprouts_of(stand, species));
 }
 

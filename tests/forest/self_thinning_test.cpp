@@ -49,11 +49,11 @@ TEST(SelfThinning, LeavesNoWindowAboveOneAndNoneFarBelow) {
     EXPECT_EQ(stand.total_book().all_stems_out() + stand.stems_standing(), stand.stems_at_start());
 }
 
-TEST(SelfThinning, TakesTheShadedFirst) {
+TEST(SelfThinning, TakesTheSlowestFirst) {
     const PatchGrid grid = square_of_forest(5);
     std::vector<Tree> trees = any_trees(grid, table, 1500, 4);
     for (Tree& tree : trees) {
-        tree.light_ratio = number_of(tree.id) % 2 == 0 ? 0.9 : 0.1;
+        tree.increments_cm[0] = number_of(tree.id) % 2 == 0 ? 0.4 : 0.02;
         tree.dbh_cm = 30.0;
         tree.stems = 1;
         tree.species = *table.find("piab");
@@ -61,7 +61,7 @@ TEST(SelfThinning, TakesTheShadedFirst) {
     Stand stand{grid, table.size(), trees, 2000};
     stand.remove_trees(self_thinning(stand, table, ThinningWindows{grid}, 1, 0));
     for (const Tree& tree : stand.trees()) {
-        EXPECT_DOUBLE_EQ(tree.light_ratio, 0.9);
+        EXPECT_DOUBLE_EQ(tree.increments_cm[0], 0.4);
     }
 }
 

@@ -37,15 +37,16 @@ TEST(PotentialHeight, AfterManyYearsIsThatOfTheClosedForm) {
 }
 
 TEST(YearOfCohort, BringsSpruceInFullLightToBreastHeightSoonBelowAndLateAbove) {
-    // Warmth of 1000 m (1300 degree-days) and of 1750 m (605), nitrogen of a middling soil.
+    // Warmth of 1000 m (1300 degree-days) and of 1750 m (605), nitrogen of a middling soil, their geometric
+    // mean with enough water.
     const Species& spruce = kind("piab");
-    EXPECT_EQ(years_to_breast_height(spruce, {.environment = 1.0}), 6);
-    const int low = years_to_breast_height(spruce, {.environment = 0.696 * 0.854});
-    EXPECT_GE(low, 9);
-    EXPECT_LE(low, 12);
-    const int high = years_to_breast_height(spruce, {.environment = 0.249 * 0.854});
-    EXPECT_GE(high, 24);
-    EXPECT_LE(high, 33);
+    EXPECT_EQ(years_to_breast_height(spruce, {.environment = 1.0}), 10);
+    const int low = years_to_breast_height(spruce, {.environment = std::cbrt(0.696 * 0.854)});
+    EXPECT_GE(low, 11);
+    EXPECT_LE(low, 13);
+    const int high = years_to_breast_height(spruce, {.environment = std::cbrt(0.249 * 0.854)});
+    EXPECT_GE(high, 15);
+    EXPECT_LE(high, 19);
 }
 
 TEST(YearOfCohort, FirGrowsInLightThatStopsSpruceAndLarch) {
