@@ -35,13 +35,7 @@ void write_part(const std::filesystem::path& file, const std::string& hash, cons
         out.value(map.cover);
         out.list(map.cells);
     }
-    out.close();
-    std::error_code error;
-    std::filesystem::rename(temporary, file, error);
-    if (error) {
-        config::fail(config::ExitCode::file, {file.string()},
-                     "the part file cannot be renamed: " + error.message());
-    }
+    close_and_rename(out, temporary, file);
 }
 
 std::optional<MemberYears> read_part(const std::filesystem::path& file, const std::string& hash) {

@@ -104,9 +104,8 @@ struct TargetRow {
     ArrivalFigures bare;
 };
 
-/// What the rocks of a year, or of all years (`all_years`), left in the cells of the map on one slope.
+/// What the rocks of a chosen year left in the cells of the map on one slope.
 struct CellMap {
-    static constexpr std::int32_t all_years = -1;
     std::int32_t year = 0;
     Cover cover = Cover::forest;
     std::vector<rockfall::CellSums> cells;

@@ -115,4 +115,11 @@ void record_falls(const FallsOfYear& falls, std::int32_t year, MemberYears& kept
     }
 }
 
+void record_cells(const FallsOfYear& falls, std::int32_t year, MemberYears& kept) {
+    const auto bare = static_cast<std::size_t>(Cover::bare);
+    const std::size_t forest = falls.with_forest ? static_cast<std::size_t>(Cover::forest) : bare;
+    kept.maps.push_back({year, Cover::forest, falls.tally.cells[forest].cells});
+    kept.maps.push_back({year, Cover::bare, falls.tally.cells[bare].cells});
+}
+
 }  // namespace coupling::decades

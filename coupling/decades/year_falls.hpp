@@ -69,5 +69,7 @@ private:
 
 /// Writes the figures of a year's rocks down.
 void record_falls(const FallsOfYear& falls, std::int32_t year, MemberYears& kept);
+/// What they left in the cells of the map.
+void record_cells(const FallsOfYear& falls, std::int32_t year, MemberYears& kept);
 
 }  // namespace coupling::decades

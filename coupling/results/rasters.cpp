@@ -154,6 +154,23 @@ void add_counts(std::vector<RasterKind>& kinds) {
                      RasterStyle::linear, Palette::height, false, false, energy_line_angle_deg});
 }
 
+template <class Style>
+WrittenFile write_styled(const std::filesystem::path& folder, const DrawnRaster& drawn,
+                         const std::string& projection, const Style& style) {
+    OutFile grid{folder / (drawn.path + ".asc")};
+    config::write_ascii_grid(grid.stream(), drawn.raster);
+    grid.close();
+    if (!projection.empty()) {
+        OutFile place{folder / (drawn.path + ".prj")};
+        place.stream() << projection;
+        place.close();
+    }
+    OutFile look{folder / (drawn.path + ".qml")};
+    style(look.stream());
+    look.close();
+    return {drawn.path + ".asc", drawn.sentence};
+}
+
 /// What writing one quantity needs to know of a run.
 struct Writer {
     const RunResults& results;
@@ -164,18 +181,8 @@ struct Writer {
     void write(const RasterKind& kind, const char* part, const std::string& sentence,
                const config::Raster<float>& raster, Style style) {
         const std::string stem = std::string{"rasters/"}.append(part).append("/").append(kind.stem);
-        OutFile grid{folder / (stem + ".asc")};
-        config::write_ascii_grid(grid.stream(), raster);
-        grid.close();
-        if (!results.site.projection.empty()) {
-            OutFile projection{folder / (stem + ".prj")};
-            projection.stream() << results.site.projection;
-            projection.close();
-        }
-        OutFile look{folder / (stem + ".qml")};
-        style(look.stream());
-        look.close();
-        written.push_back({stem + ".asc", sentence});
+        written.push_back(
+            write_styled(folder, {stem, sentence, raster}, results.site.projection, style));
     }
 };
 
@@ -228,6 +235,11 @@ const RasterKind& raster_kind(std::string_view stem) {
                                     [&](const RasterKind& kind) { return kind.stem == stem; });
     assert(found != raster_kinds().end());
     return *found;
+}
+
+WrittenFile write_raster(const std::filesystem::path& folder, const DrawnRaster& drawn,
+                         const std::string& projection, const RasterKind& kind, ValueRange range) {
+    return write_styled(folder, drawn, projection, [&](std::ostream& out) { write_style(out, kind, range); });
 }
 
 config::Raster<float> raster_of(const RasterKind& kind, const RunResults& results, Cover cover) {

@@ -43,6 +43,23 @@ const RasterKind& raster_kind(std::string_view stem);
 /// distributions for a percentile.
 config::Raster<float> raster_of(const RasterKind& kind, const RunResults& results, Cover cover);
 
+/// Smallest and largest value of a raster.
+struct ValueRange {
+    float low = 0.0F;
+    float high = 0.0F;
+};
+
+/// A raster and what QGIS and people need to read it.
+struct DrawnRaster {
+    std::string path;       ///< in the folder of results, without ending
+    std::string sentence;
+    const config::Raster<float>& raster;
+};
+/// Writes grid, projection (.prj, unless the text is empty) and QGIS style (.qml); the style has the colours of the kind over
+/// `range`. The folder has to exist.
+WrittenFile write_raster(const std::filesystem::path& folder, const DrawnRaster& drawn,
+                         const std::string& projection, const RasterKind& kind, ValueRange range);
+
 /// With forest minus bare slope; a cell that no rock passes on one of them counts as 0 there (no rock: no
 /// energy, no height). NaN where none passes on either.
 ///
@@ -51,11 +68,7 @@ config::Raster<float> raster_of(const RasterKind& kind, const RunResults& result
 /// slope on which more feed it.
 config::Raster<float> difference_of(const RasterKind& kind, const RunResults& results);
 
-/// Smallest and largest value; {0, 0} where all are NaN.
-struct ValueRange {
-    float low = 0.0F;
-    float high = 0.0F;
-};
+/// {0, 0} where all are NaN.
 ValueRange range_of(const config::Raster<float>& raster);
 
 /// Writes rasters/forest, rasters/bare and rasters/difference into a folder: grid, projection (.prj, where

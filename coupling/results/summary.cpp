@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/text/numbers.hpp"
+#include "coupling/decades/decade_results.hpp"
 #include "coupling/profile/profile_results.hpp"
 
 namespace coupling {
@@ -261,6 +262,67 @@ void profile::write_summary(std::ostream& out, const ProfileResults& results,
                       {"start_m", number(results.site.start_m)}};
     summary["slope"] = along_profile(tally);
     summary["stations"] = stations(results);
+    summary["warnings"] = results.warnings.sentences();
+    write_with_sources(out, std::move(summary), results.site.inputs, results.scenario, files);
+}
+
+namespace {
+
+Json stand(const decades::StandRow& row) {
+    const forest::StandFigures& f = row.figures;
+    return {{"stems_pha", number(f.stems_pha)},
+            {"basal_area_m2pha", number(f.basal_area_m2pha)},
+            {"volume_m3pha", number(f.volume_m3pha)},
+            {"dominant_height_m", number(f.dominant_height_m)},
+            {"leaf_area_index", number(f.leaf_area_index)}};
+}
+
+/// The whole forest at the start and at the end, and the targets in the first and last year with rocks.
+Json member(const decades::DecadeResults& results, const decades::MemberYears& years) {
+    Json json{{"regime", results.names.regimes[years.member.regime]}, {"replicate", years.member.replicate + 1}};
+    const auto last_year = static_cast<std::int32_t>(results.scenario.years);
+    for (const decades::StandRow& row : years.stands) {
+        if (row.unit == decades::all && row.species == decades::all && (row.year == 0 || row.year == last_year)) {
+            json[row.year == 0 ? "stand_at_start" : "stand_at_end"] = stand(row);
+        }
+    }
+    json["targets"] = Json::array();
+    for (const decades::TargetRow& row : years.targets) {
+        if (row.year == years.targets.front().year || row.year == years.targets.back().year) {
+            Json target{{"id", results.site.targets[row.target].id},
+                        {"year", row.year},
+                        {"rocks", row.bare.share.whole},
+                        {"reached_bare", row.paired.bare()},
+                        {"reached_forest", row.paired.forest()}};
+            const auto effect = protection_effect(row.paired);
+            target["protection_percent"] = effect ? number(percent * effect->value) : Json(nullptr);
+            json["targets"].push_back(std::move(target));
+        }
+    }
+    return json;
+}
+
+}  // namespace
+
+void decades::write_summary(std::ostream& out, const DecadeResults& results, const std::vector<WrittenFile>& files) {
+    Json summary{{"program", "Bannwald"}, {"version", results.version}};
+    const forest::PatchGrid& grid = results.site.forest->grid;
+    summary["run"] = {{"scenario", results.scenario.file.filename().string()},
+                      {"kind", "years"},
+                      {"seed", results.scenario.seed},
+                      {"years", results.scenario.years},
+                      {"first_calendar_year", results.site.forest->first_year()},
+                      {"regimes", results.names.regimes},
+                      {"replicates", results.scenario.forest.replicates},
+                      {"rocks_a_year", results.rocks},
+                      {"patches", grid.size()},
+                      {"area_ha", number(grid.area_ha())},
+                      {"map", map_frame(results.site.map_frame)},
+                      {"patch_map", map_frame(grid.frame())}};
+    summary["members"] = Json::array();
+    for (const MemberYears& years : results.members) {
+        summary["members"].push_back(member(results, years));
+    }
     summary["warnings"] = results.warnings.sentences();
     write_with_sources(out, std::move(summary), results.site.inputs, results.scenario, files);
 }

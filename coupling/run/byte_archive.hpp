@@ -72,6 +72,18 @@ private:
     Checksum sum_;
 };
 
+/// Ends a part file: closed under its temporary name, renamed when whole. Throws config::InputError (file).
+inline void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
+                             const std::filesystem::path& file) {
+    out.close();
+    std::error_code error;
+    std::filesystem::rename(temporary, file, error);
+    if (error) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     "the part file cannot be renamed: " + error.message());
+    }
+}
+
 /// Reads back what ByteWriter wrote. Anything missing or changed throws config::InputError (file).
 class ByteReader {
 public:

@@ -164,13 +164,15 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
         out.value(target.reached_both);
     }
     out.list(tally.stems);
-    out.close();
-    std::error_code error;
-    std::filesystem::rename(temporary, file, error);
-    if (error) {
-        config::fail(config::ExitCode::file, {file.string()},
-                     "the part file cannot be renamed: " + error.message());
-    }
+    close_and_rename(out, temporary, file);
+}
+
+void write_marker(const std::filesystem::path& file, const std::string& settings_hash) {
+    const std::filesystem::path temporary = file.string() + ".tmp";
+    ByteWriter out{temporary};
+    out.value(magic);
+    out.text(settings_hash);
+    close_and_rename(out, temporary, file);
 }
 
 std::optional<std::string> checkpoint_hash(const std::filesystem::path& file) {

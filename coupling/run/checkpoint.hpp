@@ -28,6 +28,10 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
                       const rockfall::EnsembleTally& tally,
                       const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms);
 
+/// Writes a checkpoint that holds nothing but the hash: of runs that keep their parts in files of their own.
+/// Throws config::InputError (file) if the disk does not take it.
+void write_marker(const std::filesystem::path& file, const std::string& settings_hash);
+
 /// The hash in a checkpoint file; nothing if there is no such file. Throws InputError (file) if it is not a
 /// whole checkpoint.
 std::optional<std::string> checkpoint_hash(const std::filesystem::path& file);

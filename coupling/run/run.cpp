@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "coupling/decades/decade_run.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/profile/profile_run.hpp"
@@ -184,6 +185,9 @@ int run_assessment(const RunRequest& request) {
         for (const std::string& sentence : warnings.sentences()) {
             std::fprintf(stderr, "bannwald: warning: %s\n", sentence.c_str());
         }
+    }
+    if (site.forest) {
+        return decades::run_decades(request, *scenario, site, warnings);
     }
     const std::filesystem::path out =
         request.out.empty() ? scenario->file.parent_path() / "out" : request.out;

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/decades/decade_tables.hpp"
+#include "coupling/decades/records.hpp"
+#include "coupling/inputs/forest_site.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/out_file.hpp"
+
+namespace coupling::decades {
+
+/// A finished run over years, ready to be written.
+struct DecadeResults {
+    const Scenario& scenario;
+    const Site& site;  ///< with its forest
+    Names names;
+    std::span<const MemberYears> members;  ///< by regime, then replicate
+    std::uint64_t rocks = 0;               ///< of a year; 0: no rockfall
+    const config::Warnings& warnings;
+    std::string version;
+};
+
+/// Writes tables/, rasters/, summary.json and report.html into an existing folder; returns all files. Throws
+/// config::InputError (file); what was written so far stays.
+std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder);
+
+/// In results/summary.cpp, where all summaries are written.
+void write_summary(std::ostream& out, const DecadeResults& results, const std::vector<WrittenFile>& files);
+
+}  // namespace coupling::decades

@@ -1,0 +1,191 @@
+#include "coupling/decades/decade_run.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+
+#include "coupling/decades/decade_results.hpp"
+#include "coupling/decades/member_part.hpp"
+#include "coupling/decades/simulate.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/run/checkpoint.hpp"
+#include "coupling/run/first_error.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/run/output_folder.hpp"
+#include "coupling/run/progress.hpp"
+#include "coupling/run/settings_hash.hpp"
+#include "coupling/version.hpp"
+
+namespace coupling::decades {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Member> members_of(const Scenario& scenario, std::size_t regimes) {
+    std::vector<Member> members;
+    for (std::uint32_t regime = 0; regime < regimes; ++regime) {
+        for (std::uint32_t replicate = 0; replicate < scenario.forest.replicates; ++replicate) {
+            members.push_back({regime, replicate});
+        }
+    }
+    return members;
+}
+
+fs::path part_of(const OutputFolder& folder, const Member& member) {
+    return folder.parts() / joined("member_", std::to_string(member.regime + 1), "_",
+                                   std::to_string(member.replicate + 1), ".part");
+}
+
+/// Stems that rocks meet but no forest grows.
+std::vector<rockfall::Stem> standing_stems(const ForestSite& forest) {
+    std::vector<rockfall::Stem> stems;
+    for (const TreeRecord& tree : forest.obstacles) {
+        stems.push_back(tree.stem);
+    }
+    return stems;
+}
+
+/// Lives through the members that have no part yet: several at a time, or the rocks of one on several threads where
+/// there are fewer members than threads. Throws Interrupted.
+void live_missing(const Decades& decades, std::span<const Member> missing, std::uint64_t done_before,
+                  const OutputFolder& folder, const std::string& hash, const RunRequest& request) {
+    Progress progress{"simulating years", decades.scenario.years * missing.size() + done_before, done_before, request.quiet};
+    std::mutex progress_mutex;
+    const auto year_done = [&] {
+        if (InterruptGuard::requested()) {
+            throw Interrupted{};
+        }
+        const std::lock_guard lock{progress_mutex};
+        progress.add(1);
+    };
+    const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
+    const int at_once = std::min(threads, static_cast<int>(missing.size()));
+    const int threads_each = at_once > 1 ? 1 : threads;
+    const auto count = static_cast<std::int64_t>(missing.size());
+    std::mutex parts_mutex;
+    FirstError error;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(std::max(1, at_once))
+    for (std::int64_t i = 0; i < count; ++i) {
+        error.guard([&] {
+            const Member& member = missing[static_cast<std::size_t>(i)];
+            const MemberYears years = simulate(decades, member, threads_each, year_done);
+            // Until the first member is through there is nothing to keep, and an interrupted run leaves nothing behind.
+            const std::lock_guard lock{parts_mutex};
+            write_marker(folder.checkpoint(), hash);
+            write_part(part_of(folder, member), hash, years);
+        });
+    }
+    progress.finish();
+    error.rethrow();
+}
+
+void say_target(const DecadeResults& results, std::uint32_t target) {
+    for (std::uint32_t regime = 0; regime < results.names.regimes.size(); ++regime) {
+        PairedCounts first;
+        PairedCounts last;
+        const auto add = [](PairedCounts& sum, const PairedCounts& counts) {
+            sum.both += counts.both;
+            sum.only_forest += counts.only_forest;
+            sum.only_bare += counts.only_bare;
+        };
+        for (const MemberYears& member : results.members) {
+            for (const TargetRow& row : member.targets) {
+                if (member.member.regime != regime || row.target != target) {
+                    continue;
+                }
+                if (row.year == member.targets.front().year) {
+                    add(first, row.paired);
+                }
+                if (row.year == member.targets.back().year) {
+                    add(last, row.paired);
+                }
+            }
+        }
+        const auto percent = [](const PairedCounts& counts) {
+            const auto effect = protection_effect(counts);
+            return effect ? joined(report::fixed(100.0 * effect->value, 1), " %") : std::string{"no rock arrives"};
+        };
+        std::printf("  %s, %s: the forest keeps away %s at the start, %s at the end\n",
+                    results.site.targets[target].name.c_str(), results.names.regimes[regime].c_str(),
+                    percent(first).c_str(), percent(last).c_str());
+    }
+}
+
+void print_summary(const DecadeResults& results, const fs::path& folder, const std::vector<WrittenFile>& files) {
+    const forest::PatchGrid& grid = results.site.forest->grid;
+    std::printf("%llu years of %.2f ha forest (%zu patches), %zu regimes, %llu replicates",
+                static_cast<unsigned long long>(results.scenario.years), grid.area_ha(), grid.size(),
+                results.names.regimes.size(), static_cast<unsigned long long>(results.scenario.forest.replicates));
+    results.rocks > 0 ? std::printf(", %llu rocks a year\n", static_cast<unsigned long long>(results.rocks))
+                      : std::printf(", no rockfall\n");
+    const MemberYears& member = results.members.front();
+    for (const StandRow& row : member.stands) {
+        if (row.unit == all && row.species == all &&
+            (row.year == 0 || row.year == static_cast<std::int32_t>(results.scenario.years))) {
+            std::printf("  year %d (%s, replicate 1): %.0f stems/ha, %.1f m2/ha, %.0f m3/ha, dominant height %.1f m\n",
+                        row.year, results.names.regimes[member.member.regime].c_str(), row.figures.stems_pha,
+                        row.figures.basal_area_m2pha, row.figures.volume_m3pha, row.figures.dominant_height_m);
+        }
+    }
+    for (std::uint32_t target = 0; results.rocks > 0 && target < results.site.targets.size(); ++target) {
+        say_target(results, target);
+    }
+    std::printf("Results in %s\n", folder.string().c_str());
+    for (const WrittenFile& file : files) {
+        if (file.path == "report.html" || file.path == "summary.json" || file.path == "tables/stands.csv" ||
+            file.path == "tables/protection.csv") {
+            std::printf("  %-28s %s\n", file.path.c_str(), file.sentence.c_str());
+        }
+    }
+}
+
+/// All members, from their parts, in order.
+std::vector<MemberYears> read_all(std::span<const Member> members, const OutputFolder& folder, const std::string& hash) {
+    std::vector<MemberYears> years;
+    for (const Member& member : members) {
+        years.push_back(read_part(part_of(folder, member), hash).value());
+    }
+    return years;
+}
+
+}  // namespace
+
+int run_decades(const RunRequest& request, const Scenario& scenario, const Site& site,
+                const config::Warnings& warnings) {
+    const fs::path out = request.out.empty() ? scenario.file.parent_path() / "out" : request.out;
+    const std::string hash = settings_hash(scenario, site.inputs);
+    OutputFolder folder{out, hash, request.overwrite};
+    const InterruptGuard guard;
+    std::optional<RockSeason> rocks;
+    if (scenario.forest.rockfall_every > 0) {
+        rocks.emplace(scenario, site, site.forest->species.fracture_energy, standing_stems(*site.forest));
+    }
+    const Decades decades{scenario, *site.forest, rocks ? &*rocks : nullptr};
+    const Names names{{"unmanaged"}, site.forest->species.table};
+    const std::vector<Member> members = members_of(scenario, names.regimes.size());
+    std::vector<Member> missing;
+    std::copy_if(members.begin(), members.end(), std::back_inserter(missing),
+                 [&](const Member& member) { return !has_part(part_of(folder, member), hash); });
+    try {
+        live_missing(decades, missing, scenario.years * (members.size() - missing.size()), folder, hash, request);
+    } catch (const Interrupted&) {
+        std::fprintf(stderr,
+                     "bannwald: interrupted; the finished members are kept, run the same command again to go on\n");
+        return static_cast<int>(config::ExitCode::interrupted);
+    }
+    const std::vector<MemberYears> years = read_all(members, folder, hash);
+    const DecadeResults results{scenario, site, names, years, rocks ? rocks->rocks() : 0, warnings, version()};
+    make_folder(folder.staging());
+    const std::vector<WrittenFile> files = write_results(results, folder.staging());
+    folder.publish();
+    if (!request.quiet) {
+        print_summary(results, folder.path(), files);
+    }
+    return static_cast<int>(config::ExitCode::done);
+}
+
+}  // namespace coupling::decades

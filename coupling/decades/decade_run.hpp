@@ -1,0 +1,16 @@
+#pragma once
+
+#include "config/errors/warnings.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/run/run.hpp"
+
+namespace coupling::decades {
+
+/// Runs a scenario over its years: every member (regime and replicate) writes a part file when it is through; the results
+/// are made of the parts. What an interrupted run has finished is not done again.
+///
+/// Returns 0, or 75 if the user interrupted it. Throws config::InputError. Requires a site with a forest.
+int run_decades(const RunRequest& request, const Scenario& scenario, const Site& site, const config::Warnings& warnings);
+
+}  // namespace coupling::decades

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "coupling/decades/decade_tables.hpp"
+#include "coupling/decades/records.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/out_file.hpp"
+
+namespace coupling::decades {
+
+/// Writes tables/protection.csv, targets.csv and runs.csv: the figures of the static assessment, for every
+/// regime, replicate and year with rocks. Throws config::InputError (file).
+std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, const Names& names,
+                                           const Site& site, std::span<const MemberYears> members);
+
+/// Writes rasters/rockfall/REGIME/year_N/ and rasters/rockfall/bare/year_N/: the rocks of all replicates in a
+/// chosen year, under the names of the static assessment. No percentiles.
+std::vector<WrittenFile> write_fall_maps(const std::filesystem::path& folder, const Names& names,
+                                         const Site& site, std::span<const MemberYears> members);
+
+}  // namespace coupling::decades

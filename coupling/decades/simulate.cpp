@@ -1,0 +1,127 @@
+#include "coupling/decades/simulate.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "coupling/decades/record_forest.hpp"
+#include "forest/year.hpp"
+
+namespace coupling::decades {
+namespace {
+
+bool contains(const std::vector<int>& years, std::int32_t year) {
+    return std::find(years.begin(), years.end(), year) != years.end();
+}
+
+/// Yearly mean temperature of the patches.
+double mean_temperature_degc(const forest::Site& site, const YearWeather& weather) {
+    double sum = 0.0;
+    double patches = 0.0;
+    for (std::size_t u = 0; u < site.units().size(); ++u) {
+        const auto count = static_cast<double>(site.units()[u].patches.size());
+        for (const forest::ClimateMonth& month : weather.units[u].months) {
+            sum += count * month.tave_degc / 12.0;
+        }
+        patches += count;
+    }
+    return sum / patches;
+}
+
+/// A member on its way through the years.
+class Life {
+public:
+    Life(const Decades& decades, Member member, int threads)
+        : decades_{decades},
+          settings_{decades.scenario.forest},
+          member_{member},
+          threads_{threads},
+          stand_{decades.forest.start(decades.scenario.seed, member.replicate)},
+          tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.years)},
+          map_years_{chosen_years(settings_.map_years, decades.scenario.years)} {
+        kept_.member = member;
+    }
+
+    void begin() {
+        record_year(stand_, species(), 0, std::nullopt, 0.0, kept_);
+        let_rocks_fall(0);
+        record_lists(0);
+    }
+
+    void pass(std::int32_t year) {
+        const ForestSite& forest = decades_.forest;
+        const YearWeather weather = forest.weather(stand_.year() + 1, member_.replicate);
+        const forest::YearReport report =
+            forest::grow_year(stand_, forest.place, species(), weather.view(), forest.parameters,
+                              {decades_.scenario.seed, member_.replicate});
+        record_year(stand_, species(), year, report, mean_temperature_degc(forest.place, weather), kept_);
+        let_rocks_fall(year);
+        record_lists(year);
+    }
+
+    MemberYears take() { return std::move(kept_); }
+
+private:
+    [[nodiscard]] const forest::SpeciesTable& species() const { return decades_.forest.species.table; }
+
+    /// The start is year 0, and a year with rocks.
+    [[nodiscard]] bool has_rocks(std::int32_t year) const {
+        return decades_.rocks != nullptr && year % static_cast<std::int32_t>(settings_.rockfall_every) == 0;
+    }
+
+    void let_rocks_fall(std::int32_t year) {
+        takes_.clear();
+        if (!has_rocks(year)) {
+            return;
+        }
+        const FallsOfYear falls = decades_.rocks->fall(stand_, member_.replicate, year, threads_);
+        record_falls(falls, year, kept_);
+        if (contains(map_years_, year)) {
+            record_cells(falls, year, kept_);
+        }
+        for (const StemTake& take : falls.takes) {
+            takes_[forest::number_of(take.tree)] = take.tally;
+        }
+    }
+
+    void record_lists(std::int32_t year) {
+        if (contains(tree_list_years_, year)) {
+            const std::size_t first = kept_.trees.size();
+            record_trees(stand_, year, kept_);
+            for (std::size_t i = first; i < kept_.trees.size(); ++i) {
+                const auto take = takes_.find(kept_.trees[i].tree);
+                if (take != takes_.end()) {
+                    kept_.trees[i].rock_hits = take->second.hits;
+                    kept_.trees[i].rock_energy_kj = static_cast<float>(static_cast<double>(take->second.energy_j) / 1000.0);
+                }
+            }
+        }
+        if (contains(map_years_, year)) {
+            record_patches(stand_, species(), year, kept_);
+        }
+    }
+
+    const Decades& decades_;
+    const ForestSettings& settings_;
+    Member member_;
+    int threads_;
+    forest::Stand stand_;
+    std::vector<int> tree_list_years_;
+    std::vector<int> map_years_;
+    std::map<std::uint64_t, rockfall::StemTally> takes_;  ///< of the running year, by tree
+    MemberYears kept_;
+};
+
+}  // namespace
+
+MemberYears simulate(const Decades& decades, Member member, int threads,
+                     const std::function<void()>& year_done) {
+    Life life{decades, member, threads};
+    life.begin();
+    for (std::int32_t year = 1; year <= static_cast<std::int32_t>(decades.scenario.years); ++year) {
+        life.pass(year);
+        year_done();
+    }
+    return life.take();
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+
+#include "coupling/decades/records.hpp"
+#include "coupling/decades/year_falls.hpp"
+#include "coupling/inputs/forest_site.hpp"
+#include "coupling/inputs/scenario.hpp"
+
+namespace coupling::decades {
+
+/// What all members of a run share and none of them changes.
+struct Decades {
+    const Scenario& scenario;
+    const ForestSite& forest;
+    const RockSeason* rocks = nullptr;  ///< nullptr: no rockfall
+};
+
+/// Lives through all years of a member.
+///
+/// Each year: the forest grows; in years with rockfall the rocks fall through it as it then stands, and the
+/// forest stands still while they do. Depends on the member and the scenario alone, not on `threads`. Calls
+/// `year_done` after each year, which may throw to end the work.
+MemberYears simulate(const Decades& decades, Member member, int threads,
+                     const std::function<void()>& year_done);
+
+}  // namespace coupling::decades
