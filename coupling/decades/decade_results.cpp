@@ -2,6 +2,7 @@
 
 #include "coupling/decades/fall_tables.hpp"
 #include "coupling/decades/patch_maps.hpp"
+#include "coupling/decades/work_tables.hpp"
 
 namespace coupling::decades {
 
@@ -15,6 +16,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
         add(write_fall_tables(folder, results.names, results.site, results.members));
     }
     add(write_forest_tables(folder, results.names, results.members));
+    add(write_work_tables(folder, results.names, results.members, results.site.forest->grid.area_ha()));
     add(write_patch_maps(folder, results.names, results.members, results.site.forest->grid,
                          results.site.projection));
     if (results.rocks > 0) {

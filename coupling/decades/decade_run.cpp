@@ -143,6 +143,18 @@ void print_summary(const DecadeResults& results, const fs::path& folder, const s
     }
 }
 
+Names names_of(const Management& management, const forest::SpeciesTable& species) {
+    Names names{{}, {}, species};
+    for (const Regime& regime : management.regimes) {
+        names.regimes.push_back(regime.name());
+        names.interventions.emplace_back();
+        for (const Intervention& row : regime.interventions()) {
+            names.interventions.back().emplace_back(row.name, name_of(row.treatment));
+        }
+    }
+    return names;
+}
+
 /// All members, from their parts, in order.
 std::vector<MemberYears> read_all(std::span<const Member> members, const OutputFolder& folder, const std::string& hash) {
     std::vector<MemberYears> years;
@@ -154,18 +166,19 @@ std::vector<MemberYears> read_all(std::span<const Member> members, const OutputF
 
 }  // namespace
 
-int run_decades(const RunRequest& request, const Scenario& scenario, const Site& site,
-                const config::Warnings& warnings) {
+int run_decades(const RunRequest& request, const Scenario& scenario, Site& site, config::Warnings& warnings) {
+    const Management management = read_management(scenario, *site.forest, warnings);
+    site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
     const fs::path out = request.out.empty() ? scenario.file.parent_path() / "out" : request.out;
-    const std::string hash = settings_hash(scenario, site.inputs);
+    const std::string hash = settings_hash(scenario, site.inputs);  // the inputs of the regimes are among them
     OutputFolder folder{out, hash, request.overwrite};
     const InterruptGuard guard;
     std::optional<RockSeason> rocks;
     if (scenario.forest.rockfall_every > 0) {
         rocks.emplace(scenario, site, site.forest->species.fracture_energy, standing_stems(*site.forest));
     }
-    const Decades decades{scenario, *site.forest, rocks ? &*rocks : nullptr};
-    const Names names{{"unmanaged"}, site.forest->species.table};
+    const Decades decades{scenario, *site.forest, management, rocks ? &*rocks : nullptr};
+    const Names names = names_of(management, site.forest->species.table);
     const std::vector<Member> members = members_of(scenario, names.regimes.size());
     std::vector<Member> missing;
     std::copy_if(members.begin(), members.end(), std::back_inserter(missing),

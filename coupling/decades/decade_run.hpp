@@ -11,6 +11,7 @@ namespace coupling::decades {
 /// are made of the parts. What an interrupted run has finished is not done again.
 ///
 /// Returns 0, or 75 if the user interrupted it. Throws config::InputError. Requires a site with a forest.
-int run_decades(const RunRequest& request, const Scenario& scenario, const Site& site, const config::Warnings& warnings);
+/// The files of its regimes are added to the site's inputs.
+int run_decades(const RunRequest& request, const Scenario& scenario, Site& site, config::Warnings& warnings);
 
 }  // namespace coupling::decades

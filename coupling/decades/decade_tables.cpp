@@ -4,18 +4,10 @@
 #include <set>
 
 #include "config/text/numbers.hpp"
-#include "coupling/results/csv_row.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
 namespace {
-
-/// Begins a row of a member: regime, replicate (counted from 1, as people do) and year.
-void begin(CsvRow& row, const Names& names, const Member& member, std::int32_t year) {
-    row.text(names.regimes[member.regime])
-        .whole(member.replicate + 1)
-        .whole(static_cast<std::uint32_t>(year));
-}
 
 std::string_view species_of(const Names& names, std::uint32_t species) {
     return species == all ? std::string_view{"all"} : names.species.all()[species].code;
@@ -31,7 +23,7 @@ void write_stands(std::ostream& out, const Names& names, std::span<const MemberY
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const StandRow& stand : member.stands) {
-            begin(row, names, member.member, stand.year);
+            begin_row(row, names, member.member, stand.year);
             add_unit(row, stand.unit);
             row.text(species_of(names, stand.species));
             const forest::StandFigures& f = stand.figures;
@@ -54,12 +46,9 @@ void write_dbh_classes(std::ostream& out, const Names& names, std::span<const Me
                 if (stems_pha <= 0.0) {
                     continue;
                 }
-                begin(row, names, member.member, stand.year);
+                begin_row(row, names, member.member, stand.year);
                 row.text(species_of(names, stand.species));
-                row.number<0>(forest::dbh_class_cm * static_cast<double>(c));
-                c + 1 == forest::dbh_classes
-                    ? row.empty()
-                    : row.number<0>(forest::dbh_class_cm * static_cast<double>(c + 1));
+                add_dbh_class(row, c);
                 row.number<2>(stems_pha);
                 row.end();
             }
@@ -74,7 +63,7 @@ void write_years(std::ostream& out, const Names& names, std::span<const MemberYe
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const YearRow& y : member.years) {
-            begin(row, names, member.member, y.year);
+            begin_row(row, names, member.member, y.year);
             row.whole(static_cast<std::uint32_t>(y.calendar_year));
             if (y.year == 0) {
                 row.empty().empty().empty();
@@ -100,7 +89,7 @@ void write_losses(std::ostream& out, const Names& names, std::span<const MemberY
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const LossRow& loss : member.losses) {
-            begin(row, names, member.member, loss.year);
+            begin_row(row, names, member.member, loss.year);
             row.text(forest::name_of(loss.cause));
             row.number<3>(loss.loss.stems_pha).number<4>(loss.loss.volume_m3pha);
             row.number<4>(loss.loss.above_ground_tpha);
@@ -112,24 +101,40 @@ void write_losses(std::ostream& out, const Names& names, std::span<const MemberY
 void write_trees(std::ostream& out, const Names& names, std::span<const MemberYears> members,
                  std::int32_t year) {
     out << "regime,replicate,year,tree_id,x_m,y_m,species,dbh_cm,height_m,crown_base_m,crown_radius_m,"
-           "age_years,light_ratio,vitality,stems\n";
+           "age_years,light_ratio,vitality,stems,rock_hits,rock_energy_kj\n";
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const TreeRow& tree : member.trees) {
             if (tree.year != year) {
                 continue;
             }
-            begin(row, names, member.member, year);
+            begin_row(row, names, member.member, year);
             row.whole(tree.tree).number<2>(tree.x_m).number<2>(tree.y_m);
             row.text(species_of(names, tree.species)).number<2>(tree.dbh_cm).number<2>(tree.height_m);
             row.number<2>(tree.crown_base_m).number<2>(tree.crown_radius_m).number<1>(tree.age_years);
             row.number<3>(tree.light_ratio).number<3>(tree.vitality).whole(tree.stems);
+            row.whole(tree.rock_hits).number<2>(tree.rock_energy_kj);
             row.end();
         }
     }
 }
 
 }  // namespace
+
+void begin_row(CsvRow& row, const Names& names, const Member& member, std::int32_t year) {
+    row.text(names.regimes[member.regime])
+        .whole(member.replicate + 1)
+        .whole(static_cast<std::uint32_t>(year));
+}
+
+void add_dbh_class(CsvRow& row, std::size_t dbh_class) {
+    row.number<0>(forest::dbh_class_cm * static_cast<double>(dbh_class));
+    if (dbh_class + 1 == forest::dbh_classes) {
+        row.empty();
+    } else {
+        row.number<0>(forest::dbh_class_cm * static_cast<double>(dbh_class + 1));
+    }
+}
 
 std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder, const Names& names,
                                              std::span<const MemberYears> members) {

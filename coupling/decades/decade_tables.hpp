@@ -3,9 +3,11 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coupling/decades/records.hpp"
+#include "coupling/results/csv_row.hpp"
 #include "coupling/results/out_file.hpp"
 #include "forest/species.hpp"
 
@@ -14,8 +16,15 @@ namespace coupling::decades {
 /// What the numbers in the rows of members mean.
 struct Names {
     std::vector<std::string> regimes;
+    std::vector<std::vector<std::pair<std::string, std::string>>>
+        interventions;  ///< by regime: name and treatment of each row
     const forest::SpeciesTable& species;
 };
+
+/// Begins a row of a member: regime, replicate (counted from 1, as people do) and year.
+void begin_row(CsvRow& row, const Names& names, const Member& member, std::int32_t year);
+/// Both ends of a diameter class; the last one is open.
+void add_dbh_class(CsvRow& row, std::size_t dbh_class);
 
 /// Writes tables/stands.csv, dbh_classes.csv, forest_years.csv, mortality.csv and trees_YEAR.csv: tidy, one
 /// row an observation, members in the order given. Throws config::InputError (file).

@@ -13,19 +13,13 @@
 namespace coupling::decades {
 namespace {
 
-void begin(CsvRow& row, const Names& names, const Member& member, std::int32_t year) {
-    row.text(names.regimes[member.regime])
-        .whole(member.replicate + 1)
-        .whole(static_cast<std::uint32_t>(year));
-}
-
 void write_protection(std::ostream& out, const Names& names, const Site& site,
                       std::span<const MemberYears> members) {
     out << "regime,replicate,year,target_id,name" << protection_columns() << '\n';
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const TargetRow& t : member.targets) {
-            begin(row, names, member.member, t.year);
+            begin_row(row, names, member.member, t.year);
             row.text(site.targets[t.target].id).text(site.targets[t.target].name);
             add_protection(row, t.bare.share.whole, t.paired, protection_effect(t.paired),
                            risk_reduction(t.paired, t.forest.energy_kj.p95, t.bare.energy_kj.p95));
@@ -41,7 +35,7 @@ void write_targets(std::ostream& out, const Names& names, const Site& site,
     for (const MemberYears& member : members) {
         for (const TargetRow& t : member.targets) {
             for (const Cover cover : all_covers) {
-                begin(row, names, member.member, t.year);
+                begin_row(row, names, member.member, t.year);
                 row.text(site.targets[t.target].id).text(site.targets[t.target].name).text(name_of(cover));
                 add_arrivals(row, cover == Cover::forest ? t.forest : t.bare);
                 row.end();
@@ -55,7 +49,7 @@ void write_runs(std::ostream& out, const Names& names, std::span<const MemberYea
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const SlopeRow& slope : member.slopes) {
-            begin(row, names, member.member, slope.year);
+            begin_row(row, names, member.member, slope.year);
             row.text(name_of(slope.cover));
             add_slope(row, slope.figures);
             row.end();

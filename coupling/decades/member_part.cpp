@@ -16,6 +16,9 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.trees);
     visit(years.patches);
     visit(years.removed);
+    visit(years.harvest);
+    visit(years.timber);
+    visit(years.margins);
     visit(years.slopes);
     visit(years.targets);
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "forest/allometry.hpp"
+#include "forest/deadwood/deadwood.hpp"
 #include "forest/patch.hpp"
 
 namespace coupling::decades {
@@ -76,13 +77,31 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
         row.runoff_mm = report->water.runoff_mm;
         row.storage_gain_mm = report->water.storage_gain_mm;
         row.mean_temperature_degc = mean_temperature_degc;
-        for (std::size_t cause = 0; cause < forest::cause_count; ++cause) {
-            if (whole.losses[cause].stems_pha > 0.0) {
-                kept.losses.push_back({year, static_cast<forest::Cause>(cause), whole.losses[cause]});
-            }
-        }
     }
     kept.years.push_back(row);
+}
+
+void record_losses(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
+                   MemberYears& kept) {
+    const forest::StandYear whole = forest::year_of(stand, species, 0.0);
+    for (std::size_t cause = 0; cause < forest::cause_count; ++cause) {
+        if (whole.losses[cause].stems_pha > 0.0) {
+            kept.losses.push_back({year, static_cast<forest::Cause>(cause), whole.losses[cause]});
+        }
+    }
+    for (const auto& [tree, cause] : stand.deaths()) {
+        const bool by_rock = cause == forest::Cause::rock || cause == forest::Cause::wound;
+        if (by_rock && tree.dbh_cm >= forest::least_dead_wood_cm) {
+            kept.removed.push_back({.year = year,
+                                    .species = static_cast<std::uint32_t>(forest::index_of(tree.species)),
+                                    .tree = forest::number_of(tree.id),
+                                    .x_m = tree.x_m,
+                                    .y_m = tree.y_m,
+                                    .dbh_cm = static_cast<float>(tree.dbh_cm),
+                                    .height_m = static_cast<float>(tree.height_m),
+                                    .cause = cause});
+        }
+    }
 }
 
 void record_trees(const forest::Stand& stand, std::int32_t year, MemberYears& kept) {

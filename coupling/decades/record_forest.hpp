@@ -16,6 +16,11 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
                  const std::optional<forest::YearReport>& report, double mean_temperature_degc,
                  MemberYears& kept);
 
+/// Who left the stand in the running year, by cause, and each tree of at least 7 cm that a rock or its wounds
+/// killed.
+void record_losses(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
+                   MemberYears& kept);
+
 /// Every tree as it stands now.
 void record_trees(const forest::Stand& stand, std::int32_t year, MemberYears& kept);
 

@@ -4,8 +4,10 @@
 #include <limits>
 #include <vector>
 
+#include "coupling/regimes/timber_value.hpp"
 #include "coupling/results/figures.hpp"
 #include "forest/tables.hpp"
+#include "forest/treatment/felling.hpp"
 #include "forest/tree.hpp"
 
 namespace coupling::decades {
@@ -88,6 +90,34 @@ struct RemovedRow {
     forest::Cause cause = forest::Cause::background;
 };
 
+/// An intervention that was due.
+struct HarvestRow {
+    std::int32_t year = 0;
+    std::uint32_t intervention = 0;  ///< row of the regime
+    std::uint32_t areas = 0;
+    bool found_nothing = false;
+    double area_ha = 0.0;
+    double stems = 0.0;
+    double taken_m3 = 0.0;
+    double left_m3 = 0.0;
+    std::uint64_t plants = 0;
+    std::uint64_t tended = 0;
+};
+
+/// Wood of a species and diameter class that was felled in a year.
+struct TimberRow {
+    std::int32_t year = 0;
+    std::uint32_t species = 0;
+    std::uint32_t dbh_class = 0;
+    forest::TimberClass timber;
+};
+
+/// What the work of a year brought.
+struct MarginRow {
+    std::int32_t year = 0;
+    Margin margin;
+};
+
 /// The rocks of a year on one slope.
 struct SlopeRow {
     std::int32_t year = 0;
@@ -132,6 +162,9 @@ struct MemberYears {
     std::vector<TreeRow> trees;
     std::vector<PatchRow> patches;
     std::vector<RemovedRow> removed;
+    std::vector<HarvestRow> harvest;
+    std::vector<TimberRow> timber;
+    std::vector<MarginRow> margins;
     std::vector<SlopeRow> slopes;  ///< of years with rockfall
     std::vector<TargetRow> targets;
     std::vector<CellMap> maps;

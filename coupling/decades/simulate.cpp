@@ -4,6 +4,7 @@
 #include <map>
 
 #include "coupling/decades/record_forest.hpp"
+#include "coupling/decades/record_work.hpp"
 #include "forest/year.hpp"
 
 namespace coupling::decades {
@@ -45,6 +46,8 @@ public:
         record_year(stand_, species(), 0, std::nullopt, 0.0, kept_);
         let_rocks_fall(0);
         record_lists(0);
+        manage(0);
+        record_losses(stand_, species(), 0, kept_);
     }
 
     void pass(std::int32_t year) {
@@ -53,7 +56,9 @@ public:
         const forest::YearReport report =
             forest::grow_year(stand_, forest.place, species(), weather.view(), forest.parameters,
                               {decades_.scenario.seed, member_.replicate});
+        manage(year);
         record_year(stand_, species(), year, report, mean_temperature_degc(forest.place, weather), kept_);
+        record_losses(stand_, species(), year, kept_);
         let_rocks_fall(year);
         record_lists(year);
     }
@@ -62,6 +67,12 @@ public:
 
 private:
     [[nodiscard]] const forest::SpeciesTable& species() const { return decades_.forest.species.table; }
+
+    void manage(std::int32_t year) {
+        const Regime& regime = decades_.management.regimes[member_.regime];
+        record_work(apply(regime, year, stand_, species(), regime_state_, {decades_.scenario.seed, member_.replicate}),
+                    regime, decades_.management.prices, year, kept_);
+    }
 
     /// The start is year 0, and a year with rocks.
     [[nodiscard]] bool has_rocks(std::int32_t year) const {
@@ -105,6 +116,7 @@ private:
     Member member_;
     int threads_;
     forest::Stand stand_;
+    RegimeState regime_state_;
     std::vector<int> tree_list_years_;
     std::vector<int> map_years_;
     std::map<std::uint64_t, rockfall::StemTally> takes_;  ///< of the running year, by tree

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "coupling/decades/management.hpp"
 #include "coupling/decades/records.hpp"
 #include "coupling/decades/year_falls.hpp"
 #include "coupling/inputs/forest_site.hpp"
@@ -13,13 +14,15 @@ namespace coupling::decades {
 struct Decades {
     const Scenario& scenario;
     const ForestSite& forest;
+    const Management& management;
     const RockSeason* rocks = nullptr;  ///< nullptr: no rockfall
 };
 
 /// Lives through all years of a member.
 ///
-/// Each year: the forest grows; in years with rockfall the rocks fall through it as it then stands, and the
-/// forest stands still while they do. Depends on the member and the scenario alone, not on `threads`. Calls
+/// Year 0 is the start: what stands is written down, rocks fall through it, and the regime does what it wants done at
+/// once. Each year after: the forest grows, people do what is due, and in years with rockfall the rocks fall through what
+/// then stands; the forest stands still while they do. Depends on the member and the scenario alone, not on `threads`. Calls
 /// `year_done` after each year, which may throw to end the work.
 MemberYears simulate(const Decades& decades, Member member, int threads,
                      const std::function<void()>& year_done);

@@ -70,6 +70,15 @@ void declare_soil(config::Options& options, ForestSettings& s) {
                  {.meaning = "shipped soil where no map says: scree, shallow, normal or deep"});
 }
 
+void declare_regimes(config::Options& options, ForestSettings& s) {
+    options.text("regimes.list", s.regimes,
+                 {.meaning = "regimes to compare, such as none, pfm1, my_regime.csv: shipped names or files",
+                  .source = "choice"});
+    options.text("regimes.timber_prices", s.timber_prices,
+                 {.meaning = "CSV of prices by species and diameter, with regimes.work_costs; none: shipped"});
+    options.text("regimes.work_costs", s.work_costs, {.meaning = "CSV of the costs of planting and tending"});
+}
+
 void declare_climate(config::Options& options, ForestSettings& s) {
     options.text(
         "climate.file", s.climate,
@@ -177,6 +186,7 @@ void declare(config::Options& options, ForestSettings& settings) {
     forest::declare(options, settings.parameters);
     declare_stands(options, settings);
     declare_soil(options, settings);
+    declare_regimes(options, settings);
     declare_climate(options, settings);
     declare_output(options, settings);
 }
@@ -201,6 +211,10 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
     }
     if (!s.stand_map.empty() && !s.stand_polygons.empty()) {
         checker.refuse("stands.polygons", "stands.polygons beside stands.map", "only one of them");
+    }
+    if (s.timber_prices.empty() != s.work_costs.empty()) {
+        checker.refuse(s.timber_prices.empty() ? "regimes.work_costs" : "regimes.timber_prices",
+                       "only one of regimes.timber_prices and regimes.work_costs", "both, or neither");
     }
     if (listed_trees && !s.stand_records.empty()) {
         checker.refuse("stands.records", "stands.records beside trees.file", "only one of them");

@@ -54,6 +54,11 @@ struct ForestSettings {
     std::uint64_t change_years = 0;     ///< until the change is complete; 0: from the first year on
     double co2_ppm = 0.0;               ///< 0: the shipped series
 
+    // [regimes]
+    std::string regimes = "none";  ///< names of shipped regimes or CSV files, parted by commas
+    std::string timber_prices;     ///< CSV, with
+    std::string work_costs;        ///< CSV; both empty: the shipped ones
+
     // [output]
     std::vector<double> tree_list_years;  ///< years of simulation, 0 = the start
     std::vector<double> map_years;

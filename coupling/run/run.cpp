@@ -180,7 +180,7 @@ int run_assessment(const RunRequest& request) {
         return profile::run_profile(request, *scenario);
     }
     config::Warnings warnings;
-    const Site site = open_site(*scenario, warnings);
+    Site site = open_site(*scenario, warnings);
     if (!request.quiet) {
         for (const std::string& sentence : warnings.sentences()) {
             std::fprintf(stderr, "bannwald: warning: %s\n", sentence.c_str());

@@ -1,0 +1,111 @@
+#include "coupling/decades/management.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/shape_input.hpp"
+#include "coupling/regimes/shipped.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::decades {
+namespace {
+
+/// Names and files, split at commas, blanks around them left out.
+std::vector<std::string> entries_of(const std::string& list) {
+    std::vector<std::string> entries;
+    std::stringstream words{list};
+    for (std::string word; std::getline(words, word, ',');) {
+        const auto first = word.find_first_not_of(" \t");
+        if (first != std::string::npos) {
+            entries.push_back(word.substr(first, word.find_last_not_of(" \t") + 1 - first));
+        }
+    }
+    return entries;
+}
+
+bool is_file(const std::string& entry) {
+    return entry.find('.') != std::string::npos;
+}
+
+config::Table table_of(const std::string& entry, Reading& reading) {
+    if (is_file(entry)) {
+        return reading.table("regimes.list", "regime", entry);
+    }
+    std::istringstream text{std::string{shipped_regime(entry)}};
+    return config::Table::read(text, joined("regime ", entry));
+}
+
+Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& reading) {
+    const PolygonsOf polygons_of = [&](const std::string& file) {
+        const config::Table table = reading.table("regimes.list", "regime polygons", file);
+        config::Problems problems;
+        std::vector<config::Shape> shapes;
+        if (table.require({"wkt"}, problems)) {
+            for (std::size_t row = 0; row < table.rows(); ++row) {
+                if (auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems)) {
+                    shapes.push_back(std::move(*shape));
+                }
+            }
+        }
+        problems.throw_if_any();
+        return shapes;
+    };
+    const std::string name =
+        is_file(entry) ? std::filesystem::path{entry}.stem().string() : entry;
+    return Regime::read(table_of(entry, reading), name, forest.species.table, forest.grid, polygons_of);
+}
+
+void refuse_entry(const std::string& entry, const std::string& expected, Reading& reading) {
+    reading.problems().add(config::ExitCode::settings, reading.scenario().options->place_of("regimes.list"),
+                           joined("regime '", entry, "'"), expected);
+}
+
+std::string shipped_in_words() {
+    std::string text;
+    for (const std::string& name : shipped_regime_names()) {
+        text += joined(text.empty() ? "" : ", ", name);
+    }
+    return text;
+}
+
+}  // namespace
+
+Management read_management(const Scenario& scenario, const ForestSite& forest, config::Warnings& warnings) {
+    Reading reading{scenario, warnings};
+    Management management;
+    std::set<std::string> names{"bare"};  // a folder of the rasters has this name
+    for (const std::string& entry : entries_of(scenario.forest.regimes)) {
+        if (!is_file(entry) && shipped_regime(entry).empty()) {
+            refuse_entry(entry, joined("one of ", shipped_in_words(), ", or the name of a CSV file"), reading);
+            continue;
+        }
+        auto regime = reading.attempt([&] { return read_regime(entry, forest, reading); });
+        if (!regime) {
+            continue;
+        }
+        if (!names.insert(regime->name()).second) {
+            refuse_entry(entry, "regimes of different names, none of them 'bare'", reading);
+        }
+        management.regimes.push_back(std::move(*regime));
+    }
+    const std::string& prices = scenario.forest.timber_prices;
+    const std::string& work = scenario.forest.work_costs;
+    auto read = reading.attempt([&] {
+        return prices.empty() ? shipped_prices(forest.species.table)
+                              : read_prices(reading.table("regimes.timber_prices", "timber_prices", prices),
+                                            reading.table("regimes.work_costs", "work_costs", work),
+                                            forest.species.table);
+    });
+    if (reading.problems().empty() && management.regimes.empty()) {
+        refuse_entry(scenario.forest.regimes, "at least one regime, such as none", reading);
+    }
+    reading.problems().throw_if_any();
+    management.prices = std::move(*read);
+    management.inputs = reading.inputs();
+    return management;
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,107 @@
+#include "coupling/decades/work_tables.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::decades {
+namespace {
+
+void write_interventions(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
+    out << "regime,replicate,year,intervention,treatment,areas,area_ha,stems,taken_m3,left_m3,plants,tended,"
+           "found_nothing\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const HarvestRow& work : member.harvest) {
+            begin_row(row, names, member.member, work.year);
+            const auto& [name, treatment] = names.interventions[member.member.regime][work.intervention];
+            row.text(name).text(treatment).whole(work.areas).number<4>(work.area_ha);
+            row.number<0>(work.stems).number<3>(work.taken_m3).number<3>(work.left_m3);
+            row.whole(work.plants).whole(work.tended).text(work.found_nothing ? "yes" : "no");
+            row.end();
+        }
+    }
+}
+
+void write_timber(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
+    out << "regime,replicate,year,species,dbh_from_cm,dbh_to_cm,stems,taken_m3,left_m3\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const TimberRow& timber : member.timber) {
+            begin_row(row, names, member.member, timber.year);
+            row.text(names.species.all()[timber.species].code);
+            add_dbh_class(row, timber.dbh_class);
+            row.number<0>(timber.timber.stems).number<3>(timber.timber.taken_m3);
+            row.number<3>(timber.timber.left_m3);
+            row.end();
+        }
+    }
+}
+
+void write_margins(std::ostream& out, const Names& names, std::span<const MemberYears> members,
+                   double area_ha) {
+    out << "regime,replicate,year,revenue_eur_pha,harvest_cost_eur_pha,young_growth_cost_eur_pha,"
+           "contribution_margin_eur_pha\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const MarginRow& year : member.margins) {
+            begin_row(row, names, member.member, year.year);
+            row.number<2>(year.margin.revenue_eur / area_ha).number<2>(year.margin.harvest_eur / area_ha);
+            row.number<2>(year.margin.young_eur / area_ha);
+            row.number<2>(year.margin.contribution_eur() / area_ha);
+            row.end();
+        }
+    }
+}
+
+void write_removed(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
+    out << "regime,replicate,year,tree_id,x_m,y_m,species,dbh_cm,height_m,reason\n";
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const RemovedRow& tree : member.removed) {
+            begin_row(row, names, member.member, tree.year);
+            row.whole(tree.tree).number<2>(tree.x_m).number<2>(tree.y_m);
+            row.text(names.species.all()[tree.species].code).number<2>(tree.dbh_cm).number<2>(tree.height_m);
+            row.text(forest::name_of(tree.cause));
+            row.end();
+        }
+    }
+}
+
+template <class Row>
+bool any(std::span<const MemberYears> members, std::vector<Row> MemberYears::* rows) {
+    return std::any_of(members.begin(), members.end(),
+                       [&](const MemberYears& member) { return !(member.*rows).empty(); });
+}
+
+}  // namespace
+
+std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, const Names& names,
+                                           std::span<const MemberYears> members, double area_ha) {
+    make_folder(folder / "tables");
+    std::vector<WrittenFile> written;
+    const auto write = [&](const std::string& name, const std::string& sentence,
+                           const std::function<void(std::ostream&)>& fill) {
+        OutFile file{folder / "tables" / name};
+        fill(file.stream());
+        file.close();
+        written.push_back({joined("tables/", name), sentence});
+    };
+    if (any(members, &MemberYears::harvest)) {
+        write("interventions.csv", "What people did each year, and what was due but found nothing to do.",
+              [&](std::ostream& out) { write_interventions(out, names, members); });
+        write("timber.csv", "Felled wood by species and diameter class: taken and left.",
+              [&](std::ostream& out) { write_timber(out, names, members); });
+        write("margins.csv", "Revenue, costs and contribution margin of each year with work, per hectare.",
+              [&](std::ostream& out) { write_margins(out, names, members, area_ha); });
+    }
+    if (any(members, &MemberYears::removed)) {
+        write("removed_trees.csv", "Every tree that rocks broke, uprooted or wounded to death.",
+              [&](std::ostream& out) { write_removed(out, names, members); });
+    }
+    return written;
+}
+
+}  // namespace coupling::decades
