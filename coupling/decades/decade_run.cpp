@@ -49,11 +49,12 @@ std::vector<rockfall::Stem> standing_stems(const ForestSite& forest) {
     return stems;
 }
 
-/// Lives through the members that have no part yet: several at a time, or the rocks of one on several threads where
-/// there are fewer members than threads. Throws Interrupted.
+/// Lives through the members that have no part yet: several at a time, or the rocks of one on several threads
+/// where there are fewer members than threads. Throws Interrupted.
 void live_missing(const Decades& decades, std::span<const Member> missing, std::uint64_t done_before,
                   const OutputFolder& folder, const std::string& hash, const RunRequest& request) {
-    Progress progress{"simulating years", decades.scenario.years * missing.size() + done_before, done_before, request.quiet};
+    Progress progress{"simulating years", decades.scenario.years * missing.size() + done_before, done_before,
+                      request.quiet};
     std::mutex progress_mutex;
     const auto year_done = [&] {
         if (InterruptGuard::requested()) {
@@ -73,7 +74,8 @@ void live_missing(const Decades& decades, std::span<const Member> missing, std::
         error.guard([&] {
             const Member& member = missing[static_cast<std::size_t>(i)];
             const MemberYears years = simulate(decades, member, threads_each, year_done);
-            // Until the first member is through there is nothing to keep, and an interrupted run leaves nothing behind.
+            // Until the first member is through there is nothing to keep, and an interrupted run leaves
+            // nothing behind.
             const std::lock_guard lock{parts_mutex};
             write_marker(folder.checkpoint(), hash);
             write_part(part_of(folder, member), hash, years);
@@ -107,7 +109,8 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
         }
         const auto percent = [](const PairedCounts& counts) {
             const auto effect = protection_effect(counts);
-            return effect ? joined(report::fixed(100.0 * effect->value, 1), " %") : std::string{"no rock arrives"};
+            return effect ? joined(report::fixed(100.0 * effect->value, 1), " %")
+                          : std::string{"no rock arrives"};
         };
         std::printf("  %s, %s: the forest keeps away %s at the start, %s at the end\n",
                     results.site.targets[target].name.c_str(), results.names.regimes[regime].c_str(),
@@ -115,20 +118,24 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
     }
 }
 
-void print_summary(const DecadeResults& results, const fs::path& folder, const std::vector<WrittenFile>& files) {
+void print_summary(const DecadeResults& results, const fs::path& folder,
+                   const std::vector<WrittenFile>& files) {
     const forest::PatchGrid& grid = results.site.forest->grid;
     std::printf("%llu years of %.2f ha forest (%zu patches), %zu regimes, %llu replicates",
                 static_cast<unsigned long long>(results.scenario.years), grid.area_ha(), grid.size(),
-                results.names.regimes.size(), static_cast<unsigned long long>(results.scenario.forest.replicates));
+                results.names.regimes.size(),
+                static_cast<unsigned long long>(results.scenario.forest.replicates));
     results.rocks > 0 ? std::printf(", %llu rocks a year\n", static_cast<unsigned long long>(results.rocks))
                       : std::printf(", no rockfall\n");
     const MemberYears& member = results.members.front();
     for (const StandRow& row : member.stands) {
         if (row.unit == all && row.species == all &&
             (row.year == 0 || row.year == static_cast<std::int32_t>(results.scenario.years))) {
-            std::printf("  year %d (%s, replicate 1): %.0f stems/ha, %.1f m2/ha, %.0f m3/ha, dominant height %.1f m\n",
-                        row.year, results.names.regimes[member.member.regime].c_str(), row.figures.stems_pha,
-                        row.figures.basal_area_m2pha, row.figures.volume_m3pha, row.figures.dominant_height_m);
+            std::printf(
+                "  year %d (%s, replicate 1): %.0f stems/ha, %.1f m2/ha, %.0f m3/ha, dominant height %.1f "
+                "m\n",
+                row.year, results.names.regimes[member.member.regime].c_str(), row.figures.stems_pha,
+                row.figures.basal_area_m2pha, row.figures.volume_m3pha, row.figures.dominant_height_m);
         }
     }
     for (std::uint32_t target = 0; results.rocks > 0 && target < results.site.targets.size(); ++target) {
@@ -156,7 +163,8 @@ Names names_of(const Management& management, const forest::SpeciesTable& species
 }
 
 /// All members, from their parts, in order.
-std::vector<MemberYears> read_all(std::span<const Member> members, const OutputFolder& folder, const std::string& hash) {
+std::vector<MemberYears> read_all(std::span<const Member> members, const OutputFolder& folder,
+                                  const std::string& hash) {
     std::vector<MemberYears> years;
     for (const Member& member : members) {
         years.push_back(read_part(part_of(folder, member), hash).value());
@@ -170,7 +178,8 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
     const Management management = read_management(scenario, *site.forest, warnings);
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
     const fs::path out = request.out.empty() ? scenario.file.parent_path() / "out" : request.out;
-    const std::string hash = settings_hash(scenario, site.inputs);  // the inputs of the regimes are among them
+    const std::string hash =
+        settings_hash(scenario, site.inputs);  // the inputs of the regimes are among them
     OutputFolder folder{out, hash, request.overwrite};
     const InterruptGuard guard;
     std::optional<RockSeason> rocks;
@@ -184,14 +193,17 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
     std::copy_if(members.begin(), members.end(), std::back_inserter(missing),
                  [&](const Member& member) { return !has_part(part_of(folder, member), hash); });
     try {
-        live_missing(decades, missing, scenario.years * (members.size() - missing.size()), folder, hash, request);
+        live_missing(decades, missing, scenario.years * (members.size() - missing.size()), folder, hash,
+                     request);
     } catch (const Interrupted&) {
-        std::fprintf(stderr,
-                     "bannwald: interrupted; the finished members are kept, run the same command again to go on\n");
+        std::fprintf(
+            stderr,
+            "bannwald: interrupted; the finished members are kept, run the same command again to go on\n");
         return static_cast<int>(config::ExitCode::interrupted);
     }
     const std::vector<MemberYears> years = read_all(members, folder, hash);
-    const DecadeResults results{scenario, site, names, years, rocks ? rocks->rocks() : 0, warnings, version()};
+    const DecadeResults results{scenario, site,     names, years, rocks ? rocks->rocks() : 0,
+                                warnings, version()};
     make_folder(folder.staging());
     const std::vector<WrittenFile> files = write_results(results, folder.staging());
     folder.publish();

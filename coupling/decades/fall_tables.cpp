@@ -59,7 +59,8 @@ void write_runs(std::ostream& out, const Names& names, std::span<const MemberYea
 
 using Cells = std::vector<rockfall::CellSums>;
 
-/// The cells of a year, summed over replicates; of the bare slope those of the first regime, for all have the same.
+/// The cells of a year, summed over replicates; of the bare slope those of the first regime, for all have the
+/// same.
 std::map<std::pair<std::string, std::int32_t>, Cells> summed(const Names& names,
                                                              std::span<const MemberYears> members) {
     std::map<std::pair<std::string, std::int32_t>, Cells> sums;
@@ -131,9 +132,8 @@ std::vector<WrittenFile> write_fall_maps(const std::filesystem::path& folder, co
             const std::string path = joined("rasters/rockfall/", part, "/year_", number);
             make_folder(folder / path);
             const config::Raster<float> raster = raster_of_cells(kind, site.map_frame, cells);
-            const std::string sentence =
-                joined(kind.stem, " [", kind.unit, "]: ", kind.meaning, "; year ", number, ", ",
-                       part == "bare" ? "bare slope." : part);
+            const std::string sentence = joined(kind.stem, " [", kind.unit, "]: ", kind.meaning, "; year ",
+                                                number, ", ", part == "bare" ? "bare slope." : part);
             written.push_back(write_raster(folder, {joined(path, "/", kind.stem), sentence, raster},
                                            site.projection, kind, range));
         }

@@ -53,8 +53,7 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
         problems.throw_if_any();
         return shapes;
     };
-    const std::string name =
-        is_file(entry) ? std::filesystem::path{entry}.stem().string() : entry;
+    const std::string name = is_file(entry) ? std::filesystem::path{entry}.stem().string() : entry;
     return Regime::read(table_of(entry, reading), name, forest.species.table, forest.grid, polygons_of);
 }
 
@@ -79,7 +78,8 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
     std::set<std::string> names{"bare"};  // a folder of the rasters has this name
     for (const std::string& entry : entries_of(scenario.forest.regimes)) {
         if (!is_file(entry) && shipped_regime(entry).empty()) {
-            refuse_entry(entry, joined("one of ", shipped_in_words(), ", or the name of a CSV file"), reading);
+            refuse_entry(entry, joined("one of ", shipped_in_words(), ", or the name of a CSV file"),
+                         reading);
             continue;
         }
         auto regime = reading.attempt([&] { return read_regime(entry, forest, reading); });

@@ -7,14 +7,15 @@ namespace {
 
 std::uint32_t row_of(const Regime& regime, const std::string& name) {
     const auto& rows = regime.interventions();
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const Intervention& row) { return row.name == name; });
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const Intervention& row) { return row.name == name; });
     return static_cast<std::uint32_t>(found - rows.begin());
 }
 
 }  // namespace
 
-void record_work(const RegimeReport& report, const Regime& regime, const PriceTable& prices, std::int32_t year,
-                 MemberYears& kept) {
+void record_work(const RegimeReport& report, const Regime& regime, const PriceTable& prices,
+                 std::int32_t year, MemberYears& kept) {
     if (report.entries.empty()) {
         return;
     }

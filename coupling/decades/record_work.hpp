@@ -7,7 +7,7 @@
 namespace coupling::decades {
 
 /// Writes down what people did in a year and what it brought. Years without anything due leave nothing.
-void record_work(const RegimeReport& report, const Regime& regime, const PriceTable& prices, std::int32_t year,
-                 MemberYears& kept);
+void record_work(const RegimeReport& report, const Regime& regime, const PriceTable& prices,
+                 std::int32_t year, MemberYears& kept);
 
 }  // namespace coupling::decades

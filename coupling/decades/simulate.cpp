@@ -70,7 +70,8 @@ private:
 
     void manage(std::int32_t year) {
         const Regime& regime = decades_.management.regimes[member_.regime];
-        record_work(apply(regime, year, stand_, species(), regime_state_, {decades_.scenario.seed, member_.replicate}),
+        record_work(apply(regime, year, stand_, species(), regime_state_,
+                          {decades_.scenario.seed, member_.replicate}),
                     regime, decades_.management.prices, year, kept_);
     }
 
@@ -102,7 +103,8 @@ private:
                 const auto take = takes_.find(kept_.trees[i].tree);
                 if (take != takes_.end()) {
                     kept_.trees[i].rock_hits = take->second.hits;
-                    kept_.trees[i].rock_energy_kj = static_cast<float>(static_cast<double>(take->second.energy_j) / 1000.0);
+                    kept_.trees[i].rock_energy_kj =
+                        static_cast<float>(static_cast<double>(take->second.energy_j) / 1000.0);
                 }
             }
         }

@@ -20,10 +20,10 @@ struct Decades {
 
 /// Lives through all years of a member.
 ///
-/// Year 0 is the start: what stands is written down, rocks fall through it, and the regime does what it wants done at
-/// once. Each year after: the forest grows, people do what is due, and in years with rockfall the rocks fall through what
-/// then stands; the forest stands still while they do. Depends on the member and the scenario alone, not on `threads`. Calls
-/// `year_done` after each year, which may throw to end the work.
+/// Year 0 is the start: what stands is written down, rocks fall through it, and the regime does what it wants
+/// done at once. Each year after: the forest grows, people do what is due, and in years with rockfall the
+/// rocks fall through what then stands; the forest stands still while they do. Depends on the member and the
+/// scenario alone, not on `threads`. Calls `year_done` after each year, which may throw to end the work.
 MemberYears simulate(const Decades& decades, Member member, int threads,
                      const std::function<void()>& year_done);
 

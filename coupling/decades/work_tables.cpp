@@ -71,7 +71,7 @@ void write_removed(std::ostream& out, const Names& names, std::span<const Member
 }
 
 template <class Row>
-bool any(std::span<const MemberYears> members, std::vector<Row> MemberYears::* rows) {
+bool any(std::span<const MemberYears> members, std::vector<Row> MemberYears::*rows) {
     return std::any_of(members.begin(), members.end(),
                        [&](const MemberYears& member) { return !(member.*rows).empty(); });
 }

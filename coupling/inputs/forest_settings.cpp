@@ -74,8 +74,9 @@ void declare_regimes(config::Options& options, ForestSettings& s) {
     options.text("regimes.list", s.regimes,
                  {.meaning = "regimes to compare, such as none, pfm1, my_regime.csv: shipped names or files",
                   .source = "choice"});
-    options.text("regimes.timber_prices", s.timber_prices,
-                 {.meaning = "CSV of prices by species and diameter, with regimes.work_costs; none: shipped"});
+    options.text(
+        "regimes.timber_prices", s.timber_prices,
+        {.meaning = "CSV of prices by species and diameter, with regimes.work_costs; none: shipped"});
     options.text("regimes.work_costs", s.work_costs, {.meaning = "CSV of the costs of planting and tending"});
 }
 

@@ -216,17 +216,6 @@ void declare(config::Options& options, Scenario& scenario) {
 }
 
 std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
-                                        const std::vector<std::string>& overrides) {
-    auto scenario = read_any_scenario(file, overrides);
-    if (scenario->years != 0) {
-        config::fail(config::ExitCode::settings, scenario->options->place_of("run.years"),
-                     "run.years " + std::to_string(scenario->years),
-                     "0: this version assesses the trees as they stand");
-    }
-    return scenario;
-}
-
-std::unique_ptr<Scenario> read_any_scenario(const std::filesystem::path& file,
                                             const std::vector<std::string>& overrides) {
     auto scenario = std::make_unique<Scenario>();
     scenario->file = file;
@@ -246,6 +235,11 @@ std::unique_ptr<Scenario> read_any_scenario(const std::filesystem::path& file,
 
 bool has_rocks(const Scenario& scenario) {
     return scenario.years == 0 || scenario.forest.rockfall_every > 0;
+}
+
+std::unique_ptr<Scenario> read_any_scenario(const std::filesystem::path& file,
+                                            const std::vector<std::string>& overrides) {
+    return read_scenario(file, overrides);
 }
 
 rockfall::StartLaw start_law(const Scenario& scenario) {

@@ -33,7 +33,7 @@ struct SomeYears {
     [[nodiscard]] std::string page() const {
         std::ostringstream out;
         write_decade_page(out, {.scenario = *scenario,
-                                .names = {regimes, species},
+                                .names = {regimes, {}, species},
                                 .grid = grid,
                                 .members = members,
                                 .warnings = warnings,
