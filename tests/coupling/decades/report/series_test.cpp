@@ -26,7 +26,7 @@ TEST(ViewOf, FindsRowsByYearWhateverTheOrderOfMembers) {
     some.add_member(1, 1, {4.0, 5.0});
     some.add_member(1, 0, {2.0, 3.0});
     some.add_member(0, 0, {1.0, 9.0});
-    const Names names{some.regimes, some.species};
+    const Names names{some.regimes, {}, some.species};
     const RunView run = view_of(names, some.members);
     ASSERT_EQ(run.regimes.size(), 2U);
     EXPECT_EQ(run.years, 1U);
