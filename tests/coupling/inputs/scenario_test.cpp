@@ -84,13 +84,6 @@ TEST(Scenario, RefusesInputsThatExcludeEachOther) {
               std::string::npos);
 }
 
-TEST(Scenario, DoesNotYetSimulateYears) {
-    EXPECT_NE(
-        errors_of({"run.years=30", "forest.latitude_deg=47", "soil.type=normal", "climate.file=climate.csv"})
-            .find("found run.years 30, expected 0"),
-        std::string::npos);
-}
-
 TEST(Scenario, TellsAllProblemsAtOnce) {
     const std::string errors = errors_of({"release.source=", "run.years=30", "release.rocks_per_source=0"});
     EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 4) << errors;
