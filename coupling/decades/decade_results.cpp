@@ -1,11 +1,24 @@
 #include "coupling/decades/decade_results.hpp"
 
+#include "coupling/decades/comparison.hpp"
 #include "coupling/decades/fall_tables.hpp"
 #include "coupling/decades/patch_maps.hpp"
 #include "coupling/decades/report/decade_page.hpp"
+#include "coupling/decades/report/protection.hpp"
 #include "coupling/decades/work_tables.hpp"
 
 namespace coupling::decades {
+
+namespace {
+
+std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series) {
+    if (results.rocks == 0 || results.site.targets.empty()) {
+        return {};
+    }
+    return {{"Protection over the years", protection_over_years(results.names, results.site, series)}};
+}
+
+}  // namespace
 
 std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder) {
     std::vector<WrittenFile> files{
@@ -26,6 +39,8 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     if (results.rocks > 0) {
         add(write_fall_maps(folder, results.names, results.site, results.members));
     }
+    const std::vector<Series> series = series_of(results.names, results.site, results.members);
+    add(write_comparison(folder, results.names, series));
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);
     summary.close();
@@ -39,7 +54,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                                       .files = files,
                                       .version = results.version,
                                       .climate = "",
-                                      .first = {}});
+                                      .first = first_sections(results, series)});
     page.close();
     return files;
 }

@@ -172,6 +172,17 @@ YearWeather ClimateSource::weather(int year, std::uint32_t replicate,
     return weather;
 }
 
+double ClimateSource::usual_summer_mm(double elevation_m) const {
+    const forest::ClimateSeries there = at_elevation(series, elevation_m - *series.elevation_m, lapse_rates);
+    double sum_mm = 0.0;
+    for (const forest::ClimateYear& year : there.years) {
+        for (const std::size_t month : {5, 6, 7}) {
+            sum_mm += year.months[month].prec_mm;
+        }
+    }
+    return sum_mm / static_cast<double>(there.years.size());
+}
+
 double ClimateSource::degree_days(double elevation_m) const {
     const forest::ClimateSeries there = at_elevation(series, elevation_m - *series.elevation_m, lapse_rates);
     double sum = 0.0;

@@ -18,10 +18,11 @@ struct YearWeather {
     std::vector<forest::ClimateYear> units;  ///< one for each site unit, at its elevation
     double co2_ppm = 350.0;
     bool co2_response = false;
-    int source_year = 0;  ///< year of the series that stands for this one
+    int source_year = 0;                        ///< year of the series that stands for this one
+    std::span<const double> usual_summer_mm{};  ///< by site unit; of the source of this weather
 
     /// As the forest takes it; lives as long as this object.
-    [[nodiscard]] forest::SiteWeather view() const { return {units, co2_ppm, co2_response}; }
+    [[nodiscard]] forest::SiteWeather view() const { return {units, co2_ppm, co2_response, usual_summer_mm}; }
 };
 
 /// Where the weather of simulated years comes from.
@@ -44,6 +45,8 @@ struct ClimateSource {
     /// same seed.
     [[nodiscard]] YearWeather weather(int year, std::uint32_t replicate,
                                       std::span<const double> elevations_m) const;
+    /// Precipitation of June to August in a mean year of the window, without the change [mm].
+    [[nodiscard]] double usual_summer_mm(double elevation_m) const;
     /// Degree-days above 5.5 degC of a mean year of the window, without the change.
     [[nodiscard]] double degree_days(double elevation_m) const;
     /// Global radiation of mean days of the months [MJ/m2].

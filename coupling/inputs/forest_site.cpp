@@ -206,7 +206,9 @@ YearWeather ForestSite::weather(int calendar_year, std::uint32_t replicate) cons
     for (const forest::SiteUnit& unit : place.units()) {
         elevations_m.push_back(unit.elevation_m);
     }
-    return climate.weather(calendar_year, replicate, elevations_m);
+    YearWeather weather = climate.weather(calendar_year, replicate, elevations_m);
+    weather.usual_summer_mm = usual_summer_mm;
+    return weather;
 }
 
 std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
@@ -230,9 +232,13 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
                                                         .grid = std::move(ground->grid),
                                                         .place = std::move(place),
                                                         .climate = std::move(*files.climate),
+                                                        .usual_summer_mm = {},
                                                         .listed = {},
                                                         .inventory = std::move(inventory),
                                                         .obstacles = {}});
+    for (const forest::SiteUnit& unit : site->place.units()) {
+        site->usual_summer_mm.push_back(site->climate.usual_summer_mm(unit.elevation_m));
+    }
     for (forest::StandRecord& record : site->inventory) {
         record.degree_days = site->climate.degree_days(mean_elevation_m(site->grid, record.patches));
     }

@@ -25,7 +25,8 @@ struct ForestSite {
     forest::PatchGrid grid;  ///< cells of 10 m at multiples of 10 m; management_unit is the stand number
     forest::Site place;
     ClimateSource climate;
-    std::vector<forest::Tree> listed;            ///< trees of the list that grow, or
+    std::vector<double> usual_summer_mm;  ///< precipitation of June to August in a mean year, by site unit
+    std::vector<forest::Tree> listed;     ///< trees of the list that grow, or
     std::vector<forest::StandRecord> inventory;  ///< by rising stand number; both empty: bare ground
     std::vector<TreeRecord>
         obstacles;  ///< trees of the list on no patch, which stand as they are; with rocks on the terrain
@@ -35,7 +36,8 @@ struct ForestSite {
     /// The forest at the beginning, in the calendar year before the first simulated one. A list gives the
     /// same trees to all replicates, an inventory other places in each.
     [[nodiscard]] forest::Stand start(std::uint64_t seed, std::uint32_t replicate) const;
-    /// The weather of a calendar year, for Stand::year() + 1. The change of climate is in it.
+    /// The weather of a calendar year, for Stand::year() + 1. The change of climate is in it. Refers to the
+    /// site.
     [[nodiscard]] YearWeather weather(int calendar_year, std::uint32_t replicate) const;
 };
 

@@ -237,11 +237,6 @@ bool has_rocks(const Scenario& scenario) {
     return scenario.years == 0 || scenario.forest.rockfall_every > 0;
 }
 
-std::unique_ptr<Scenario> read_any_scenario(const std::filesystem::path& file,
-                                            const std::vector<std::string>& overrides) {
-    return read_scenario(file, overrides);
-}
-
 rockfall::StartLaw start_law(const Scenario& scenario) {
     rockfall::StartLaw law;
     law.diameter = diameter_law(scenario);

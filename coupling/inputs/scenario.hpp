@@ -93,9 +93,6 @@ void declare(config::Options& options, Scenario& scenario);
 /// Reads a scenario file and `section.key=value` overrides. Throws InputError with every problem found.
 std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// The same for a scenario whose years may be above 0.
-std::unique_ptr<Scenario> read_any_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides);
-
 /// Whether rocks fall: always today, over years unless run.rockfall_every is 0.
 bool has_rocks(const Scenario& scenario);
 

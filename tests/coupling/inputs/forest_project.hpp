@@ -59,7 +59,7 @@ inline Opened open_years(const SampleProject& project, const std::vector<std::st
     Opened opened;
     config::Warnings warnings;
     try {
-        opened.scenario = read_any_scenario(project.file("scenario.ini"), overrides);
+        opened.scenario = read_scenario(project.file("scenario.ini"), overrides);
         opened.site = std::make_unique<Site>(open_site(*opened.scenario, warnings));
     } catch (const config::InputError& error) {
         opened.code = error.code();

@@ -1,0 +1,241 @@
+#include "coupling/decades/comparison.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "coupling/decades/report/series.hpp"
+#include "coupling/results/csv_row.hpp"
+
+namespace coupling::decades {
+namespace {
+
+/// Places for the figures of all members.
+Series empty_series(const Names& names, std::span<const MemberYears> members, std::string quantity,
+                    std::string target, bool low_is_bad) {
+    Series series{std::move(quantity), std::move(target), low_is_bad, {}};
+    series.values.resize(names.regimes.size());
+    for (const MemberYears& member : members) {
+        auto& replicates = series.values[member.member.regime];
+        replicates.resize(std::max<std::size_t>(replicates.size(), member.member.replicate + 1));
+    }
+    return series;
+}
+
+std::map<std::int32_t, double>& of_member(Series& series, const MemberYears& member) {
+    return series.values[member.member.regime][member.member.replicate];
+}
+
+void add_targets(std::vector<Series>& all_series, const Names& names, const Site& site,
+                 std::span<const MemberYears> members) {
+    for (std::uint32_t t = 0; t < site.targets.size(); ++t) {
+        const std::string& id = site.targets[t].id;
+        Series protection = empty_series(names, members, "protection_percent", id, true);
+        Series reached = empty_series(names, members, "reached_percent", id, false);
+        Series energy = empty_series(names, members, "energy_95_kj", id, false);
+        for (const MemberYears& member : members) {
+            for (const TargetRow& row : member.targets) {
+                if (row.target != t) {
+                    continue;
+                }
+                if (const auto effect = protection_effect(row.paired)) {
+                    of_member(protection, member)[row.year] = 100.0 * effect->value;
+                }
+                of_member(reached, member)[row.year] = 100.0 * row.forest.share.value;
+                if (!std::isnan(row.forest.energy_kj.p95)) {
+                    of_member(energy, member)[row.year] = row.forest.energy_kj.p95;
+                }
+            }
+        }
+        all_series.push_back(std::move(protection));
+        all_series.push_back(std::move(reached));
+        all_series.push_back(std::move(energy));
+    }
+}
+
+void add_forest(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members) {
+    Series basal_area = empty_series(names, members, "basal_area_m2pha", "", true);
+    Series volume = empty_series(names, members, "volume_m3pha", "", true);
+    Series stems = empty_series(names, members, "stems_pha", "", true);
+    Series felled = empty_series(names, members, "felled_m3pha", "", false);
+    for (const MemberYears& member : members) {
+        for (const StandRow& row : member.stands) {
+            if (row.unit == all && row.species == all) {
+                of_member(basal_area, member)[row.year] = row.figures.basal_area_m2pha;
+                of_member(volume, member)[row.year] = row.figures.volume_m3pha;
+                of_member(stems, member)[row.year] = row.figures.stems_pha;
+                of_member(felled, member)[row.year] = 0.0;
+            }
+        }
+        for (const LossRow& row : member.losses) {
+            if (row.cause == forest::Cause::felled) {
+                of_member(felled, member)[row.year] = row.loss.volume_m3pha;
+            }
+        }
+    }
+    for (Series* series : {&basal_area, &volume, &stems, &felled}) {
+        all_series.push_back(std::move(*series));
+    }
+}
+
+template <class Fill>
+WrittenFile write_table(const std::filesystem::path& folder, const char* name, const char* sentence,
+                        const char* header, const Fill& fill) {
+    OutFile file{folder / "tables" / name};
+    file.stream() << header << '\n';
+    CsvRow row{file.stream()};
+    fill(row);
+    file.close();
+    return {std::string{"tables/"}.append(name), sentence};
+}
+
+}  // namespace
+
+std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members) {
+    std::vector<Series> all_series;
+    add_targets(all_series, names, site, members);
+    add_forest(all_series, names, members);
+    return all_series;
+}
+
+std::vector<std::int32_t> years_of(const Series& series) {
+    std::set<std::int32_t> years;
+    for (const auto& replicates : series.values) {
+        for (const auto& values : replicates) {
+            for (const auto& [year, value] : values) {
+                years.insert(year);
+            }
+        }
+    }
+    return {years.begin(), years.end()};
+}
+
+std::optional<OverReplicates> over_replicates(const Series& series, std::size_t regime, std::int32_t year) {
+    std::vector<double> values;
+    for (const auto& replicate : series.values[regime]) {
+        const auto found = replicate.find(year);
+        if (found != replicate.end()) {
+            values.push_back(found->second);
+        }
+    }
+    if (values.empty()) {
+        return std::nullopt;
+    }
+    const std::size_t count = values.size();
+    const Band band = band_of(std::move(values));
+    return OverReplicates{count, band.mean, band.low, band.high};
+}
+
+std::optional<PairedDifference> difference(const Series& series, std::size_t regime, std::size_t reference,
+                                           std::int32_t year) {
+    std::vector<double> differences;
+    const std::size_t replicates = std::min(series.values[regime].size(), series.values[reference].size());
+    for (std::size_t r = 0; r < replicates; ++r) {
+        const auto here = series.values[regime][r].find(year);
+        const auto there = series.values[reference][r].find(year);
+        if (here != series.values[regime][r].end() && there != series.values[reference][r].end()) {
+            differences.push_back(here->second - there->second);
+        }
+    }
+    if (differences.empty()) {
+        return std::nullopt;
+    }
+    const auto n = static_cast<double>(differences.size());
+    double mean = 0.0;
+    for (const double d : differences) {
+        mean += d / n;
+    }
+    PairedDifference found{differences.size(), mean, std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::quiet_NaN()};
+    if (differences.size() > 1) {
+        double squares = 0.0;
+        for (const double d : differences) {
+            squares += (d - mean) * (d - mean);
+        }
+        const double error = std::sqrt(squares / (n - 1.0) / n);
+        const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
+        found.low = mean - t * error;
+        found.high = mean + t * error;
+    }
+    return found;
+}
+
+std::optional<Extreme> worst_year(const Series& series, std::size_t regime) {
+    std::optional<Extreme> worst;
+    for (const std::int32_t year : years_of(series)) {
+        const auto here = over_replicates(series, regime, year);
+        if (!here) {
+            continue;
+        }
+        const bool is_worse =
+            !worst || (series.low_is_bad ? here->mean < worst->value.mean : here->mean > worst->value.mean);
+        if (is_worse) {
+            worst = {year, *here};
+        }
+    }
+    return worst;
+}
+
+std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, const Names& names,
+                                          std::span<const Series> all_series) {
+    make_folder(folder / "tables");
+    std::vector<WrittenFile> written;
+    written.push_back(write_table(
+        folder, "regimes_by_year.csv",
+        "Each regime in each year: mean of the replicates and where nine in ten lie.",
+        "regime,target_id,quantity,year,replicates,mean,low_5,high_95", [&](CsvRow& row) {
+            for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+                for (const Series& series : all_series) {
+                    for (const std::int32_t year : years_of(series)) {
+                        if (const auto v = over_replicates(series, regime, year)) {
+                            row.text(names.regimes[regime]).text(series.target).text(series.quantity);
+                            row.whole(static_cast<std::uint32_t>(year)).whole(v->replicates);
+                            row.number<3>(v->mean).number<3>(v->low).number<3>(v->high);
+                            row.end();
+                        }
+                    }
+                }
+            }
+        }));
+    written.push_back(write_table(
+        folder, "regimes_worst_year.csv",
+        "The year in which each regime is worst, by the mean of its replicates.",
+        "regime,target_id,quantity,worst,year,mean,low_5,high_95", [&](CsvRow& row) {
+            for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+                for (const Series& series : all_series) {
+                    if (const auto worst = worst_year(series, regime)) {
+                        row.text(names.regimes[regime]).text(series.target).text(series.quantity);
+                        row.text(series.low_is_bad ? "lowest" : "highest");
+                        row.whole(static_cast<std::uint32_t>(worst->year)).number<3>(worst->value.mean);
+                        row.number<3>(worst->value.low).number<3>(worst->value.high);
+                        row.end();
+                    }
+                }
+            }
+        }));
+    if (names.regimes.size() < 2) {
+        return written;
+    }
+    written.push_back(write_table(
+        folder, "regime_differences.csv",
+        "Each regime minus the first one, replicate by replicate: mean and 95 % interval.",
+        "regime,reference,target_id,quantity,year,pairs,mean_difference,low_95,high_95", [&](CsvRow& row) {
+            for (std::size_t regime = 1; regime < names.regimes.size(); ++regime) {
+                for (const Series& series : all_series) {
+                    for (const std::int32_t year : years_of(series)) {
+                        if (const auto d = difference(series, regime, 0, year)) {
+                            row.text(names.regimes[regime]).text(names.regimes[0]).text(series.target);
+                            row.text(series.quantity).whole(static_cast<std::uint32_t>(year)).whole(d->pairs);
+                            row.number<3>(d->mean).number<3>(d->low).number<3>(d->high);
+                            row.end();
+                        }
+                    }
+                }
+            }
+        }));
+    return written;
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/decades/decade_tables.hpp"
+#include "coupling/decades/records.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/out_file.hpp"
+
+namespace coupling::decades {
+
+/// A figure of every member and year in which it is known: regimes see the same climate and rocks, so their
+/// replicates are pairs.
+struct Series {
+    std::string quantity;    ///< with its unit, such as "protection_percent"
+    std::string target;      ///< id, empty for figures of the forest
+    bool low_is_bad = true;  ///< which extreme over the years is told
+    std::vector<std::vector<std::map<std::int32_t, double>>> values;  ///< [regime][replicate][year]
+};
+
+/// Protection, reaching rocks and their energy at each target; basal area, volume, stems and harvest of the
+/// forest.
+std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members);
+
+/// A figure over the replicates of a regime in a year.
+struct OverReplicates {
+    std::size_t replicates = 0;
+    double mean = 0.0;
+    double low = 0.0;   ///< 5 %, straight between the values; the only value of one
+    double high = 0.0;  ///< 95 %
+};
+/// Nothing where no replicate knows the figure.
+std::optional<OverReplicates> over_replicates(const Series& series, std::size_t regime, std::int32_t year);
+
+/// Mean difference of pairs with its 95 % interval (Student's t). Unknown for fewer than two pairs: NaN.
+struct PairedDifference {
+    std::size_t pairs = 0;
+    double mean = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+};
+std::optional<PairedDifference> difference(const Series& series, std::size_t regime, std::size_t reference,
+                                           std::int32_t year);
+
+/// The year in which the mean over replicates is lowest (highest where high is bad); the first of several.
+struct Extreme {
+    std::int32_t year = 0;
+    OverReplicates value;
+};
+std::optional<Extreme> worst_year(const Series& series, std::size_t regime);
+
+/// Years in which any member knows the figure, rising.
+std::vector<std::int32_t> years_of(const Series& series);
+
+/// Writes tables/regimes_by_year.csv, regimes_worst_year.csv and, for two regimes and more,
+/// regime_differences.csv (each against the first regime). Throws config::InputError (file).
+std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, const Names& names,
+                                          std::span<const Series> series);
+
+}  // namespace coupling::decades
