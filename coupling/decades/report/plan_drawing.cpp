@@ -190,6 +190,8 @@ Drawing PlanDrawing::crowns(const DrawnTrees& trees, const Transect& strip) cons
 Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& window) const {
     constexpr std::array<float, 4> limits_cm{12.0F, 24.0F, 36.0F, 52.0F};
     const Chosen chosen = largest(trees, &TreeRow::dbh_cm, most_points);
+    // Points shrink with the map, but not out of sight.
+    const double scale = std::clamp(per_m_, 0.9, 3.0);
     // By size, then by species: one path each.
     std::map<std::pair<std::size_t, std::uint32_t>, std::string> paths;
     for (const TreeRow* tree : chosen.trees) {
@@ -201,8 +203,8 @@ Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& wi
     std::string svg;
     for (const auto& [key, path] : paths) {
         svg += joined("<path class=\"", fill_of_species(key.second), "-line\"",
-                      report::attribute("stroke-width", 0.8 + 0.6 * static_cast<double>(key.first)), " d=\"",
-                      path, "\"/>");
+                      report::attribute("stroke-width", scale * (0.7 + 0.5 * static_cast<double>(key.first))),
+                      " d=\"", path, "\"/>");
     }
     const std::string outline =
         joined("<rect class=\"window\"", report::attribute("x", x_of(window.x_west_m)),

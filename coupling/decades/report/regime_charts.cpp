@@ -1,19 +1,12 @@
 #include <algorithm>
 
 #include "coupling/decades/report/page_parts.hpp"
-#include "coupling/results/report/chart.hpp"
+#include "coupling/decades/report/regime_chart.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::decades {
 namespace {
 
-using report::Axis;
-using report::Chart;
-using report::ChartPoint;
-using report::ChartRange;
-
-/// Bands of more regimes would hide each other.
-constexpr std::size_t most_bands = 4;
 constexpr std::size_t most_points = 200;
 
 struct RegimeChart {
@@ -48,54 +41,27 @@ std::vector<Stretch> stretches_of(const RegimeChart& wanted, std::size_t years) 
     return stretches;
 }
 
-struct Curve {
-    std::vector<ChartPoint> means;
-    std::vector<ChartRange> bands;
-};
-
-Curve curve_of(const RegimeView& regime, const RegimeChart& wanted, std::size_t years) {
-    Curve curve;
-    for (const Stretch& stretch : stretches_of(wanted, years)) {
+RegimeCurve curve_of(const RunView& run, const RegimeView& regime, const RegimeChart& wanted) {
+    RegimeCurve curve{.regime = regime.place,
+                      .name = run.regimes.size() == 1 && run.replicates() > 1 ? "mean" : regime.title(),
+                      .letter = regime.letter};
+    for (const Stretch& stretch : stretches_of(wanted, run.years)) {
         const double x = 0.5 * static_cast<double>(stretch.first + stretch.last);
         const Band band = regime.mean_band(stretch.first, stretch.last, wanted.figure);
         curve.means.push_back({x, band.mean});
-        curve.bands.push_back({x, band.low, band.high});
+        if (run.replicates() > 1) {
+            curve.ranges.push_back({x, band.low, band.high});
+        }
     }
     return curve;
 }
 
-Axis years_axis(std::size_t years) {
-    return {"Years since the start", 0.0, static_cast<double>(std::max<std::size_t>(years, 1)), false, true};
-}
-
 std::string chart_of(const RunView& run, const RegimeChart& wanted) {
-    const bool with_bands = run.replicates() > 1 && run.regimes.size() <= most_bands;
-    std::vector<Curve> curves;
-    double most = 0.0;
+    std::vector<RegimeCurve> curves;
     for (const RegimeView& regime : run.regimes) {
-        curves.push_back(curve_of(regime, wanted, run.years));
-        const Curve& curve = curves.back();
-        for (std::size_t i = 0; i < curve.means.size(); ++i) {
-            most = std::max(most, with_bands ? curve.bands[i].high : curve.means[i].y);
-        }
+        curves.push_back(curve_of(run, regime, wanted));
     }
-    Chart chart{wanted.title, years_axis(run.years), Axis::from_zero(wanted.axis, most)};
-    for (std::size_t i = 0; with_bands && i < curves.size(); ++i) {
-        chart.add_band(line_of_regime(i), curves[i].bands);
-    }
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        chart.add_line(line_of_regime(i), curves[i].means);
-        if (!curves[i].means.empty()) {
-            chart.add_end_letter(curves[i].means.back().y, run.regimes[i].letter);
-        }
-        chart.add_name(line_of_regime(i), run.regimes.size() > 1 ? run.regimes[i].title()
-                                          : run.replicates() > 1 ? "mean"
-                                                                 : run.regimes[i].name);
-    }
-    if (with_bands) {
-        chart.add_band_name(line_of_regime(0), "nine in ten replicates");
-    }
-    return chart.figure(wanted.caption);
+    return regime_chart(wanted.title, wanted.axis, run.years, curves, wanted.caption);
 }
 
 }  // namespace

@@ -105,7 +105,8 @@ RunView view_of(const Names& names, std::span<const MemberYears> members) {
     run.species.assign(species.begin(), species.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (i == 0 || order[i]->member.regime != order[i - 1]->member.regime) {
-            run.regimes.push_back({names.regimes[order[i]->member.regime],
+            run.regimes.push_back({order[i]->member.regime,
+                                   names.regimes[order[i]->member.regime],
                                    letter_of(order[i]->member.regime, names.regimes.size()),
                                    {},
                                    order[i]});

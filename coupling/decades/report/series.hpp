@@ -35,6 +35,7 @@ using YearFigure = std::function<double(const YearView&)>;
 
 /// A regime with its replicates in order; views are of the same years in all of them.
 struct RegimeView {
+    std::size_t place = 0;  ///< in the scenario's list
     std::string name;
     std::string letter;                             ///< "A", ... : its name in charts; empty for a single one
     std::vector<std::vector<YearView>> replicates;  ///< [replicate][year]

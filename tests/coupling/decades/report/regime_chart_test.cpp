@@ -1,0 +1,47 @@
+#include "coupling/decades/report/regime_chart.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coupling/results/joined.hpp"
+#include "tests/coupling/results/markup_checks.hpp"
+
+namespace coupling::decades {
+namespace {
+
+std::vector<RegimeCurve> curves_of(std::size_t count) {
+    std::vector<RegimeCurve> curves;
+    for (std::size_t i = 0; i < count; ++i) {
+        curves.push_back({.regime = i,
+                          .name = joined("regime ", std::to_string(i)),
+                          .letter = std::string(1, static_cast<char>('A' + i)),
+                          .means = {{0.0, 50.0}, {10.0, 60.0}},
+                          .ranges = {{0.0, 40.0, 55.0}, {10.0, 45.0, 70.0}}});
+    }
+    return curves;
+}
+
+TEST(RegimeChart, GivesEachRegimeItsLineNameAndLetter) {
+    const std::string svg = regime_chart("Reach", "% of rocks", 10, curves_of(2), "");
+    EXPECT_EQ(testing::markup_fault(svg), "");
+    for (const char* part : {"line regime0", "line regime1", "regime 1</li>", ">A</text>", ">B</text>",
+                             "Years since the start", "% of rocks", "band regime1", "nine in ten"}) {
+        EXPECT_NE(svg.find(part), std::string::npos) << part;
+    }
+}
+
+TEST(RegimeChart, DropsBandsThatWouldHideEachOther) {
+    EXPECT_EQ(regime_chart("Reach", "%", 10, curves_of(5), "").find("band"), std::string::npos);
+}
+
+TEST(RegimeChart, KeepsTheLineOfARegimeWhereOthersAreMissing) {
+    std::vector<RegimeCurve> curves = curves_of(3);
+    curves.erase(curves.begin(), curves.begin() + 2);
+    EXPECT_NE(regime_chart("Reach", "%", 10, curves, "").find("line regime2"), std::string::npos);
+}
+
+TEST(RegimeChart, IsAnEmptyFrameWithoutCurves) {
+    EXPECT_EQ(testing::markup_fault(regime_chart("Reach", "%", 0, {}, "")), "");
+}
+
+}  // namespace
+}  // namespace coupling::decades
