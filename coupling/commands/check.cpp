@@ -7,9 +7,13 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/commands/describe_forest.hpp"
 #include "coupling/commands/estimate.hpp"
+#include "coupling/commands/listing.hpp"
+#include "coupling/decades/management.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
@@ -18,33 +22,6 @@
 namespace coupling {
 
 namespace {
-
-std::string size_in_words(std::uint64_t bytes) {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1);
-    if (bytes < 100'000) {
-        text << static_cast<double>(bytes) / 1e3 << " kB";
-    } else {
-        text << static_cast<double>(bytes) / 1e6 << " MB";
-    }
-    return text.str();
-}
-
-std::string duration(double seconds) {
-    if (seconds < 1.0) {
-        return "a second";
-    }
-    if (seconds < 100.0) {
-        return std::to_string(std::lround(seconds)) + " s";
-    }
-    return seconds < 6000.0 ? std::to_string(std::lround(seconds / 60.0)) + " min"
-                            : std::to_string(std::lround(seconds / 3600.0)) + " h";
-}
-
-/// A line of the listing: a name, padded, and what there is to say.
-void say(std::ostream& out, const std::string& name, const std::string& text) {
-    out << std::left << std::setw(14) << name << text << '\n';
-}
 
 std::size_t zones_of(const Site& site) {
     std::set<std::uint32_t> zones;
@@ -87,12 +64,14 @@ void describe_site(const Scenario& scenario, const Site& site, std::ostream& out
     say(out, "terrain",
         std::to_string(site.slope.terrain.vertices().size()) + " points, " +
             std::to_string(site.slope.terrain.triangles().size()) + " triangles");
-    say(out, "ground", ground_in_words(site));
     say(out, "maps", to_string(site.map_frame));
     say(out, "projection",
         site.projection.empty() ? "none"
                                 : site.projection.substr(0, site.projection.find('"', 8) + 1) + ", ...");
-    say(out, "trees", trees_in_words(site));
+}
+
+void describe_falls(const Site& site, std::ostream& out) {
+    say(out, "ground", ground_in_words(site));
     say(out, "sources", std::to_string(site.sources.size()) + " in " + counted(zones_of(site), "zone"));
     std::string targets;
     for (const rockfall::Target& target : site.targets) {
@@ -101,18 +80,46 @@ void describe_site(const Scenario& scenario, const Site& site, std::ostream& out
     say(out, "targets", targets.empty() ? "none" : targets);
 }
 
-void describe_run(const Scenario& scenario, const Site& site, int threads, std::ostream& out) {
+void say_cost(const Estimate& estimate, int threads, std::ostream& out) {
+    std::string parts = "terrain " + size_in_words(estimate.terrain_bytes);
+    for (const auto& [name, bytes] : {std::pair{"maps ", estimate.map_bytes},
+                                      std::pair{"percentiles at most ", estimate.percentile_bytes},
+                                      std::pair{"forest ", estimate.forest_bytes}}) {
+        parts += bytes > 0 ? std::string{", "} + name + size_in_words(bytes) : "";
+    }
+    say(out, "memory", "up to " + size_in_words(estimate.bytes()) + ": " + parts);
+    say(out, "time",
+        "about " + duration(estimate.seconds) + " on " +
+            counted(static_cast<std::size_t>(threads), "thread") + ", within a factor of three");
+}
+
+void describe_today(const Scenario& scenario, const Site& site, int threads, std::ostream& out) {
+    describe_site(scenario, site, out);
+    say(out, "trees", trees_in_words(site));
+    describe_falls(site, out);
     const Estimate estimate = estimate_of(scenario, site, threads);
     say(out, "rocks",
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
-    say(out, "memory",
-        "up to " + size_in_words(estimate.bytes()) + ": terrain " + size_in_words(estimate.terrain_bytes) +
-            ", maps " + size_in_words(estimate.map_bytes) + ", percentiles at most " +
-            size_in_words(estimate.percentile_bytes));
-    say(out, "time",
-        "about " + duration(estimate.seconds) + " on " +
-            counted(static_cast<std::size_t>(threads), "thread") + ", within a factor of three");
+    say_cost(estimate, threads, out);
+}
+
+void describe_years(const Scenario& scenario, Site site, int threads, config::Warnings& warnings,
+                    std::ostream& out) {
+    const decades::Management management = decades::read_management(scenario, *site.forest, warnings);
+    site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
+    describe_site(scenario, site, out);
+    describe_forest(scenario, site, management, out);
+    const Estimate estimate = estimate_of_years(scenario, site, management.regimes.size(), threads);
+    if (has_rocks(scenario)) {
+        describe_falls(site, out);
+        say(out, "rocks",
+            std::to_string(estimate.rocks) + " a year, in " + counted(estimate.rock_years, "year") +
+                " of each member, each with forest and on the bare slope");
+    } else {
+        say(out, "rocks", "none fall: run.rockfall_every is 0");
+    }
+    say_cost(estimate, threads, out);
 }
 
 void print_settings(const config::Options& options, std::ostream& out) {
@@ -136,9 +143,13 @@ void print_settings(const config::Options& options, std::ostream& out) {
 void check_scenario(const CommandLine& line, config::Warnings& warnings, std::ostream& out) {
     const auto scenario = read_scenario(line.argument, line.overrides);
     if (scenario->profile.empty()) {
-        const Site site = open_site(*scenario, warnings);
-        describe_site(*scenario, site, out);
-        describe_run(*scenario, site, line.threads > 0 ? line.threads : omp_get_max_threads(), out);
+        Site site = open_site(*scenario, warnings);
+        const int threads = line.threads > 0 ? line.threads : omp_get_max_threads();
+        if (site.forest) {
+            describe_years(*scenario, std::move(site), threads, warnings, out);
+        } else {
+            describe_today(*scenario, site, threads, out);
+        }
     } else {
         profile::describe(*scenario, profile::open_profile(*scenario, warnings), out);
     }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
+#include "coupling/decades/records.hpp"
+#include "coupling/inputs/forest_site.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
@@ -17,6 +20,10 @@ constexpr double path_per_impact_m = 6.0;
 constexpr double path_steepness = 0.55;
 /// Time of an impact with the flight before it and its entries in the maps, measured on the shipped example.
 constexpr double seconds_per_impact = 0.6e-6;
+/// Time of a year on a patch of forest on one thread, measured on the shipped examples.
+constexpr double seconds_per_patch_year = 27e-6;
+/// Tree records that a patch comes to have, groups of young ones included, measured on the shipped examples.
+constexpr std::size_t trees_per_patch = 40;
 
 /// Mean height of the sources over the lowest ground.
 double mean_drop_m(const Site& site) {
@@ -46,11 +53,44 @@ std::uint64_t terrain_bytes(const Site& site) {
            site.sources.size() * sizeof(rockfall::ReleaseSource);
 }
 
+std::uint64_t rocks_of(const Site& site) {
+    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+}
+
+/// On one thread.
+double seconds_of_rocks(const Site& site, std::uint64_t rocks) {
+    const double impacts = mean_drop_m(site) / path_steepness / path_per_impact_m;
+    return static_cast<double>(rocks) * impacts * seconds_per_impact;
+}
+
+/// A forest that lives through its years: trees as they are and as the year changes them.
+std::uint64_t living_bytes(std::size_t patches) {
+    return patches * trees_per_patch * 2 * sizeof(forest::Tree);
+}
+
+/// What a member keeps of its years; all members are in memory when the results are written.
+std::uint64_t kept_bytes(const Scenario& scenario, const ForestSite& forest) {
+    const ForestSettings& settings = scenario.forest;
+    std::set<std::uint32_t> stands;
+    for (const forest::Patch& patch : forest.grid.patches()) {
+        stands.insert(patch.management_unit);
+    }
+    const std::size_t units = stands.size() > 1 ? stands.size() + 1 : 1;
+    const std::size_t region = forest.parameters.regeneration.outside.species.size();
+    const std::size_t species = region > 0 ? region : forest.species.table.size();
+    const std::size_t lists = chosen_years(settings.tree_list_years, scenario.years).size();
+    const std::size_t maps = chosen_years(settings.map_years, scenario.years).size();
+    return (scenario.years + 1) *
+               (sizeof(decades::YearRow) + units * (1 + species) * sizeof(decades::StandRow)) +
+           lists * forest.grid.size() * trees_per_patch * sizeof(decades::TreeRow) +
+           maps * forest.grid.size() * sizeof(decades::PatchRow);
+}
+
 }  // namespace
 
 Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
     Estimate estimate;
-    estimate.rocks = site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+    estimate.rocks = rocks_of(site);
     estimate.covers = site.trees.empty() ? 1 : 2;
     const auto covers = static_cast<std::uint64_t>(estimate.covers);
     estimate.terrain_bytes = terrain_bytes(site);
@@ -59,8 +99,33 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
                          (static_cast<std::uint64_t>(threads) + 1);
     estimate.percentile_bytes =
         scenario.percentiles ? covers * rockfall::CellHistograms::largest_bytes(site.map_frame) : 0;
-    const double impacts = mean_drop_m(site) / path_steepness / path_per_impact_m;
-    estimate.seconds = static_cast<double>(estimate.rocks * covers) * impacts * seconds_per_impact / threads;
+    estimate.seconds = seconds_of_rocks(site, estimate.rocks * covers) / threads;
+    return estimate;
+}
+
+Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads) {
+    const ForestSettings& settings = scenario.forest;
+    const std::size_t patches = site.forest->grid.size();
+    const std::size_t members = regimes * settings.replicates;
+    // As the members are lived through: several at a time, or one with its rocks on all threads.
+    const std::size_t at_once = std::min(static_cast<std::size_t>(threads), members);
+    const std::size_t threads_each = at_once > 1 ? 1 : static_cast<std::size_t>(threads);
+    const auto rounds = static_cast<double>((members + at_once - 1) / at_once);
+
+    Estimate estimate;
+    estimate.covers = 2;
+    estimate.rock_years = has_rocks(scenario) ? 1 + scenario.years / settings.rockfall_every : 0;
+    estimate.rocks = rocks_of(site);
+    estimate.terrain_bytes = terrain_bytes(site);
+    estimate.forest_bytes = at_once * living_bytes(patches) + members * kept_bytes(scenario, *site.forest);
+    if (has_rocks(scenario)) {
+        const std::size_t map_bytes = site.map_frame.size() * sizeof(rockfall::CellSums) * rockfall::covers;
+        const std::size_t maps = chosen_years(settings.map_years, scenario.years).size();
+        estimate.map_bytes = map_bytes * (at_once * (threads_each + 1) + members * maps);
+    }
+    estimate.seconds = rounds * (static_cast<double>(scenario.years * patches) * seconds_per_patch_year +
+                                 seconds_of_rocks(site, 2 * estimate.rocks * estimate.rock_years) /
+                                     static_cast<double>(threads_each));
     return estimate;
 }
 

@@ -10,6 +10,7 @@
 #include "coupling/decades/decade_results.hpp"
 #include "coupling/decades/member_part.hpp"
 #include "coupling/decades/simulate.hpp"
+#include "coupling/inputs/reading.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/checkpoint.hpp"
@@ -44,7 +45,9 @@ fs::path part_of(const OutputFolder& folder, const Member& member) {
 std::vector<rockfall::Stem> standing_stems(const ForestSite& forest) {
     std::vector<rockfall::Stem> stems;
     for (const TreeRecord& tree : forest.obstacles) {
-        stems.push_back(tree.stem);
+        if (tree.stem.dbh_cm >= least_obstacle_cm) {
+            stems.push_back(tree.stem);
+        }
     }
     return stems;
 }
@@ -121,10 +124,9 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
 void print_summary(const DecadeResults& results, const fs::path& folder,
                    const std::vector<WrittenFile>& files) {
     const forest::PatchGrid& grid = results.site.forest->grid;
-    std::printf("%llu years of %.2f ha forest (%zu patches), %zu regimes, %llu replicates",
-                static_cast<unsigned long long>(results.scenario.years), grid.area_ha(), grid.size(),
-                results.names.regimes.size(),
-                static_cast<unsigned long long>(results.scenario.forest.replicates));
+    std::printf("%s of %.2f ha forest (%zu patches), %s, %s", counted(results.scenario.years, "year").c_str(),
+                grid.area_ha(), grid.size(), counted(results.names.regimes.size(), "regime").c_str(),
+                counted(results.scenario.forest.replicates, "replicate").c_str());
     results.rocks > 0 ? std::printf(", %llu rocks a year\n", static_cast<unsigned long long>(results.rocks))
                       : std::printf(", no rockfall\n");
     const MemberYears& member = results.members.front();
@@ -196,9 +198,10 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
         live_missing(decades, missing, scenario.years * (members.size() - missing.size()), folder, hash,
                      request);
     } catch (const Interrupted&) {
-        std::fprintf(
-            stderr,
-            "bannwald: interrupted; the finished members are kept, run the same command again to go on\n");
+        std::fprintf(stderr, fs::exists(folder.checkpoint())
+                                 ? "bannwald: interrupted; the finished members are kept, run the same "
+                                   "command again to go on\n"
+                                 : "bannwald: interrupted; no member was finished, nothing is kept\n");
         return static_cast<int>(config::ExitCode::interrupted);
     }
     const std::vector<MemberYears> years = read_all(members, folder, hash);

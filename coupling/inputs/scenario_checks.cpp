@@ -79,6 +79,15 @@ void check_release(const Scenario& s, Checker& checker) {
     }
 }
 
+/// The forest stands still while rocks fall, so the setting would have no effect.
+void check_trees_over_years(const Scenario& s, Checker& checker) {
+    if (s.years != 0 && s.rockfall.fall.tree.remove_broken) {
+        checker.refuse("tree_impact.remove_broken",
+                       "tree_impact.remove_broken beside run.years " + std::to_string(s.years),
+                       "no: trees stand while the rocks of a year fall");
+    }
+}
+
 void check_range(const Scenario& s, Checker& checker) {
     if (!(s.diameter_low_m > 0.0)) {
         checker.refuse("release.diameter_low_m",
@@ -142,6 +151,7 @@ void check(const Scenario& scenario) {
     if (scenario.profile.empty() && has_rocks(scenario)) {
         check_terrain(scenario, checker);
         check_release(scenario, checker);
+        check_trees_over_years(scenario, checker);
     }
     check_diameter(scenario, checker);
     checker.problems().throw_if_any();

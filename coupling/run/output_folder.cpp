@@ -46,10 +46,11 @@ OutputFolder::OutputFolder(fs::path folder, const std::string& settings_hash, bo
     }
     has_parts_ = hash.has_value();
     delete_entry(staging());  // left by a run that was killed while it wrote
-    make_folder(parts());
+    make_folder(folder_);
     OutFile mark{folder_ / mark_of_a_run};
     mark.stream() << "Results of a run of bannwald; bannwald may replace them.\n";
     mark.close();
+    make_folder(parts());  // after the mark: a run that is killed here can still be repeated
 }
 
 OutputFolder::~OutputFolder() {

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/runs/years.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Four members of so many years that a run can be broken off.
+const std::string long_members = std::string{four_members} + "--set run.years=100 --threads 2 ";
+
+TEST(Years, GoOnAfterTheRunWasKilledAtAnyMoment) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, long_members + "--out whole").code, 0);
+    // Killed after longer and longer times, at last when the first member is there; then left to its end.
+    const std::string script =
+        "killed=0\n"
+        "for seconds in 0.05 0.11 0.17 0.29 0.41; do\n"
+        "  timeout -s KILL $seconds \"$bannwald\" " +
+        long_members +
+        "--out out\n"
+        "  if [ $? -eq 137 ]; then killed=$((killed + 1)); else break; fi\n"
+        "done\n"
+        "if [ ! -e out/summary.json ]; then\n"
+        "  \"$bannwald\" " +
+        long_members +
+        "--out out &\n"
+        "  while kill -0 $! 2>/dev/null && ! ls out/parts/member_*.part >/dev/null 2>&1; do sleep 0.01; "
+        "done\n"
+        "  kill -KILL $!; wait $!\n"
+        "  \"$bannwald\" " +
+        long_members +
+        "--out out || exit 1\n"
+        "fi\n"
+        "[ $killed -gt 0 ] || exit 2\n"
+        "diff -r whole out\n";
+    const Outcome outcome = shell(project, script);
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+/// Starts the long run, interrupts it once a member is through, and ends with its exit code.
+const std::string interrupted_after_a_member =
+    "\"$bannwald\" " + long_members +
+    " --threads 1 &\n"
+    "while kill -0 $! 2>/dev/null && ! ls out/parts/member_*.part >/dev/null 2>&1; do sleep 0.01; done\n"
+    "kill -INT $!\nwait $!\n";
+
+TEST(Years, KeepFinishedMembersWhenInterrupted) {
+    const ForestProject project;
+    const Outcome interrupted = shell(project, interrupted_after_a_member);
+    ASSERT_EQ(interrupted.code, 75) << interrupted.err;
+    EXPECT_NE(interrupted.err.find("bannwald: interrupted; the finished members are kept, run the same "
+                                   "command again to go on"),
+              std::string::npos)
+        << interrupted.err;
+    EXPECT_TRUE(fs::exists(project.file("out/parts/member_1_1.part")));
+    EXPECT_FALSE(fs::exists(project.file("out/summary.json")));
+
+    const Outcome other = call(project, long_members + "--seed 2");
+    EXPECT_EQ(other.code, 2) << other.err;
+    EXPECT_NE(other.err.find("parts of a run with other settings"), std::string::npos) << other.err;
+
+    const std::string part = project.read("out/parts/member_1_1.part");
+    project.write("out/parts/member_1_1.part", part.substr(0, part.size() / 2));
+    const Outcome cut_off = call(project, long_members);
+    EXPECT_EQ(cut_off.code, 3) << cut_off.err;
+    EXPECT_NE(cut_off.err.find("member_1_1.part: found the part file is cut off or damaged"),
+              std::string::npos)
+        << cut_off.err;
+    EXPECT_FALSE(fs::exists(project.file("out/summary.json")));
+
+    project.write("out/parts/member_1_1.part", part);
+    EXPECT_EQ(call(project, long_members).code, 0);
+    EXPECT_FALSE(fs::exists(project.file("out/parts")));
+}
+
+TEST(Years, LeaveNothingWhenInterruptedBeforeAMemberIsThrough) {
+    const ForestProject project;
+    const Outcome outcome =
+        shell(project,
+              "timeout --preserve-status -s INT 1 \"$bannwald\" run scenario.ini --quiet "
+              "--set run.years=1000 --set climate.sequence=repeat --set release.rocks=100000\n");
+    EXPECT_EQ(outcome.code, 75) << outcome.err;
+    EXPECT_NE(outcome.err.find("no member was finished"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(project.file("out")));
+}
+
+}  // namespace
+}  // namespace coupling

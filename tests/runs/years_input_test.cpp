@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/coupling/inputs/forest_project.hpp"
+#include "tests/runs/program.hpp"
+
+namespace coupling {
+namespace {
+
+/// What is wrong with a project whose forest grows, and what the program has to say about it.
+struct BadYears {
+    std::string name;
+    void (*spoil)(const SampleProject&);
+    int code;
+    std::string message;         ///< part of what goes to stderr
+    std::string arguments = "";  ///< after `run scenario.ini`
+};
+
+void PrintTo(const BadYears& bad, std::ostream* out) {
+    *out << bad.name;
+}
+
+void as_it_is(const SampleProject&) {}
+
+const BadYears bad_years[] = {
+    {"ClimateThatEndsBeforeTheRun", as_it_is, 4,
+     "bannwald: climate.csv: found years 2001 to 2008, but none for 2009, expected all years of the run, "
+     "2001 "
+     "to 2010, or climate.sequence = repeat or random",
+     "--set run.years=10"},
+    {"ClimateWithoutAMonth",
+     [](const SampleProject& p) {
+         const std::string text = p.read("climate.csv");
+         const std::size_t at = text.find("2003,5,");
+         p.write("climate.csv", text.substr(0, at) + text.substr(text.find('\n', at) + 1));
+     },
+     4, "bannwald: climate.csv: found no month 5 of 2003, expected twelve months in each year"},
+    {"RadiationInWatts",
+     [](const SampleProject& p) {
+         std::string text = "year,month,tmin_c,tmax_c,prec_mm,rad_mj_m2_d\n";
+         for (int month = 1; month <= 48; ++month) {
+             text += std::to_string(2001 + (month - 1) / 12) + ',' + std::to_string((month - 1) % 12 + 1) +
+                     ",2,12,100,140\n";
+         }
+         p.write("climate.csv", text);
+     },
+     4, "expected MJ/m2 a day; this looks like W/m2 (times 0.0864)"},
+    {"StandWithoutARecord",
+     [](const SampleProject& p) { p.replace("records.csv", "8,FASY,400,20,,,,plenter\n", ""); }, 4,
+     "bannwald: records.csv: found no record of stand 8, expected one for each stand of the map; stems_pha 0 "
+     "where there are no trees",
+     "--set trees.file= --set stands.records=records.csv"},
+    {"DiameterOfATreeNegative", [](const SampleProject& p) { p.replace("trees.csv", "32.5", "-32.5"); }, 4,
+     "bannwald: trees.csv:2:18: found dbh_cm '-32.5', expected a number in (0, 500]"},
+    {"UnknownSpecies", [](const SampleProject& p) { p.replace("trees.csv", "piab", "piax"); }, 4,
+     "bannwald: trees.csv:3:13: found species 'piax', expected a code or Latin name of the species table "
+     "(piab?)"},
+    {"NoLatitude", [](const SampleProject& p) { p.replace("scenario.ini", "latitude_deg = 47\n", ""); }, 2,
+     "bannwald: scenario.ini: found run.years above 0 without forest.latitude_deg, expected a number in [0, "
+     "75] deg"},
+    {"UnknownSpeciesOfTheRegion",
+     [](const SampleProject& p) {
+         p.replace("scenario.ini", "latitude_deg", "region_species = PIAB, ABAX\nlatitude_deg");
+     },
+     2, "bannwald: scenario.ini:15:18: found species 'ABAX', expected a code of the species table (abal?)"},
+    {"BrokenTreesThatFall", as_it_is, 2,
+     "found tree_impact.remove_broken beside run.years 4, expected no: trees stand while the rocks of a year "
+     "fall",
+     "--set tree_impact.remove_broken=yes"},
+    {"UnknownRegime", as_it_is, 2,
+     "found regime 'pmf1', expected one of bau_shelterwood, none, pfm1, pfm2, single_tree_selection, or the "
+     "name of a CSV file",
+     "--set \"regimes.list=none, pmf1\""},
+    {"RegimeOfAnUnknownTreatment",
+     [](const SampleProject& p) { p.write("mine.csv", "name,treatment,first_year\ncut,clearcut,0\n"); }, 4,
+     "bannwald: mine.csv:2:5: found treatment 'clearcut', expected 'clear_cut'",
+     "--set \"regimes.list=none, mine.csv\""},
+    {"RegimesOfOneName",
+     [](const SampleProject& p) {
+         std::filesystem::create_directory(p.file("sub"));
+         p.write("sub/none.csv", "treatment\n");
+     },
+     2, "found regime 'sub/none.csv', expected regimes of different names",
+     "--set \"regimes.list=none, sub/none.csv\""},
+    {"RegimeFileThatIsNotThere", as_it_is, 3, "found no file 'gone.csv', expected a CSV table",
+     "--set regimes.list=gone.csv"},
+};
+
+class ProgramOverYears : public testing::TestWithParam<BadYears> {};
+
+TEST_P(ProgramOverYears, TellsWhatIsWrongAndLeavesNothingBehind) {
+    const ForestProject project;
+    GetParam().spoil(project);
+    for (const std::string command : {"run", "check"}) {
+        const Outcome outcome = call(project, command + " scenario.ini " + GetParam().arguments);
+        EXPECT_EQ(outcome.code, GetParam().code) << outcome.err;
+        EXPECT_NE(outcome.err.find(GetParam().message), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.out, "") << command;
+        EXPECT_FALSE(std::filesystem::exists(project.file("out")));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(BadYears, ProgramOverYears, testing::ValuesIn(bad_years),
+                         [](const testing::TestParamInfo<BadYears>& bad) { return bad.param.name; });
+
+TEST(ProgramOverYearsWithDoubts, TellsThemAndKeepsThemInTheSummary) {
+    const ForestProject project;
+    project.write("trees.csv",
+                  project.read("trees.csv") + "4,1060,2050,PIAB,20,15\n5,1025,2050,PIAB,20,15\n");
+    const Outcome outcome = call(project, "run scenario.ini --set run.years=1");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const std::string doubt : {"trees.csv: 1 tree on the same spot as another",
+                                    "trees.csv: 1 tree outside the forest: obstacles that do not grow"}) {
+        EXPECT_NE(outcome.err.find("bannwald: warning: " + doubt), std::string::npos) << outcome.err;
+        EXPECT_NE(project.read("out/summary.json").find(doubt), std::string::npos) << doubt;
+    }
+}
+
+TEST(CheckOverYears, TellsTheForestAndWhatTheRunTakes) {
+    const ForestProject project;
+    project.write("mine.csv", "name,treatment,first_year\ncut,clear_cut,0\n");
+    const Outcome outcome =
+        call(project,
+             "check scenario.ini --threads 2 --set trees.file= --set stands.records=records.csv "
+             "--set \"regimes.list=none, mine.csv\" --set run.replicates=3");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const std::string line :
+         {"forest        0.80 ha (80 patches of 10 m), ", "mean slope 35 degrees", "stands        2\n",
+          "soil          2 types with 70 to 120 mm of water\n",
+          "climate       2001 to 2008, its own years; at ",
+          "regimes       none (0 interventions), mine (1 intervention)\n",
+          "members       2 regimes x 3 replicates, 2001 to 2004\n", "regime        mine.csv, ",
+          "rocks         20 a year, in 5 years of each member", "memory        up to ",
+          "time          about "}) {
+        EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "\n---\n" << outcome.out;
+    }
+    EXPECT_EQ(outcome.out.find("bare slope is assessed"), std::string::npos) << outcome.out;
+    EXPECT_FALSE(std::filesystem::exists(project.file("out")));
+}
+
+TEST(CheckOverYears, TellsHowTheForestBegins) {
+    const ForestProject project;
+    // 0.3 m2 of basal area on 0.8 ha: 32.5, 20 and 41 cm.
+    const Outcome listed = call(project, "check scenario.ini");
+    EXPECT_NE(listed.out.find("trees         3 of the list, 3 species: 4 stems/ha, 0.3 m2/ha, "),
+              std::string::npos)
+        << listed.out;
+    const Outcome bare = call(project, "check scenario.ini --set trees.file=");
+    EXPECT_NE(bare.out.find("trees         bare ground\n"), std::string::npos) << bare.out;
+}
+
+TEST(CheckOverYears, NeedsNoRocks) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init example --example forest --quiet").code, 0);
+    const Outcome outcome = call(project, "check example/scenario.ini");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const std::string line : {"trees         108 of the list, ", "rocks         none fall",
+                                   "years drawn by chance; at ", "regimes       none (0 interventions)\n"}) {
+        EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "\n---\n" << outcome.out;
+    }
+    EXPECT_EQ(outcome.out.find("sources"), std::string::npos) << outcome.out;
+}
+
+}  // namespace
+}  // namespace coupling

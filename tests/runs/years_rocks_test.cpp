@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/runs/years.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A row of the table of protection at targets; without what only other runs have.
+using Protection = std::vector<std::string>;
+
+/// The protection of a regime's first replicate in a year, by target; of an assessment of today with regime
+/// and year left out.
+std::vector<Protection> protection(const config::Table& table, const std::string& regime = "",
+                                   const std::string& year = "") {
+    std::vector<Protection> rows;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (regime.empty() || (table.text(row, "regime") == regime && table.text(row, "year") == year &&
+                               table.text(row, "replicate") == "1")) {
+            rows.emplace_back();
+            for (const std::string column :
+                 {"target_id", "rocks", "reached_bare", "reached_forest", "reached_both",
+                  "protection_percent", "protection_low_percent", "protection_high_percent", "bari_percent",
+                  "miri_percent", "orpi_percent"}) {
+                rows.back().push_back(table.text(row, column));
+            }
+        }
+    }
+    return rows;
+}
+
+/// Every few metres a tree, one in four a thin one if these are wanted.
+std::string dense_list(bool with_thin_trees) {
+    std::ostringstream list;
+    list << "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
+    for (int i = 0; i < 400; ++i) {
+        const int column = i % 20;
+        const int row = i / 20;
+        if (i % 4 != 0) {
+            list << i + 1 << ',' << 1041.5 + 3.9 * column << ',' << 2003.25 + 4.7 * row + 0.2 * column
+                 << (i % 3 == 0 ? ",PIAB," : ",FASY,") << 8 + i * 7 % 31 << ',' << 9 + i * 7 % 31 / 2 << '\n';
+        } else if (with_thin_trees) {
+            list << i + 1 << ',' << 1041.5 + 3.9 * column << ',' << 2003.25 + 4.7 * row << ",ABAL,4.9,5\n";
+        }
+    }
+    return list.str();
+}
+
+TEST(FirstRocksOfYears, AreThoseOfToday) {
+    // The rocks of year 0 fall through the trees of the list, on patches or not, with the same random
+    // numbers: the figures agree to the last digit, whichever way the stems are numbered.
+    const ForestProject project;
+    project.write("list.csv", dense_list(false));
+    project.write("stands.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                    return column < 8 ? "0" : "7";
+                                }));
+    const std::string rocks = "run scenario.ini --quiet --set trees.file=list.csv --set release.rocks=1000 ";
+    ASSERT_EQ(call(project, rocks + "--set run.years=0 --out today").code, 0);
+    const Outcome years = call(project, rocks + "--set run.years=1 --out years");
+    ASSERT_EQ(years.code, 0) << years.err;
+    const auto today = protection(table(project, "today/tables/protection.csv"));
+    EXPECT_EQ(today.size(), 2U);
+    EXPECT_EQ(protection(table(project, "years/tables/protection.csv"), "none", "0"), today);
+    const config::Table rows = table(project, "today/tables/protection.csv");
+    EXPECT_GT(number(rows, 0, "protection_percent"), 20.0);
+    EXPECT_LT(number(rows, 0, "protection_percent"), 99.0);
+}
+
+TEST(FirstRocksOfYears, DoNotMeetTreesBelowFiveCentimetres) {
+    const ForestProject project;
+    project.write("thick.csv", dense_list(false));
+    project.write("all.csv", dense_list(true));
+    project.write("stands.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                    return column < 8 ? "0" : "7";
+                                }));
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=1000 ";
+    ASSERT_EQ(call(project, rocks + "--set run.years=0 --set trees.file=thick.csv --out thick").code, 0);
+    ASSERT_EQ(call(project, rocks + "--set run.years=0 --set trees.file=all.csv --out all").code, 0);
+    ASSERT_EQ(call(project, rocks + "--set run.years=1 --set trees.file=all.csv --out years").code, 0);
+    const auto thick = protection(table(project, "thick/tables/protection.csv"));
+    EXPECT_NE(protection(table(project, "all/tables/protection.csv")), thick);
+    EXPECT_EQ(protection(table(project, "years/tables/protection.csv"), "none", "0"), thick);
+}
+
+TEST(RocksOfYears, MeetTreesOutsideTheForestInEachYear) {
+    const ForestProject project;
+    project.write("list.csv", dense_list(false));
+    project.write("stands.asc", SampleProject::header() + SampleProject::rows([](int column, int row) {
+                                    return column == 4 && row == 0 ? "7" : "0";
+                                }));
+    const Outcome outcome = call(project,
+                                 "run scenario.ini --set trees.file=list.csv --set release.rocks=500 "
+                                 "--set run.years=2");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("trees outside the forest: obstacles that do not grow"), std::string::npos)
+        << outcome.err;
+    EXPECT_NE(project.read("out/summary.json").find("trees outside the forest: obstacles that do not grow"),
+              std::string::npos);
+    const config::Table rows = table(project, "out/tables/protection.csv");
+    ASSERT_EQ(rows.rows(), 3U * 2U);
+    for (std::size_t row = 0; row < rows.rows(); row += 2) {
+        EXPECT_GT(number(rows, row, "protection_percent"), 20.0) << rows.text(row, "year");
+    }
+}
+
+TEST(Regimes, AClearCutAboveTheTargetLowersItsProtectionAtOnce) {
+    const ForestProject project;
+    project.write("list.csv", dense_list(false));
+    project.write("strip.csv",
+                  "name,treatment,first_year,where,polygons\nstrip,clear_cut,1,polygons,areas.csv\n");
+    project.write("areas.csv",
+                  "wkt\n\"POLYGON ((1040 2020, 1120 2020, 1120 2080, 1040 2080, 1040 2020))\"\n");
+    const Outcome outcome =
+        call(project,
+             "run scenario.ini --quiet --set trees.file=list.csv --set release.rocks=1000 "
+             "--set run.years=2 --set \"regimes.list=none, strip.csv\"");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table rows = table(project, "out/tables/protection.csv");
+    const auto of = [&](const std::string& regime, const std::string& year) {
+        return protection(rows, regime, year).front();
+    };
+    EXPECT_EQ(of("none", "0"), of("strip", "0"));
+    EXPECT_EQ(of("none", "1")[2], of("strip", "1")[2]);  // the same rocks over the bare slope
+    EXPECT_LT(std::stod(of("strip", "1")[5]), std::stod(of("none", "1")[5]) - 10.0);
+
+    const config::Table work = table(project, "out/tables/interventions.csv");
+    ASSERT_EQ(work.rows(), 1U);
+    EXPECT_EQ(work.text(0, "regime") + ' ' + work.text(0, "treatment"), "strip clear_cut");
+    EXPECT_EQ(work.text(0, "year"), "1");
+    EXPECT_GT(number(work, 0, "stems"), 100.0);
+    const config::Table timber = table(project, "out/tables/timber.csv");
+    double stems = 0.0;
+    for (std::size_t row = 0; row < timber.rows(); ++row) {
+        stems += number(timber, row, "stems");
+    }
+    EXPECT_EQ(stems, number(work, 0, "stems"));
+    EXPECT_TRUE(fs::exists(project.file("out/tables/margins.csv")));
+}
+
+}  // namespace
+}  // namespace coupling
