@@ -89,10 +89,9 @@ void say_climate(const ForestSite& forest, std::ostream& out) {
         precipitation_mm += summary.prec_mm / static_cast<double>(here.years.size());
     }
     std::ostringstream text;
-    text << here.first_year() << " to " << here.last_year() << ", " << in_words(climate.order) << std::fixed
-         << std::setprecision(1) << "; at " << std::setprecision(0) << height_m << " m "
-         << std::setprecision(1) << temperature_degc << " degC and " << std::setprecision(0)
-         << precipitation_mm << " mm a year";
+    text << here.first_year() << " to " << here.last_year() << ", " << in_words(climate.order) << "; "
+         << std::fixed << std::setprecision(1) << temperature_degc << " degC and " << std::setprecision(0)
+         << precipitation_mm << " mm a year at " << height_m << " m";
     const auto& change_k = climate.change.temperature_k;
     const auto& factor = climate.change.precipitation;
     if (std::any_of(change_k.begin(), change_k.end(), [](double k) { return k != 0.0; }) ||

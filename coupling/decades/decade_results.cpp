@@ -32,7 +32,8 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     if (results.rocks > 0) {
         add(write_fall_tables(folder, results.names, results.site, results.members));
     }
-    add(write_forest_tables(folder, results.names, results.members));
+    add(write_forest_tables(folder, results.names, results.members,
+                            chosen_years(results.scenario.forest.tree_list_years, results.scenario.years)));
     add(write_work_tables(folder, results.names, results.members, results.site.forest->grid.area_ha()));
     add(write_patch_maps(folder, results.names, results.members, results.site.forest->grid,
                          results.site.projection));

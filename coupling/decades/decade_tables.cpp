@@ -1,7 +1,6 @@
 #include "coupling/decades/decade_tables.hpp"
 
 #include <functional>
-#include <set>
 
 #include "config/text/numbers.hpp"
 #include "coupling/results/joined.hpp"
@@ -137,7 +136,8 @@ void add_dbh_class(CsvRow& row, std::size_t dbh_class) {
 }
 
 std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder, const Names& names,
-                                             std::span<const MemberYears> members) {
+                                             std::span<const MemberYears> members,
+                                             std::span<const int> tree_list_years) {
     make_folder(folder / "tables");
     std::vector<WrittenFile> written;
     const auto write = [&](const std::string& name, const std::string& sentence,
@@ -155,13 +155,7 @@ std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder
           [&](std::ostream& out) { write_years(out, names, members); });
     write("mortality.csv", "Trees that left the forest each year, by cause.",
           [&](std::ostream& out) { write_losses(out, names, members); });
-    std::set<std::int32_t> years;
-    for (const MemberYears& member : members) {
-        for (const TreeRow& tree : member.trees) {
-            years.insert(tree.year);
-        }
-    }
-    for (const std::int32_t year : years) {
+    for (const int year : tree_list_years) {
         const std::string number = std::to_string(year);
         write(joined("trees_", number, ".csv"), joined("Every tree at the end of year ", number, "."),
               [&](std::ostream& out) { write_trees(out, names, members, year); });

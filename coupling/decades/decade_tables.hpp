@@ -26,9 +26,10 @@ void begin_row(CsvRow& row, const Names& names, const Member& member, std::int32
 /// Both ends of a diameter class; the last one is open.
 void add_dbh_class(CsvRow& row, std::size_t dbh_class);
 
-/// Writes tables/stands.csv, dbh_classes.csv, forest_years.csv, mortality.csv and trees_YEAR.csv: tidy, one
-/// row an observation, members in the order given. Throws config::InputError (file).
+/// Writes tables/stands.csv, dbh_classes.csv, forest_years.csv, mortality.csv and trees_YEAR.csv of the years
+/// given: tidy, one row an observation, members in the order given. Throws config::InputError (file).
 std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder, const Names& names,
-                                             std::span<const MemberYears> members);
+                                             std::span<const MemberYears> members,
+                                             std::span<const int> tree_list_years);
 
 }  // namespace coupling::decades

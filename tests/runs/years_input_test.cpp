@@ -64,7 +64,7 @@ const BadYears bad_years[] = {
      [](const SampleProject& p) {
          p.replace("scenario.ini", "latitude_deg", "region_species = PIAB, ABAX\nlatitude_deg");
      },
-     2, "bannwald: scenario.ini:15:18: found species 'ABAX', expected a code of the species table (abal?)"},
+     2, "bannwald: scenario.ini:16:18: found species 'ABAX', expected a code of the species table (abal?)"},
     {"BrokenTreesThatFall", as_it_is, 2,
      "found tree_impact.remove_broken beside run.years 4, expected no: trees stand while the rocks of a year "
      "fall",
@@ -128,8 +128,7 @@ TEST(CheckOverYears, TellsTheForestAndWhatTheRunTakes) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     for (const std::string line :
          {"forest        0.80 ha (80 patches of 10 m), ", "mean slope 35 degrees", "stands        2\n",
-          "soil          2 types with 70 to 120 mm of water\n",
-          "climate       2001 to 2008, its own years; at ",
+          "soil          2 types with 70 to 120 mm of water\n", "climate       2001 to 2008, its own years; ",
           "regimes       none (0 interventions), mine (1 intervention)\n",
           "members       2 regimes x 3 replicates, 2001 to 2004\n", "regime        mine.csv, ",
           "rocks         20 a year, in 5 years of each member", "memory        up to ",
@@ -142,7 +141,7 @@ TEST(CheckOverYears, TellsTheForestAndWhatTheRunTakes) {
 
 TEST(CheckOverYears, TellsHowTheForestBegins) {
     const ForestProject project;
-    // 0.3 m2 of basal area on 0.8 ha: 32.5, 20 and 41 cm.
+    // Diameters of 32.5, 20 and 41 cm: 0.246 m2 of basal area on 0.8 ha.
     const Outcome listed = call(project, "check scenario.ini");
     EXPECT_NE(listed.out.find("trees         3 of the list, 3 species: 4 stems/ha, 0.3 m2/ha, "),
               std::string::npos)
@@ -157,10 +156,20 @@ TEST(CheckOverYears, NeedsNoRocks) {
     const Outcome outcome = call(project, "check example/scenario.ini");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     for (const std::string line : {"trees         108 of the list, ", "rocks         none fall",
-                                   "years drawn by chance; at ", "regimes       none (0 interventions)\n"}) {
+                                   "years drawn by chance; ", "regimes       none (0 interventions)\n"}) {
         EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "\n---\n" << outcome.out;
     }
     EXPECT_EQ(outcome.out.find("sources"), std::string::npos) << outcome.out;
+}
+
+TEST(Examples, OverYearsAreWhole) {
+    const SampleProject project;
+    for (const std::string name : {"regimes-small", "regimes"}) {
+        ASSERT_EQ(call(project, "init " + name + " --quiet --example " + name).code, 0);
+        const Outcome outcome = call(project, "check " + name + "/scenario.ini");
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find("pfm1 (1 intervention)"), std::string::npos) << outcome.out;
+    }
 }
 
 }  // namespace
