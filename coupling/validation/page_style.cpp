@@ -28,6 +28,9 @@ std::string_view page_style() {
 .dot.other1{fill:var(--paper);stroke:var(--violet);stroke-dasharray:none}
 .whiskers{stroke-dasharray:none;stroke-width:1.2}
 .dot.tree{fill:var(--forest);fill-opacity:.35;stroke:none;r:2.6px}
+.band[class*=layer]{stroke:var(--paper);stroke-width:.7;stroke-dasharray:none}
+.layer0{fill:#0072b2}.layer1{fill:#e69f00}.layer2{fill:#009e73}.layer3{fill:#cc79a7}.layer4{fill:#56b4e9}.layer5{fill:#d55e00}
+.layer6{fill:#f0e442}.layer7{fill:#8a8f91}
 .equal{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:4 3;fill:none}
 .level{stroke:var(--soft);stroke-width:1;stroke-dasharray:2 3;fill:none}
 .profile .ground{stroke:var(--ink);stroke-width:2;fill:none}

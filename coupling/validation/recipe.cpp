@@ -23,7 +23,8 @@ const std::vector<std::pair<std::string, CaseKind>>& kinds() {
         {"factors", CaseKind::factors},
         {"forest_production", CaseKind::forest_production},
         {"forest_light", CaseKind::forest_light},
-        {"forest_yield", CaseKind::forest_yield}};
+        {"forest_yield", CaseKind::forest_yield},
+        {"forest_belts", CaseKind::forest_belts}};
     return names;
 }
 

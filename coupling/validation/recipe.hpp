@@ -18,6 +18,7 @@ enum class CaseKind : std::uint8_t {
     forest_production,  ///< the production core against other programs (forest_cases)
     forest_light,       ///< light in a mapped stand against another program
     forest_yield,       ///< plantations against yield tables
+    forest_belts,       ///< succession along an elevation gradient against known belts
 };
 
 /// Whether no rock falls in it.

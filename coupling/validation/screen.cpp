@@ -89,8 +89,9 @@ std::string legend_of_marks(const CaseResult& result) {
         return std::any_of(result.rows.begin(), result.rows.end(),
                            [&](const VerdictRow& row) { return row.rests_on == word; });
     };
-    const char* const rebuilt = result.has_strict ? "r: used to rebuild the slope, a hit proves little. "
-                                                  : "r: the reference is our own, a hit proves little. ";
+    const char* const rebuilt = result.has_strict
+                                    ? "r: used to rebuild the slope, a hit proves little. "
+                                    : "r: rests on choices or a reference of our own, a hit proves little. ";
     return joined(any("rebuilding") ? rebuilt : "",
                   any("fitted") ? "f: the model was calibrated with it, a hit proves little." : "");
 }

@@ -40,6 +40,23 @@ Figure Comparison::figure(const std::string& name) const {
 }
 
 void declare(config::Options& options, Settings& settings, CaseKind kind) {
+    if (kind == CaseKind::forest_belts) {
+        BeltSettings& belts = settings.belts;
+        options.count("belts.years", belts.years,
+                      {.unit = "years", .low = 10.0, .high = 5000.0, .meaning = "from bare ground on"});
+        options.count("belts.judged_from_year", belts.judged_from_year,
+                      {.unit = "years",
+                       .low = 1.0,
+                       .high = 5000.0,
+                       .meaning = "criteria are about the mean from this year to the last"});
+        options.count("belts.replicates", belts.replicates,
+                      {.low = 1.0, .high = 1000.0, .meaning = "forests at each place"});
+        options.count(
+            "belts.side_patches", belts.side_patches,
+            {.low = 1.0, .high = 100.0, .meaning = "patches of 100 m2 along a side; 10: one hectare"});
+        options.count("belts.seed", belts.seed,
+                      {.low = 0.0, .high = 9007199254740992.0, .meaning = "key of all random numbers"});
+    }
     if (kind == CaseKind::forest_yield) {
         options.numbers("yield.ages_years", settings.yield_ages_years,
                         {.unit = "years",
@@ -63,6 +80,8 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
         case CaseKind::forest_yield:
             return read_yield(files, rising("yield.ages_years", settings.yield_ages_years),
                               rising("yield.drawn_ages_years", settings.yield_drawn_ages_years));
+        case CaseKind::forest_belts:
+            return read_belts(files, settings.belts);
         case CaseKind::slope:
         case CaseKind::profile:
         case CaseKind::factors:

@@ -55,8 +55,18 @@ struct Comparison {
     [[nodiscard]] Figure figure(const std::string& name) const;
 };
 
+/// How long, how often and how large forests grow in forest_belts.
+struct BeltSettings {
+    std::uint64_t years = 400;
+    std::uint64_t judged_from_year = 300;  ///< criteria are about the mean from this year to the last
+    std::uint64_t replicates = 3;
+    std::uint64_t side_patches = 10;  ///< 10: one hectare
+    std::uint64_t seed = 1;
+};
+
 /// The settings of case.ini beside [case], each for one kind.
 struct Settings {
+    BeltSettings belts;
     std::vector<double> yield_ages_years{40, 50, 60, 70, 80, 90, 100, 110, 120};
     std::vector<double> yield_drawn_ages_years{70, 100};
 };
@@ -73,6 +83,8 @@ Comparison read_light(const CaseFiles& files);
 /// Stands at rising ages; those drawn over elevation are some of them.
 Comparison read_yield(const CaseFiles& files, const std::vector<int>& ages_years,
                       const std::vector<int>& drawn_ages_years);
+
+Comparison read_belts(const CaseFiles& files, const BeltSettings& settings);
 
 /// A table of the case. Throws InputError (file) where it is missing.
 config::Table table_of(const CaseFiles& files, const std::string& name);

@@ -149,6 +149,62 @@ TEST(YieldCase, AsksForTheTableAtEveryAge) {
     EXPECT_NE(problem_of(files).find("yield.ages_years 40"), std::string::npos) << problem_of(files);
 }
 
+/// Two places, a ninth of a hectare, 40 years.
+CaseChanges few_years(std::vector<std::string> more = {}) {
+    CaseChanges changes;
+    changes.overrides = {"belts.years=40", "belts.judged_from_year=20", "belts.replicates=2",
+                         "belts.side_patches=3"};
+    changes.overrides.insert(changes.overrides.end(), more.begin(), more.end());
+    return changes;
+}
+
+CaseFiles small_belts() {
+    CaseFiles files = shipped("forest_belts");
+    files.texts["sites.csv"] =
+        "site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph\ne1500,1500,0.6,120,55,5.0\n"
+        "e0500,500,0.8,120,70,5.5\n";
+    files.texts["criteria.csv"] =
+        "quantity,low,high,rests_on,rule\nshare:spruce:e1500,0,1,independent,x\n"
+        "biomass_tpha:e0500,1,500,independent,x\n";
+    return files;
+}
+
+TEST(BeltsCase, StacksTheSpeciesUpToTheWholeBiomass) {
+    const CaseResult result = result_of(small_belts(), few_years());
+    EXPECT_FALSE(misses_any(result));
+    ASSERT_EQ(result.plots.size(), 2U);
+    const Plot& biomass = result.plots[0].plots.at(1);
+    const std::vector<report::ChartRange>& top = biomass.series.back().ranges;
+    ASSERT_EQ(top.size(), 2U);
+    EXPECT_EQ(top[0].x, 500.0) << "sites in the order of their elevation";
+    const Values& values = result.variants.front().values;
+    EXPECT_NEAR(top[0].high, values.at("biomass_tpha:e0500").value, 1e-9);
+    EXPECT_NEAR(top[1].high, values.at("biomass_tpha:e1500").value, 1e-9);
+    const Plot& shares = result.plots[0].plots.at(0);
+    EXPECT_NEAR(shares.series.back().ranges[0].high, 100.0, 1e-9);
+    ASSERT_EQ(result.plots[1].plots.size(), 2U);
+    EXPECT_EQ(result.plots[1].plots[0].series.front().ranges.back().x, 40.0);
+}
+
+TEST(BeltsCase, GivesTheSameFiguresOnAnyNumberOfThreadsAndOthersForAnotherSeed) {
+    const auto figures = [](int threads, const std::string& more) {
+        const CaseResult result = result_of(small_belts(), few_years({more}), threads);
+        std::ostringstream out;
+        write_figures(out, {&result, 1});
+        write_plots(out, {&result, 1});
+        return out.str();
+    };
+    const std::string one = figures(1, "belts.seed=1");
+    EXPECT_EQ(one, figures(3, "belts.seed=1"));
+    EXPECT_NE(one, figures(3, "belts.seed=2"));
+}
+
+TEST(BeltsCase, RefusesToJudgeYearsThatAreNotGrown) {
+    EXPECT_NE(
+        problem_of(small_belts(), few_years({"belts.judged_from_year=41"})).find("belts.judged_from_year 41"),
+        std::string::npos);
+}
+
 TEST(ForestCase, SaysWhatChangesNothingWithoutRocks) {
     CaseChanges changes;
     changes.most_rocks = 20;
