@@ -35,6 +35,7 @@ enum class Purpose : std::uint8_t {
     wind = 53,           ///< a year's storm, and what it does to a tree
     snow = 54,           ///< whether snow falls wet in a year, and what it does to a tree
     beetle = 55,         ///< waking and flights of the bark beetles of one patch
+    real_rock = 70,      ///< whether a simulated rock is one of those that really fall in a year
     test = 255,
 };
 

@@ -152,6 +152,16 @@ void print_summary(const DecadeResults& results, const fs::path& folder,
     }
 }
 
+/// The rocks that really fall are drawn from the simulated ones.
+void refuse_too_many_rocks(const Scenario& scenario, const std::optional<RockSeason>& rocks) {
+    if (rocks && scenario.forest.feedback &&
+        scenario.forest.rocks_per_year > static_cast<double>(rocks->rocks())) {
+        config::fail(config::ExitCode::settings, scenario.options->place_of("feedback.rocks_per_year"),
+                     joined("feedback.rocks_per_year ", report::fixed(scenario.forest.rocks_per_year, 0)),
+                     joined("at most the ", std::to_string(rocks->rocks()), " rocks simulated in a year"));
+    }
+}
+
 Names names_of(const Management& management, const forest::SpeciesTable& species) {
     Names names{{}, {}, species};
     for (const Regime& regime : management.regimes) {
@@ -188,6 +198,7 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
     if (scenario.forest.rockfall_every > 0) {
         rocks.emplace(scenario, site, site.forest->species.fracture_energy, standing_stems(*site.forest));
     }
+    refuse_too_many_rocks(scenario, rocks);
     const Decades decades{scenario, *site.forest, management, rocks ? &*rocks : nullptr};
     const Names names = names_of(management, site.forest->species.table);
     const std::vector<Member> members = members_of(scenario, names.regimes.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "config/random/stream.hpp"
 #include "coupling/decades/record_forest.hpp"
 #include "coupling/decades/record_work.hpp"
 #include "forest/year.hpp"
@@ -44,8 +45,9 @@ public:
 
     void begin() {
         record_year(stand_, species(), 0, std::nullopt, 0.0, kept_);
-        let_rocks_fall(0);
-        record_lists(0);
+        const FallsOfYear falls = let_rocks_fall(0);
+        record_lists(0, falls);
+        hurt_trees(falls, 0);
         manage(0);
         record_losses(stand_, species(), 0, kept_);
     }
@@ -57,10 +59,11 @@ public:
             forest::grow_year(stand_, forest.place, species(), weather.view(), forest.parameters,
                               {decades_.scenario.seed, member_.replicate});
         manage(year);
+        const FallsOfYear falls = let_rocks_fall(year);
+        hurt_trees(falls, year);
         record_year(stand_, species(), year, report, mean_temperature_degc(forest.place, weather), kept_);
         record_losses(stand_, species(), year, kept_);
-        let_rocks_fall(year);
-        record_lists(year);
+        record_lists(year, falls);
     }
 
     MemberYears take() { return std::move(kept_); }
@@ -80,28 +83,48 @@ private:
         return decades_.rocks != nullptr && year % static_cast<std::int32_t>(settings_.rockfall_every) == 0;
     }
 
-    void let_rocks_fall(std::int32_t year) {
-        takes_.clear();
+    /// Without rocks in a year nothing fell.
+    FallsOfYear let_rocks_fall(std::int32_t year) {
         if (!has_rocks(year)) {
-            return;
+            return {};
         }
-        const FallsOfYear falls = decades_.rocks->fall(stand_, member_.replicate, year, threads_);
+        FallsOfYear falls = decades_.rocks->fall(stand_, member_.replicate, year, threads_);
         record_falls(falls, year, kept_);
         if (contains(map_years_, year)) {
             record_cells(falls, year, kept_);
         }
-        for (const StemTake& take : falls.takes) {
-            takes_[forest::number_of(take.tree)] = take.tally;
-        }
+        return falls;
     }
 
-    void record_lists(std::int32_t year) {
+    /// Of the simulated rocks some really fall: those hurt trees.
+    void hurt_trees(const FallsOfYear& falls, std::int32_t year) {
+        if (!settings_.feedback || falls.hits.empty()) {
+            return;
+        }
+        const double share = settings_.rocks_per_year / static_cast<double>(decades_.rocks->rocks());
+        std::vector<forest::Impact> impacts;
+        for (const RockHit& hit : falls.hits) {
+            const config::StreamKey key{decades_.scenario.seed, member_.replicate,
+                                        static_cast<std::uint16_t>(year), hit.rock};
+            if (config::RandomStream{key, config::Purpose::real_rock}.uniform() < share) {
+                impacts.push_back(hit.impact);
+            }
+        }
+        forest::wound(stand_, species(), impacts, decades_.forest.parameters.uprooting,
+                      decades_.scenario.seed, member_.replicate);
+    }
+
+    void record_lists(std::int32_t year, const FallsOfYear& falls) {
         if (contains(tree_list_years_, year)) {
+            std::map<std::uint64_t, rockfall::StemTally> takes;
+            for (const StemTake& take : falls.takes) {
+                takes[forest::number_of(take.tree)] = take.tally;
+            }
             const std::size_t first = kept_.trees.size();
             record_trees(stand_, year, kept_);
             for (std::size_t i = first; i < kept_.trees.size(); ++i) {
-                const auto take = takes_.find(kept_.trees[i].tree);
-                if (take != takes_.end()) {
+                const auto take = takes.find(kept_.trees[i].tree);
+                if (take != takes.end()) {
                     kept_.trees[i].rock_hits = take->second.hits;
                     kept_.trees[i].rock_energy_kj =
                         static_cast<float>(static_cast<double>(take->second.energy_j) / 1000.0);
@@ -121,7 +144,6 @@ private:
     RegimeState regime_state_;
     std::vector<int> tree_list_years_;
     std::vector<int> map_years_;
-    std::map<std::uint64_t, rockfall::StemTally> takes_;  ///< of the running year, by tree
     MemberYears kept_;
 };
 

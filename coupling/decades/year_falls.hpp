@@ -33,9 +33,9 @@ struct RockHit {
 
 /// The rocks of one year.
 struct FallsOfYear {
-    rockfall::EnsembleTally tally;  ///< its stems are those of `takes`
-    std::vector<StemTake> takes;    ///< of stems that were hit
-    std::vector<RockHit> hits;      ///< in the order of rocks
+    rockfall::EnsembleTally tally{config::GridFrame{}, 0, 0};
+    std::vector<StemTake> takes;  ///< of stems that were hit
+    std::vector<RockHit> hits;    ///< in the order of rocks
     std::uint64_t not_started = 0;
     bool with_forest = false;  ///< false: no stem stood on the slope
 };

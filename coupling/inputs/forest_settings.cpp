@@ -80,6 +80,19 @@ void declare_regimes(config::Options& options, ForestSettings& s) {
     options.text("regimes.work_costs", s.work_costs, {.meaning = "CSV of the costs of planting and tending"});
 }
 
+void declare_feedback(config::Options& options, ForestSettings& s) {
+    options.flag("feedback.on", s.feedback,
+                 {.meaning = "rocks break, uproot and wound trees, which changes the years after",
+                  .source = "choice"});
+    options.number(
+        "feedback.rocks_per_year", s.rocks_per_year,
+        {.unit = "1/yr",
+         .low = 0.0,
+         .high = 1e6,
+         .meaning = "rocks that really fall in a year on the whole slope; a share of the simulated ones",
+         .source = "needed with feedback.on"});
+}
+
 void declare_climate(config::Options& options, ForestSettings& s) {
     options.text(
         "climate.file", s.climate,
@@ -188,6 +201,7 @@ void declare(config::Options& options, ForestSettings& settings) {
     declare_stands(options, settings);
     declare_soil(options, settings);
     declare_regimes(options, settings);
+    declare_feedback(options, settings);
     declare_climate(options, settings);
     declare_output(options, settings);
 }
@@ -212,6 +226,15 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
     }
     if (!s.stand_map.empty() && !s.stand_polygons.empty()) {
         checker.refuse("stands.polygons", "stands.polygons beside stands.map", "only one of them");
+    }
+    if (s.feedback && s.rocks_per_year <= 0.0) {
+        checker.refuse("feedback.rocks_per_year", "feedback.on without feedback.rocks_per_year",
+                       "how many rocks really fall in a year");
+    }
+    if (s.feedback && s.rockfall_every != 1) {
+        checker.refuse("feedback.on",
+                       "feedback.on with run.rockfall_every " + std::to_string(s.rockfall_every),
+                       "run.rockfall_every = 1: damage is counted year by year");
     }
     if (s.timber_prices.empty() != s.work_costs.empty()) {
         checker.refuse(s.timber_prices.empty() ? "regimes.work_costs" : "regimes.timber_prices",

@@ -59,6 +59,10 @@ struct ForestSettings {
     std::string timber_prices;     ///< CSV, with
     std::string work_costs;        ///< CSV; both empty: the shipped ones
 
+    // [feedback]
+    bool feedback = false;        ///< rocks break and wound trees
+    double rocks_per_year = 0.0;  ///< that really fall on the whole slope
+
     // [output]
     std::vector<double> tree_list_years;  ///< years of simulation, 0 = the start
     std::vector<double> map_years;
