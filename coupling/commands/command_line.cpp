@@ -23,7 +23,8 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
     static const std::map<std::string, std::vector<std::string>> options{
         {"init", {"example"}},
         {"check", {"set", "seed", "threads", "print-settings"}},
-        {"run", {"set", "seed", "threads", "out", "overwrite"}},
+        {"run", {"set", "seed", "threads", "out", "overwrite", "shard"}},
+        {"merge", {"set", "seed", "out", "overwrite"}},
         {"validate", {"set", "seed", "threads", "out", "overwrite", "cases", "profile", "rocks", "list"}},
         {"stopping-table",
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
@@ -188,6 +189,27 @@ void add_stopping_table(CommandLine& line, const po::variables_map& values) {
     line.pictures = values.count("pictures") > 0;
 }
 
+/// "2/5": the second of five.
+Shard shard_of(const std::string& text) {
+    const auto slash = text.find('/');
+    const auto number = config::parse_whole(text.substr(0, slash));
+    const auto count = config::parse_whole(slash == std::string::npos ? "" : text.substr(slash + 1));
+    if (!number || !count || *number < 1 || *count < *number || *count > 100'000) {
+        refuse("--shard " + config::in_quotes(text), "i/n with 1 <= i <= n, such as 2/5");
+    }
+    return {static_cast<std::uint32_t>(*number), static_cast<std::uint32_t>(*count)};
+}
+
+/// The scenario and the folders after it.
+void add_merge(CommandLine& line, const po::variables_map& values) {
+    if (values.count("argument") == 0 || values["argument"].as<std::vector<std::string>>().size() < 2) {
+        refuse("`bannwald merge` without folders", "a scenario file and the folders of its shards");
+    }
+    const auto& words = values["argument"].as<std::vector<std::string>>();
+    line.argument = words.front();
+    line.folders.assign(words.begin() + 1, words.end());
+}
+
 CommandLine parse_command(const std::string& command, const std::vector<std::string>& arguments) {
     const po::variables_map values = parse(command, arguments);
     CommandLine line;
@@ -202,6 +224,8 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         add_validate(line, values);
     } else if (command == "stopping-table") {
         add_stopping_table(line, values);
+    } else if (command == "merge") {
+        add_merge(line, values);
     } else {
         line.argument = argument_of(command, values);
     }
@@ -219,6 +243,9 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
     }
     for (const std::string& threads : texts(values, "threads")) {
         line.threads = whole_of<int>("threads", threads, 1, 4096);
+    }
+    for (const std::string& shard : texts(values, "shard")) {
+        line.shard = shard_of(shard);
     }
     line.overwrite = values.count("overwrite") > 0;
     line.print_settings = values.count("print-settings") > 0;
@@ -244,14 +271,16 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty() ? "init, check, run, validate, stopping-table or info; see `bannwald --help`"
-                           : config::in_quotes(nearest));
+           nearest.empty()
+               ? "init, check, run, merge, validate, stopping-table or info; see `bannwald --help`"
+               : config::in_quotes(nearest));
 }
 
 }  // namespace
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init", "check", "run", "validate", "stopping-table", "info"};
+    static const std::vector<std::string> names{"init",     "check",          "run", "merge",
+                                                "validate", "stopping-table", "info"};
     return names;
 }
 

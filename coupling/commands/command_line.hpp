@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "coupling/run/run.hpp"
+
 namespace coupling {
 
 /// A call of the program, understood but not yet carried out.
 struct CommandLine {
-    std::string command;             ///< init, check, run, validate, stopping-table, info; help, help-all or version
+    std::string command;             ///< init, check, run, merge, validate, ...; help, help-all or version
     std::string help_for;            ///< command whose help is wanted, "" for the short help
     std::filesystem::path argument;  ///< folder, scenario or file
     std::string example = "tyrol";
@@ -21,6 +23,12 @@ struct CommandLine {
     bool print_settings = false;
     bool quiet = false;
     bool verbose = false;
+
+    // run
+    Shard shard;
+
+    // merge; the argument is the scenario
+    std::vector<std::filesystem::path> folders;
 
     // validate
     std::vector<std::string> cases;  ///< names; none: all

@@ -20,6 +20,7 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald init DIR [--example NAME]   writes an example project, ready to run
   bannwald check SCENARIO              reads everything, tells size, memory and time; writes nothing
   bannwald run SCENARIO                lets the rocks fall and writes maps, tables and a report
+  bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
   bannwald validate [CASE...|all]      holds the model against published experiments and tables
   bannwald stopping-table [RECIPE]     makes stopping probabilities from virtual surfaces
   bannwald info FILE                   tells what a grid or a table holds
@@ -52,6 +53,9 @@ constexpr std::string_view init_help = R"(bannwald init DIR [--example NAME]
 Writes an example project into a new or empty folder, whole or not at all.
   --example NAME        tyrol (default): a real slope of 132 ha, 25 900 artificial trees, a road
                         profile: a synthetic profile, rocks in two dimensions
+                        forest: a mapped mountain stand grows for a hundred years, without rocks
+                        regimes-small: 9 ha under four regimes for thirty years, with rocks
+                        regimes: 40 ha under four regimes for a hundred years, ten replicates
 )";
 
 constexpr std::string_view scenario_options = R"(  --set section.key=value   changes a setting; again for more
@@ -68,8 +72,19 @@ Reads all files of a scenario and lists every problem; tells how large the run i
 constexpr std::string_view run_help = R"(bannwald run SCENARIO [options]
 
 Lets rocks fall over the slope with its forest and over the bare slope, and writes the results.
-With terrain.profile = FILE they fall along a profile in two dimensions instead.
+With terrain.profile = FILE they fall along a profile in two dimensions instead. With run.years above 0 a forest
+grows, is managed, and the rocks fall again year after year.
 Interrupted by Ctrl-C it keeps finished parts; the same call goes on from there.
+  --out DIR                 folder of the results (default: out beside the scenario)
+  --overwrite               replaces results or parts that the folder holds
+  --shard i/n               of a run over years: simulates only each n-th member (regime and replicate), from the i-th on,
+                            and keeps its part; shards may share a folder, the call without --shard then makes the results
+)";
+
+constexpr std::string_view merge_help = R"(bannwald merge SCENARIO DIR... [options]
+
+Takes the parts that shards of a run over years left in their folders and makes the results.
+The scenario and its settings have to be those of the shards.
   --out DIR                 folder of the results (default: out beside the scenario)
   --overwrite               replaces results or parts that the folder holds
 )";
@@ -126,6 +141,7 @@ void write_help(std::ostream& out, const std::string& command) {
     const std::map<std::string, std::string_view> texts{{"init", init_help},
                                                         {"check", check_help},
                                                         {"run", run_help},
+                                                        {"merge", merge_help},
                                                         {"validate", validate_help},
                                                         {"stopping-table", stopping_table_help},
                                                         {"info", info_help}};
@@ -135,7 +151,7 @@ void write_help(std::ostream& out, const std::string& command) {
         return;
     }
     out << text->second;
-    if (command == "check" || command == "run") {
+    if (command == "check" || command == "run" || command == "merge") {
         out << scenario_options;
     }
     if (command == "validate") {

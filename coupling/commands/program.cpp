@@ -59,7 +59,9 @@ int run(const CommandLine& line) {
                            .threads = line.threads,
                            .overwrite = line.overwrite,
                            .quiet = line.quiet,
-                           .verbose = line.verbose});
+                           .verbose = line.verbose,
+                           .shard = line.shard,
+                           .shards = line.folders});
 }
 
 int stopping_table(const CommandLine& line) {
@@ -85,7 +87,7 @@ int carry_out(const CommandLine& line) {
     if (line.command == "check") {
         return check(line);
     }
-    if (line.command == "run") {
+    if (line.command == "run" || line.command == "merge") {
         return run(line);
     }
     if (line.command == "validate") {

@@ -54,10 +54,9 @@ std::vector<rockfall::Stem> standing_stems(const ForestSite& forest) {
 
 /// Lives through the members that have no part yet: several at a time, or the rocks of one on several threads
 /// where there are fewer members than threads. Throws Interrupted.
-void live_missing(const Decades& decades, std::span<const Member> missing, std::uint64_t done_before,
-                  const OutputFolder& folder, const std::string& hash, const RunRequest& request) {
-    Progress progress{"simulating years", decades.scenario.years * missing.size() + done_before, done_before,
-                      request.quiet};
+void live_missing(const Decades& decades, std::span<const Member> missing, const OutputFolder& folder,
+                  const std::string& hash, const RunRequest& request) {
+    Progress progress{"simulating years", decades.scenario.years * missing.size(), 0, request.quiet};
     std::mutex progress_mutex;
     const auto year_done = [&] {
         if (InterruptGuard::requested()) {
@@ -152,6 +151,34 @@ void print_summary(const DecadeResults& results, const fs::path& folder,
     }
 }
 
+/// Copies the parts of shards into the folder. A part that is cut off or of other settings is refused.
+void gather(std::span<const fs::path> shards, std::span<const Member> members, const OutputFolder& folder,
+            const std::string& hash) {
+    for (const fs::path& shard : shards) {
+        if (!fs::is_directory(shard / "parts")) {
+            config::fail(config::ExitCode::file, {shard.string()}, "no parts in this folder",
+                         "the --out folder of a shard");
+        }
+        for (const Member& member : members) {
+            const fs::path part = shard / "parts" / part_of(folder, member).filename();
+            if (const auto years = read_part(part, hash)) {
+                write_marker(folder.checkpoint(), hash);
+                write_part(part_of(folder, member), hash, *years);
+            }
+        }
+    }
+}
+
+void refuse_gaps(std::span<const Member> missing, const Names& names) {
+    if (!missing.empty()) {
+        config::fail(config::ExitCode::file, {},
+                     joined(std::to_string(missing.size()), " members without a part, such as ",
+                            names.regimes[missing.front().regime], ", replicate ",
+                            std::to_string(missing.front().replicate + 1)),
+                     "the folders of all shards; `bannwald run` simulates what is missing");
+    }
+}
+
 /// The rocks that really fall are drawn from the simulated ones.
 void refuse_too_many_rocks(const Scenario& scenario, const std::optional<RockSeason>& rocks) {
     if (rocks && scenario.forest.feedback &&
@@ -202,18 +229,29 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
     const Decades decades{scenario, *site.forest, management, rocks ? &*rocks : nullptr};
     const Names names = names_of(management, site.forest->species.table);
     const std::vector<Member> members = members_of(scenario, names.regimes.size());
+    gather(request.shards, members, folder, hash);
     std::vector<Member> missing;
-    std::copy_if(members.begin(), members.end(), std::back_inserter(missing),
-                 [&](const Member& member) { return !has_part(part_of(folder, member), hash); });
+    for (std::size_t i = request.shard.number - 1; i < members.size(); i += request.shard.count) {
+        if (!has_part(part_of(folder, members[i]), hash)) {
+            missing.push_back(members[i]);
+        }
+    }
+    if (!request.shards.empty()) {
+        refuse_gaps(missing, names);
+    }
     try {
-        live_missing(decades, missing, scenario.years * (members.size() - missing.size()), folder, hash,
-                     request);
+        live_missing(decades, missing, folder, hash, request);
     } catch (const Interrupted&) {
         std::fprintf(stderr, fs::exists(folder.checkpoint())
                                  ? "bannwald: interrupted; the finished members are kept, run the same "
                                    "command again to go on\n"
                                  : "bannwald: interrupted; no member was finished, nothing is kept\n");
         return static_cast<int>(config::ExitCode::interrupted);
+    }
+    if (request.shard.count > 1) {
+        std::printf("Shard %u of %u is done; its parts lie in %s\n", request.shard.number,
+                    request.shard.count, folder.parts().string().c_str());
+        return static_cast<int>(config::ExitCode::done);
     }
     const std::vector<MemberYears> years = read_all(members, folder, hash);
     const DecadeResults results{scenario, site,     names, years, rocks ? rocks->rocks() : 0,

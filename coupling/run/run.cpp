@@ -176,6 +176,10 @@ Ended AssessmentRun::write(OutputFolder& folder) {
 
 int run_assessment(const RunRequest& request) {
     const std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, request.overrides);
+    if (scenario->years == 0 && (request.shard.count > 1 || !request.shards.empty())) {
+        config::fail(config::ExitCode::settings, scenario->options->place_of("run.years"),
+                     "shards of a run without years", "run.years above 0: its members are what shards share");
+    }
     if (!scenario->profile.empty()) {
         return profile::run_profile(request, *scenario);
     }

@@ -1,12 +1,19 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace coupling {
 
-/// What the user asked `bannwald run` for.
+/// Part `number` (from 1) of `count` of the members of a run over years, for a machine of a cluster.
+struct Shard {
+    std::uint32_t number = 1;
+    std::uint32_t count = 1;
+};
+
+/// What the user asked `bannwald run` or `bannwald merge` for.
 struct RunRequest {
     std::filesystem::path scenario;
     std::vector<std::string> overrides;  ///< section.key=value
@@ -15,12 +22,16 @@ struct RunRequest {
     bool overwrite = false;
     bool quiet = false;
     bool verbose = false;
+    Shard shard{};
+    std::vector<std::filesystem::path>
+        shards{};  ///< not empty: nothing is simulated, the parts lie in these folders
 };
 
 /// Runs the static assessment of a scenario: reads, checks, lets the rocks fall with and without forest,
 /// writes the results.
 ///
-/// A scenario with terrain.profile runs in two dimensions instead (coupling/profile).
+/// A scenario with terrain.profile runs in two dimensions instead (coupling/profile), one with run.years
+/// above 0 over years (coupling/decades); only the latter has members that shards can share.
 ///
 /// Returns 0, or 75 if the user interrupted it: finished parts stay and the next call goes on from them.
 /// Throws config::InputError; then no new output folder is left.

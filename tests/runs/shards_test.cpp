@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/runs/years.hpp"
+
+namespace coupling {
+namespace {
+
+const std::string members = std::string{four_members} + "--set run.years=6 ";
+
+TEST(Shards, InOneFolderGiveTheBytesOfAWholeRun) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, members + "--out whole").code, 0);
+    for (const std::string shard : {"2/3", "1/3", "3/3"}) {
+        ASSERT_EQ(call(project, members + "--out out --shard " + shard).code, 0);
+    }
+    ASSERT_EQ(call(project, members + "--out out").code, 0);
+    EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
+}
+
+/// The same settings for another command: what follows `run`.
+std::string merge(const std::string& folders_and_options) {
+    std::string words = members.substr(members.find(' ') + 1);
+    words.insert(words.find("scenario.ini") + std::string{"scenario.ini"}.size(), " " + folders_and_options);
+    return "merge " + words;
+}
+
+TEST(Shards, MergedFromTheirFoldersGiveTheBytesOfAWholeRun) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, members + "--out whole").code, 0);
+    ASSERT_EQ(call(project, members + "--out first --shard 1/2").code, 0);
+    ASSERT_EQ(call(project, members + "--out second --shard 2/2").code, 0);
+    const Outcome merged = call(project, merge("first second --out out"));
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
+}
+
+TEST(Shards, AreNotMergedWithGapsNorWithOtherSettings) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, members + "--out first --shard 1/2").code, 0);
+    const Outcome gaps = call(project, merge("first --out out"));
+    EXPECT_EQ(gaps.code, 3);
+    EXPECT_NE(gaps.err.find("2 members without a part"), std::string::npos) << gaps.err;
+    const Outcome other = call(project, merge("first --out other --seed 7"));
+    EXPECT_EQ(other.code, 3);
+    EXPECT_NE(other.err.find("a part of a run with other settings or inputs"), std::string::npos)
+        << other.err;
+    const Outcome none = call(project, merge("nowhere --out third"));
+    EXPECT_EQ(none.code, 3);
+    EXPECT_NE(none.err.find("no parts in this folder"), std::string::npos) << none.err;
+}
+
+TEST(Shards, NeedYears) {
+    const SampleProject project;
+    const Outcome outcome = call(project, "run scenario.ini --shard 1/2");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("shards of a run without years"), std::string::npos) << outcome.err;
+    EXPECT_EQ(call(project, "run scenario.ini --shard 3/2").code, 2);
+}
+
+}  // namespace
+}  // namespace coupling
