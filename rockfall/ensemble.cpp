@@ -4,6 +4,15 @@
 
 namespace rockfall {
 
+Obstacles Assessment::obstacles(Cover cover, std::span<std::uint8_t> gone) const {
+    if (cover == Cover::bare) {
+        return {};
+    }
+    const std::size_t stems_marked = gone.empty() ? 0 : stems.placed().size();
+    return {stems.empty() ? nullptr : &stems, gone.first(stems_marked), log_count() == 0 ? nullptr : logs,
+            gone.subspan(stems_marked)};
+}
+
 std::vector<Chunk> plan_chunks(std::span<const ReleaseSource> sources, std::uint32_t most_rocks) {
     std::vector<Chunk> chunks;
     for (std::uint32_t i = 0; i < sources.size(); ++i) {
@@ -31,6 +40,7 @@ void ChunkRows::clear() {
         arrivals[c].clear();
     }
     tree_hits.clear();
+    log_hits.clear();
     paths.clear();
     not_started = 0;
 }
@@ -50,7 +60,8 @@ void FedCells::add_to(EnsembleTally& tally, std::uint32_t rocks) const {
 Worker::Worker(const Assessment& assessment, std::array<CellHistograms*, covers> histograms)
     : assessment_{assessment},
       histograms_{histograms},
-      tally_{assessment.map_frame, assessment.targets.size(), assessment.stems.placed().size()} {
+      tally_{assessment.map_frame, assessment.targets.size(), assessment.stems.placed().size(),
+             assessment.log_count()} {
     for (auto& footprint : footprints_) {
         footprint =
             std::make_unique<Footprint>(assessment.slope.terrain, assessment.map_frame, assessment.targets);
@@ -71,7 +82,7 @@ void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<s
             continue;
         }
         fall_over(Cover::bare, *start, rows, fed, {});
-        if (!assessment_.stems.empty()) {
+        if (!assessment_.only_bare()) {
             fall_over(Cover::forest, *start, rows, fed, gone);
             const auto bare = footprints_[static_cast<std::size_t>(Cover::bare)]->arrivals();
             const auto forest = footprints_[static_cast<std::size_t>(Cover::forest)]->arrivals();
@@ -86,7 +97,7 @@ void Worker::fall_over(Cover cover, const RockStart& start, ChunkRows& rows, Fed
                        std::span<std::uint8_t> gone) {
     Footprint& footprint = *footprints_[static_cast<std::size_t>(cover)];
     footprint.begin(start, assessment_.path_every > 0 && start.id % assessment_.path_every == 0);
-    const Obstacles obstacles{cover == Cover::forest ? &assessment_.stems : nullptr, gone};
+    const Obstacles obstacles = assessment_.obstacles(cover, gone);
     const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
     footprint.finish(fall(assessment_.slope, obstacles, assessment_.law, key, start, scratch_, footprint));
     count(cover, rows, fed, start);
@@ -121,6 +132,12 @@ void Worker::count(Cover cover, ChunkRows& rows, FedCells* fed, const RockStart&
         tally_.stems[hit.stem].add(
             {1, hit.broken ? 1U : 0U, static_cast<std::uint64_t>(std::lround(hit.loss_j))});
         rows.tree_hits.emplace_back(start.id, hit);
+    }
+    for (const LogHitRecord& hit : footprint.log_hits()) {
+        tally_.logs[hit.log].add({1, hit.outcome == LogOutcome::broke ? 1U : 0U,
+                                  hit.outcome == LogOutcome::stopped ? 1U : 0U,
+                                  static_cast<std::uint64_t>(std::lround(hit.loss_j))});
+        rows.log_hits.emplace_back(start.id, hit);
     }
     rows.rocks[c].push_back(footprint.record());
     rows.arrivals[c].insert(rows.arrivals[c].end(), arrivals.begin(), arrivals.end());

@@ -18,7 +18,7 @@ namespace rockfall {
 /// Everything that the falls of an ensemble share and none of them changes.
 struct Assessment {
     const Slope& slope;
-    const StemIndex& stems;                  ///< empty: only the bare slope is assessed
+    const StemIndex& stems;
     std::span<const ReleaseSource> sources;  ///< allotted
     std::span<const Target> targets;
     StartLaw start;
@@ -28,6 +28,13 @@ struct Assessment {
     std::uint32_t replicate = 0;
     std::uint16_t year = 0;
     std::uint64_t path_every = 0;  ///< each rock whose number this divides keeps its path; 0: none
+    const LogIndex* logs = nullptr;
+
+    /// Neither stems nor logs: only the bare slope is assessed.
+    [[nodiscard]] bool only_bare() const { return stems.empty() && log_count() == 0; }
+    [[nodiscard]] std::size_t log_count() const { return logs == nullptr ? 0 : logs->count(); }
+    /// What is in the way. `gone`: a mark per stem, then one per log, or empty.
+    [[nodiscard]] Obstacles obstacles(Cover cover, std::span<std::uint8_t> gone) const;
 };
 
 /// A run of rocks that one worker falls without being interrupted.
@@ -53,9 +60,10 @@ struct PathRecord {
 
 /// What a chunk hands over rock by rock, in rock order; everything else goes into the tallies.
 struct ChunkRows {
-    std::array<std::vector<RockRecord>, covers> rocks;               ///< forest is empty without stems
+    std::array<std::vector<RockRecord>, covers> rocks;               ///< forest is empty without obstacles
     std::array<std::vector<Arrival>, covers> arrivals;               ///< rock by rock, target by target
     std::vector<std::pair<std::uint64_t, TreeHitRecord>> tree_hits;  ///< (rock, hit)
+    std::vector<std::pair<std::uint64_t, LogHitRecord>> log_hits;    ///< (rock, hit)
     std::vector<PathRecord> paths;
     std::uint64_t not_started = 0;  ///< rocks whose place lies outside the terrain
 
@@ -80,15 +88,15 @@ private:
     std::vector<std::atomic<std::uint8_t>> touched_;
 };
 
-/// Lets rocks fall, one after the other, each over the slope with forest and over the bare slope with the
-/// same random numbers. One worker per thread; workers share only the assessment and the histograms.
+/// Lets rocks fall, one after the other, each over the slope with forest and logs and over the bare slope
+/// with the same random numbers. One worker per thread; workers share only the assessment and the histograms.
 class Worker {
 public:
     /// `histograms` may hold null pointers: then no percentiles are kept.
     Worker(const Assessment& assessment, std::array<CellHistograms*, covers> histograms);
 
-    /// Falls the rocks of a chunk. `fed` is needed for pieces of a source, and only then. `gone` marks fallen
-    /// stems (empty: none falls).
+    /// Falls the rocks of a chunk. `fed` is needed for pieces of a source, and only then. `gone` marks broken
+    /// stems, then broken logs (empty: none breaks for good).
     void run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone);
 
     [[nodiscard]] const EnsembleTally& tally() const { return tally_; }

@@ -7,7 +7,8 @@
 #include "rockfall/motion/flight.hpp"
 #include "rockfall/motion/picus.hpp"
 #include "rockfall/motion/rolling.hpp"
-#include "rockfall/obstacles/stem_index.hpp"
+#include "rockfall/obstacles/log_impact.hpp"
+#include "rockfall/obstacles/obstacles.hpp"
 #include "rockfall/obstacles/tree_impact.hpp"
 #include "rockfall/rock.hpp"
 
@@ -17,6 +18,7 @@ namespace rockfall {
 struct FallLaw {
     PicusLaw ground;
     TreeImpactLaw tree;
+    LogImpactLaw log;
 };
 
 /// A rock at the moment of its release, in coordinates of the terrain.
@@ -35,9 +37,17 @@ enum class StopReason : std::uint8_t {
     at_rest,       ///< kinetic energy used up on the ground
     caught,        ///< stopped by an obstacle of the surface (stopping probability)
     tree,          ///< stopped by a stem
+    log,           ///< rests upslope of a lying log
     left_terrain,  ///< ran over the border or into a hole: not stopped
     gave_up,       ///< more impacts than the limit: not stopped
 };
+
+inline constexpr std::size_t stop_reasons = 6;
+
+/// Whether the rock lies still; otherwise it left or was given up.
+constexpr bool came_to_rest(StopReason reason) {
+    return reason != StopReason::left_terrain && reason != StopReason::gave_up;
+}
 
 /// How a fall ended.
 struct FallEnd {
@@ -45,13 +55,8 @@ struct FallEnd {
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
     std::uint32_t ground_impacts = 0;
     std::uint32_t tree_hits = 0;
+    std::uint32_t log_hits = 0;
     std::uint32_t crossings = 0;  ///< triangle stretches flown over, for benchmarks
-};
-
-/// What stands in the way. `gone` marks stems that no longer stand (empty: all stand).
-struct Obstacles {
-    const StemIndex* stems = nullptr;  ///< nullptr: bare slope
-    std::span<std::uint8_t> gone{};
 };
 
 /// Memory that falls reuse.
@@ -65,6 +70,7 @@ struct NoObserver {
     void rolled(const Rock&, const RollingPiece&, std::uint32_t) {}
     void impacted(const Eigen::Vector3d&) {}
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
+    void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) {}
 };
 
 }  // namespace rockfall

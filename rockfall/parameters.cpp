@@ -194,13 +194,34 @@ void declare_trees(config::Options& options, TreeImpactLaw& law) {
                   .source = "choice, after Lundstrom et al. 2009",
                   .presets = published("no")});
     options.flag("tree_impact.remove_broken", law.remove_broken,
-                 {.meaning = "broken trees no longer stand in the way of the rocks that follow",
+                 {.meaning = "broken trees and logs are no longer in the way of the rocks that follow",
                   .source = "Vaujany experiments (Rammer et al. 2010)"});
     options.number("tree_impact.stop_share", law.stop_share,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.5,
-                    .meaning = "a rock left with less of its energy stays at the tree",
+                    .meaning = "a rock left with less of its energy stays at the tree or log",
+                    .source = "choice"});
+}
+
+void declare_logs(config::Options& options, LogImpactLaw& law) {
+    options.number("log_impact.loose_share", law.loose_share,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "energy that a log takes which nothing holds, by that of an anchored one",
+                    .source = "choice"});
+    options.number("log_impact.climb_share", law.climb_share,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "share of a log's energy that a rock spends at most to climb it",
+                    .source = "choice"});
+    options.number("log_impact.friction", law.friction,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 5.0,
+                    .meaning = "friction along a log that blocks a flying rock; steeper than 1/this it stays",
                     .source = "choice"});
 }
 
@@ -269,6 +290,7 @@ void declare(config::Options& options, Parameters& parameters) {
     declare_rolling(options, law.rolling, parameters.written);
     declare_stopping(options, law.stopping, parameters.written);
     declare_trees(options, parameters.fall.tree);
+    declare_logs(options, parameters.fall.log);
 }
 
 void take_over(Parameters& parameters, const config::Options& options) {
@@ -282,6 +304,7 @@ void take_over(Parameters& parameters, const config::Options& options) {
         config::sin_cos_of(config::Angle::from_degrees(written.rolling_edge_deg).in_radians());
     law.rolling.edge_angle_tangent = edge.sin / edge.cos;
     law.stopping.most_impacts = static_cast<std::uint32_t>(written.most_impacts);
+    parameters.fall.log.stop_share = parameters.fall.tree.stop_share;
 
     config::Problems problems;
     if (law.rolling.launch_factor <= law.rolling.start_factor) {

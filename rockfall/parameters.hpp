@@ -34,8 +34,8 @@ struct Parameters {
     WrittenLaw written;
 };
 
-/// Declares the settings [rockfall] and [tree_impact]; each carries its presets `strict`, `paper_rebound`,
-/// `paper_initial`. After reading, `take_over` brings the laws up to date.
+/// Declares the settings [rockfall], [tree_impact] and [log_impact]; each carries its presets `strict`,
+/// `paper_rebound`, `paper_initial`. After reading, `take_over` brings the laws up to date.
 void declare(config::Options& options, Parameters& parameters);
 
 /// Turns what users wrote into what the laws use. Throws InputError (settings) where settings contradict each

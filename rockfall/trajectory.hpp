@@ -11,12 +11,14 @@
 #include "rockfall/motion/flight.hpp"
 #include "rockfall/motion/groove.hpp"
 #include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/resting_place.hpp"
 #include "rockfall/motion/rolling.hpp"
-#include "rockfall/obstacles/stem_index.hpp"
-#include "rockfall/obstacles/touched_stems.hpp"
+#include "rockfall/obstacles/log_impact.hpp"
+#include "rockfall/obstacles/obstacles.hpp"
 #include "rockfall/obstacles/tree_impact.hpp"
 #include "rockfall/rock.hpp"
 #include "rockfall/slope.hpp"
+#include "rockfall/surface_stops.hpp"
 
 namespace rockfall {
 
@@ -42,7 +44,10 @@ public:
           position_m_{start.position_m},
           velocity_mps_{start.velocity_mps},
           triangle_{start.triangle},
-          rolling_{start.rolling} {
+          rolling_{start.rolling},
+          resting_place_{start.rock.radius_m},
+          surface_stops_{start.rock.diameter_m},
+          encounters_{obstacles, start.rock.radius_m} {
         if (law.ground.noise == NoiseScope::rock) {
             constexpr std::uint32_t once_per_rock = 0xFFFFFF;
             noise_of_rock_ = 2.0 * ground_draws_.uniforms_of(once_per_rock)[0] - 1.0;
@@ -70,13 +75,10 @@ private:
         const Flight flight{position_m_, velocity_mps_};
         const Landing landing = fly(slope_.terrain, flight, triangle_, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
-        if (obstacles_.stems != nullptr && !scratch_.stretches.empty()) {
-            touched_.forget_left_behind(*obstacles_.stems, position_m_, rock_.radius_m);
-            const auto hit = obstacles_.stems->first_hit(flight, landing.time_s, rock_.radius_m,
-                                                         touched_.stems(), obstacles_.gone);
-            if (hit) {
-                end_flight_at(flight, hit->time_s);
-                meet(*hit);
+        if (!obstacles_.none() && !scratch_.stretches.empty()) {
+            if (const auto encounter = encounters_.next(flight, landing.time_s)) {
+                end_flight_at(flight, encounter->time_s);
+                meet(*encounter);
                 return;
             }
         }
@@ -92,36 +94,12 @@ private:
         touch_ground(landing.plane);
     }
 
-    /// Cuts the flight and the profile below it at a time.
     void end_flight_at(const Flight& flight, double time_s) {
-        std::vector<Stretch>& stretches = scratch_.stretches;
-        std::size_t k = 0;
-        while (k + 1 < stretches.size() && stretches[k].end_s < time_s) {
-            ++k;
-        }
+        cut(scratch_.stretches, slope_.terrain, flight, time_s);
         position_m_ = flight.position_m(time_s);
         velocity_mps_ = flight.velocity_at(time_s);
-        triangle_ = stretches[k].triangle;
-        const Plane plane = slope_.terrain.plane_of(triangle_);
-        stretches.resize(k + 1);
-        stretches[k] = {time_s, plane.height_m(position_m_.x(), position_m_.y()), triangle_};
-        observer_.flew(rock_, flight, time_s, stretches, spin_radps_);
-    }
-
-    /// Whether the rock has come to rest between faces that each alone would let it go.
-    ///
-    /// Two steep faces that meet in a pit or a groove hand a rock to and fro in ever smaller steps. A rock
-    /// that has not left the circle of its own radius in so many impacts, or in so long a time, lies where it
-    /// is.
-    bool lies_still() {
-        constexpr std::uint32_t impacts_at_one_place = 16;
-        constexpr double seconds_at_one_place = 10.0;
-        if ((position_m_ - watched_place_m_).squaredNorm() > rock_.radius_m * rock_.radius_m) {
-            watched_place_m_ = position_m_;
-            impacts_here_ = 0;
-            rolled_here_s_ = 0.0;
-        }
-        return impacts_here_ > impacts_at_one_place || rolled_here_s_ > seconds_at_one_place;
+        triangle_ = scratch_.stretches.back().triangle;
+        observer_.flew(rock_, flight, time_s, scratch_.stretches, spin_radps_);
     }
 
     /// Between two faces the only way on is along their edge; in a pit there is none.
@@ -134,7 +112,7 @@ private:
         }
         velocity_mps_.setZero();
         begin_rolling();
-        if (meets_stem_rolling(*run) || is_caught_rolling(*run)) {
+        if (meets_obstacle_rolling(*run) || is_caught_rolling(*run)) {
             return;
         }
         observer_.rolled(rock_, *run, triangle_);
@@ -166,7 +144,7 @@ private:
 
     void touch_ground(const Plane& plane) {
         const Eigen::Vector3d normal = plane.normal();
-        if (lies_still()) {
+        if (resting_place_.holds(position_m_)) {
             leave_groove_or_rest();
             return;
         }
@@ -177,13 +155,13 @@ private:
         const SurfaceType& surface = slope_.type_at(position_m_.x(), position_m_.y());
         ContactDraws draws = next_draws();
         ++end_.ground_impacts;
-        ++impacts_here_;
+        resting_place_.add_impact();
         observer_.impacted(position_m_);
         if (velocity_mps_.dot(normal) >= 0.0) {
             return;  // grazes along a facet it does not press on: flies on
         }
         const Contact contact = meet_ground(velocity_mps_, spin_radps_, normal, surface.restitution,
-                                            stop_probability(surface), rock_, law_.ground, draws);
+                                            surface_stops_.probability(surface), rock_, law_.ground, draws);
         velocity_mps_ = contact.velocity_mps;
         spin_radps_ = contact.spin_radps;
         switch (contact.onward) {
@@ -210,24 +188,6 @@ private:
         return draws;
     }
 
-    /// The stop probability changes only with the surface: a rock keeps its size.
-    double stop_probability(const SurfaceType& surface) {
-        if (&surface != probability_of_) {
-            probability_of_ = &surface;
-            probability_ = surface.stopping.at(rock_.diameter_m);
-        }
-        return probability_;
-    }
-
-    /// Rate at which the rock is caught [1/m], likewise.
-    double rolling_rate(const SurfaceType& surface) {
-        if (&surface != rate_of_) {
-            rate_of_ = &surface;
-            rolling_rate_ = surface.rolling_stops_per_m.at(rock_.diameter_m);
-        }
-        return rolling_rate_;
-    }
-
     void begin_rolling() {
         rolling_ = true;
         spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
@@ -236,7 +196,7 @@ private:
     }
 
     void roll_on() {
-        if (lies_still()) {
+        if (resting_place_.holds(position_m_)) {
             leave_groove_or_rest();
             return;
         }
@@ -255,11 +215,11 @@ private:
         const double next_launch_mps = std::max(launch_mps, velocity_mps_.norm() * 1.1);
         RollingPiece piece = roll(slope_.terrain, triangle_, plane, position_m_, velocity_mps_,
                                   law_.ground.rolling.friction, next_launch_mps);
-        if (meets_stem_rolling(piece) || is_caught_rolling(piece)) {
+        if (meets_obstacle_rolling(piece) || is_caught_rolling(piece)) {
             return;
         }
         observer_.rolled(rock_, piece, triangle_);
-        rolled_here_s_ += std::max(piece.duration_s, shortest_rolling_piece_s);  // even if it gets nowhere
+        resting_place_.add_rolling(piece.duration_s);
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
         position_m_.z() = plane.height_m(position_m_.x(), position_m_.y());
@@ -317,7 +277,7 @@ private:
     }
 
     bool is_caught_rolling(RollingPiece& piece) {
-        const double rate = rolling_rate(slope_.type_at(position_m_.x(), position_m_.y()));
+        const double rate = surface_stops_.rolling_rate(slope_.type_at(position_m_.x(), position_m_.y()));
         if (rate <= 0.0 || !law_.ground.stopping.by_chance) {
             return false;
         }
@@ -333,53 +293,85 @@ private:
         return true;
     }
 
-    bool meets_stem_rolling(RollingPiece& piece) {
-        if (obstacles_.stems == nullptr || piece.duration_s <= 0.0) {
+    bool meets_obstacle_rolling(RollingPiece& piece) {
+        if (obstacles_.none() || piece.duration_s <= 0.0) {
             return false;
         }
-        touched_.forget_left_behind(*obstacles_.stems, position_m_, rock_.radius_m);
-        const Eigen::Vector3d mean_mps =
-            (piece.position_m(piece.duration_s) - piece.start_m) / piece.duration_s;
-        const auto hit = obstacles_.stems->first_hit_rolling(
-            piece.start_m, mean_mps, piece.duration_s, rock_.radius_m, touched_.stems(), obstacles_.gone);
-        if (!hit) {
+        const auto encounter = encounters_.next(piece);
+        if (!encounter) {
             return false;
         }
-        piece.duration_s = piece.time_along_s(hit->time_s / piece.duration_s);
+        piece.duration_s = piece.time_along_s(encounter->time_s / piece.duration_s);
         if (is_caught_rolling(piece)) {
-            return true;  // caught on the way to the stem
+            return true;  // caught on the way to the obstacle
         }
         observer_.rolled(rock_, piece, triangle_);
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
         spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
-        meet(*hit);
+        meet(*encounter);
         return true;
     }
 
-    void meet(const StemHit& hit) {
-        const PlacedStem& stem = obstacles_.stems->placed()[hit.stem];
+    void meet(const Encounter& encounter) {
         const double energy_j = kinetic_energy_j(rock_, velocity_mps_.squaredNorm(), spin_radps_);
         if (energy_j <= 0.0) {
-            stop(StopReason::tree);  // leans on the stem
-            return;
+            stop(encounter.stem ? StopReason::tree : StopReason::log);  // leans on it
+        } else if (encounter.stem) {
+            meet(*encounter.stem, energy_j);
+        } else {
+            meet(*encounter.log, energy_j);
         }
+    }
+
+    void meet(const StemHit& hit, double energy_j) {
+        const PlacedStem& stem = obstacles_.stems->placed()[hit.stem];
         const TreeImpact impact =
             meet_stem(energy_j, hit, stem, law_.tree, tree_draws_.uniforms_of(end_.tree_hits));
         ++end_.tree_hits;
-        touched_.remember(hit.stem);
+        encounters_.remember(hit);
         observer_.met_stem(position_m_, hit, impact, energy_j);
         if (impact.broken && law_.tree.remove_broken && !obstacles_.gone.empty()) {
             obstacles_.gone[hit.stem] = 1;
         }
         if (impact.stopped) {
-            // It drops to the ground at the uphill foot of the tree.
-            position_m_.z() = slope_.terrain.plane_of(triangle_).height_m(position_m_.x(), position_m_.y());
-            velocity_mps_.setZero();
-            stop(StopReason::tree);
+            rest_at_foot(StopReason::tree);
             return;
         }
         turn_and_slow(impact);
+    }
+
+    void meet(const LogHit& hit, double energy_j) {
+        const LogPiece& piece = obstacles_.logs->pieces()[hit.piece];
+        LogImpact impact = rockfall::meet_log(energy_j, velocity_mps_, rock_, rolling_, hit, piece, law_.log);
+        if (impact.outcome == LogOutcome::turned && turned_at_log_ == hit.log &&
+            (position_m_ - turned_at_m_).squaredNorm() < rock_.radius_m * rock_.radius_m) {
+            impact = rest_at(energy_j);  // pressed against it once more on the same spot
+        }
+        ++end_.log_hits;
+        observer_.met_log(position_m_, hit, impact, energy_j);
+        if (impact.outcome == LogOutcome::stopped) {
+            rest_at_foot(StopReason::log);
+            return;
+        }
+        if (impact.outcome == LogOutcome::turned) {
+            turned_at_log_ = hit.log;
+            turned_at_m_ = position_m_;
+        } else {
+            encounters_.remember(hit);
+        }
+        if (impact.outcome == LogOutcome::broke && law_.tree.remove_broken && !obstacles_.logs_gone.empty()) {
+            obstacles_.logs_gone[hit.log] = 1;
+        }
+        velocity_mps_ = impact.velocity_mps;
+        spin_radps_ *= impact.spin_factor;
+    }
+
+    /// Drops to the ground at the uphill foot of an obstacle.
+    void rest_at_foot(StopReason reason) {
+        position_m_.z() = slope_.terrain.plane_of(triangle_).height_m(position_m_.x(), position_m_.y());
+        velocity_mps_.setZero();
+        stop(reason);
     }
 
     void turn_and_slow(const TreeImpact& impact) {
@@ -420,19 +412,16 @@ private:
     bool stopped_ = false;
     FallEnd end_;
 
-    Eigen::Vector3d watched_place_m_ = Eigen::Vector3d::Constant(1e30);
-    std::uint32_t impacts_here_ = 0;
-    double rolled_here_s_ = 0.0;
+    RestingPlace resting_place_;
+    SurfaceStops surface_stops_;
     std::uint32_t contacts_ = 0;
     std::uint32_t rolls_ = 0;
     std::uint32_t rolling_pieces_ = 0;
-    TouchedStems touched_;
+    Encounters encounters_;
+    std::uint32_t turned_at_log_ = no_log;
+    Eigen::Vector3d turned_at_m_ = Eigen::Vector3d::Zero();
     double noise_of_rock_ = 0.0;
     double rolling_until_caught_ = 0.0;
-    const SurfaceType* probability_of_ = nullptr;
-    double probability_ = 0.0;
-    const SurfaceType* rate_of_ = nullptr;
-    double rolling_rate_ = 0.0;
 };
 
 template <class Observer>

@@ -34,6 +34,7 @@ constexpr std::array meaningless{
     Meaningless{"rockfall.lateral_fast_deg", "nothing: rocks are not turned sideways along a profile"},
     Meaningless{"rockfall.lateral_fast_mps", "nothing: rocks are not turned sideways along a profile"},
     Meaningless{"tree_impact.", "nothing: rocks meet no trees along a profile"},
+    Meaningless{"log_impact.", "nothing: rocks meet no logs along a profile"},
     Meaningless{"forest.", "nothing: no forest grows along a profile"},
     Meaningless{"stands.", "nothing: no forest grows along a profile"},
     Meaningless{"soil.", "nothing: no forest grows along a profile"},

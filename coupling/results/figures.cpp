@@ -112,6 +112,8 @@ const char* name_of(rockfall::StopReason reason) {
             return "caught";
         case rockfall::StopReason::tree:
             return "tree";
+        case rockfall::StopReason::log:
+            return "log";
         case rockfall::StopReason::left_terrain:
             return "left_terrain";
         case rockfall::StopReason::gave_up:

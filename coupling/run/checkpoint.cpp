@@ -5,7 +5,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x31305452'41504E42ULL;  // "BNPART01", least byte first
+constexpr std::uint64_t magic = 0x32305452'41504E42ULL;  // "BNPART02", least byte first
 
 template <std::size_t N>
 std::span<const std::uint64_t> as_list(const std::array<std::uint64_t, N>& values) {
@@ -47,9 +47,10 @@ void read(ByteReader& in, rockfall::ArrivalTally& t) {
 /// The plain numbers of a run tally, in one order for writing and reading.
 template <class Tally, class Visit>
 void each_number(Tally& t, const Visit& visit) {
-    for (auto* v : {&t.rocks, &t.run_out_sum_mm, &t.max_speed_sum_mmps, &t.mean_speed_sum_mmps,
-                    &t.max_energy_sum_j, &t.max_height_sum_mm, &t.jump_height_sum_mm, &t.jumps,
-                    &t.ground_impacts, &t.hits, &t.trees_broken, &t.tree_energy_sum_j}) {
+    for (auto* v :
+         {&t.rocks, &t.run_out_sum_mm, &t.max_speed_sum_mmps, &t.mean_speed_sum_mmps, &t.max_energy_sum_j,
+          &t.max_height_sum_mm, &t.jump_height_sum_mm, &t.jumps, &t.ground_impacts, &t.hits, &t.trees_broken,
+          &t.tree_energy_sum_j, &t.log_hits, &t.logs_broken, &t.log_energy_sum_j}) {
         visit(*v);
     }
     for (auto* v : {&t.max_speed_mps, &t.max_energy_j, &t.max_height_m, &t.max_run_out_m}) {
@@ -164,6 +165,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
         out.value(target.reached_both);
     }
     out.list(tally.stems);
+    out.list(tally.logs);
     close_and_rename(out, temporary, file);
 }
 
@@ -211,6 +213,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
         target.reached_both = in.value<std::uint64_t>();
     }
     tally.stems = in.list<rockfall::StemTally>();
+    tally.logs = in.list<rockfall::LogTally>();
     in.check_end();
     return checkpoint;
 }

@@ -19,9 +19,9 @@ enum class Ended { done, interrupted };
 /// Lets the rocks of `chunks` fall on several threads and adds what they leave to `total`.
 ///
 /// The chunks must hold whole sources between them. Rows reach the sink in chunk order; sums are whole
-/// numbers, so nothing depends on the number of threads. With `gone` (a mark per stem) broken trees fall:
-/// then one thread does all, in rock order. When interrupted, `total` is left as it was. Exceptions of the
-/// sink are passed on.
+/// numbers, so nothing depends on the number of threads. With `gone` (a mark per stem, then per log) broken
+/// ones go: then one thread does all, in rock order. When interrupted, `total` is left as it was. Exceptions
+/// of the sink are passed on.
 Ended fall_rocks(const rockfall::Assessment& assessment, std::span<const rockfall::Chunk> chunks,
                  std::array<rockfall::CellHistograms*, rockfall::covers> histograms,
                  std::span<std::uint8_t> gone, int threads, rockfall::EnsembleTally& total,

@@ -15,7 +15,7 @@ class Watch {
 public:
     Watch(const rockfall::Assessment& assessment, rockfall::Cover cover, std::span<std::uint8_t> gone)
         : assessment_{assessment},
-          obstacles_{cover == rockfall::Cover::forest ? &assessment.stems : nullptr, gone},
+          obstacles_{assessment.obstacles(cover, gone)},
           footprint_{assessment.slope.terrain, assessment.map_frame, assessment.targets},
           jumps_{assessment.slope.terrain} {}
 

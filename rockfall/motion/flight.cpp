@@ -196,4 +196,15 @@ Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle
     }
 }
 
+void cut(std::vector<Stretch>& stretches, const Terrain& terrain, const Flight& flight, double time_s) {
+    std::size_t k = 0;
+    while (k + 1 < stretches.size() && stretches[k].end_s < time_s) {
+        ++k;
+    }
+    const Eigen::Vector3d end_m = flight.position_m(time_s);
+    const Plane plane = terrain.plane_of(stretches[k].triangle);
+    stretches.resize(k + 1);
+    stretches[k] = {time_s, plane.height_m(end_m.x(), end_m.y()), stretches[k].triangle};
+}
+
 }  // namespace rockfall

@@ -63,4 +63,7 @@ struct Landing {
 Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle,
             std::vector<Stretch>& stretches);
 
+/// Cuts the profile below a flight at a time before its end.
+void cut(std::vector<Stretch>& stretches, const Terrain& terrain, const Flight& flight, double time_s);
+
 }  // namespace rockfall

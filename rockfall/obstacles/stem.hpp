@@ -6,13 +6,16 @@
 
 namespace rockfall {
 
-/// A standing stem as the world describes it; positions in absolute coordinates.
+/// A standing stem as the world describes it: a tree, a snag or a high stump; positions in absolute
+/// coordinates.
 struct Stem {
     double x_m = 0.0;
     double y_m = 0.0;
     double dbh_cm = 0.0;           ///< diameter 1.3 m above ground, (0, 500]
     double height_m = 0.0;         ///< (0, 150]
     double fracture_energy = 1.0;  ///< relative to Abies alba [-]
+    double strength = 1.0;         ///< share of that of sound wood, falls with decay and wounds [0, 1]
+    double broken_at_m = 0.0;      ///< > 0: ends at this height, `height_m` being that of the whole tree
 };
 
 /// Height above ground at which the DBH is taken.

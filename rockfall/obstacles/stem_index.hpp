@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "config/grid/raster.hpp"
 #include "rockfall/motion/flight.hpp"
+#include "rockfall/obstacles/plan_bins.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
@@ -20,8 +20,9 @@ inline constexpr std::uint32_t no_stem = 0xFFFFFFFFU;
 struct PlacedStem {
     double x_m;
     double y_m;
-    double ground_m;  ///< height of the terrain at the stem
-    double height_m;
+    double ground_m;         ///< height of the terrain at the stem
+    double height_m;         ///< of the whole tree: how the stem tapers
+    double top_m;            ///< where it ends above the ground; lower where it is broken off
     double breast_radius_m;  ///< DBH / 2
     double largest_energy_j;
 };
@@ -69,17 +70,24 @@ public:
                                                            std::span<const std::uint32_t> ignored,
                                                            std::span<const std::uint8_t> gone) const;
 
+    /// Whether a rock is more than a centimetre away from a stem.
+    [[nodiscard]] bool is_left(std::uint32_t stem, const Eigen::Vector3d& position_m,
+                               double rock_radius_m) const {
+        const double dx = position_m.x() - stems_[stem].x_m;
+        const double dy = position_m.y() - stems_[stem].y_m;
+        const double clear_m = rock_radius_m + taper_at_ground * stems_[stem].breast_radius_m + 0.01;
+        return dx * dx + dy * dy > clear_m * clear_m;
+    }
+
 private:
     struct Path;
     [[nodiscard]] std::optional<StemHit> search(const Path& path) const;
-    void look_into(std::size_t bin, const Path& path, StemHit& first) const;
+    void look_into(std::span<const std::uint32_t> numbers, const Path& path, StemHit& first) const;
 
     std::vector<PlacedStem> stems_;
     std::vector<std::uint32_t> outside_;
     bool with_taper_ = true;
-    config::GridFrame bins_;
-    std::vector<std::uint32_t> bin_start_;
-    std::vector<std::uint32_t> bin_stems_;
+    PlanBins bins_;
 };
 
 }  // namespace rockfall

@@ -37,7 +37,7 @@ TreeImpact meet_stem(double energy_j, const StemHit& hit, const PlacedStem& stem
     const double position = std::min(1.0, std::abs(hit.offset_m) / hit.reach_m);
     const HitType type = hit_type(position, law);
     const double relative_diameter =
-        law.height_effect ? std::min(1.0, taper(hit.height_m, stem.height_m)) : 1.0;
+        law.height_effect ? std::min(1.0, taper(std::min(hit.height_m, stem.top_m), stem.height_m)) : 1.0;
     // A hit above the thinnest tip finds no stem to speak of; the power needs a positive base.
     const double strength_j =
         relative_diameter > 0.0 ? stem.largest_energy_j * config::pow_of(relative_diameter, 2.31) : 0.0;

@@ -28,7 +28,7 @@ struct TreeImpactLaw {
     double scratch_limit = 0.746;  ///< hits further out scratch: the sigmoid is zero there [-]
     bool taper = true;             ///< stem radius by height of the hit; off: DBH everywhere
     bool height_effect = true;     ///< a hit above breast height meets the thinner stem there
-    bool remove_broken = false;    ///< a broken tree no longer stands in the way of the rocks that follow
+    bool remove_broken = false;    ///< a broken tree or log is no longer in the way of the rocks that follow
     double stop_share = 0.02;      ///< a rock left with less of its energy stays at the tree [-]
     DeviationMatrix deviation;
 };

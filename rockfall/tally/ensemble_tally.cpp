@@ -89,6 +89,9 @@ void RunTally::add(const RockRecord& record) {
     hits += record.tree_hits;
     trees_broken += record.trees_broken;
     tree_energy_sum_j += whole(record.tree_energy_j);
+    log_hits += record.log_hits;
+    logs_broken += record.logs_broken;
+    log_energy_sum_j += whole(record.log_energy_j);
     max_speed_mps = std::max(max_speed_mps, record.max_speed_mps);
     max_energy_j = std::max(max_energy_j, record.max_energy_j);
     max_height_m = std::max(max_height_m, record.max_height_m);
@@ -114,6 +117,9 @@ void RunTally::add(const RunTally& other) {
     hits += other.hits;
     trees_broken += other.trees_broken;
     tree_energy_sum_j += other.tree_energy_sum_j;
+    log_hits += other.log_hits;
+    logs_broken += other.logs_broken;
+    log_energy_sum_j += other.log_energy_sum_j;
     max_speed_mps = std::max(max_speed_mps, other.max_speed_mps);
     max_energy_j = std::max(max_energy_j, other.max_energy_j);
     max_height_m = std::max(max_height_m, other.max_height_m);
@@ -123,10 +129,12 @@ void RunTally::add(const RunTally& other) {
     add_counts(max_height, other.max_height);
 }
 
-EnsembleTally::EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in)
-    : cells{CellTally{stems_in > 0 ? frame : config::GridFrame{}}, CellTally{frame}},
+EnsembleTally::EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in,
+                             std::size_t logs_in)
+    : cells{CellTally{stems_in + logs_in > 0 ? frame : config::GridFrame{}}, CellTally{frame}},
       targets(targets_in),
-      stems(stems_in) {}
+      stems(stems_in),
+      logs(logs_in) {}
 
 void EnsembleTally::add(const EnsembleTally& other) {
     for (std::size_t c = 0; c < covers; ++c) {
@@ -138,6 +146,9 @@ void EnsembleTally::add(const EnsembleTally& other) {
     }
     for (std::size_t i = 0; i < stems.size(); ++i) {
         stems[i].add(other.stems[i]);
+    }
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+        logs[i].add(other.logs[i]);
     }
 }
 

@@ -13,10 +13,9 @@
 
 namespace rockfall {
 
-/// The two slopes on which every rock falls: with its forest and without.
+/// The two slopes on which every rock falls: with its forest, lying logs included, and without either.
 enum class Cover : std::uint8_t { forest, bare };
 inline constexpr std::size_t covers = 2;
-inline constexpr std::size_t stop_reasons = 5;
 
 /// What arrived at a target on one slope.
 struct ArrivalTally {
@@ -65,6 +64,9 @@ struct RunTally {
     std::uint64_t hits = 0;
     std::uint64_t trees_broken = 0;
     std::uint64_t tree_energy_sum_j = 0;
+    std::uint64_t log_hits = 0;
+    std::uint64_t logs_broken = 0;
+    std::uint64_t log_energy_sum_j = 0;
     double max_speed_mps = 0.0;
     double max_energy_j = 0.0;
     double max_height_m = 0.0;
@@ -91,15 +93,32 @@ struct StemTally {
     }
 };
 
+/// What one log took.
+struct LogTally {
+    std::uint32_t hits = 0;
+    std::uint32_t broken = 0;   ///< hits that would break it
+    std::uint32_t resting = 0;  ///< rocks that rest upslope of it
+    std::uint64_t energy_j = 0;
+
+    void add(const LogTally& other) {
+        hits += other.hits;
+        broken += other.broken;
+        resting += other.resting;
+        energy_j += other.energy_j;
+    }
+};
+
 /// Everything counted over an ensemble, in an order that does not matter.
 struct EnsembleTally {
     std::array<CellTally, covers> cells;
     std::array<RunTally, covers> runs;
     std::vector<TargetTally> targets;
     std::vector<StemTally> stems;
+    std::vector<LogTally> logs;
 
-    /// Without stems there is no forest to count in: its grid stays empty.
-    EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in);
+    /// Without stems and logs there is no forest to count in: its grid stays empty.
+    EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in,
+                  std::size_t logs_in = 0);
     void add(const EnsembleTally& other);
 };
 

@@ -77,6 +77,7 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     }
     visits_.clear();
     tree_hits_.clear();
+    log_hits_.clear();
     path_.clear();
     with_path_ = with_path;
     deposit_cell_ = frame_.size();
@@ -99,10 +100,9 @@ void Footprint::finish(const FallEnd& end) {
     record_.end_m = end.position_m;
     record_.ground_impacts = end.ground_impacts;
     record_.tree_hits = end.tree_hits;
-    const bool deposited = end.reason == StopReason::at_rest || end.reason == StopReason::caught ||
-                           end.reason == StopReason::tree;
+    record_.log_hits = end.log_hits;
     const config::Cell cell = frame_.cell_at(end.position_m.x(), end.position_m.y());
-    if (deposited && frame_.contains(cell)) {
+    if (came_to_rest(end.reason) && frame_.contains(cell)) {
         deposit_cell_ = frame_.index(cell);
     }
 }
@@ -293,6 +293,14 @@ void Footprint::met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, 
     if (frame_.contains(cell)) {
         ++visit(frame_.index(cell)).tree_impacts;
     }
+}
+
+void Footprint::met_log(const Eigen::Vector3d& position_m, const LogHit& hit, const LogImpact& impact,
+                        double energy_j) {
+    log_hits_.push_back({hit.log, position_m, static_cast<float>(energy_j), static_cast<float>(impact.loss_j),
+                         impact.outcome});
+    record_.log_energy_j += impact.loss_j;
+    record_.logs_broken += impact.outcome == LogOutcome::broke ? 1 : 0;
 }
 
 void Footprint::draw(const Flight& flight, double until_s, std::span<const Stretch> stretches,

@@ -31,6 +31,9 @@ struct RockRecord {
     std::uint32_t tree_hits = 0;
     std::uint32_t trees_broken = 0;
     double tree_energy_j = 0.0;  ///< taken by trees
+    std::uint32_t log_hits = 0;
+    std::uint32_t logs_broken = 0;
+    double log_energy_j = 0.0;  ///< taken by logs
 
     [[nodiscard]] double run_out_m() const { return (end_m - start_m).head<2>().norm(); }
     [[nodiscard]] double mean_speed_mps() const { return time_s > 0.0 ? path_m / time_s : 0.0; }
@@ -56,6 +59,15 @@ struct TreeHitRecord {
     bool stopped;
 };
 
+/// A hit on a lying log as the tables show it.
+struct LogHitRecord {
+    std::uint32_t log;
+    Eigen::Vector3d position_m;  ///< underside of the rock
+    float energy_j;              ///< of the rock before the hit
+    float loss_j;
+    LogOutcome outcome;
+};
+
 /// Watches one rock: the cells it passes with its exact largest values there, its record, its arrivals at
 /// targets, its hits, and its path if wanted. Reused from rock to rock without allocating.
 class Footprint {
@@ -73,11 +85,14 @@ public:
     void impacted(const Eigen::Vector3d&) {}
     void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
                   double energy_j);
+    void met_log(const Eigen::Vector3d& position_m, const LogHit& hit, const LogImpact& impact,
+                 double energy_j);
 
     [[nodiscard]] std::span<const CellVisit> visits() const { return visits_; }
     [[nodiscard]] const RockRecord& record() const { return record_; }
     [[nodiscard]] std::span<const Arrival> arrivals() const { return arrivals_; }
     [[nodiscard]] std::span<const TreeHitRecord> tree_hits() const { return tree_hits_; }
+    [[nodiscard]] std::span<const LogHitRecord> log_hits() const { return log_hits_; }
     [[nodiscard]] std::span<const PathPoint> path() const { return path_; }
     /// Cell in which the rock came to rest; frame.size() if it did not stop inside the frame.
     [[nodiscard]] std::size_t deposit_cell() const { return deposit_cell_; }
@@ -107,6 +122,7 @@ private:
     RockRecord record_;
     std::vector<Arrival> arrivals_;
     std::vector<TreeHitRecord> tree_hits_;
+    std::vector<LogHitRecord> log_hits_;
     std::vector<PathPoint> path_;
     bool with_path_ = false;
     std::size_t deposit_cell_ = 0;

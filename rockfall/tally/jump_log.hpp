@@ -12,8 +12,8 @@ namespace rockfall {
 /// Shorter flights begin and end on one spot, as at the foot of a wall: no jumps to be counted. Choice.
 inline constexpr double least_jump_m = 1e-3;
 
-/// A flight of a rock's underside, from the ground or a stem to the next of either. The first flight of a
-/// rock released above the ground begins at its release.
+/// A flight of a rock's underside, from the ground or an obstacle to the next of either. The first flight of
+/// a rock released above the ground begins at its release.
 struct Jump {
     Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
     Eigen::Vector3d to_m = Eigen::Vector3d::Zero();
@@ -21,7 +21,8 @@ struct Jump {
     double launch_mps = 0.0;
     double impact_mps = 0.0;
     double time_s = 0.0;
-    bool landed = false;  ///< ended with a ground impact; false: at a stem, at the border, at rest in a pit
+    bool landed =
+        false;  ///< ended with a ground impact; false: at an obstacle, at the border, at rest in a pit
 
     [[nodiscard]] double length_m() const { return (to_m - from_m).norm(); }
     [[nodiscard]] double plan_length_m() const { return (to_m - from_m).head<2>().norm(); }
@@ -41,6 +42,7 @@ public:
     void rolled(const Rock&, const RollingPiece&, std::uint32_t) { in_flight_ = false; }
     void impacted(const Eigen::Vector3d&);
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) { in_flight_ = false; }
+    void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) { in_flight_ = false; }
 
     [[nodiscard]] std::span<const Jump> jumps() const { return jumps_; }
 
@@ -73,6 +75,11 @@ struct BothWatch {
                   double energy_j) {
         first.met_stem(position_m, hit, impact, energy_j);
         second.met_stem(position_m, hit, impact, energy_j);
+    }
+    void met_log(const Eigen::Vector3d& position_m, const LogHit& hit, const LogImpact& impact,
+                 double energy_j) {
+        first.met_log(position_m, hit, impact, energy_j);
+        second.met_log(position_m, hit, impact, energy_j);
     }
 };
 

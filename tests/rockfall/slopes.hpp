@@ -100,7 +100,14 @@ struct EventLog {
     };
     std::vector<Jump> jumps;
     std::vector<Roll> rolls;
+    struct Met {
+        Eigen::Vector3d position_m;
+        LogHit hit;
+        LogImpact impact;
+        double energy_j;
+    };
     std::vector<Hit> hits;
+    std::vector<Met> logs;
     std::vector<Eigen::Vector3d> impacts;
 
     void flew(const Rock&, const Flight& flight, double until_s, std::span<const Stretch> stretches,
@@ -115,17 +122,26 @@ struct EventLog {
                   double energy) {
         hits.push_back({position, hit, impact, energy});
     }
+    void met_log(const Eigen::Vector3d& position, const LogHit& hit, const LogImpact& impact, double energy) {
+        logs.push_back({position, hit, impact, energy});
+    }
 };
+
+/// A fall with its events among any obstacles.
+inline std::pair<FallEnd, EventLog> logged_fall(const Slope& slope, const FallLaw& law,
+                                                const RockStart& start, const Obstacles& obstacles,
+                                                std::uint64_t seed = 1) {
+    EventLog log;
+    FallScratch scratch;
+    const FallEnd end = fall(slope, obstacles, law, {seed, 0, 0, start.id}, start, scratch, log);
+    return {end, std::move(log)};
+}
 
 /// A fall with its events.
 inline std::pair<FallEnd, EventLog> logged_fall(const Slope& slope, const FallLaw& law,
                                                 const RockStart& start, const StemIndex* stems = nullptr,
                                                 std::uint64_t seed = 1, std::span<std::uint8_t> gone = {}) {
-    EventLog log;
-    FallScratch scratch;
-    const Obstacles obstacles{stems, gone};
-    const FallEnd end = fall(slope, obstacles, law, {seed, 0, 0, start.id}, start, scratch, log);
-    return {end, std::move(log)};
+    return logged_fall(slope, law, start, Obstacles{stems, gone, nullptr, {}}, seed);
 }
 
 }  // namespace rockfall::testing

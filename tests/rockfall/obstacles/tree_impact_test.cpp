@@ -10,7 +10,7 @@ namespace rockfall {
 namespace {
 
 PlacedStem fir(double dbh_cm) {
-    return {0.0, 0.0, 0.0, 25.0, 0.005 * dbh_cm, largest_energy_j(dbh_cm, 1.0)};
+    return {0.0, 0.0, 0.0, 25.0, 25.0, 0.005 * dbh_cm, largest_energy_j(dbh_cm, 1.0)};
 }
 
 StemHit hit_at(double relative_position, double height_m = 1.0) {

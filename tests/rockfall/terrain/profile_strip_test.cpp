@@ -112,6 +112,7 @@ struct EnergyWatch {
     }
     void impacted(const Eigen::Vector3d&) {}
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
+    void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) {}
 };
 
 RC_GTEST_PROP(FallAlongAProfile, NeverGainsEnergyWhileItRolls, ()) {
