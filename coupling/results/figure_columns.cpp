@@ -61,13 +61,16 @@ void add_protection(CsvRow& row, std::uint64_t rocks, const PairedCounts& paired
 }
 
 std::string slope_columns() {
-    return ",rocks,at_rest,caught,stopped_by_tree,left_terrain,gave_up,run_out_mean_m,run_out_50_m,run_out_"
+    return ",rocks,at_rest,caught,stopped_by_tree,stopped_by_log,left_terrain,gave_up,run_out_mean_m,run_out_"
+           "50_m,run_out_"
            "90_m,"
            "run_out_95_m,run_out_98_m,run_out_99_m,run_out_max_m" +
            distribution_columns("max_speed", "mps") + distribution_columns("max_energy", "kj") +
            distribution_columns("max_height", "m") +
            ",mean_speed_mps,jump_height_mean_m,jumps_per_rock,ground_impacts_per_rock,tree_hits_per_rock,"
-           "trees_broken_per_rock,tree_energy_per_rock_kj,hit_a_tree_percent";
+           "trees_broken_per_rock,tree_energy_per_rock_kj,hit_a_tree_percent,log_hits_per_rock,logs_broken_"
+           "per_rock,"
+           "log_energy_per_rock_kj";
 }
 
 void add_slope(CsvRow& row, const SlopeFigures& slope) {
@@ -85,6 +88,8 @@ void add_slope(CsvRow& row, const SlopeFigures& slope) {
     row.number<3>(slope.ground_impacts_per_rock).number<4>(slope.tree_hits_per_rock);
     row.number<4>(slope.trees_broken_per_rock).number<3>(slope.tree_energy_per_rock_kj);
     row.number<4>(percent * slope.hit_a_tree.value);
+    row.number<4>(slope.log_hits_per_rock).number<4>(slope.logs_broken_per_rock);
+    row.number<3>(slope.log_energy_per_rock_kj);
 }
 
 }  // namespace coupling

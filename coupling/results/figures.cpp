@@ -162,6 +162,9 @@ SlopeFigures figures_of(const rockfall::RunTally& tally) {
     figures.trees_broken_per_rock = mean_of(tally.trees_broken, rocks, 1.0);
     figures.tree_energy_per_rock_kj = mean_of(tally.tree_energy_sum_j, rocks, j_per_kj);
     figures.hit_a_tree = share_of(rocks - std::min(rocks, tally.tree_hits[0]), rocks);
+    figures.log_hits_per_rock = mean_of(tally.log_hits, rocks, 1.0);
+    figures.logs_broken_per_rock = mean_of(tally.logs_broken, rocks, 1.0);
+    figures.log_energy_per_rock_kj = mean_of(tally.log_energy_sum_j, rocks, j_per_kj);
     return figures;
 }
 

@@ -23,7 +23,7 @@ const char* name_of(Cover cover);
 /// The slopes that were assessed: both, or the bare one alone.
 std::vector<Cover> covers_of(const RunResults& results);
 
-/// Stop reasons as tables name them: "at_rest", "caught", "tree", "left_terrain", "gave_up".
+/// Stop reasons as tables name them: "at_rest", "caught", "tree", "log", "left_terrain", "gave_up".
 const char* name_of(rockfall::StopReason reason);
 
 /// One quantity over rocks: NaN where there are none.
@@ -71,6 +71,9 @@ struct SlopeFigures {
     double trees_broken_per_rock = 0.0;
     double tree_energy_per_rock_kj = 0.0;
     Share hit_a_tree;
+    double log_hits_per_rock = 0.0;
+    double logs_broken_per_rock = 0.0;
+    double log_energy_per_rock_kj = 0.0;
 };
 
 /// All figures of a run, computed once for tables, summary and report.

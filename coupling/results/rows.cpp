@@ -18,6 +18,20 @@ void add_place(CsvRow& row, const Eigen::Vector3d& place_m, const Eigen::Vector2
     row.number<2>(place_m.z());
 }
 
+const char* name_of(rockfall::LogOutcome outcome) {
+    switch (outcome) {
+        case rockfall::LogOutcome::climbed:
+            return "climbed";
+        case rockfall::LogOutcome::broke:
+            return "broke";
+        case rockfall::LogOutcome::turned:
+            return "turned";
+        case rockfall::LogOutcome::stopped:
+            break;
+    }
+    return "stopped";
+}
+
 const char* name_of(rockfall::HitType type) {
     switch (type) {
         case rockfall::HitType::frontal:
@@ -52,7 +66,7 @@ void write_rock_header(std::ostream& out) {
            "end_m,"
            "run_out_m,path_m,time_s,max_speed_mps,mean_speed_mps,max_energy_kj,max_height_m,mean_jump_height_"
            "m,jumps,"
-           "ground_impacts,tree_hits,trees_broken,tree_energy_kj\n";
+           "ground_impacts,tree_hits,trees_broken,tree_energy_kj,log_hits,logs_broken,log_energy_kj\n";
 }
 
 void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cover,
@@ -68,6 +82,7 @@ void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cov
     row.number<3>(record.max_height_m).number<3>(record.mean_jump_height_m());
     row.whole(record.jumps).whole(record.ground_impacts).whole(record.tree_hits).whole(record.trees_broken);
     row.number<3>(record.tree_energy_j / j_per_kj);
+    row.whole(record.log_hits).whole(record.logs_broken).number<3>(record.log_energy_j / j_per_kj);
     row.end();
 }
 
@@ -101,6 +116,20 @@ void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree
     row.number<3>(static_cast<double>(hit.energy_j) / j_per_kj);
     row.number<3>(static_cast<double>(hit.loss_j) / j_per_kj);
     row.text(name_of(hit.type)).text(hit.broken ? "yes" : "no").text(hit.stopped ? "yes" : "no");
+    row.end();
+}
+
+void write_log_hit_header(std::ostream& out) {
+    out << "rock,log_id,x_m,y_m,z_m,energy_kj,energy_taken_kj,outcome\n";
+}
+
+void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_id,
+                   const Eigen::Vector2d& origin_m, const rockfall::LogHitRecord& hit) {
+    CsvRow row{out};
+    row.whole(rock).text(log_id);
+    add_place(row, hit.position_m, origin_m);
+    row.number<3>(static_cast<double>(hit.energy_j) / j_per_kj);
+    row.number<3>(static_cast<double>(hit.loss_j) / j_per_kj).text(name_of(hit.outcome));
     row.end();
 }
 

@@ -31,6 +31,11 @@ void write_tree_hit_header(std::ostream& out);
 void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree_id,
                     const Eigen::Vector2d& origin_m, const rockfall::TreeHitRecord& hit);
 
+/// tables/log_hits.csv: one row a hit on a lying log.
+void write_log_hit_header(std::ostream& out);
+void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_id,
+                   const Eigen::Vector2d& origin_m, const rockfall::LogHitRecord& hit);
+
 /// tables/trajectories.csv: one row a corner of a sampled path.
 void write_path_header(std::ostream& out);
 void write_path(std::ostream& out, std::uint64_t rock, rockfall::Cover cover, const Eigen::Vector2d& origin_m,

@@ -110,7 +110,10 @@ Json slope(const SlopeFigures& figures) {
             {"tree_hits_per_rock", number(figures.tree_hits_per_rock)},
             {"trees_broken_per_rock", number(figures.trees_broken_per_rock)},
             {"tree_energy_per_rock_kj", number(figures.tree_energy_per_rock_kj)},
-            {"hit_a_tree", share(figures.hit_a_tree)}};
+            {"hit_a_tree", share(figures.hit_a_tree)},
+            {"log_hits_per_rock", number(figures.log_hits_per_rock)},
+            {"logs_broken_per_rock", number(figures.logs_broken_per_rock)},
+            {"log_energy_per_rock_kj", number(figures.log_energy_per_rock_kj)}};
 }
 
 /// A value as its kind says: number, yes/no, or text.

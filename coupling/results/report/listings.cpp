@@ -52,6 +52,7 @@ constexpr std::array key_figure_rows{
     KeyFigure{"Caught by the roughness of the ground",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::caught); }},
     KeyFigure{"Stopped at a tree", [](const SlopeFigures& s) { return stop_share(s, StopReason::tree); }},
+    KeyFigure{"Stopped at a lying log", [](const SlopeFigures& s) { return stop_share(s, StopReason::log); }},
     KeyFigure{"Left the terrain (not stopped)",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::left_terrain); }},
     KeyFigure{"Given up (too many impacts, not stopped)",
@@ -76,6 +77,12 @@ constexpr std::array key_figure_rows{
               [](const SlopeFigures& s) { return three_digits(s.trees_broken_per_rock); }},
     KeyFigure{"Energy taken by trees per rock, kJ",
               [](const SlopeFigures& s) { return three_digits(s.tree_energy_per_rock_kj); }},
+    KeyFigure{"Hits on lying logs per rock",
+              [](const SlopeFigures& s) { return three_digits(s.log_hits_per_rock); }},
+    KeyFigure{"Logs broken per rock",
+              [](const SlopeFigures& s) { return three_digits(s.logs_broken_per_rock); }},
+    KeyFigure{"Energy taken by logs per rock, kJ",
+              [](const SlopeFigures& s) { return three_digits(s.log_energy_per_rock_kj); }},
 };
 
 /// Sums over the trees of a diameter class.

@@ -65,6 +65,20 @@ TEST(WriteArrival, TellsWhereAndHowARockArrived) {
     EXPECT_EQ(table.text(0, "height_m"), "0.750");
 }
 
+TEST(WriteLogHit, TellsWhatTheLogTookAndWhatBecameOfTheRock) {
+    std::ostringstream out;
+    write_log_hit_header(out);
+    write_log_hit(out, 5, "L7", origin_m,
+                  {0, {1.0, 2.0, 1200.0}, 30000.0F, 12000.0F, rockfall::LogOutcome::climbed});
+    const config::Table table = table_of(out);
+    ASSERT_EQ(table.rows(), 1U);
+    EXPECT_EQ(table.text(0, "rock"), "5");
+    EXPECT_EQ(table.text(0, "log_id"), "L7");
+    EXPECT_EQ(table.text(0, "x_m"), "177001.00");
+    EXPECT_EQ(table.text(0, "energy_taken_kj"), "12.000");
+    EXPECT_EQ(table.text(0, "outcome"), "climbed");
+}
+
 TEST(WriteTreeHit, TellsWhatTheTreeTook) {
     std::ostringstream out;
     write_tree_hit_header(out);

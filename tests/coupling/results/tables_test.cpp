@@ -57,6 +57,7 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
                                            "left_terrain",
                                            "gave_up",
                                            "stopped_by_tree",
+                                           "stopped_by_log",
                                            "reached_bare",
                                            "reached_forest",
                                            "reached_both",
@@ -65,6 +66,12 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
                                            "ground_impacts_per_rock",
                                            "tree_hits_per_rock",
                                            "trees_broken_per_rock",
+                                           "log_hits_per_rock",
+                                           "logs_broken_per_rock",
+                                           "log_hits",
+                                           "logs_broken",
+                                           "log_id",
+                                           "outcome",
                                            "quantity",
                                            "unit",
                                            "bin_low",
@@ -75,7 +82,8 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
     for (const WrittenFile& file : write_tables(run.results(), figures_of(run.results()), folder.path())) {
         texts.push_back(testing::text_of(folder.path() / file.path));
     }
-    for (const auto header : {write_rock_header, write_arrival_header, write_tree_hit_header}) {
+    for (const auto header :
+         {write_rock_header, write_arrival_header, write_tree_hit_header, write_log_hit_header}) {
         std::ostringstream out;
         header(out);
         texts.push_back(out.str());
