@@ -33,7 +33,7 @@ std::size_t zones_of(const Site& site) {
 
 std::string trees_in_words(const Site& site) {
     if (site.trees.empty()) {
-        return "none: only the bare slope is assessed";
+        return site.logs.empty() ? "none: only the bare slope is assessed" : "none";
     }
     std::set<std::string> species;
     double basal_area_m2 = 0.0;
@@ -96,6 +96,9 @@ void say_cost(const Estimate& estimate, int threads, std::ostream& out) {
 void describe_today(const Scenario& scenario, const Site& site, int threads, std::ostream& out) {
     describe_site(scenario, site, out);
     say(out, "trees", trees_in_words(site));
+    if (!site.logs.empty()) {
+        say(out, "logs", counted(site.logs.size(), "log"));
+    }
     describe_falls(site, out);
     const Estimate estimate = estimate_of(scenario, site, threads);
     say(out, "rocks",

@@ -91,7 +91,7 @@ std::uint64_t kept_bytes(const Scenario& scenario, const ForestSite& forest) {
 Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
     Estimate estimate;
     estimate.rocks = rocks_of(site);
-    estimate.covers = site.trees.empty() ? 1 : 2;
+    estimate.covers = site.trees.empty() && site.logs.empty() ? 1 : 2;
     const auto covers = static_cast<std::uint64_t>(estimate.covers);
     estimate.terrain_bytes = terrain_bytes(site);
     // Every worker has sums for both covers, and all of them are added up once more.

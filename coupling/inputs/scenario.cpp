@@ -182,7 +182,7 @@ void declare_output(config::Options& options, Scenario& s) {
                  {.meaning = "maps of percentiles; they need most of the memory", .source = "choice"});
     options.flag("output.rock_table", s.rock_table, {.meaning = "table of every rock", .source = "choice"});
     options.flag("output.tree_hit_table", s.tree_hit_table,
-                 {.meaning = "table of every tree hit", .source = "choice"});
+                 {.meaning = "tables of every hit on a tree and on a log", .source = "choice"});
     options.count("output.sample_paths", s.sample_paths,
                   {.low = 0.0,
                    .high = 1e6,
@@ -203,6 +203,8 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_profile(options, scenario);
     options.text("trees.file", scenario.trees,
                  {.meaning = "CSV with tree_id, x_m, y_m, species, dbh_cm, height_m; none: bare slope only"});
+    options.text("trees.logs", scenario.logs,
+                 {.meaning = "CSV of lying logs: x1_m, y1_m, x2_m, y2_m, species, dbh_cm, clearance_m, strength"});
     declare_release(options, scenario);
     declare_diameter(options, scenario);
     declare_start(options, scenario);

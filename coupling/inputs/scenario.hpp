@@ -41,7 +41,8 @@ struct Scenario {
     double profile_segment_m = 10.0;  ///< length along the slope over which jumps are put together
 
     // [trees]
-    std::string trees;                ///< CSV; empty: bare slope only
+    std::string trees;                ///< CSV; empty: none
+    std::string logs;                 ///< CSV of lying logs; empty: none; without either bare slope only
 
     // [release]
     std::string source;               ///< grid: 0 no source, k > 0 release zone k, or

@@ -143,6 +143,10 @@ void check(const Scenario& scenario) {
                        "0: no forest grows along a profile");
     }
     check(scenario.forest, scenario.years, !scenario.trees.empty(), *scenario.options, checker.problems());
+    if (scenario.years != 0 && !scenario.logs.empty()) {
+        checker.refuse("trees.logs", "trees.logs beside run.years above 0",
+                       "no list: the logs of a growing forest are its own");
+    }
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
     if (scenario.profile.empty()) {

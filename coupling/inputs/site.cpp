@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "coupling/inputs/forest_site.hpp"
+#include "coupling/inputs/log_input.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
@@ -57,6 +58,7 @@ struct Files {
     std::optional<GroundCover> cover;
     std::optional<SourceInput> sources;
     std::optional<std::vector<TreeRecord>> trees;
+    std::optional<std::vector<LogRecord>> logs;
     std::optional<std::vector<rockfall::Target>> targets;
 };
 
@@ -75,6 +77,7 @@ Files read_files(Reading& reading) {
         files.types = read_surface_types(reading);
         files.cover = read_ground_cover(reading);
         files.sources = read_sources(reading);
+        files.logs = read_logs(reading);
         files.targets = read_targets(reading);
     }
     return files;
@@ -111,6 +114,15 @@ std::vector<rockfall::Stem> Site::stems() const {
     return stems;
 }
 
+std::vector<rockfall::Log> Site::lying_logs() const {
+    std::vector<rockfall::Log> lying;
+    lying.reserve(logs.size());
+    for (const LogRecord& record : logs) {
+        lying.push_back(record.log);
+    }
+    return lying;
+}
+
 Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     Reading reading{scenario, warnings};
     Files files = read_files(reading);
@@ -130,6 +142,9 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     }
     if (files.trees) {
         files.trees = on_terrain(std::move(*files.trees), terrain, reading);
+    }
+    if (files.logs) {
+        files.logs = on_terrain(std::move(*files.logs), terrain, reading);
     }
     if (files.targets) {
         files.targets = on_terrain(std::move(*files.targets), terrain, reading);
@@ -155,6 +170,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .projection = std::move(files.heights->projection),
             .map_frame = files.heights->map_frame,
             .trees = std::move(*files.trees),
+            .logs = std::move(files.logs).value_or(std::vector<LogRecord>{}),
             .sources = std::move(sources).value_or(std::vector<rockfall::ReleaseSource>{}),
             .targets = std::move(files.targets).value_or(std::vector<rockfall::Target>{}),
             .inputs = reading.inputs(),

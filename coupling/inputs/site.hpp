@@ -9,6 +9,7 @@
 #include "config/errors/warnings.hpp"
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/scenario.hpp"
+#include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/release/release.hpp"
 #include "rockfall/slope.hpp"
@@ -23,6 +24,13 @@ struct TreeRecord {
     std::string id;
     std::string species;  ///< code in capitals, as the tables know it
     rockfall::Stem stem;
+};
+
+/// A lying log of the user's list.
+struct LogRecord {
+    std::string id;
+    std::string species;
+    rockfall::Log log;
 };
 
 /// A file that a run read, with a hash of its bytes.
@@ -42,6 +50,7 @@ struct Site {
     std::string projection;                ///< ESRI text of the .prj file, empty without one
     config::GridFrame map_frame;           ///< of the results, absolute coordinates
     std::vector<TreeRecord> trees;         ///< on the terrain, in file order; none where they grow over years
+    std::vector<LogRecord> logs;           ///< on the terrain, in file order
     std::vector<rockfall::ReleaseSource> sources;  ///< allotted, coordinates of the terrain
     std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
     std::vector<InputFile> inputs;
@@ -51,6 +60,7 @@ struct Site {
     /// The map frame in coordinates of the terrain.
     [[nodiscard]] config::GridFrame map_frame_on_terrain() const;
     [[nodiscard]] std::vector<rockfall::Stem> stems() const;
+    [[nodiscard]] std::vector<rockfall::Log> lying_logs() const;
 };
 
 /// Opens, reads and checks every file of a scenario. Throws InputError with all problems that can be found at

@@ -4,6 +4,16 @@
 
 namespace coupling {
 
+SpeciesLookup lookup_in(const SpeciesTable& known) {
+    return {[&known](const std::string& name) -> std::optional<std::size_t> {
+                const Species* species = known.find(name);
+                return species == nullptr
+                           ? std::nullopt
+                           : std::optional{static_cast<std::size_t>(species - known.all().data())};
+            },
+            [&known](const std::string& name) { return known.nearest(name); }};
+}
+
 std::optional<std::size_t> SpeciesColumn::find(std::size_t row) {
     const std::string& name = table_.text(row, "species");
     const auto [entry, is_new] = seen_.try_emplace(name);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "config/table/table.hpp"
+#include "coupling/inputs/species_table.hpp"
 
 namespace coupling {
 
@@ -16,6 +17,9 @@ struct SpeciesLookup {
     std::function<std::optional<std::size_t>(const std::string& name)> find;
     std::function<std::string(const std::string& name)> nearest;
 };
+
+/// In the shipped species, which must outlive the lookup.
+SpeciesLookup lookup_in(const SpeciesTable& known);
 
 /// The column `species` of a table: looks up each name and counts, so that there is one message for each
 /// unknown name.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr config::NumberRange dbh_range_cm{.low = 0.0, .high = 500.0, .low_excluded = true};
 constexpr config::NumberRange height_range_m{.low = 0.0, .high = 150.0, .low_excluded = true};
+constexpr config::NumberRange strength_range{.low = 0.0, .high = 1.0};
 
 /// Median of the positive numbers of a column, 0 without any.
 double median_of(const config::Table& table, const std::string& column) {
@@ -58,9 +59,30 @@ std::optional<double> optional_number(const config::Table& table, std::size_t ro
                                                                  : std::nullopt;
 }
 
+/// What stands: a living tree, or a snag or stump where those may be.
+void take_state(const config::Table& table, std::size_t row, bool may_be_dead, ListedRow& tree,
+                config::Problems& problems) {
+    const std::string state = table.has("state") ? table.text(row, "state") : "";
+    tree.dead = state == "snag" || state == "stump";
+    if (!state.empty() && state != "living" && !(tree.dead && may_be_dead)) {
+        problems.add(
+            config::ExitCode::data, table.place(row, "state"), "state " + config::in_quotes(state),
+            may_be_dead ? "living, snag or stump" : "living: a growing forest has dead wood of its own");
+    }
+    if (!may_be_dead) {
+        return;
+    }
+    tree.strength = optional_number(table, row, "strength", strength_range, problems).value_or(1.0);
+    tree.broken_at_m = optional_number(table, row, "broken_at_m", height_range_m, problems).value_or(0.0);
+    if (tree.dead && !tree.height_m && table.has("height_m") && table.text(row, "height_m").empty()) {
+        problems.add(config::ExitCode::data, table.place(row, "height_m"), "height_m empty",
+                     "the height of each snag and stump");
+    }
+}
+
 /// A row's tree; the fields that are wrong become problems.
 std::optional<ListedRow> row_of(const config::Table& table, std::size_t row, SpeciesColumn& column,
-                                config::Problems& problems) {
+                                bool may_be_dead, config::Problems& problems) {
     ListedRow tree;
     tree.id = table.has("tree_id") ? table.text(row, "tree_id") : "";
     if (tree.id.empty()) {
@@ -72,6 +94,7 @@ std::optional<ListedRow> row_of(const config::Table& table, std::size_t row, Spe
     const auto dbh_cm = table.number(row, "dbh_cm", dbh_range_cm, problems);
     tree.height_m = optional_number(table, row, "height_m", height_range_m, problems);
     tree.age_years = optional_number(table, row, "age_years", {.low = 0.0, .high = 2000.0}, problems);
+    take_state(table, row, may_be_dead, tree, problems);
     const auto species = column.find(row);
     if (problems.list().size() > problems_before || !species) {
         return std::nullopt;
@@ -105,7 +128,7 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
     std::map<std::size_t, std::vector<forest::MeasuredHeight>> measured;
     std::vector<forest::MeasuredHeight> all;
     for (const ListedRow& row : rows) {
-        if (row.height_m && *row.height_m > 1.3) {
+        if (row.height_m && *row.height_m > 1.3 && !row.dead) {
             measured[row.species].push_back({row.dbh_cm, *row.height_m});
             all.push_back({row.dbh_cm, *row.height_m});
         }
@@ -127,7 +150,10 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
             height_m = used.trees > 0 ? used.curve.height_m(row.dbh_cm) : 0.0;
         }
         const Species& kind = species.all()[row.species];
-        trees.push_back({row.id, kind.code, {row.x_m, row.y_m, row.dbh_cm, height_m, kind.fracture_energy}});
+        trees.push_back(
+            {row.id,
+             kind.code,
+             {row.x_m, row.y_m, row.dbh_cm, height_m, kind.fracture_energy, row.strength, row.broken_at_m}});
     }
     for (const auto& [place, count] : filled) {
         const bool has_own = fits[place].trees > 0;
@@ -183,15 +209,9 @@ void tell_doubled_places(const std::vector<ListedRow>& rows, const std::string& 
 std::vector<TreeRecord> read_tree_table(Reading& reading) {
     const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
     const SpeciesTable known = SpeciesTable::shipped();
-    const SpeciesLookup lookup{
-        [&](const std::string& name) -> std::optional<std::size_t> {
-            const Species* species = known.find(name);
-            return species == nullptr ? std::nullopt
-                                      : std::optional{static_cast<std::size_t>(species - known.all().data())};
-        },
-        [&](const std::string& name) { return known.nearest(name); }};
+    const SpeciesLookup lookup = lookup_in(known);
     SpeciesColumn column{table, lookup};
-    const std::vector<ListedRow> rows = read_listed_rows(table, column, reading);
+    const std::vector<ListedRow> rows = read_listed_rows(table, column, reading, true);
     tell_borrowers(column, known, table.file(), reading);
     tell_doubled_places(rows, table.file(), reading);
     return with_heights(rows, known, table, reading);
@@ -199,7 +219,8 @@ std::vector<TreeRecord> read_tree_table(Reading& reading) {
 
 }  // namespace
 
-std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading) {
+std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading,
+                                        bool may_be_dead) {
     config::Problems problems;
     if (!table.require({"x_m", "y_m", "species", "dbh_cm"}, problems)) {
         problems.throw_if_any();
@@ -208,7 +229,7 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
     std::vector<ListedRow> rows;
     rows.reserve(table.rows());
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (auto tree = row_of(table, row, column, problems)) {
+        if (auto tree = row_of(table, row, column, may_be_dead, problems)) {
             tree->row = row;
             rows.push_back(std::move(*tree));
         }

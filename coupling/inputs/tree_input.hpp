@@ -20,12 +20,17 @@ struct ListedRow {
     double dbh_cm = 0.0;
     std::optional<double> height_m{};
     std::optional<double> age_years{};
+    bool dead = false;         ///< a snag or stump: its height stands in no height curve
+    double strength = 1.0;     ///< share of that of sound wood [-]
+    double broken_at_m = 0.0;  ///< > 0: ends here, `height_m` being that of the whole tree
 };
 
 /// Rows of a tree list with the columns x_m, y_m, species, dbh_cm and perhaps tree_id, height_m, age_years;
 /// others are passed over. Medians that look like another unit and identities used twice are told. Throws
 /// InputError (data) with unknown species and up to 20 other faults.
-std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading);
+/// `may_be_dead`: snags and stumps are taken (state, strength, broken_at_m); otherwise refused.
+std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading,
+                                        bool may_be_dead = false);
 
 /// Reads and checks the tree list of the scenario; an empty list without one.
 ///

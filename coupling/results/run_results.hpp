@@ -22,7 +22,7 @@ struct RunResults {
     const std::vector<rockfall::PathRecord>& paths;  ///< sampled, in rock order
     const config::Warnings& warnings;
     std::uint64_t rocks = 0;
-    bool with_forest = false;  ///< false: trees missing, only the bare slope was assessed
+    bool with_forest = false;  ///< false: neither trees nor logs, only the bare slope was assessed
     std::string version;
 };
 

@@ -171,6 +171,7 @@ Json run(const RunResults& results) {
             {"rocks", results.rocks},
             {"release_sources", site.sources.size()},
             {"trees", site.trees.size()},
+            {"logs", site.logs.size()},
             {"with_forest", results.with_forest},
             {"map", map_frame(site.map_frame)},
             {"projection", site.projection.empty() ? Json(nullptr) : Json(site.projection)}};

@@ -128,6 +128,23 @@ void write_stems(std::ostream& out, const RunResults& results) {
     }
 }
 
+void write_logs(std::ostream& out, const RunResults& results) {
+    out << "log_id,x1_m,y1_m,x2_m,y2_m,species,diameter1_cm,diameter2_cm,clearance_m,strength,hits,broken,"
+           "resting,energy_kj\n";
+    CsvRow row{out};
+    for (std::size_t number = 0; number < results.site.logs.size(); ++number) {
+        const LogRecord& record = results.site.logs[number];
+        const rockfall::Log& log = record.log;
+        const rockfall::LogTally& tally = results.tally.logs[number];
+        row.text(record.id).number<2>(log.x1_m).number<2>(log.y1_m).number<2>(log.x2_m).number<2>(log.y2_m);
+        row.text(record.species).number<1>(log.diameter1_cm).number<1>(log.diameter2_cm);
+        row.number<2>(log.clearance_m).number<3>(log.strength);
+        row.whole(tally.hits).whole(tally.broken).whole(tally.resting);
+        row.number<3>(static_cast<double>(tally.energy_j) / 1000.0);
+        row.end();
+    }
+}
+
 std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& figures,
                                       const std::filesystem::path& folder) {
     make_folder(folder / "tables");
@@ -157,7 +174,12 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
           [&](std::ostream& out) { write_runs(out, figures, covers); });
     write("run_out.csv", "Rocks by run-out (plan distance from release to end) in bins of 10 m.",
           [&](std::ostream& out) { write_run_out(out, results); });
-    if (results.with_forest) {
+    if (!results.site.logs.empty()) {
+        write("logs.csv",
+              "Every lying log with the hits it took, the rocks that rest at it and the energy it absorbed.",
+              [&](std::ostream& out) { write_logs(out, results); });
+    }
+    if (!results.site.trees.empty()) {
         write("tree_hits_per_rock.csv", "Rocks by the number of trees they hit.",
               [&](std::ostream& out) { write_tree_hits_per_rock(out, results); });
         write("stems.csv",

@@ -19,6 +19,7 @@ void write_runs(std::ostream& out, const Figures& figures, const std::vector<Cov
 void write_run_out(std::ostream& out, const RunResults& results);
 void write_tree_hits_per_rock(std::ostream& out, const RunResults& results);
 void write_stems(std::ostream& out, const RunResults& results);
+void write_logs(std::ostream& out, const RunResults& results);
 
 /// Writes all of them and the sampled trajectories into tables/ of a folder.
 std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& figures,

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum Which : std::size_t { rocks_table, arrivals_table, hits_table };
+enum Which : std::size_t { rocks_table, arrivals_table, hits_table, log_hits_table };
 
 }  // namespace
 
@@ -59,6 +59,8 @@ RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path&
          !site.targets.empty(), write_arrival_header);
     open("tree_hits.csv", "each hit of a rock on a tree", scenario.tree_hit_table && !site.trees.empty(),
          write_tree_hit_header);
+    open("log_hits.csv", "each hit of a rock on a lying log", scenario.tree_hit_table && !site.logs.empty(),
+         write_log_hit_header);
 }
 
 void RowTables::add(const rockfall::ChunkRows& rows) {
@@ -67,6 +69,7 @@ void RowTables::add(const rockfall::ChunkRows& rows) {
         add_arrivals(rows, cover);
     }
     add_tree_hits(rows);
+    add_log_hits(rows);
     for (const auto& table : tables_) {
         if (table->wanted()) {
             table->file->check();
@@ -105,6 +108,16 @@ void RowTables::add_tree_hits(const rockfall::ChunkRows& rows) {
     for (const auto& [rock, hit] : rows.tree_hits) {
         write_tree_hit(tables_[hits_table]->file->stream(), rock, site_.trees[hit.stem].id, site_.origin_m(),
                        hit);
+    }
+}
+
+void RowTables::add_log_hits(const rockfall::ChunkRows& rows) {
+    if (!tables_[log_hits_table]->wanted()) {
+        return;
+    }
+    for (const auto& [rock, hit] : rows.log_hits) {
+        write_log_hit(tables_[log_hits_table]->file->stream(), rock, site_.logs[hit.log].id, site_.origin_m(),
+                      hit);
     }
 }
 

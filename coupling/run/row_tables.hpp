@@ -33,6 +33,7 @@ private:
     void add_rocks(const rockfall::ChunkRows& rows, rockfall::Cover cover);
     void add_arrivals(const rockfall::ChunkRows& rows, rockfall::Cover cover);
     void add_tree_hits(const rockfall::ChunkRows& rows);
+    void add_log_hits(const rockfall::ChunkRows& rows);
 
     const Site& site_;
     std::vector<std::unique_ptr<Table>> tables_;

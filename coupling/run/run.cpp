@@ -77,16 +77,19 @@ public:
           start_{start_law(scenario)},
           stems_{site.stems(), site.slope.terrain, 0.5 * start_.diameter.largest_m(),
                  scenario.rockfall.fall.tree.taper},
+          logs_{site.lying_logs(), site.slope.terrain, 0.5 * start_.diameter.largest_m(),
+                scenario.rockfall.fall.log.loose_share},
           rocks_{rocks_of(site)},
           assessment_{site.slope, stems_,       site.sources, site.targets, start_, scenario.rockfall.fall,
                       frame_,     scenario.seed},
-          histograms_{scenario, frame_, !stems_.empty()},
-          total_{frame_, site.targets.size(), stems_.placed().size()} {
+          histograms_{scenario, frame_, !stems_.empty() || !logs_.empty()},
+          total_{frame_, site.targets.size(), stems_.placed().size(), logs_.count()} {
+        assessment_.logs = &logs_;
         if (scenario.sample_paths > 0) {
             assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.sample_paths);
         }
-        if (scenario.rockfall.fall.tree.remove_broken && !stems_.empty()) {
-            state_.gone.assign(stems_.placed().size(), 0);
+        if (scenario.rockfall.fall.tree.remove_broken && !assessment_.only_bare()) {
+            state_.gone.assign(stems_.placed().size() + logs_.count(), 0);
         }
     }
 
@@ -101,6 +104,7 @@ private:
     config::GridFrame frame_;
     rockfall::StartLaw start_;
     rockfall::StemIndex stems_;
+    rockfall::LogIndex logs_;
     std::uint64_t rocks_;
     rockfall::Assessment assessment_;
     Histograms histograms_;
@@ -154,7 +158,7 @@ Ended AssessmentRun::write(OutputFolder& folder) {
     const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
     const RunResults results{
         scenario_,    site_,     total_,   {histograms_.pointers()[0], histograms_.pointers()[1]},
-        state_.paths, warnings_, released, !stems_.empty(),
+        state_.paths, warnings_, released, !assessment_.only_bare(),
         version()};
     if (InterruptGuard::requested()) {
         return Ended::interrupted;

@@ -96,7 +96,8 @@ EnsembleTally tally_of(const Scene& scene, std::vector<Chunk> chunks, std::size_
         rows.clear();
         crew[i % workers]->run(chunks[i], rows, chunks[i].whole_sources ? nullptr : &fed, {});
     }
-    EnsembleTally total{scene.assessment.map_frame, scene.targets.size(), scene.stems.size()};
+    EnsembleTally total{scene.assessment.map_frame, scene.targets.size(), scene.stems.size(),
+                        scene.assessment.log_count()};
     for (const auto& worker : crew) {
         total.add(worker->tally());
     }
@@ -133,6 +134,51 @@ TEST(Ensemble, CountsTheSameForAnyWorkersAndOrder) {
         EXPECT_EQ(one.targets[0].reached_both, other->targets[0].reached_both);
         EXPECT_EQ(one.targets[0].by_cover[0].energy, other->targets[0].by_cover[0].energy);
     }
+}
+
+/// Logs across the whole scene.
+std::vector<Log> random_logs() {
+    std::vector<Log> logs;
+    for (std::size_t i = 0; i < 200; ++i) {
+        config::RandomStream stream{{4, 0, 0, i}, config::Purpose::test};
+        const double x_m = 100.0 + 200.0 * stream.uniform();
+        const double y_m = 10.0 + 180.0 * stream.uniform();
+        logs.push_back({.x1_m = x_m,
+                        .y1_m = y_m,
+                        .x2_m = x_m + 6.0 * stream.uniform(),
+                        .y2_m = y_m + 10.0 * stream.uniform(),
+                        .diameter1_cm = 40.0,
+                        .diameter2_cm = 20.0,
+                        .clearance_m = 0.5 * stream.uniform()});
+    }
+    return logs;
+}
+
+TEST(Ensemble, CountsLogsTheSameForAnyWorkersAndOnlyWithForest) {
+    Scene scene{2000};
+    const LogIndex logs{random_logs(), scene.slope.terrain, 0.5, 0.5};
+    const EnsembleTally without = tally_of(scene, plan_chunks(scene.sources, 150), 1);
+    scene.assessment.logs = &logs;
+    std::vector<Chunk> chunks = plan_chunks(scene.sources, 150);
+    const EnsembleTally one = tally_of(scene, chunks, 1);
+    std::reverse(chunks.begin(), chunks.end());
+    const EnsembleTally three = tally_of(scene, chunks, 3);
+    const auto at_log = static_cast<std::size_t>(StopReason::log);
+    EXPECT_GT(one.runs[0].by_reason[at_log], 100U);
+    EXPECT_EQ(one.runs[1].by_reason[at_log], 0U);
+    EXPECT_EQ(one.runs[1].run_out_sum_mm, without.runs[1].run_out_sum_mm);
+    EXPECT_LT(one.targets[0].by_cover[0].reached, without.targets[0].by_cover[0].reached);
+    LogTally all;
+    for (std::size_t i = 0; i < one.logs.size(); ++i) {
+        EXPECT_EQ(one.logs[i].hits, three.logs[i].hits);
+        EXPECT_EQ(one.logs[i].energy_j, three.logs[i].energy_j);
+        all.add(one.logs[i]);
+    }
+    EXPECT_EQ(all.resting, one.runs[0].by_reason[at_log]);
+    EXPECT_EQ(all.hits, one.runs[0].log_hits);
+    EXPECT_EQ(all.broken, one.runs[0].logs_broken);
+    EXPECT_EQ(one.runs[0].run_out_sum_mm, three.runs[0].run_out_sum_mm);
+    EXPECT_TRUE(same_but_for_marks(one.cells[0], three.cells[0]));
 }
 
 TEST(Ensemble, ReachProbabilityNeverExceedsOne) {
@@ -220,7 +266,8 @@ TEST(Ensemble, GivesEachRockNumbersOfItsOwn) {
 }
 
 TEST(Ensemble, KeepsNothingOfARockThatIsDone) {
-    // A peer kept every sample of every rock, 290 KiB each. Rows are handed on by chunk, and no chunk grows with the run.
+    // A peer kept every sample of every rock, 290 KiB each. Rows are handed on by chunk, and no chunk grows
+    // with the run.
     const Scene small{2000};
     const Scene large{40'000};
     for (const Scene* scene : {&small, &large}) {

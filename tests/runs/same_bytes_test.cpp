@@ -9,7 +9,8 @@ namespace coupling {
 namespace {
 
 /// Runs into a folder of its own and compares all files with those of the first run.
-Outcome run_and_compare(const SampleProject& project, const std::string& arguments, const std::string& folder) {
+Outcome run_and_compare(const SampleProject& project, const std::string& arguments,
+                        const std::string& folder) {
     return shell(project, "\"$bannwald\" run scenario.ini --quiet " + arguments + " --out " + folder +
                               " && diff -r first " + folder + "\n");
 }
@@ -31,6 +32,40 @@ TEST(Results, AreTheSameBytesWhereBrokenTreesFall) {
     ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
     const Outcome outcome = run_and_compare(project, rocks + "--threads 3", "with_3");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+/// Logs across the slope of the sample project.
+void add_logs(const SampleProject& project) {
+    project.write("logs.csv",
+                  "log_id,x1_m,y1_m,x2_m,y2_m,species,dbh_cm,clearance_m,anchored\n"
+                  "a,1060,2030,1062,2065,PIAB,40,0,yes\nb,1080,2030,1078,2070,ABAL,15,0.2,no\n");
+    project.replace("scenario.ini", "file = trees.csv\n", "file = trees.csv\nlogs = logs.csv\n");
+}
+
+TEST(Results, AreTheSameBytesWithLogsThatMayBreak) {
+    const SampleProject project;
+    add_logs(project);
+    for (const std::string remove : {"no", "yes"}) {
+        const std::string rocks =
+            "--overwrite --set release.rocks=5000 --set tree_impact.remove_broken=" + remove + " ";
+        ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
+        const Outcome outcome = run_and_compare(project, rocks + "--threads 3", "with_3");
+        EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+        EXPECT_NE(project.read("first/tables/rocks.csv").find(",log,"), std::string::npos);
+        EXPECT_NE(project.read("first/tables/log_hits.csv").find(",a,"), std::string::npos);
+    }
+}
+
+TEST(Results, TellTheEffectOfLogsWithoutTrees) {
+    const SampleProject project;
+    add_logs(project);
+    const Outcome outcome =
+        call(project, "run scenario.ini --quiet --set trees.file= --set release.rocks=2000 --out first");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(std::filesystem::exists(project.file("first/tables/logs.csv")));
+    EXPECT_TRUE(std::filesystem::exists(project.file("first/tables/protection.csv")));
+    EXPECT_FALSE(std::filesystem::exists(project.file("first/tables/stems.csv")));
+    EXPECT_NE(project.read("first/report.html").find("Stopped at a lying log"), std::string::npos);
 }
 
 TEST(Results, ChangeWithTheSeed) {

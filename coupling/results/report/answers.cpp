@@ -80,7 +80,7 @@ std::string answer(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
     if (!results.with_forest) {
         return joined("<p class=\"answer\">", reaching(bare), " reach it over the bare slope (95 % interval ",
-                      range_of(bare.interval), "). No trees were given.</p>");
+                      range_of(bare.interval), "). Neither trees nor logs were given.</p>");
     }
     return joined("<p class=\"answer\">", reaching(target.at(Cover::forest).share),
                   " reach it with today's forest, ", reaching(bare), " over the bare slope. ",

@@ -181,9 +181,9 @@ std::string opening(const RunResults& results, const Figures&) {
         "</b>: ", grouped(results.rocks), " rocks were released from ", grouped(site.sources.size()),
         " places",
         (results.with_forest
-             ? ", each falling twice with the same random numbers: through the forest as it stands and over "
-               "the bare slope."
-             : " and fell over the bare slope; no trees were given."),
+             ? ", each falling twice with the same random numbers: through the forest as it stands, lying "
+               "logs included, and over the bare slope without either."
+             : " and fell over the bare slope; neither trees nor logs were given."),
         "</p>\n<dl class=\"facts\">");
     html += fact("Terrain", joined(three_digits(frame.x_east_m() - frame.x_west_m), " × ",
                                    three_digits(frame.y_north_m() - frame.y_south_m), " m, cells of ",
@@ -193,6 +193,9 @@ std::string opening(const RunResults& results, const Figures&) {
     html += fact("Rock diameter", rock_size(scenario));
     html += fact("Rock density", fixed(scenario.density_kgpm3, 0) + " kg/m³");
     html += fact("Trees", grouped(site.trees.size()));
+    if (!site.logs.empty()) {
+        html += fact("Lying logs", grouped(site.logs.size()));
+    }
     html += fact("Settings", escaped(scenario.preset));
     html += fact("Random seed", std::to_string(scenario.seed));
     return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");
@@ -212,10 +215,10 @@ std::string key_figures(const RunResults& results, const Figures& figures) {
         }
         table.row(cells);
     }
-    return joined(
-        "<h2>Key figures</h2>\n<section class=\"card\">", table.html(), "</section>\n",
-        (results.with_forest ? joined("<section class=\"card\">", trees_by_diameter(results), "</section>\n")
-                             : ""));
+    return joined("<h2>Key figures</h2>\n<section class=\"card\">", table.html(), "</section>\n",
+                  (!results.site.trees.empty()
+                       ? joined("<section class=\"card\">", trees_by_diameter(results), "</section>\n")
+                       : ""));
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {

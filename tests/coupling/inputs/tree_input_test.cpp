@@ -138,6 +138,29 @@ TEST(Trees, MayComeWithoutIdentity) {
     EXPECT_EQ(opened.site->trees[0].id, "1");
 }
 
+TEST(Trees, MayBeSnagsAndStumps) {
+    const SampleProject project;
+    const std::string head = "x_m,y_m,species,dbh_cm,height_m,state,strength,broken_at_m\n";
+    project.write("trees.csv", head +
+                                   "1060,2050,ABAL,30,25,living,,\n1061,2050,ABAL,30,28,snag,0.6,4.5\n"
+                                   "1062,2050,ABAL,40,1.3,stump,0.9,\n1063,2050,ABAL,30,20,,,\n");
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const auto& trees = opened.site->trees;
+    EXPECT_EQ(trees[0].stem.strength, 1.0);
+    EXPECT_EQ(trees[1].stem.strength, 0.6);
+    EXPECT_EQ(trees[1].stem.broken_at_m, 4.5);
+    EXPECT_EQ(trees[1].stem.height_m, 28.0);
+    EXPECT_EQ(trees[2].stem.height_m, 1.3);
+    EXPECT_EQ(trees[3].stem.strength, 1.0);
+
+    project.write("trees.csv", head + "1060,2050,ABAL,30,25,dead,,\n1061,2050,ABAL,30,,snag,-0.1,\n");
+    EXPECT_EQ(open(project).errors,
+              "trees.csv:2:22: found state 'dead', expected living, snag or stump\n"
+              "trees.csv:3:28: found strength '-0.1', expected a number in [0, 1]\n"
+              "trees.csv:3:22: found height_m empty, expected the height of each snag and stump");
+}
+
 TEST(Trees, AreNotNeeded) {
     const SampleProject project;
     const Opened opened = open(project, {"trees.file="});

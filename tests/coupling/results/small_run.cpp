@@ -42,7 +42,7 @@ Site site() {
     frame.x_west_m = west_m;
     frame.y_south_m = south_m;
     Site made{
-        slope(), heights(frame), config::Raster<std::uint8_t>{frame, 0}, austria_lambert, frame, {}, {}, {},
+        slope(), heights(frame), config::Raster<std::uint8_t>{frame, 0}, austria_lambert, frame, {}, {}, {}, {},
         {},      nullptr};
     made.trees = {{"17", "PIAB", {west_m + 25.0, south_m + 45.0, 32.5, 24.0, 1.0}},
                   {"18", "ABAL", {west_m + 35.0, south_m + 45.0, 61.0, 31.5, 1.0}},

@@ -69,8 +69,7 @@ TEST(StemIndex, MeetsTheMeanFreePath) {
         constexpr double until_s = 20.0;
         // Falls 2 km in that time: hits count in plan only, so the height of the flight is kept by short
         // legs.
-        const auto hit =
-            index.first_hit_rolling(flight.start_m, flight.velocity_mps, until_s, 0.475, {}, {});
+        const auto hit = index.first_hit_rolling(flight.start_m, flight.velocity_mps, until_s, 0.475, {}, {});
         travelled_m += 10.0 * (hit ? hit->time_s : until_s);
         hits += hit ? 1 : 0;
     }
@@ -88,7 +87,8 @@ TEST(StemIndex, TakesBothTreesOfOnePatch) {
     const auto first = index.first_hit(flight, 0.3 + 1.0, 0.5, {}, {});
     ASSERT_TRUE(first);
     EXPECT_EQ(first->stem, 0U);
-    const auto second = index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, std::array{0U}, {});
+    const auto second =
+        index.first_hit_rolling(flight.start_m, flight.velocity_mps, 2.0, 0.5, std::array{0U}, {});
     ASSERT_TRUE(second);
     EXPECT_EQ(second->stem, 1U);
 }
@@ -115,6 +115,25 @@ TEST(StemIndex, IsFlownOver) {
     EXPECT_FALSE(index.first_hit(flight, 1.0, 0.5, {}, {}));
     flight.start_m.z() -= 1.0;
     EXPECT_TRUE(index.first_hit(flight, 1.0, 0.5, {}, {}));
+}
+
+TEST(StemIndex, IsFlownOverWhereASnagIsBrokenOff) {
+    const Slope flat = plane_slope(0.0, {0.3, 0.75}, 0.0, 100.0, 100.0);
+    Stem snag{50.0, 50.0, 30.0, 25.0, 1.0};
+    snag.broken_at_m = 3.0;
+    const StemIndex index{std::vector<Stem>{snag}, flat.terrain, 0.5, true};
+    Flight flight = along(flat, 45.0, 50.0, 0.0, 20.0);  // underside falls by 0.25 m until the stem
+    flight.start_m.z() += 2.4;
+    EXPECT_FALSE(index.first_hit(flight, 1.0, 0.5, {}, {}));
+    flight.start_m.z() -= 0.4;
+    const auto hit = index.first_hit(flight, 1.0, 0.5, {}, {});
+    ASSERT_TRUE(hit);
+    // The centre passes above the top: the stem is met by its thickness there, that of the whole tree.
+    EXPECT_GT(hit->height_m, 3.0);
+    EXPECT_NEAR(hit->reach_m, 0.5 + 0.15 * taper(3.0, 25.0), 1e-12);
+    snag.strength = 0.4;
+    const StemIndex rotten{std::vector<Stem>{snag}, flat.terrain, 0.5, true};
+    EXPECT_DOUBLE_EQ(rotten.placed()[0].largest_energy_j, 0.4 * largest_energy_j(30.0, 1.0));
 }
 
 TEST(StemIndex, IgnoresTheStemJustHitAndThoseGone) {
