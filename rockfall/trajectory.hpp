@@ -343,7 +343,7 @@ private:
 
     void meet(const LogHit& hit, double energy_j) {
         const LogPiece& piece = obstacles_.logs->pieces()[hit.piece];
-        LogImpact impact = rockfall::meet_log(energy_j, velocity_mps_, rock_, rolling_, hit, piece, law_.log);
+        LogImpact impact = meet_log(energy_j, velocity_mps_, rock_, hit, piece, law_.log);
         if (impact.outcome == LogOutcome::turned && turned_at_log_ == hit.log &&
             (position_m_ - turned_at_m_).squaredNorm() < rock_.radius_m * rock_.radius_m) {
             impact = rest_at(energy_j);  // pressed against it once more on the same spot
@@ -365,6 +365,9 @@ private:
         }
         velocity_mps_ = impact.velocity_mps;
         spin_radps_ *= impact.spin_factor;
+        if (rolling_) {
+            stay_in_face();
+        }
     }
 
     /// Drops to the ground at the uphill foot of an obstacle.
@@ -382,14 +385,17 @@ private:
         velocity_mps_ *= impact.speed_factor;
         spin_radps_ *= impact.speed_factor;
         if (rolling_) {
-            // Stays in the face: the speed is kept, the rise follows the plane.
-            const Plane plane = slope_.terrain.plane_of(triangle_);
-            const double speed_mps = velocity_mps_.norm();
-            velocity_mps_.z() =
-                plane.gradient.x() * velocity_mps_.x() + plane.gradient.y() * velocity_mps_.y();
-            const double tilted_mps = velocity_mps_.norm();
-            velocity_mps_ *= tilted_mps > 0.0 ? speed_mps / tilted_mps : 0.0;
+            stay_in_face();
         }
+    }
+
+    /// After a turn: the speed is kept, the rise follows the plane.
+    void stay_in_face() {
+        const Plane plane = slope_.terrain.plane_of(triangle_);
+        const double speed_mps = velocity_mps_.norm();
+        velocity_mps_.z() = plane.gradient.x() * velocity_mps_.x() + plane.gradient.y() * velocity_mps_.y();
+        const double tilted_mps = velocity_mps_.norm();
+        velocity_mps_ *= tilted_mps > 0.0 ? speed_mps / tilted_mps : 0.0;
     }
 
     static constexpr std::uint32_t most_rolling_pieces = 200'000;

@@ -28,11 +28,19 @@ double lift_j(const Rock& rock, const Eigen::Vector3d& across_mps, const LogHit&
     return rock.mass_kg * config::gravity_mps2 * (rock.radius_m + piece.radius_m) * std::max(0.0, below_top);
 }
 
+/// The direction in which a rock slides along a log: its axis; around its end, level with the ground.
+Eigen::Vector3d sliding_direction(const LogHit& hit, const LogPiece& piece) {
+    const Eigen::Vector3d axis = piece.along.normalized();
+    const Eigen::Vector3d around = piece.normal.cross(hit.towards_rock);
+    const bool at_end = std::abs(hit.towards_rock.dot(axis)) > 1e-6;
+    return at_end && around.norm() > 1e-6 ? Eigen::Vector3d{around.normalized()} : axis;
+}
+
 }  // namespace
 
-LogImpact meet_log(double energy_j, const Eigen::Vector3d& velocity_mps, const Rock& rock, bool rolling,
-                   const LogHit& hit, const LogPiece& piece, const LogImpactLaw& law) {
-    const Eigen::Vector3d axis = piece.along.normalized();
+LogImpact meet_log(double energy_j, const Eigen::Vector3d& velocity_mps, const Rock& rock, const LogHit& hit,
+                   const LogPiece& piece, const LogImpactLaw& law) {
+    const Eigen::Vector3d axis = sliding_direction(hit, piece);
     const double along_mps = velocity_mps.dot(axis);
     const double into_mps = velocity_mps.dot(hit.towards_rock);
     const double squared_speed = velocity_mps.squaredNorm();
@@ -55,7 +63,7 @@ LogImpact meet_log(double energy_j, const Eigen::Vector3d& velocity_mps, const R
     }
     const double kept_mps = std::max(0.0, std::abs(along_mps) - law.friction * std::sqrt(squared_across));
     const double kept_share = kept_mps * kept_mps / squared_speed;
-    if (rolling || kept_share < law.stop_share) {
+    if (kept_share < law.stop_share) {
         return rest_at(energy_j);
     }
     return {LogOutcome::turned, energy_j * (1.0 - kept_share),

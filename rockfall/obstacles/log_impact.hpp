@@ -44,12 +44,14 @@ inline LogImpact rest_at(double energy_j) {
 /// motion across it: more than its strength breaks it, less and the rock is blocked. A lower log the rock
 /// climbs if its motion across the log suffices to lift the centre over it and for `climb_share` of the log's
 /// strength, of which it spends no more than its motion into the log brings. Where that motion exceeds the
-/// strength the log breaks. A blocked rock that rolls rests; one in flight keeps what plastic contact with
-/// Coulomb friction leaves of its motion along the log, which is nothing if it comes steeper than 1/friction
+/// strength the log breaks. A blocked rock keeps what plastic contact with Coulomb
+/// friction leaves of its motion along the log, which is nothing if it comes steeper than 1/friction
 /// across it.
 ///
+/// At the end of a log the direction around the end takes the place of its axis.
+///
 /// Model of section "logs" of the room's README; no published law. There is no chance in it.
-LogImpact meet_log(double energy_j, const Eigen::Vector3d& velocity_mps, const Rock& rock, bool rolling,
-                   const LogHit& hit, const LogPiece& piece, const LogImpactLaw& law);
+LogImpact meet_log(double energy_j, const Eigen::Vector3d& velocity_mps, const Rock& rock, const LogHit& hit,
+                   const LogPiece& piece, const LogImpactLaw& law);
 
 }  // namespace rockfall

@@ -12,6 +12,8 @@ namespace {
 constexpr double longest_piece_m = 2.0;
 /// So near a rock touches a log. Steps towards a log end here, so they need not become ever smaller.
 constexpr double touching_m = 1e-3;
+/// Motion closer to the tangent than this [rad] is none towards a log.
+constexpr double grazing = 1e-6;
 /// A rock that touches a log without moving towards it is looked at again after this way.
 constexpr double look_again_m = 1e-2;
 
@@ -134,7 +136,7 @@ std::optional<LogHit> LogIndex::Path::touch(const LogPiece& piece, const Eigen::
         const double gap_m = distance_m - reach_m;
         if (gap_m > touching_m) {
             time_s += gap_m / fastest_mps;
-        } else if (distance_m > 0.0 && velocity_at(time_s).dot(off_m) < 0.0) {
+        } else if (distance_m > 0.0 && velocity_at(time_s).dot(off_m) < -grazing * fastest_mps * distance_m) {
             return LogHit{piece.log, 0, time_s, off_m / distance_m};
         } else {
             time_s += look_again_m / fastest_mps;

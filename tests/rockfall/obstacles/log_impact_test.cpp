@@ -34,7 +34,7 @@ LogHit hit_on_ground(const LogPiece& piece) {
 
 LogImpact meet_rolling(const LogPiece& piece, double speed_mps) {
     const double energy_j = 0.7 * rock.mass_kg * speed_mps * speed_mps;
-    return meet_log(energy_j, {speed_mps, 0.0, 0.0}, rock, true, hit_on_ground(piece), piece, {});
+    return meet_log(energy_j, {speed_mps, 0.0, 0.0}, rock, hit_on_ground(piece), piece, {});
 }
 
 TEST(MeetLog, StopsARockThatAThickLogCanHold) {
@@ -86,7 +86,7 @@ TEST(MeetLog, HoldsAMotionlessRockOnASteepSlopeOnlyIfItIsThickEnough) {
         const Eigen::Vector3d to_rock =
             ((rock.radius_m - r) * normal - 2.0 * std::sqrt(rock.radius_m * r) * down) / (rock.radius_m + r);
         EXPECT_EQ(to_rock.x() > 0.0, share < 0.12) << share;  // beyond the top of the log, seen from above
-        const LogImpact slow = meet_log(1e-6, 1e-4 * down, rock, true, {0, 0, 0.0, to_rock}, piece, {});
+        const LogImpact slow = meet_log(1e-6, 1e-4 * down, rock, {0, 0, 0.0, to_rock}, piece, {});
         EXPECT_EQ(slow.outcome, share < 0.12 ? LogOutcome::climbed : LogOutcome::stopped) << share;
     }
 }
@@ -96,7 +96,7 @@ TEST(MeetLog, TurnsAFlyingRockThatComesNearlyAlongIt) {
     const LogHit hit = hit_on_ground(thick);
     const auto meet_at = [&](double across_deg) {
         const double a = config::Angle::from_degrees(across_deg).in_radians();
-        return meet_log(10e3, {10.0 * std::sin(a), 10.0 * std::cos(a), 0.0}, rock, false, hit, thick, {});
+        return meet_log(10e3, {10.0 * std::sin(a), 10.0 * std::cos(a), 0.0}, rock, hit, thick, {});
     };
     const LogImpact flat = meet_at(20.0);
     ASSERT_EQ(flat.outcome, LogOutcome::turned);
@@ -107,6 +107,23 @@ TEST(MeetLog, TurnsAFlyingRockThatComesNearlyAlongIt) {
     EXPECT_NEAR(flat.loss_j, 10e3 * (1.0 - kept * kept), 1e-6);
     EXPECT_EQ(meet_at(64.0).outcome, LogOutcome::stopped);  // steeper than 1 / friction: 63.4 degrees
     EXPECT_EQ(meet_at(45.0).outcome, LogOutcome::turned);
+}
+
+TEST(MeetLog, IsHeldByTheEndOfALogAndSlidesAroundIt) {
+    const LogPiece thick = piece_across(0.6, 50e3);
+    const auto meet_end = [&](double aside_deg, double energy_j) {
+        // Comes along +y onto the end at y = -1, the contact turned aside by an angle.
+        const double a = config::Angle::from_degrees(aside_deg).in_radians();
+        return meet_log(energy_j, {0.0, 10.0, 0.0}, rock, {0, 0, 0.0, {std::sin(a), -std::cos(a), 0.0}},
+                        thick, {});
+    };
+    EXPECT_EQ(meet_end(0.0, 40e3).outcome, LogOutcome::stopped);
+    EXPECT_EQ(meet_end(0.0, 60e3).outcome, LogOutcome::broke);
+    const LogImpact aside = meet_end(60.0, 40e3);
+    ASSERT_EQ(aside.outcome, LogOutcome::turned);
+    EXPECT_GT(aside.velocity_mps.x(), 0.0);  // to the side on which it came
+    EXPECT_GT(aside.velocity_mps.y(), 0.0);
+    EXPECT_EQ(aside.velocity_mps.z(), 0.0);
 }
 
 RC_GTEST_PROP(MeetLog, NeverGivesEnergy, ()) {
@@ -122,8 +139,7 @@ RC_GTEST_PROP(MeetLog, NeverGivesEnergy, ()) {
     const Eigen::Vector3d velocity = 40.0 * random_vector();
     const double spin = 20.0 * stream.uniform();
     const double energy_j = kinetic_energy_j(rock, velocity.squaredNorm(), spin);
-    const LogImpact impact =
-        meet_log(energy_j, velocity, rock, stream.uniform() < 0.3, {0, 0, 0.0, off}, piece, {});
+    const LogImpact impact = meet_log(energy_j, velocity, rock, {0, 0, 0.0, off}, piece, {});
     const double after_j =
         kinetic_energy_j(rock, impact.velocity_mps.squaredNorm(), spin * impact.spin_factor);
     RC_ASSERT(impact.loss_j >= 0.0);
@@ -142,9 +158,9 @@ RC_GTEST_PROP(MeetLog, IsTheSameInAMirror, ()) {
     const Eigen::Vector3d velocity{15.0 * stream.uniform(), 10.0 * (stream.uniform() - 0.5),
                                    -5.0 * stream.uniform()};
     const double energy_j = 0.5 * rock.mass_kg * velocity.squaredNorm();
-    const LogImpact one = meet_log(energy_j, velocity, rock, false, {0, 0, 0.0, off}, piece, {});
+    const LogImpact one = meet_log(energy_j, velocity, rock, {0, 0, 0.0, off}, piece, {});
     const LogImpact other =
-        meet_log(energy_j, mirrored(velocity), rock, false, {0, 0, 0.0, mirrored(off)}, mirror, {});
+        meet_log(energy_j, mirrored(velocity), rock, {0, 0, 0.0, mirrored(off)}, mirror, {});
     RC_ASSERT(one.outcome == other.outcome);
     RC_ASSERT((mirrored(one.velocity_mps) - other.velocity_mps).norm() < 1e-12);
 }
