@@ -15,7 +15,7 @@ namespace {
 /// Places for the figures of all members.
 Series empty_series(const Names& names, std::span<const MemberYears> members, std::string quantity,
                     std::string target, bool low_is_bad) {
-    Series series{std::move(quantity), std::move(target), low_is_bad, {}};
+    Series series{std::move(quantity), std::move(target), low_is_bad, false, {}};
     series.values.resize(names.regimes.size());
     for (const MemberYears& member : members) {
         auto& replicates = series.values[member.member.regime];
@@ -49,6 +49,7 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
                 }
             }
         }
+        protection.has_worst = reached.has_worst = true;
         all_series.push_back(std::move(protection));
         all_series.push_back(std::move(reached));
         all_series.push_back(std::move(energy));
@@ -75,6 +76,7 @@ void add_forest(std::vector<Series>& all_series, const Names& names, std::span<c
             }
         }
     }
+    basal_area.has_worst = true;
     for (Series* series : {&basal_area, &volume, &stems, &felled}) {
         all_series.push_back(std::move(*series));
     }
@@ -202,13 +204,15 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
     written.push_back(write_table(
         folder, "regimes_worst_year.csv",
         "The year in which each regime is worst, by the mean of its replicates.",
-        "regime,target_id,quantity,worst,year,mean,low_5,high_95", [&](CsvRow& row) {
+        "regime,target_id,quantity,worst,year,replicates,mean,low_5,high_95", [&](CsvRow& row) {
             for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
                 for (const Series& series : all_series) {
-                    if (const auto worst = worst_year(series, regime)) {
+                    const auto worst = series.has_worst ? worst_year(series, regime) : std::nullopt;
+                    if (worst) {
                         row.text(names.regimes[regime]).text(series.target).text(series.quantity);
                         row.text(series.low_is_bad ? "lowest" : "highest");
-                        row.whole(static_cast<std::uint32_t>(worst->year)).number<3>(worst->value.mean);
+                        row.whole(static_cast<std::uint32_t>(worst->year)).whole(worst->value.replicates);
+                        row.number<3>(worst->value.mean);
                         row.number<3>(worst->value.low).number<3>(worst->value.high);
                         row.end();
                     }

@@ -21,6 +21,7 @@ struct Series {
     std::string quantity;    ///< with its unit, such as "protection_percent"
     std::string target;      ///< id, empty for figures of the forest
     bool low_is_bad = true;  ///< which extreme over the years is told
+    bool has_worst = false;  ///< whether its extreme means anything
     std::vector<std::vector<std::map<std::int32_t, double>>> values;  ///< [regime][replicate][year]
 };
 

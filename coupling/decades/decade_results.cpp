@@ -6,10 +6,25 @@
 #include "coupling/decades/report/decade_page.hpp"
 #include "coupling/decades/report/protection.hpp"
 #include "coupling/decades/work_tables.hpp"
+#include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
 
 namespace {
+
+/// Which years of which series the forest lived in.
+std::string climate_in_words(const DecadeResults& results) {
+    const ClimateSource& climate = results.site.forest->climate;
+    const char* order = climate.order == ClimateOrder::once     ? " in their order"
+                        : climate.order == ClimateOrder::repeat ? ", over and over"
+                                                                : ", drawn anew for each replicate";
+    const bool changes = climate.change_years > 0 || results.scenario.forest.temperature_change_k != 0.0 ||
+                         results.scenario.forest.precipitation_change != 1.0 ||
+                         !results.scenario.forest.climate_change.empty();
+    return joined("years ", std::to_string(climate.series.first_year()), " to ",
+                  std::to_string(climate.series.last_year()), order,
+                  changes ? ", with a change of climate" : "");
+}
 
 std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series) {
     if (results.rocks == 0 || results.site.targets.empty()) {
@@ -54,7 +69,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                                       .inputs = results.site.inputs,
                                       .files = files,
                                       .version = results.version,
-                                      .climate = "",
+                                      .climate = climate_in_words(results),
                                       .first = first_sections(results, series)});
     page.close();
     return files;

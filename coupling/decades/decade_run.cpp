@@ -91,6 +91,7 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
     for (std::uint32_t regime = 0; regime < results.names.regimes.size(); ++regime) {
         PairedCounts first;
         PairedCounts last;
+        std::int32_t last_year = 0;
         const auto add = [](PairedCounts& sum, const PairedCounts& counts) {
             sum.both += counts.both;
             sum.only_forest += counts.only_forest;
@@ -106,17 +107,18 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
                 }
                 if (row.year == member.targets.back().year) {
                     add(last, row.paired);
+                    last_year = row.year;
                 }
             }
         }
         const auto percent = [](const PairedCounts& counts) {
             const auto effect = protection_effect(counts);
             return effect ? joined(report::fixed(100.0 * effect->value, 1), " %")
-                          : std::string{"no rock arrives"};
+                          : std::string{"– (no rock arrives)"};
         };
-        std::printf("  %s, %s: the forest keeps away %s at the start, %s at the end\n",
+        std::printf("  %s, %s: kept away by the forest: %s in year 0, %s in year %d\n",
                     results.site.targets[target].name.c_str(), results.names.regimes[regime].c_str(),
-                    percent(first).c_str(), percent(last).c_str());
+                    percent(first).c_str(), percent(last).c_str(), last_year);
     }
 }
 

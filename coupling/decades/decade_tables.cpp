@@ -157,7 +157,8 @@ std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder
           [&](std::ostream& out) { write_losses(out, names, members); });
     for (const int year : tree_list_years) {
         const std::string number = std::to_string(year);
-        write(joined("trees_", number, ".csv"), joined("Every tree at the end of year ", number, "."),
+        write(joined("trees_", number, ".csv"),
+              joined("Every tree in year ", number, year == 0 ? ", the start." : ", at its end."),
               [&](std::ostream& out) { write_trees(out, names, members, year); });
     }
     return written;

@@ -57,6 +57,21 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
     return Regime::read(table_of(entry, reading), name, forest.species.table, forest.grid, polygons_of);
 }
 
+/// With fewer areas than turns some turns find nothing, and the rotation of what there is becomes shorter.
+void tell_short_turns(const Regime& regime, Reading& reading) {
+    for (std::size_t i = 0; i < regime.interventions().size(); ++i) {
+        const Intervention& row = regime.interventions()[i];
+        const bool in_turns = row.ground.where == Where::strips || row.ground.where == Where::slits;
+        const std::size_t areas = regime.areas_of(i).size();
+        if (in_turns && areas < static_cast<std::size_t>(std::max(1, row.ground.entries))) {
+            reading.note(joined(
+                "regime ", regime.name(), ": ", row.name, " takes turns over ",
+                std::to_string(row.ground.entries), " entries, but the forest has ", counted(areas, "area"),
+                " for it: its rotation is shorter than the regime means; harvest is not comparable"));
+        }
+    }
+}
+
 void refuse_entry(const std::string& entry, const std::string& expected, Reading& reading) {
     reading.problems().add(config::ExitCode::settings, reading.scenario().options->place_of("regimes.list"),
                            joined("regime '", entry, "'"), expected);
@@ -89,6 +104,7 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
         if (!names.insert(regime->name()).second) {
             refuse_entry(entry, "regimes of different names, none of them 'bare'", reading);
         }
+        tell_short_turns(*regime, reading);
         management.regimes.push_back(std::move(*regime));
     }
     const std::string& prices = scenario.forest.timber_prices;

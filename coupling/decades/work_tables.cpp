@@ -98,7 +98,9 @@ std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, 
               [&](std::ostream& out) { write_margins(out, names, members, area_ha); });
     }
     if (any(members, &MemberYears::removed)) {
-        write("removed_trees.csv", "Every tree that rocks broke, uprooted or wounded to death.",
+        write("removed_trees.csv",
+              "Every tree that rocks broke or uprooted (rock) or that died of old wounds, by rocks or "
+              "felling (wound).",
               [&](std::ostream& out) { write_removed(out, names, members); });
     }
     return written;

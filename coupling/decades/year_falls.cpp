@@ -5,15 +5,22 @@
 #include <utility>
 
 #include "coupling/run/fall_rocks.hpp"
+#include "forest/deadwood/decay.hpp"
 
 namespace coupling::decades {
 namespace {
 
-/// Stems that rocks meet, and whose they are.
-struct Obstacles {
-    std::vector<rockfall::Stem> stems;
-    std::vector<const forest::Tree*> trees;  ///< nullptr: an obstacle that does not grow
-};
+/// A log ends in a point; rocks want a thickness.
+constexpr double least_log_end_cm = 1.0;
+
+/// Length on the map of a length of 1 that lies on a patch in a direction.
+double plan_share(const forest::Patch& patch, double direction_rad) {
+    const double east = std::sin(patch.aspect.in_radians());  // of the fall line
+    const double north = std::cos(patch.aspect.in_radians());
+    const double drop = std::tan(patch.slope.in_radians()) *
+                        (east * std::cos(direction_rad) + north * std::sin(direction_rad));
+    return 1.0 / std::sqrt(1.0 + drop * drop);
+}
 
 }  // namespace
 
@@ -28,34 +35,66 @@ RockSeason::RockSeason(const Scenario& scenario, const Site& site, std::vector<d
       standing_{std::move(standing)},
       rocks_{site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks} {}
 
-FallsOfYear RockSeason::fall(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,
-                             int threads) const {
+RockSeason::Obstacles RockSeason::obstacles_of(const forest::Stand& stand) const {
     Obstacles obstacles;
     for (const forest::Tree& tree : stand.trees()) {
         if (tree.dbh_cm >= least_obstacle_cm) {
-            obstacles.stems.push_back(
-                {.x_m = tree.x_m,
-                 .y_m = tree.y_m,
-                 .dbh_cm = tree.dbh_cm,
-                 .height_m = tree.height_m,
-                 .fracture_energy = fracture_energy_[forest::index_of(tree.species)] *
-                                    forest::stem_strength(tree, rockfall::breast_height_m)});
+            rockfall::Stem stem{tree.x_m, tree.y_m, tree.dbh_cm, tree.height_m,
+                                fracture_energy(tree.species)};
+            stem.strength = forest::stem_strength(tree, rockfall::breast_height_m);
+            obstacles.stems.push_back(stem);
             obstacles.trees.push_back(&tree);
         }
     }
+    for (const forest::Snag& snag : stand.dead_wood().snags) {
+        rockfall::Stem stem{snag.x_m, snag.y_m, snag.dbh_cm, snag.tree_height_m,
+                            fracture_energy(snag.species)};
+        stem.strength = forest::strength_share(snag, stand.year());
+        stem.broken_at_m = snag.height_m < snag.tree_height_m ? snag.height_m : 0.0;
+        obstacles.stems.push_back(stem);
+    }
     obstacles.stems.insert(obstacles.stems.end(), standing_.begin(), standing_.end());
     obstacles.trees.resize(obstacles.stems.size(), nullptr);
-    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, 0.5 * start_.diameter.largest_m(),
-                                    scenario_.rockfall.fall.tree.taper};
+    for (const forest::Log& log : stand.dead_wood().logs) {
+        // The length lies along the ground: in plan it is shorter by the slope along the log.
+        const auto patch = stand.grid().at(log.x_m, log.y_m);
+        const double plan_m =
+            log.length_m * (patch ? plan_share(stand.grid()[*patch], log.direction_rad) : 1.0);
+        rockfall::Log lying;
+        lying.x1_m = log.x_m;
+        lying.y1_m = log.y_m;
+        lying.x2_m = log.x_m + plan_m * std::cos(log.direction_rad);
+        lying.y2_m = log.y_m + plan_m * std::sin(log.direction_rad);
+        lying.diameter1_cm = log.thick_end_cm;
+        lying.diameter2_cm = std::max(log.thin_end_cm, least_log_end_cm);
+        lying.clearance_m = log.clearance_m;
+        lying.fracture_energy = fracture_energy(log.species);
+        lying.strength = forest::strength_share(log, stand.year());
+        lying.supported = log.anchored;
+        obstacles.logs.push_back(lying);
+    }
+    return obstacles;
+}
+
+FallsOfYear RockSeason::fall(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,
+                             int threads) const {
+    const Obstacles obstacles = obstacles_of(stand);
+    const double largest_radius_m = 0.5 * start_.diameter.largest_m();
+    const rockfall::TreeImpactLaw& law = scenario_.rockfall.fall.tree;
+    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m, law.taper};
+    const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,
+                                  scenario_.rockfall.fall.log.loose_share};
     rockfall::Assessment assessment{site_.slope,   stems,         site_.sources,
                                     site_.targets, start_,        scenario_.rockfall.fall,
                                     frame_,        scenario_.seed};
     assessment.replicate = replicate;
     assessment.year = static_cast<std::uint16_t>(year);
+    assessment.logs = &logs;
 
-    FallsOfYear falls{
-        .tally = {frame_, site_.targets.size(), stems.placed().size()}, .takes = {}, .hits = {}};
-    falls.with_forest = !stems.empty();
+    FallsOfYear falls{.tally = {frame_, site_.targets.size(), stems.placed().size(), logs.count()},
+                      .takes = {},
+                      .hits = {}};
+    falls.with_forest = !assessment.only_bare();
     const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
         falls.not_started += rows.not_started;
         const auto& rocks = rows.rocks[static_cast<std::size_t>(Cover::forest)];

@@ -57,6 +57,18 @@ public:
     [[nodiscard]] std::uint64_t rocks() const { return rocks_; }
 
 private:
+    /// What rocks meet in a year, and whose it is.
+    struct Obstacles {
+        std::vector<rockfall::Stem> stems;
+        std::vector<const forest::Tree*> trees;  ///< one a stem; nullptr: none that lives here
+        std::vector<rockfall::Log> logs;
+    };
+    /// Living trees, snags and stumps, stems that do not grow; logs.
+    [[nodiscard]] Obstacles obstacles_of(const forest::Stand& stand) const;
+    [[nodiscard]] double fracture_energy(forest::SpeciesId species) const {
+        return fracture_energy_[forest::index_of(species)];
+    }
+
     const Scenario& scenario_;
     const Site& site_;
     config::GridFrame frame_;

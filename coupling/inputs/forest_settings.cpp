@@ -185,6 +185,10 @@ void check_climate(const ForestSettings& s, Checker& checker) {
         checker.refuse("climate.co2_ppm", joined("climate.co2_ppm ", config::to_text(s.co2_ppm)),
                        "0 for the record, or a number in [100, 2000] ppm");
     }
+    if (s.co2_ppm != 0.0 && !s.parameters.processes.co2_response) {
+        checker.refuse("climate.co2_ppm", "climate.co2_ppm without forest.co2_response",
+                       "forest.co2_response = yes");
+    }
     for (const std::string key : {"climate.temperature_change_k", "climate.precipitation_change"}) {
         if (!s.climate_change.empty() && checker.options.was_set(key)) {
             checker.refuse("climate.change", joined("climate.change beside ", key), "only one of them");

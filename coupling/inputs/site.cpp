@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "coupling/inputs/forest_site.hpp"
@@ -62,6 +63,27 @@ struct Files {
     std::optional<std::vector<rockfall::Target>> targets;
 };
 
+/// Sections that only a run over years reads.
+void tell_idle_settings(const Scenario& scenario, Reading& reading) {
+    std::set<std::string> sections;
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        const std::string section = row.key.substr(0, row.key.find('.'));
+        for (const char* idle :
+             {"stands", "soil", "climate", "forest", "disturbance", "regimes", "feedback"}) {
+            if (row.changed && section == idle) {
+                sections.insert(section);
+            }
+        }
+    }
+    std::string names;
+    for (const std::string& section : sections) {
+        names += (names.empty() ? "[" : ", [") + section + "]";
+    }
+    if (!names.empty()) {
+        reading.note("run.years is 0: settings of " + names + " have no effect");
+    }
+}
+
 Files read_files(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     Files files;
@@ -69,9 +91,7 @@ Files read_files(Reading& reading) {
     files.trees.emplace();
     if (scenario.years == 0) {
         files.trees = read_trees(reading);
-        if (!scenario.forest.stand_records.empty()) {
-            reading.note(joined("stands.records is not read where run.years is 0"));
-        }
+        tell_idle_settings(scenario, reading);
     }
     if (has_rocks(scenario)) {
         files.types = read_surface_types(reading);

@@ -183,6 +183,16 @@ private:
         const forest::Species& kind = species_.table[record.species];
         const double dbh_cm = mean_dbh_cm(record);
         const bool has_trees = dbh_cm > 0.0;
+        const double basal_area_m2pha = record.basal_area_m2pha
+                                            ? *record.basal_area_m2pha
+                                            : *record.stems_pha * forest::basal_area_m2(dbh_cm);
+        if (basal_area_m2pha > 200.0) {
+            problems_.add(ExitCode::data, table_.place(row, "stand"),
+                          joined("stems and mean diameter that make ",
+                                 config::to_text(std::round(basal_area_m2pha)), " m2/ha"),
+                          "at most 200 m2/ha");
+            return false;
+        }
         if (has_trees && (dbh_cm < forest::smallest_tree_cm || dbh_cm >= kind.height_growth.max_dbh_cm)) {
             problems_.add(
                 ExitCode::data, table_.place(row, "stand"),

@@ -50,8 +50,10 @@ public:
         each([](const Intervention& row) { return row.treatment == Treatment::tend; },
              [&](const Intervention& row, std::size_t i) {
                  for (const Area* area : areas_of(due[i])) {
-                     report.entries[i].tended += forest::tend(
+                     const forest::TendingDone done = forest::tend(
                          stand_, area->place, {row.species, row.from_height_m, row.to_height_m, row.share});
+                     report.entries[i].tended += done.stems;
+                     report.entries[i].tended_ha += done.area_ha;
                  }
              });
         each([](const Intervention& row) { return row.plants(); },

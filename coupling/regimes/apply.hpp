@@ -46,6 +46,7 @@ struct Entry {
     double left_m3 = 0.0;      ///< stem wood that stayed as logs and stumps
     std::uint64_t plants = 0;  ///< planted
     std::uint64_t tended = 0;  ///< young stems cut by tending
+    double tended_ha = 0.0;    ///< of the patches where it cut any
     [[nodiscard]] bool found_nothing() const { return stems == 0.0 && plants == 0 && tended == 0; }
 };
 

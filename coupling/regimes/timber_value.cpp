@@ -175,9 +175,7 @@ Margin contribution_margin(const RegimeReport& report, const PriceTable& prices)
     Margin margin = contribution_margin(report.timber, prices);
     for (const Entry& entry : report.entries) {
         margin.young_eur += static_cast<double>(entry.plants) * prices.planted_tree_eur;
-        margin.young_eur += entry.treatment == Treatment::tend && entry.tended > 0
-                                ? entry.area_ha * prices.tended_ha_eur
-                                : 0.0;
+        margin.young_eur += entry.tended_ha * prices.tended_ha_eur;
     }
     return margin;
 }

@@ -98,7 +98,7 @@ std::uint64_t plant_clusters_on(Stand& stand, std::span<const PatchId> patches, 
     return add(stand, plants);
 }
 
-std::uint64_t tend(Stand& stand, const TreatmentArea& area, const Tending& tending) {
+TendingDone tend(Stand& stand, const TreatmentArea& area, const Tending& tending) {
     const auto in_heights = [&](double height_m) {
         return height_m >= tending.from_height_m && height_m <= tending.to_height_m;
     };
@@ -118,7 +118,13 @@ std::uint64_t tend(Stand& stand, const TreatmentArea& area, const Tending& tendi
         }
     }
 
-    std::uint64_t cut = 0;
+    TendingDone done;
+    std::vector<char> is_tended(stand.grid().size(), 0);
+    const auto note = [&](PatchId patch, std::uint32_t stems) {
+        done.stems += stems;
+        done.area_ha += is_tended[index_of(patch)] == 0 ? patch_area_m2 / 10'000.0 : 0.0;
+        is_tended[index_of(patch)] = 1;
+    };
     const auto share_of = [&](std::uint32_t stems) {
         return static_cast<std::uint32_t>(tending.cut_share * stems + 0.5);
     };
@@ -129,7 +135,7 @@ std::uint64_t tend(Stand& stand, const TreatmentArea& area, const Tending& tendi
         if (has_favoured[index_of(cohort.patch)] != 0 && !is_favoured(tending, cohort.species) &&
             in_heights(cohort.height_m) && stems > 0) {
             saplings.push_back({i, stems, Cause::felled});
-            cut += stems;
+            note(cohort.patch, stems);
         }
     }
     std::vector<Removal> trees;
@@ -138,12 +144,12 @@ std::uint64_t tend(Stand& stand, const TreatmentArea& area, const Tending& tendi
         if (has_favoured[index_of(tree.patch)] != 0 && !is_favoured(tending, tree.species) &&
             in_heights(tree.height_m) && stems > 0) {
             trees.push_back({tree.id, Cause::felled, stems});
-            cut += stems;
+            note(tree.patch, stems);
         }
     }
     stand.remove_saplings(saplings);
     stand.remove_trees(trees);
-    return cut;
+    return done;
 }
 
 }  // namespace forest

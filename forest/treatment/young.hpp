@@ -48,8 +48,14 @@ struct Tending {
     double cut_share = 0.5;  ///< [0, 1], of the stems of other species
 };
 
+/// What tending did.
+struct TendingDone {
+    std::uint64_t stems = 0;  ///< cut
+    double area_ha = 0.0;     ///< of the patches where stems were cut
+};
+
 /// Cuts other species on patches of an area where a favoured one stands within the same heights; sapling or
 /// young tree alike. Gives the number of stems cut.
-std::uint64_t tend(Stand& stand, const TreatmentArea& area, const Tending& tending);
+TendingDone tend(Stand& stand, const TreatmentArea& area, const Tending& tending);
 
 }  // namespace forest

@@ -91,7 +91,7 @@ std::string table_of(const Names& names, const Series& protection, const std::st
     report::HtmlTable table{
         joined("Rocks that the forest keeps away from ", report::escaped(target),
                ", percent of those that arrive over the bare slope; in brackets where nine in ten "
-               "replicates lie."),
+               "replicates lie. The lowest of many years is low by chance too."),
         {"Regime", joined("year ", std::to_string(years.front())),
          joined("year ", std::to_string(years.back())), "mean of the years", "lowest", "in year"}};
     for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {

@@ -37,7 +37,12 @@ std::vector<YearView> years_of(const MemberYears& member, std::size_t species_co
         }
     }
     for (const LossRow& loss : member.losses) {
-        years[static_cast<std::size_t>(loss.year)].losses[forest::index_of(loss.cause)] = loss.loss;
+        // What is felled at the start belongs to the first year: sums over years begin with that.
+        const std::size_t year = loss.year == 0 && years.size() > 1 ? 1 : static_cast<std::size_t>(loss.year);
+        forest::Loss& sum = years[year].losses[forest::index_of(loss.cause)];
+        sum.stems_pha += loss.loss.stems_pha;
+        sum.volume_m3pha += loss.loss.volume_m3pha;
+        sum.above_ground_tpha += loss.loss.above_ground_tpha;
     }
     return years;
 }

@@ -44,7 +44,7 @@ TEST(Tend, CutsOthersWhereAFavouredSpeciesStands) {
     stand.add_cohorts(std::vector<Cohort>{young(0, spruce, 1.0), young(0, fir, 0.8), young(0, spruce, 0.2),
                                           young(1, spruce, 1.0)});
     const std::vector<SpeciesId> favoured{fir};
-    EXPECT_EQ(tend(stand, {}, {.favoured = favoured, .cut_share = 0.75}), 15U);
+    EXPECT_EQ(tend(stand, {}, {.favoured = favoured, .cut_share = 0.75}).stems, 15U);
     EXPECT_EQ(stand.cohorts()[0].stems, 5U);
     EXPECT_EQ(stand.cohorts()[1].stems, 20U);
     EXPECT_EQ(stand.cohorts()[2].stems, 20U) << "too small to press the fir";
