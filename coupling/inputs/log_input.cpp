@@ -49,7 +49,7 @@ public:
         rockfall::Log log;
         by_ends_ ? take_ends(row, log) : take_direction(row, log);
         log.diameter1_cm = number(row, one_diameter_ ? "dbh_cm" : "diameter1_cm", diameter_range_cm);
-        log.diameter2_cm = number(row, one_diameter_ ? "dbh_cm" : "diameter2_cm", diameter_range_cm);
+        log.diameter2_cm = one_diameter_ ? log.diameter1_cm : number(row, "diameter2_cm", diameter_range_cm);
         log.clearance_m = given(row, "clearance_m") ? number(row, "clearance_m", clearance_range_m) : 0.0;
         log.strength = given(row, "strength") ? number(row, "strength", strength_range) : 1.0;
         log.supported = given(row, "anchored") && flag(row, "anchored");

@@ -174,12 +174,12 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
           [&](std::ostream& out) { write_runs(out, figures, covers); });
     write("run_out.csv", "Rocks by run-out (plan distance from release to end) in bins of 10 m.",
           [&](std::ostream& out) { write_run_out(out, results); });
-    if (!results.site.logs.empty()) {
+    if (results.with_forest && !results.site.logs.empty()) {
         write("logs.csv",
               "Every lying log with the hits it took, the rocks that rest at it and the energy it absorbed.",
               [&](std::ostream& out) { write_logs(out, results); });
     }
-    if (!results.site.trees.empty()) {
+    if (results.with_forest && !results.site.trees.empty()) {
         write("tree_hits_per_rock.csv", "Rocks by the number of trees they hit.",
               [&](std::ostream& out) { write_tree_hits_per_rock(out, results); });
         write("stems.csv",

@@ -186,7 +186,9 @@ std::string charts(const RunResults& results, const Figures& figures) {
                              height_histogram(results, target), exceedance(results, target), "</div>\n");
     }
     html += joined("<h3>All rocks</h3>\n<div class=\"halves\">", run_out_histogram(results));
-    return joined(html, (!results.site.trees.empty() ? tree_hit_histogram(results) : ""), "</div>\n");
+    return joined(html,
+                  (results.with_forest && !results.site.trees.empty() ? tree_hit_histogram(results) : ""),
+                  "</div>\n");
 }
 
 }  // namespace coupling::report

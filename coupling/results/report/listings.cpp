@@ -216,7 +216,7 @@ std::string key_figures(const RunResults& results, const Figures& figures) {
         table.row(cells);
     }
     return joined("<h2>Key figures</h2>\n<section class=\"card\">", table.html(), "</section>\n",
-                  (!results.site.trees.empty()
+                  (results.with_forest && !results.site.trees.empty()
                        ? joined("<section class=\"card\">", trees_by_diameter(results), "</section>\n")
                        : ""));
 }

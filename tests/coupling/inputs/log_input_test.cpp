@@ -71,8 +71,8 @@ TEST(Logs, AreRefusedWithEveryFault) {
     EXPECT_EQ(opened.code, ExitCode::data);
     EXPECT_EQ(
         opened.errors,
-        "logs.csv:2:13: found a log of 0 m, expected a length in (0, 150] m\n"
         "logs.csv:3:23: found species 'ABBL', expected a code or Latin name of the species table (ABAL?)\n"
+        "logs.csv:2:13: found a log of 0 m, expected a length in (0, 150] m\n"
         "logs.csv:4:28: found dbh_cm '-3', expected a number in (0, 500]\n"
         "logs.csv:4:31: found clearance_m '-1', expected a number in [0, 20]\n"
         "logs.csv:4:34: found strength '1.2', expected a number in [0, 1]\n"

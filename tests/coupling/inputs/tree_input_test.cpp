@@ -157,8 +157,8 @@ TEST(Trees, MayBeSnagsAndStumps) {
     project.write("trees.csv", head + "1060,2050,ABAL,30,25,dead,,\n1061,2050,ABAL,30,,snag,-0.1,\n");
     EXPECT_EQ(open(project).errors,
               "trees.csv:2:22: found state 'dead', expected living, snag or stump\n"
-              "trees.csv:3:28: found strength '-0.1', expected a number in [0, 1]\n"
-              "trees.csv:3:22: found height_m empty, expected the height of each snag and stump");
+              "trees.csv:3:25: found strength '-0.1', expected a number in [0, 1]\n"
+              "trees.csv:3:19: found height_m empty, expected the height of each snag and stump");
 }
 
 TEST(Trees, AreNotNeeded) {
