@@ -80,11 +80,13 @@ TEST(GrowYear, GivesTheSameBytesForAnyOrderOfTrees) {
 
 TEST(GrowYear, OfAMirroredStandIsTheMirrorOfTheYear) {
     // The slope faces south, so that its mirror image is itself; deaths aside, which one hair's breadth of
-    // light can decide.
+    // light can decide. Light within cells is interpolated between nodes that rounding can move by a leaf
+    // (tests/forest/stand_light_test.cpp).
+    constexpr double interpolation = 0.02;
     SmallForest forest{square_of_forest(6)};
     forest.parameters.processes.self_thinning = false;
     forest.parameters.mortality.stress = false;
-    EXPECT_TRUE(rc::check("trees grow alike", [&forest] {
+    EXPECT_TRUE(rc::check("trees grow alike", [&] {
         const auto stems_pha = static_cast<double>(*rc::gen::inRange(100, 2000));
         const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
         const std::vector<Tree> trees = mixed_stand(forest, stems_pha, seed);
@@ -103,8 +105,8 @@ TEST(GrowYear, OfAMirroredStandIsTheMirrorOfTheYear) {
             }
             RC_ASSERT(image.has_value());
             const Tree& there = other.trees()[*image];
-            RC_ASSERT(std::abs(there.light_ratio - tree.light_ratio) < 4e-3);
-            RC_ASSERT(std::abs(there.dbh_cm - tree.dbh_cm) < 4e-3 * (1.0 + tree.increments_cm[0]));
+            RC_ASSERT(std::abs(there.light_ratio - tree.light_ratio) < interpolation);
+            RC_ASSERT(std::abs(there.dbh_cm - tree.dbh_cm) < interpolation * (1.0 + tree.increments_cm[0]));
         }
         for (std::size_t p = 0; p < forest.grid.size(); ++p) {
             const config::Cell cell = forest.grid.patches()[p].cell;

@@ -42,8 +42,11 @@ TEST(ContributionMargin, IsRevenueOfWhatIsSoldLessTheCostOfWhatIsFelledAndHauled
     report.timber = timber;
     report.entries.push_back(
         {.intervention = "plant", .treatment = Treatment::plant, .area_ha = 3.0, .plants = 100});
-    report.entries.push_back(
-        {.intervention = "tend", .treatment = Treatment::tend, .area_ha = 2.0, .tended = 7});
+    report.entries.push_back({.intervention = "tend",
+                              .treatment = Treatment::tend,
+                              .area_ha = 9.0,
+                              .tended = 7,
+                              .tended_ha = 2.0});
     report.entries.push_back({.intervention = "nothing", .treatment = Treatment::tend, .area_ha = 9.0});
     EXPECT_NEAR(contribution_margin(report, prices).young_eur, 200.0 + 1000.0, 1e-9);
     EXPECT_NEAR(contribution_margin(report, prices).revenue_eur, margin.revenue_eur, 1e-9);
