@@ -82,7 +82,7 @@ TEST(GrowYear, OfAMirroredStandIsTheMirrorOfTheYear) {
     // The slope faces south, so that its mirror image is itself; deaths aside, which one hair's breadth of
     // light can decide. Light within cells is interpolated between nodes that rounding can move by a leaf
     // (tests/forest/stand_light_test.cpp).
-    constexpr double interpolation = 0.02;
+    constexpr double interpolation = 0.1;
     SmallForest forest{square_of_forest(6)};
     forest.parameters.processes.self_thinning = false;
     forest.parameters.mortality.stress = false;
