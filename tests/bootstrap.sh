@@ -66,7 +66,9 @@ build() {
     )
 }
 
-# run_tests PRESET
+# run_tests PRESET [OPTION OF CTEST...]
 run_tests() {
-    (cd "$root" && ctest --preset "$1" -j "$(job_count)")
+    local preset=$1
+    shift
+    (cd "$root" && ctest --preset "$preset" -j "$(job_count)" "$@")
 }
