@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 
-#include "coupling/decades/report/series.hpp"
 #include "coupling/results/csv_row.hpp"
 
 namespace coupling::decades {
@@ -82,17 +81,6 @@ void add_forest(std::vector<Series>& all_series, const Names& names, std::span<c
     }
 }
 
-template <class Fill>
-WrittenFile write_table(const std::filesystem::path& folder, const char* name, const char* sentence,
-                        const char* header, const Fill& fill) {
-    OutFile file{folder / "tables" / name};
-    file.stream() << header << '\n';
-    CsvRow row{file.stream()};
-    fill(row);
-    file.close();
-    return {std::string{"tables/"}.append(name), sentence};
-}
-
 }  // namespace
 
 std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members) {
@@ -126,8 +114,7 @@ std::optional<OverReplicates> over_replicates(const Series& series, std::size_t 
         return std::nullopt;
     }
     const std::size_t count = values.size();
-    const Band band = band_of(std::move(values));
-    return OverReplicates{count, band.mean, band.low, band.high};
+    return OverReplicates{count, band_of(std::move(values))};
 }
 
 std::optional<PairedDifference> difference(const Series& series, std::size_t regime, std::size_t reference,
@@ -171,8 +158,8 @@ std::optional<Extreme> worst_year(const Series& series, std::size_t regime) {
         if (!here) {
             continue;
         }
-        const bool is_worse =
-            !worst || (series.low_is_bad ? here->mean < worst->value.mean : here->mean > worst->value.mean);
+        const bool is_worse = !worst || (series.low_is_bad ? here->band.mean < worst->value.band.mean
+                                                           : here->band.mean > worst->value.band.mean);
         if (is_worse) {
             worst = {year, *here};
         }
@@ -187,14 +174,16 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
     written.push_back(write_table(
         folder, "regimes_by_year.csv",
         "Each regime in each year: mean of the replicates and where nine in ten lie.",
-        "regime,target_id,quantity,year,replicates,mean,low_5,high_95", [&](CsvRow& row) {
+        [&](std::ostream& out) {
+            out << "regime,target_id,quantity,year,replicates,mean,low_5,high_95\n";
+            CsvRow row{out};
             for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
                 for (const Series& series : all_series) {
                     for (const std::int32_t year : years_of(series)) {
                         if (const auto v = over_replicates(series, regime, year)) {
                             row.text(names.regimes[regime]).text(series.target).text(series.quantity);
                             row.whole(static_cast<std::uint32_t>(year)).whole(v->replicates);
-                            row.number<3>(v->mean).number<3>(v->low).number<3>(v->high);
+                            row.number<3>(v->band.mean).number<3>(v->band.low).number<3>(v->band.high);
                             row.end();
                         }
                     }
@@ -203,8 +192,9 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
         }));
     written.push_back(write_table(
         folder, "regimes_worst_year.csv",
-        "The year in which each regime is worst, by the mean of its replicates.",
-        "regime,target_id,quantity,worst,year,replicates,mean,low_5,high_95", [&](CsvRow& row) {
+        "The year in which each regime is worst, by the mean of its replicates.", [&](std::ostream& out) {
+            out << "regime,target_id,quantity,worst,year,replicates,mean,low_5,high_95\n";
+            CsvRow row{out};
             for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
                 for (const Series& series : all_series) {
                     const auto worst = series.has_worst ? worst_year(series, regime) : std::nullopt;
@@ -212,8 +202,8 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
                         row.text(names.regimes[regime]).text(series.target).text(series.quantity);
                         row.text(series.low_is_bad ? "lowest" : "highest");
                         row.whole(static_cast<std::uint32_t>(worst->year)).whole(worst->value.replicates);
-                        row.number<3>(worst->value.mean);
-                        row.number<3>(worst->value.low).number<3>(worst->value.high);
+                        const Band& band = worst->value.band;
+                        row.number<3>(band.mean).number<3>(band.low).number<3>(band.high);
                         row.end();
                     }
                 }
@@ -225,7 +215,9 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
     written.push_back(write_table(
         folder, "regime_differences.csv",
         "Each regime minus the first one, replicate by replicate: mean and 95 % interval.",
-        "regime,reference,target_id,quantity,year,pairs,mean_difference,low_95,high_95", [&](CsvRow& row) {
+        [&](std::ostream& out) {
+            out << "regime,reference,target_id,quantity,year,pairs,mean_difference,low_95,high_95\n";
+            CsvRow row{out};
             for (std::size_t regime = 1; regime < names.regimes.size(); ++regime) {
                 for (const Series& series : all_series) {
                     for (const std::int32_t year : years_of(series)) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/decades/band.hpp"
 #include "coupling/decades/decade_tables.hpp"
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/site.hpp"
@@ -32,9 +33,7 @@ std::vector<Series> series_of(const Names& names, const Site& site, std::span<co
 /// A figure over the replicates of a regime in a year.
 struct OverReplicates {
     std::size_t replicates = 0;
-    double mean = 0.0;
-    double low = 0.0;   ///< 5 %, straight between the values; the only value of one
-    double high = 0.0;  ///< 95 %
+    Band band;
 };
 /// Nothing where no replicate knows the figure.
 std::optional<OverReplicates> over_replicates(const Series& series, std::size_t regime, std::int32_t year);

@@ -213,6 +213,22 @@ std::vector<MemberYears> read_all(std::span<const Member> members, const OutputF
     return years;
 }
 
+/// As the static assessment does.
+void tell_rocks_not_started(std::span<const MemberYears> members, std::uint64_t rocks,
+                            config::Warnings& warnings) {
+    std::uint64_t missing = 0;
+    for (const MemberYears& member : members) {
+        for (const SlopeRow& slope : member.slopes) {
+            missing += slope.cover == Cover::bare ? rocks - slope.figures.rocks : 0;
+        }
+    }
+    if (missing > 0) {
+        warnings.add(joined(std::to_string(missing),
+                            " rocks of all years and members were not released: their place in "
+                            "the source lies outside the terrain"));
+    }
+}
+
 }  // namespace
 
 int run_decades(const RunRequest& request, const Scenario& scenario, Site& site, config::Warnings& warnings) {
@@ -258,6 +274,7 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
     const std::vector<MemberYears> years = read_all(members, folder, hash);
     const DecadeResults results{scenario, site,     names, years, rocks ? rocks->rocks() : 0,
                                 warnings, version()};
+    tell_rocks_not_started(years, results.rocks, warnings);
     make_folder(folder.staging());
     const std::vector<WrittenFile> files = write_results(results, folder.staging());
     folder.publish();

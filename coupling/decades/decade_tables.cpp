@@ -142,10 +142,7 @@ std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder
     std::vector<WrittenFile> written;
     const auto write = [&](const std::string& name, const std::string& sentence,
                            const std::function<void(std::ostream&)>& fill) {
-        OutFile file{folder / "tables" / name};
-        fill(file.stream());
-        file.close();
-        written.push_back({joined("tables/", name), sentence});
+        written.push_back(write_table(folder, name, sentence, fill));
     };
     write("stands.csv", "What stands each year, by species and stand: stems, basal area, volume, heights.",
           [&](std::ostream& out) { write_stands(out, names, members); });

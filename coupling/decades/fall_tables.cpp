@@ -99,10 +99,7 @@ std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, 
     std::vector<WrittenFile> written;
     const auto write = [&](const std::string& name, const std::string& sentence,
                            const std::function<void(std::ostream&)>& fill) {
-        OutFile file{folder / "tables" / name};
-        fill(file.stream());
-        file.close();
-        written.push_back({joined("tables/", name), sentence});
+        written.push_back(write_table(folder, name, sentence, fill));
     };
     write("protection.csv", "Protection effect at each target in each year, with 95 % intervals.",
           [&](std::ostream& out) { write_protection(out, names, site, members); });

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "coupling/results/csv_row.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -84,10 +83,7 @@ std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, 
     std::vector<WrittenFile> written;
     const auto write = [&](const std::string& name, const std::string& sentence,
                            const std::function<void(std::ostream&)>& fill) {
-        OutFile file{folder / "tables" / name};
-        fill(file.stream());
-        file.close();
-        written.push_back({joined("tables/", name), sentence});
+        written.push_back(write_table(folder, name, sentence, fill));
     };
     if (any(members, &MemberYears::harvest)) {
         write("interventions.csv", "What people did each year, and what was due but found nothing to do.",

@@ -96,7 +96,6 @@ FallsOfYear RockSeason::fall(const forest::Stand& stand, std::uint32_t replicate
                       .hits = {}};
     falls.with_forest = !assessment.only_bare();
     const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
-        falls.not_started += rows.not_started;
         const auto& rocks = rows.rocks[static_cast<std::size_t>(Cover::forest)];
         auto rock = rocks.begin();
         for (const auto& [number, hit] : rows.tree_hits) {
@@ -108,10 +107,12 @@ FallsOfYear RockSeason::fall(const forest::Stand& stand, std::uint32_t replicate
                 continue;
             }
             const rockfall::PlacedStem& stem = stems.placed()[hit.stem];
+            // Of a sound stem: the forest itself knows how rotten the tree is.
+            const double sound_j = rockfall::largest_energy_j(tree->dbh_cm, fracture_energy(tree->species));
             falls.hits.push_back({number,
                                   {.tree = tree->id,
                                    .height_m = std::max(0.0, static_cast<double>(hit.height_m)),
-                                   .energy_share = hit.energy_j / stem.largest_energy_j,
+                                   .energy_share = hit.energy_j / sound_j,
                                    .frontal = hit.type == rockfall::HitType::frontal,
                                    .rock_diameter_m = rock->diameter_m,
                                    .direction_rad = std::atan2(stem.y_m - hit.position_m.y(),

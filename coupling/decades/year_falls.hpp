@@ -36,8 +36,7 @@ struct FallsOfYear {
     rockfall::EnsembleTally tally{config::GridFrame{}, 0, 0};
     std::vector<StemTake> takes;  ///< of stems that were hit
     std::vector<RockHit> hits;    ///< in the order of rocks
-    std::uint64_t not_started = 0;
-    bool with_forest = false;  ///< false: no stem stood on the slope
+    bool with_forest = false;     ///< false: no stem stood on the slope
 };
 
 /// Lets the rocks of a year fall: over the slope with the forest as it stands, and the same rocks over the

@@ -43,6 +43,14 @@ void OutFile::fail(const std::string& what) const {
     config::fail(config::ExitCode::file, {.file = file_.string()}, what + because);
 }
 
+WrittenFile write_table(const std::filesystem::path& folder, const std::string& name, std::string sentence,
+                        const std::function<void(std::ostream&)>& fill) {
+    OutFile file{folder / "tables" / name};
+    fill(file.stream());
+    file.close();
+    return {"tables/" + name, std::move(sentence)};
+}
+
 void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -40,6 +41,10 @@ private:
     std::vector<char> buffer_;
     std::ofstream stream_;
 };
+
+/// Writes tables/NAME of a folder, which has to exist. Throws config::InputError (file) as OutFile does.
+WrittenFile write_table(const std::filesystem::path& folder, const std::string& name, std::string sentence,
+                        const std::function<void(std::ostream&)>& fill);
 
 /// Makes a folder and those above it. Throws config::InputError (file) naming it.
 void make_folder(const std::filesystem::path& folder);

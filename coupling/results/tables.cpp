@@ -149,12 +149,9 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
                                       const std::filesystem::path& folder) {
     make_folder(folder / "tables");
     std::vector<WrittenFile> written;
-    const auto write = [&](const char* name, const char* sentence,
+    const auto write = [&](const std::string& name, const std::string& sentence,
                            const std::function<void(std::ostream&)>& fill) {
-        OutFile file{folder / "tables" / name};
-        fill(file.stream());
-        file.close();
-        written.push_back({std::string{"tables/"} + name, sentence});
+        written.push_back(write_table(folder, name, sentence, fill));
     };
     const std::vector<Cover> covers = covers_of(results);
     if (!figures.targets.empty()) {

@@ -11,14 +11,6 @@
 namespace coupling::decades {
 namespace {
 
-/// Requires sorted values.
-double quantile(const std::vector<double>& sorted, double share) {
-    const double at = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
-}
-
 std::vector<YearView> years_of(const MemberYears& member, std::size_t species_count) {
     std::vector<YearView> years;
     for (const YearRow& row : member.years) {
@@ -47,20 +39,13 @@ std::vector<YearView> years_of(const MemberYears& member, std::size_t species_co
     return years;
 }
 
+}  // namespace
+
 std::string letter_of(std::size_t place, std::size_t regimes) {
     if (regimes < 2) {
         return "";
     }
     return regimes <= 26 ? std::string(1, static_cast<char>('A' + place)) : std::to_string(place + 1);
-}
-
-}  // namespace
-
-Band band_of(std::vector<double> values) {
-    assert(!values.empty());
-    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-    std::sort(values.begin(), values.end());
-    return {sum / static_cast<double>(values.size()), quantile(values, 0.05), quantile(values, 0.95)};
 }
 
 std::string RegimeView::title() const {

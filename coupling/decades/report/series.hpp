@@ -7,20 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "coupling/decades/band.hpp"
 #include "coupling/decades/decade_tables.hpp"
 #include "coupling/decades/records.hpp"
 
 namespace coupling::decades {
-
-/// A figure over replicates: their mean and where nine in ten of them lie.
-struct Band {
-    double mean = 0.0;
-    double low = 0.0;   ///< 5th percentile, straight between order statistics; the value itself of one
-    double high = 0.0;  ///< 95th
-};
-
-/// Requires at least one value.
-Band band_of(std::vector<double> values);
 
 /// What one member says of one year.
 struct YearView {
@@ -32,6 +23,10 @@ struct YearView {
 
 /// A figure of a year.
 using YearFigure = std::function<double(const YearView&)>;
+
+/// How charts name the regime at a place of the list: "A", "B", ..., beyond 26 its number; empty for a single
+/// one.
+std::string letter_of(std::size_t place, std::size_t regimes);
 
 /// A regime with its replicates in order; views are of the same years in all of them.
 struct RegimeView {

@@ -14,7 +14,7 @@ namespace {
 using config::ExitCode;
 
 std::string errors_of(const ForestProject& project, const std::vector<std::string>& overrides = {}) {
-    return open_years(project, overrides).errors;
+    return open(project, overrides).errors;
 }
 
 double july_degc(const YearWeather& weather) {
@@ -35,7 +35,7 @@ TEST(Climate, ThatEndsBeforeTheRunIsRefusedUnlessItRepeats) {
         "2010, or climate.sequence = repeat or random");
     EXPECT_EQ(errors_of(project, {"run.first_year=1999"}).substr(0, 58),
               "climate.csv: found years 2001 to 2008, but none for 1999, ");
-    const Opened again = open_years(project, {"run.years=10", "climate.sequence=repeat"});
+    const Opened again = open(project, {"run.years=10", "climate.sequence=repeat"});
     ASSERT_TRUE(again.site) << again.errors;
     EXPECT_EQ(weather_of(again, 2008).source_year, 2008);
     EXPECT_EQ(weather_of(again, 2009).source_year, 2001);
@@ -49,9 +49,8 @@ TEST(Climate, StaysInsideItsWindow) {
         "climate.csv, 2001 to 2008\n"
         "--set climate.window_last_year=2010: found climate.window_last_year 2010, expected a year of "
         "climate.csv, 2001 to 2008");
-    const Opened opened =
-        open_years(project, {"climate.window_first_year=2003", "climate.window_last_year=2005",
-                             "climate.sequence=random", "run.years=400"});
+    const Opened opened = open(project, {"climate.window_first_year=2003", "climate.window_last_year=2005",
+                                         "climate.sequence=random", "run.years=400"});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.site->forest->first_year(), 2003);
     std::set<int> drawn;
@@ -85,7 +84,7 @@ TEST(Climate, NeedsTheHeightOfItsPlaceOnce) {
 
 TEST(Climate, GetsColderUpTheSlope) {
     const ForestProject project;
-    const Opened opened = open_years(project);
+    const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     const std::array elevations_m{500.0, 1500.0};
     const YearWeather weather = opened.site->forest->climate.weather(2001, 0, elevations_m);
@@ -99,9 +98,9 @@ TEST(Climate, GetsColderUpTheSlope) {
 
 TEST(Climate, ChangesEvenlyOverTheYearsGiven) {
     const ForestProject project;
-    const Opened opened = open_years(
-        project, {"climate.window_last_year=2001", "climate.sequence=repeat", "climate.change_years=4",
-                  "climate.temperature_change_k=2", "climate.precipitation_change=0.8"});
+    const Opened opened =
+        open(project, {"climate.window_last_year=2001", "climate.sequence=repeat", "climate.change_years=4",
+                       "climate.temperature_change_k=2", "climate.precipitation_change=0.8"});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_NEAR(july_degc(weather_of(opened, 2001)), 15.5, 1e-12);
     EXPECT_NEAR(july_degc(weather_of(opened, 2002)), 16.0, 1e-12);
@@ -117,7 +116,7 @@ TEST(Climate, MayChangeByMonth) {
         rows += std::to_string(month) + "," + std::to_string(month) + ",1\n";
     }
     project.write("change.csv", rows);
-    const Opened opened = open_years(project, {"climate.change=change.csv"});
+    const Opened opened = open(project, {"climate.change=change.csv"});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_NEAR(july_degc(weather_of(opened, 2001)), 15.0 + 7.0, 1e-12);
     project.write("change.csv", rows.substr(0, rows.find("12,")));
@@ -130,11 +129,11 @@ TEST(Climate, MayChangeByMonth) {
 
 TEST(Climate, TakesItsCarbonDioxideFromTheRecordOrTheUser) {
     const ForestProject project;
-    const Opened record = open_years(project);
+    const Opened record = open(project);
     ASSERT_TRUE(record.site) << record.errors;
     EXPECT_EQ(weather_of(record, 2003).co2_ppm, forest::Co2Series::shipped().ppm(2003));
     EXPECT_FALSE(weather_of(record, 2003).view().co2_response);
-    const Opened fixed = open_years(project, {"climate.co2_ppm=500", "forest.co2_response=yes"});
+    const Opened fixed = open(project, {"climate.co2_ppm=500", "forest.co2_response=yes"});
     EXPECT_EQ(weather_of(fixed, 2003).co2_ppm, 500.0);
     EXPECT_TRUE(weather_of(fixed, 2003).view().co2_response);
 }

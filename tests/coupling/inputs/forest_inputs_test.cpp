@@ -16,14 +16,14 @@ using config::ExitCode;
 /// Opens a project that has to be refused with a sentence.
 void expect_refused(const SampleProject& project, const std::vector<std::string>& overrides, ExitCode code,
                     const std::string& sentence) {
-    const Opened opened = open_years(project, overrides);
+    const Opened opened = open(project, overrides);
     EXPECT_EQ(opened.code, code) << opened.errors;
     EXPECT_NE(opened.errors.find(sentence), std::string::npos) << opened.errors;
 }
 
 void expect_told(const SampleProject& project, const std::vector<std::string>& overrides,
                  const std::string& sentence) {
-    const Opened opened = open_years(project, overrides);
+    const Opened opened = open(project, overrides);
     EXPECT_TRUE(opened.site) << opened.errors;
     std::string all;
     for (const std::string& warning : opened.warnings) {
@@ -41,7 +41,7 @@ std::vector<std::string> and_also(std::vector<std::string> overrides, const std:
 
 TEST(ForestSettings, TellAllThatMissesAtOnce) {
     const SampleProject project;
-    const Opened opened = open_years(project, {"run.years=4"});
+    const Opened opened = open(project, {"run.years=4"});
     EXPECT_EQ(opened.code, ExitCode::settings);
     EXPECT_EQ(
         opened.errors,
@@ -101,9 +101,9 @@ TEST(ForestSpeciesInput, LetsSpeciesStandInAndTells) {
 
 TEST(ForestSpeciesInput, KnowsTheSpeciesOfTheRegion) {
     const ForestProject project;
-    const Opened opened = open_years(project, and_also(by_records, "forest.region_species=abal; Fagus_x"));
+    const Opened opened = open(project, and_also(by_records, "forest.region_species=abal; Fagus_x"));
     EXPECT_EQ(opened.code, ExitCode::settings);
-    const Opened two = open_years(project, and_also(by_records, "forest.region_species=abal, FASY"));
+    const Opened two = open(project, and_also(by_records, "forest.region_species=abal, FASY"));
     ASSERT_TRUE(two.site) << two.errors;
     const ForestSite& site = *two.site->forest;
     ASSERT_EQ(site.parameters.regeneration.outside.species.size(), 2U);
@@ -114,7 +114,7 @@ TEST(ForestSpeciesInput, RefusesAnOwnTableWithoutAColumnOrWithAValueOutOfRange) 
     const ForestProject project;
     const std::string shipped{config::shipped_table("species.csv")};
     project.write("species.csv", shipped);
-    EXPECT_TRUE(open_years(project, {"forest.species=species.csv"}).site);
+    EXPECT_TRUE(open(project, {"forest.species=species.csv"}).site);
     project.replace("species.csv", "max_height", "tallest");
     expect_refused(project, {"forest.species=species.csv"}, ExitCode::data,
                    "species.csv: no column 'max_height");
@@ -147,7 +147,7 @@ TEST(TreesOfAForest, WithWordsForNumbersAreNumberedByRow) {
         "tree_id,x_m,y_m,species,dbh_cm,height_m\nA7,1060,2050,ABAL,30,25\nB2,1061,2050,PIAB,30,25\n");
     expect_told(project, {},
                 "trees.csv: tree_id are not different whole numbers; trees are numbered as the rows");
-    const Opened opened = open_years(project);
+    const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.site->forest->listed[1].id, forest::TreeId{2});
 }
@@ -157,7 +157,7 @@ TEST(TreesOfAForest, MayLackAllHeights) {
     project.write("trees.csv", "x_m,y_m,species,dbh_cm\n1060,2050,ABAL,30\n1030,2050,PIAB,30\n");
     expect_told(project, {}, "Abies alba: 1 heights filled in from the growth law of the species");
     expect_told(project, {}, "trees.csv: 1 height of trees outside the forest filled in from the growth law");
-    const Opened opened = open_years(project);
+    const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_GT(opened.site->forest->obstacles[0].stem.height_m, 10.0);
     EXPECT_LT(opened.site->forest->obstacles[0].stem.height_m, 35.0);
@@ -191,7 +191,7 @@ TEST(StandRecords, AreRefusedWhereTheyLackOrContradict) {
 TEST(StandRecords, AgreeWithTheStandsOfTheMap) {
     const ForestProject project;
     project.replace("records.csv", "8,FASY", "9,FASY");
-    const Opened opened = open_years(project, by_records);
+    const Opened opened = open(project, by_records);
     EXPECT_EQ(opened.code, ExitCode::data);
     EXPECT_EQ(
         opened.errors,
@@ -208,7 +208,7 @@ TEST(StandPolygons, OutsideTheTerrainAreDoubted) {
     const std::vector<std::string> by_polygons{"stands.map=", "stands.polygons=polygons.csv"};
     expect_told(project, by_polygons,
                 "polygons.csv: found 1 stand without a forest cell on the terrain, such as 8");
-    const Opened opened = open_years(project, by_polygons);
+    const Opened opened = open(project, by_polygons);
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.site->forest->grid.size(), 48U);
     expect_refused(project, and_also(by_polygons, "run.strict_inputs=yes"), ExitCode::data, "such as 8");
@@ -228,7 +228,7 @@ TEST(StandMap, LeavesOutForestWithoutGround) {
     project.write("surface.asc", SampleProject::header() + SampleProject::rows([](int, int) { return "1"; }));
     // The cell itself and its neighbours: none of them has heights everywhere.
     expect_told(project, {}, "dem.asc: 4 forest cells of 10 m without ground everywhere; left out");
-    const Opened opened = open_years(project);
+    const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.site->forest->grid.size(), 76U);
 }
@@ -245,7 +245,7 @@ TEST(Soils, NeedATypeForEachCodeAndACodeForEachPatch) {
                   SampleProject::header() + "NODATA_value 0\n" +
                       SampleProject::rows([](int column, int) { return column < 8 ? "0" : "2"; }));
     expect_refused(project, {}, ExitCode::data, "soil.asc: found no soil code for 40 forest cells of 10 m");
-    const Opened filled = open_years(project, {"soil.type=shallow"});
+    const Opened filled = open(project, {"soil.type=shallow"});
     ASSERT_TRUE(filled.site) << filled.errors;
     const forest::PatchGrid& grid = filled.site->forest->grid;
     EXPECT_EQ(grid[*grid.at(1045.0, 2045.0)].soil.fertility, 0.4);

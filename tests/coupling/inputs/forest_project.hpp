@@ -54,21 +54,4 @@ public:
     }
 };
 
-/// A scenario of any years that was read, or why it was not.
-inline Opened open_years(const SampleProject& project, const std::vector<std::string>& overrides = {}) {
-    Opened opened;
-    config::Warnings warnings;
-    try {
-        opened.scenario = read_scenario(project.file("scenario.ini"), overrides);
-        opened.site = std::make_unique<Site>(open_site(*opened.scenario, warnings));
-    } catch (const config::InputError& error) {
-        opened.code = error.code();
-        opened.errors = without_folder(error.what(), project.folder());
-    }
-    for (const std::string& sentence : warnings.sentences()) {
-        opened.warnings.push_back(without_folder(sentence, project.folder()));
-    }
-    return opened;
-}
-
 }  // namespace coupling

@@ -19,7 +19,7 @@ bool has(const std::vector<std::string>& sentences, const std::string& part) {
 
 TEST(ForestSite, LaysPatchesOnTheGroundOfTheStands) {
     const ForestProject project;
-    const Opened opened = open_years(project);
+    const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     const ForestSite& site = *opened.site->forest;
     EXPECT_EQ(site.grid.size(), 80U);
@@ -41,7 +41,7 @@ TEST(ForestSite, GrowsTheTreesOfAListAndLeavesTheOthersStanding) {
     project.write("trees.csv",
                   "tree_id,x_m,y_m,species,dbh_cm,height_m\n"
                   "12,1060,2050,ABAL,32.5,25\n11,1070,2042,piab,20,18\n3,1030,2061,Fagus sylvatica,41,28\n");
-    const Opened opened = open_years(project);
+    const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     const ForestSite& site = *opened.site->forest;
     const forest::Stand stand = site.start(1, 0);
@@ -58,7 +58,7 @@ TEST(ForestSite, GrowsTheTreesOfAListAndLeavesTheOthersStanding) {
 
 TEST(ForestSite, LivesThroughItsYears) {
     const ForestProject project;
-    const Opened opened = open_years(project, {"trees.file=", "stands.records=records.csv"});
+    const Opened opened = open(project, {"trees.file=", "stands.records=records.csv"});
     ASSERT_TRUE(opened.site) << opened.errors;
     const ForestSite& site = *opened.site->forest;
     forest::Stand stand = site.start(1, 0);
@@ -77,7 +77,7 @@ TEST(ForestSite, LivesThroughItsYears) {
 
 TEST(ForestSite, PlacesAnInventoryAnewInEachReplicate) {
     const ForestProject project;
-    const Opened opened = open_years(project, {"trees.file=", "stands.records=records.csv"});
+    const Opened opened = open(project, {"trees.file=", "stands.records=records.csv"});
     ASSERT_TRUE(opened.site) << opened.errors;
     const ForestSite& site = *opened.site->forest;
     const forest::Stand first = site.start(1, 0);
@@ -88,7 +88,7 @@ TEST(ForestSite, PlacesAnInventoryAnewInEachReplicate) {
 
 TEST(ForestSite, BeginsOnBareGroundWhereNobodySaysWhatGrows) {
     const ForestProject project;
-    const Opened opened = open_years(project, {"trees.file="});
+    const Opened opened = open(project, {"trees.file="});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_TRUE(opened.site->forest->start(1, 0).trees().empty());
     EXPECT_TRUE(has(opened.warnings, "the forest begins on bare ground"));
@@ -96,7 +96,7 @@ TEST(ForestSite, BeginsOnBareGroundWhereNobodySaysWhatGrows) {
 
 TEST(ForestSite, NeedsNoRocksWhereNoneFall) {
     const ForestProject project;
-    const Opened opened = open_years(
+    const Opened opened = open(
         project, {"run.rockfall_every=0", "release.source=", "terrain.surface=", "terrain.surface_types="});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_TRUE(opened.site->sources.empty());

@@ -1,0 +1,92 @@
+#include "coupling/decades/year_falls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/coupling/inputs/forest_project.hpp"
+
+namespace coupling::decades {
+namespace {
+
+/// A slope with rocks and a forest from stand records.
+struct RockySlope {
+    RockySlope()
+        : opened{open(project, {"trees.file=", "stands.records=records.csv", "release.rocks=200"})},
+          season{*opened.scenario, *opened.site, forest().species.fracture_energy, {}} {}
+
+    [[nodiscard]] const ForestSite& forest() const { return *opened.site->forest; }
+    [[nodiscard]] forest::Stand without_trees() const {
+        return {forest().grid, forest().species.table.size(), {}, forest().first_year() - 1};
+    }
+
+    ForestProject project;
+    Opened opened;
+    RockSeason season;
+};
+
+/// The first tree that each rock meets.
+std::map<std::uint64_t, forest::Impact> first_hits(const FallsOfYear& falls) {
+    std::map<std::uint64_t, forest::Impact> first;
+    for (const RockHit& hit : falls.hits) {
+        first.try_emplace(hit.rock, hit.impact);
+    }
+    return first;
+}
+
+TEST(RocksOfAYear, TellHitsByWhatASoundStemTakes) {
+    // Rot is the forest's affair: it divides by the stem's strength itself (forest/wounds).
+    const RockySlope slope;
+    forest::Stand stand = slope.forest().start(1, 0);
+    const auto sound = first_hits(slope.season.fall(stand, 0, 1, 1));
+    std::vector<forest::Rot> rots;
+    for (const forest::Tree& tree : stand.trees()) {
+        rots.push_back({.since_year = 1990,
+                        .from_m = 0.0F,
+                        .to_m = 5.0F,
+                        .depth_cm = static_cast<float>(0.45 * tree.dbh_cm)});
+    }
+    stand.set_rots(rots);
+    const auto rotten = first_hits(slope.season.fall(stand, 0, 1, 1));
+    ASSERT_GT(sound.size(), 50U);
+    ASSERT_EQ(rotten.size(), sound.size());
+    for (const auto& [rock, hit] : sound) {
+        EXPECT_EQ(rotten.at(rock).tree, hit.tree);
+        EXPECT_DOUBLE_EQ(rotten.at(rock).energy_share, hit.energy_share);
+    }
+}
+
+TEST(RocksOfAYear, SeeNoForestWhereNothingStandsOrLies) {
+    const RockySlope slope;
+    EXPECT_FALSE(slope.season.fall(slope.without_trees(), 0, 1, 1).with_forest);
+}
+
+TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
+    const RockySlope slope;
+    forest::Stand stand = slope.without_trees();
+    std::vector<forest::Log> logs;
+    for (int i = 0; i < 4; ++i) {  // across the slope, which falls eastward, below all sources
+        logs.push_back({.tree = forest::TreeId{static_cast<std::uint64_t>(i)},
+                        .x_m = 1065.0 + 5.0 * i,
+                        .y_m = 2011.0,
+                        .direction_rad = 1.5707963267948966,
+                        .length_m = 78.0,
+                        .thick_end_cm = 60.0,
+                        .thin_end_cm = 60.0,
+                        .anchored = true,
+                        .year = stand.year()});
+    }
+    stand.add_logs(logs);
+    const FallsOfYear falls = slope.season.fall(stand, 0, 1, 1);
+    ASSERT_TRUE(falls.with_forest);
+    ASSERT_EQ(falls.tally.logs.size(), 4U);
+    EXPECT_GT(falls.tally.logs[0].hits, 50U);
+    const auto forest = static_cast<std::size_t>(Cover::forest);
+    const auto bare = static_cast<std::size_t>(Cover::bare);
+    EXPECT_LT(falls.tally.targets[0].by_cover[forest].reached, falls.tally.targets[0].by_cover[bare].reached);
+    EXPECT_EQ(falls.tally.targets[0].by_cover[bare].reached,
+              slope.season.fall(slope.without_trees(), 0, 1, 1).tally.targets[0].by_cover[bare].reached);
+}
+
+}  // namespace
+}  // namespace coupling::decades
