@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Tests under the address and undefined-behaviour sanitizers.
+#   bash tests/sanitize.sh [ROOM...]      ROOM: config, rockfall, forest, coupling, structure or runs; all of them by default
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/bootstrap.sh"
+
+rooms=("$@")
+if [ ${#rooms[@]} -eq 0 ]; then
+    rooms=(config rockfall forest coupling structure runs)
+fi
+install_missing "${packages[@]}"
+build sanitize "${rooms[@]/%/_tests}"
+# Whole published cases take minutes under sanitizers; the other tests run all of their parts.
+run_tests sanitize -R "^($(IFS='|'; echo "${rooms[*]}"))[.]" \
+    -E 'Validate\.(RunsEveryShippedCase|HoldsTheFigures|MovesSomething)'
