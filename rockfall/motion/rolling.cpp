@@ -111,7 +111,9 @@ double RollingPiece::time_along_s(double share) const {
     const double speed = velocity_mps.dot(way) / length_m;
     const double acceleration = acceleration_mps2.dot(way) / length_m;
     const double root = std::sqrt(std::max(0.0, speed * speed + 2.0 * acceleration * share * length_m));
-    return std::clamp(2.0 * share * length_m / (speed + root), 0.0, duration_s);
+    const double twice_mean = speed + root;
+    // From rest nothing of the way takes no time: an obstacle that touches the rock where it sets off.
+    return twice_mean > 0.0 ? std::clamp(2.0 * share * length_m / twice_mean, 0.0, duration_s) : 0.0;
 }
 
 Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction,

@@ -110,5 +110,22 @@ TEST(Rolling, StartsByItselfOnlyAboveTheFrictionAngle) {
     }
 }
 
+TEST(RollingPiece, TellsWhenAShareOfItsWayIsCovered) {
+    // From rest s = a t^2 / 2: a quarter of the way takes half of the time, and none of it no time; a run
+    // that begins against a tree asks for that.
+    const RollingPiece from_rest{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                 {2.0, 0.0, 0.0},         3.0,
+                                 RollingEnd::edge,        no_triangle};
+    EXPECT_EQ(from_rest.time_along_s(0.0), 0.0);
+    EXPECT_DOUBLE_EQ(from_rest.time_along_s(0.25), 1.5);
+    EXPECT_DOUBLE_EQ(from_rest.time_along_s(1.0), 3.0);
+    // Slowing from 4 m/s to rest in 2 s: three quarters of the way take half of the time.
+    const RollingPiece to_rest{Eigen::Vector3d::Zero(), {4.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, 2.0,
+                               RollingEnd::standstill,  no_triangle};
+    EXPECT_EQ(to_rest.time_along_s(0.0), 0.0);
+    EXPECT_DOUBLE_EQ(to_rest.time_along_s(0.75), 1.0);
+    EXPECT_DOUBLE_EQ(to_rest.time_along_s(1.0), 2.0);
+}
+
 }  // namespace
 }  // namespace rockfall
