@@ -200,6 +200,19 @@ Shard shard_of(const std::string& text) {
     return {static_cast<std::uint32_t>(*number), static_cast<std::uint32_t>(*count)};
 }
 
+/// A file, or `tables` and perhaps the name of one.
+void add_info(CommandLine& line, const po::variables_map& values) {
+    const std::string first = values.count("argument") == 0
+                                  ? std::string{}
+                                  : values["argument"].as<std::vector<std::string>>().front();
+    if (first != "tables" || values["argument"].as<std::vector<std::string>>().size() != 2) {
+        line.argument = argument_of("info", values);
+        return;
+    }
+    line.argument = first;
+    line.table = values["argument"].as<std::vector<std::string>>().back();
+}
+
 /// The scenario and the folders after it.
 void add_merge(CommandLine& line, const po::variables_map& values) {
     if (values.count("argument") == 0 || values["argument"].as<std::vector<std::string>>().size() < 2) {
@@ -226,6 +239,8 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         add_stopping_table(line, values);
     } else if (command == "merge") {
         add_merge(line, values);
+    } else if (command == "info") {
+        add_info(line, values);
     } else {
         line.argument = argument_of(command, values);
     }

@@ -24,6 +24,9 @@ struct CommandLine {
     bool quiet = false;
     bool verbose = false;
 
+    // info; the argument is the file, or `tables` for the tables of results
+    std::string table;  ///< of the results; none: the list of them
+
     // run
     Shard shard;
 

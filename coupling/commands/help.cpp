@@ -125,6 +125,7 @@ standard errors. A recipe with a column `code` makes a table for terrain.stoppin
 )";
 
 constexpr std::string_view info_help = R"(bannwald info FILE
+bannwald info tables [TABLE]
 
 Tells what an ESRI ASCII grid (frame, range, NODATA, projection) or a CSV table (columns, rows, units)
 holds. The name of a shipped table prints that table:
@@ -133,18 +134,18 @@ holds. The name of a shipped table prints that table:
   bannwald info tree_resistance    species with the energy they take
   bannwald info timber_prices      what wood brings and costs; also work_costs
   bannwald info regimes            names of the shipped regimes and the columns of a regime
+The tables that a run writes, with unit, meaning and source of every column:
+  bannwald info tables             all of them
+  bannwald info tables targets     the columns of targets.csv
 )";
 
 }  // namespace
 
 void write_help(std::ostream& out, const std::string& command) {
-    const std::map<std::string, std::string_view> texts{{"init", init_help},
-                                                        {"check", check_help},
-                                                        {"run", run_help},
-                                                        {"merge", merge_help},
-                                                        {"validate", validate_help},
-                                                        {"stopping-table", stopping_table_help},
-                                                        {"info", info_help}};
+    const std::map<std::string, std::string_view> texts{
+        {"init", init_help},   {"check", check_help},       {"run", run_help},
+        {"merge", merge_help}, {"validate", validate_help}, {"stopping-table", stopping_table_help},
+        {"info", info_help}};
     const auto text = texts.find(command);
     if (text == texts.end()) {
         out << short_help << exit_codes;

@@ -16,6 +16,7 @@
 #include "config/table/table.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/commands/info_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/regimes/listing.hpp"
@@ -154,9 +155,13 @@ std::optional<std::string_view> shipped(const std::string& name) {
 
 }  // namespace
 
-void write_info(const std::string& name, std::ostream& out) {
+void write_info(const std::string& name, const std::string& table, std::ostream& out) {
     std::error_code error;
     if (!fs::exists(name, error)) {
+        if (name == "tables") {
+            write_result_tables(table, out);
+            return;
+        }
         if (name == "regimes") {
             write_regime_listing(out);
             return;

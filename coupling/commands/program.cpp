@@ -97,7 +97,7 @@ int carry_out(const CommandLine& line) {
         return stopping_table(line);
     }
     if (line.command == "info") {
-        write_info(line.argument.string(), std::cout);
+        write_info(line.argument.string(), line.table, std::cout);
     } else if (line.command == "version") {
         write_version(std::cout);
     } else if (line.command == "help-all") {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "coupling/decades/decade_layouts.hpp"
 #include "coupling/results/csv_row.hpp"
 
 namespace coupling::decades {
@@ -175,7 +176,7 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
         folder, "regimes_by_year.csv",
         "Each regime in each year: mean of the replicates and where nine in ten lie.",
         [&](std::ostream& out) {
-            out << "regime,target_id,quantity,year,replicates,mean,low_5,high_95\n";
+            write_header(out, decade_layouts(), "regimes_by_year.csv");
             CsvRow row{out};
             for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
                 for (const Series& series : all_series) {
@@ -193,7 +194,7 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
     written.push_back(write_table(
         folder, "regimes_worst_year.csv",
         "The year in which each regime is worst, by the mean of its replicates.", [&](std::ostream& out) {
-            out << "regime,target_id,quantity,worst,year,replicates,mean,low_5,high_95\n";
+            write_header(out, decade_layouts(), "regimes_worst_year.csv");
             CsvRow row{out};
             for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
                 for (const Series& series : all_series) {
@@ -216,7 +217,7 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
         folder, "regime_differences.csv",
         "Each regime minus the first one, replicate by replicate: mean and 95 % interval.",
         [&](std::ostream& out) {
-            out << "regime,reference,target_id,quantity,year,pairs,mean_difference,low_95,high_95\n";
+            write_header(out, decade_layouts(), "regime_differences.csv");
             CsvRow row{out};
             for (std::size_t regime = 1; regime < names.regimes.size(); ++regime) {
                 for (const Series& series : all_series) {

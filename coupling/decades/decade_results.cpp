@@ -1,11 +1,13 @@
 #include "coupling/decades/decade_results.hpp"
 
 #include "coupling/decades/comparison.hpp"
+#include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/fall_tables.hpp"
 #include "coupling/decades/patch_maps.hpp"
 #include "coupling/decades/report/decade_page.hpp"
 #include "coupling/decades/report/protection.hpp"
 #include "coupling/decades/work_tables.hpp"
+#include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
@@ -57,6 +59,8 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     }
     const std::vector<Series> series = series_of(results.names, results.site, results.members);
     add(write_comparison(folder, results.names, series));
+    add_data_dictionary(folder, {decade_layouts(), together(raster_columns(), patch_raster_columns())},
+                        files);
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);
     summary.close();

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "config/text/numbers.hpp"
+#include "coupling/decades/decade_layouts.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
@@ -17,8 +18,7 @@ void add_unit(CsvRow& row, std::uint32_t unit) {
 }
 
 void write_stands(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    out << "regime,replicate,year,stand,species,stems_pha,basal_area_m2pha,volume_m3pha,above_ground_tpha,"
-           "mean_dbh_cm,lorey_height_m,dominant_height_m,leaf_area_index\n";
+    write_header(out, decade_layouts(), "stands.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const StandRow& stand : member.stands) {
@@ -36,7 +36,7 @@ void write_stands(std::ostream& out, const Names& names, std::span<const MemberY
 
 /// Of the whole forest; classes without stems are left out.
 void write_dbh_classes(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    out << "regime,replicate,year,species,dbh_from_cm,dbh_to_cm,stems_pha\n";
+    write_header(out, decade_layouts(), "dbh_classes.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const StandRow& stand : member.stands) {
@@ -56,9 +56,7 @@ void write_dbh_classes(std::ostream& out, const Names& names, std::span<const Me
 }
 
 void write_years(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    out << "regime,replicate,year,calendar_year,volume_increment_m3pha,production_tpha,ingrowth_stems_pha,"
-           "saplings_pha,snags_pha,snags_m3pha,logs_pha,logs_m3pha,dead_stems_tpha,precipitation_mm,"
-           "evapotranspiration_mm,runoff_mm,storage_gain_mm,mean_temperature_degc\n";
+    write_header(out, decade_layouts(), "forest_years.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const YearRow& y : member.years) {
@@ -84,7 +82,7 @@ void write_years(std::ostream& out, const Names& names, std::span<const MemberYe
 }
 
 void write_losses(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    out << "regime,replicate,year,cause,stems_pha,volume_m3pha,above_ground_tpha\n";
+    write_header(out, decade_layouts(), "mortality.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const LossRow& loss : member.losses) {
@@ -99,8 +97,7 @@ void write_losses(std::ostream& out, const Names& names, std::span<const MemberY
 
 void write_trees(std::ostream& out, const Names& names, std::span<const MemberYears> members,
                  std::int32_t year) {
-    out << "regime,replicate,year,tree_id,x_m,y_m,species,dbh_cm,height_m,crown_base_m,crown_radius_m,"
-           "age_years,light_ratio,vitality,stems,rock_hits,rock_energy_kj\n";
+    write_header(out, decade_layouts(), "trees_0.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const TreeRow& tree : member.trees) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "coupling/decades/decade_layouts.hpp"
 #include "coupling/results/figure_columns.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/rasters.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 void write_protection(std::ostream& out, const Names& names, const Site& site,
                       std::span<const MemberYears> members) {
-    out << "regime,replicate,year,target_id,name" << protection_columns() << '\n';
+    write_header(out, decade_layouts(), "protection.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const TargetRow& t : member.targets) {
@@ -30,7 +31,7 @@ void write_protection(std::ostream& out, const Names& names, const Site& site,
 
 void write_targets(std::ostream& out, const Names& names, const Site& site,
                    std::span<const MemberYears> members) {
-    out << "regime,replicate,year,target_id,name,cover" << arrival_columns() << '\n';
+    write_header(out, decade_layouts(), "targets.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const TargetRow& t : member.targets) {
@@ -45,7 +46,7 @@ void write_targets(std::ostream& out, const Names& names, const Site& site,
 }
 
 void write_runs(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    out << "regime,replicate,year,cover" << slope_columns() << '\n';
+    write_header(out, decade_layouts(), "runs.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const SlopeRow& slope : member.slopes) {

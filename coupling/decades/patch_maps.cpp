@@ -13,17 +13,18 @@ namespace {
 
 struct Quantity {
     const char* name;
-    const char* sentence;
+    const char* unit;
+    const char* meaning;
     float PatchRow::*value;
 };
 
 constexpr std::array quantities{
-    Quantity{"stems", "Stems per hectare", &PatchRow::stems_pha},
-    Quantity{"basal_area", "Basal area, m2/ha", &PatchRow::basal_area_m2pha},
-    Quantity{"volume", "Stem volume, m3/ha", &PatchRow::volume_m3pha},
-    Quantity{"top_height", "Height of the tallest tree, m", &PatchRow::top_height_m},
-    Quantity{"leaf_area_index", "Leaf area index", &PatchRow::leaf_area_index},
-    Quantity{"ground_light", "Light at the ground, May to September, relative to the open",
+    Quantity{"stems", "1/ha", "Stems", &PatchRow::stems_pha},
+    Quantity{"basal_area", "m2/ha", "Basal area", &PatchRow::basal_area_m2pha},
+    Quantity{"volume", "m3/ha", "Stem volume over bark", &PatchRow::volume_m3pha},
+    Quantity{"top_height", "m", "Height of the tallest tree", &PatchRow::top_height_m},
+    Quantity{"leaf_area_index", "-", "Leaf area index", &PatchRow::leaf_area_index},
+    Quantity{"ground_light", "-", "Light at the ground, May to September, relative to the open",
              &PatchRow::ground_light},
 };
 
@@ -34,6 +35,14 @@ struct YearSum {
 };
 
 }  // namespace
+
+std::vector<Column> patch_raster_columns() {
+    std::vector<Column> columns;
+    for (const Quantity& quantity : quantities) {
+        columns.push_back({quantity.name, quantity.unit, quantity.meaning, "simulated"});
+    }
+    return columns;
+}
 
 std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, const Names& names,
                                           std::span<const MemberYears> members, const forest::PatchGrid& grid,
@@ -66,8 +75,9 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
                 prj.stream() << projection;
                 prj.close();
             }
-            written.push_back({joined(path, "/", quantity.name, ".asc"),
-                               joined(quantity.sentence, ", by patch in year ", year, ".")});
+            written.push_back(
+                {joined(path, "/", quantity.name, ".asc"),
+                 joined(quantity.meaning, " [", quantity.unit, "], by patch in year ", year, ".")});
         }
     }
     return written;

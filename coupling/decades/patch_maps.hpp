@@ -8,9 +8,13 @@
 #include "coupling/decades/decade_tables.hpp"
 #include "coupling/decades/records.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/results/table_layout.hpp"
 #include "forest/patch.hpp"
 
 namespace coupling::decades {
+
+/// The rasters of patches: name, unit and meaning.
+std::vector<Column> patch_raster_columns();
 
 /// Writes rasters/forest/REGIME/yearN/{stems,basal_area,volume,top_height,leaf_area_index,ground_light}.asc:
 /// means over the replicates, on the frame of the patches; cells without forest are NODATA. `projection` is

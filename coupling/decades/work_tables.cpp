@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <functional>
 
+#include "coupling/decades/decade_layouts.hpp"
 #include "coupling/results/csv_row.hpp"
 
 namespace coupling::decades {
 namespace {
 
 void write_interventions(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    out << "regime,replicate,year,intervention,treatment,areas,area_ha,stems,taken_m3,left_m3,plants,tended,"
-           "found_nothing\n";
+    write_header(out, decade_layouts(), "interventions.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const HarvestRow& work : member.harvest) {
@@ -25,7 +25,7 @@ void write_interventions(std::ostream& out, const Names& names, std::span<const 
 }
 
 void write_timber(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    out << "regime,replicate,year,species,dbh_from_cm,dbh_to_cm,stems,taken_m3,left_m3\n";
+    write_header(out, decade_layouts(), "timber.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const TimberRow& timber : member.timber) {
@@ -41,8 +41,7 @@ void write_timber(std::ostream& out, const Names& names, std::span<const MemberY
 
 void write_margins(std::ostream& out, const Names& names, std::span<const MemberYears> members,
                    double area_ha) {
-    out << "regime,replicate,year,revenue_eur_pha,harvest_cost_eur_pha,young_growth_cost_eur_pha,"
-           "contribution_margin_eur_pha\n";
+    write_header(out, decade_layouts(), "margins.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const MarginRow& year : member.margins) {
@@ -56,7 +55,7 @@ void write_margins(std::ostream& out, const Names& names, std::span<const Member
 }
 
 void write_removed(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    out << "regime,replicate,year,tree_id,x_m,y_m,species,dbh_cm,height_m,reason\n";
+    write_header(out, decade_layouts(), "removed_trees.csv");
     CsvRow row{out};
     for (const MemberYears& member : members) {
         for (const RemovedRow& tree : member.removed) {

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "coupling/profile/profile_layouts.hpp"
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/csv_row.hpp"
+#include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/indicators.hpp"
 
@@ -28,10 +30,7 @@ double end_of_stretch_m(const ProfileResults& results, std::size_t stretches_pas
 }  // namespace
 
 void write_rock_header(std::ostream& out) {
-    out << "rock,diameter_m,stop_reason,start_distance_m,start_height_m,end_distance_m,end_height_m,run_out_"
-           "m,"
-           "path_m,time_s,max_speed_mps,mean_speed_mps,max_energy_kj,max_height_m,mean_jump_height_m,jumps,"
-           "ground_impacts\n";
+    write_header(out, profile_layouts(), "rocks.csv");
 }
 
 void write_rock(std::ostream& out, const rockfall::RockRecord& record) {
@@ -48,8 +47,7 @@ void write_rock(std::ostream& out, const rockfall::RockRecord& record) {
 }
 
 void write_jumps_by_segment(std::ostream& out, const ProfileResults& results) {
-    out << "from_m,to_m,from_distance_m,to_distance_m,jumps,min_length_m,mean_length_m,max_length_m,"
-           "mean_impact_speed_mps\n";
+    write_header(out, profile_layouts(), "jumps_by_segment.csv");
     const double whole_m = results.site.slope_length_m(results.site.last_m());
     CsvRow row{out};
     for (std::size_t i = 0; i < results.tally.segments.size(); ++i) {
@@ -66,7 +64,7 @@ void write_jumps_by_segment(std::ostream& out, const ProfileResults& results) {
 }
 
 void write_run_out(std::ostream& out, const ProfileResults& results) {
-    out << "distance_m,rocks_beyond,beyond_percent,beyond_low_percent,beyond_high_percent\n";
+    write_header(out, profile_layouts(), "run_out.csv");
     CsvRow row{out};
     for (std::size_t i = 0; i < results.tally.ends.size(); ++i) {
         const std::uint64_t beyond = results.tally.ended_beyond(i);
@@ -78,10 +76,7 @@ void write_run_out(std::ostream& out, const ProfileResults& results) {
 
 void write_stations(std::ostream& out, const ProfileResults& results) {
     using namespace rockfall;
-    out << "station,distance_m,rocks,reached_percent,reached_low_percent,reached_high_percent,energy_mean_kj,"
-           "energy_sd_kj,energy_50_kj,energy_90_kj,energy_95_kj,energy_99_kj,energy_max_kj,"
-           "translational_mean_kj,speed_mean_mps,speed_95_mps,speed_max_mps,height_mean_m,height_95_m,"
-           "height_max_m\n";
+    write_header(out, profile_layouts(), "stations.csv");
     CsvRow row{out};
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const StationTally& tally = results.tally.stations[i];
@@ -106,8 +101,7 @@ void write_stations(std::ostream& out, const ProfileResults& results) {
 
 void write_envelope(std::ostream& out, const ProfileResults& results) {
     using namespace rockfall;
-    out << "from_distance_m,to_distance_m,rocks,energy_mean_kj,energy_95_kj,energy_max_kj,height_mean_m,"
-           "height_95_m,height_max_m\n";
+    write_header(out, profile_layouts(), "envelope.csv");
     CsvRow row{out};
     for (std::size_t i = 0; i < results.tally.stretches.size(); ++i) {
         const StretchTally& stretch = results.tally.stretches[i];
@@ -124,7 +118,7 @@ void write_envelope(std::ostream& out, const ProfileResults& results) {
 }
 
 void write_paths(std::ostream& out, const ProfileResults& results) {
-    out << "rock,point,distance_m,height_m,energy_kj,height_above_ground_m\n";
+    write_header(out, profile_layouts(), "paths.csv");
     CsvRow row{out};
     for (const SampledPath& path : results.tally.paths) {
         for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -156,6 +150,8 @@ std::vector<WrittenFile> write_results(const ProfileResults& results, const std:
     table("stations.csv", "Who passes each station: share, energy, speed, height.", write_stations);
     table("envelope.csv", "Energy and height along the profile: mean, 95 %, largest.", write_envelope);
     table("paths.csv", "Sampled paths, corner by corner.", write_paths);
+
+    add_data_dictionary(folder, {profile_layouts(), {}}, files);
 
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);

@@ -2,18 +2,56 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
 
 constexpr double percent = 100.0;
 
-/// ",energy_mean_kj,energy_50_kj,...": the columns of a distribution.
-std::string distribution_columns(const std::string& quantity, const std::string& unit) {
-    std::string columns;
-    for (const char* figure : {"mean", "50", "90", "95", "95_low", "95_high", "98", "99", "max"}) {
-        columns += "," + quantity + "_" + figure + "_" + unit;
-    }
+constexpr const char* simulated = "simulated";
+constexpr const char* counted = "counted over the simulated rocks";
+constexpr const char* from_bins = "simulated; fine bins, at most 0.4 % from the value";
+constexpr const char* exact_interval = "Clopper and Pearson 1934";
+
+/// A quantity over rocks.
+struct Quantity {
+    std::string name;    ///< as columns begin
+    std::string ending;  ///< of the columns: its unit
+    std::string unit;
+    std::string meaning;
+};
+
+const Quantity arrival_energy{"energy", "kj", "kJ",
+                              "kinetic energy (translation and rotation) at the first arrival"};
+const Quantity arrival_speed{"speed", "mps", "m/s", "speed at the first arrival"};
+const Quantity arrival_height{"height", "m", "m",
+                              "height of the underside above the ground, vertical, at the first arrival"};
+const Quantity top_speed{"max_speed", "mps", "m/s", "each rock's highest speed"};
+const Quantity top_energy{"max_energy", "kj", "kJ",
+                          "each rock's highest kinetic energy (translation and rotation)"};
+const Quantity top_height{"max_height", "m", "m", "each rock's largest height above the ground, vertical"};
+
+/// energy_mean_kj, energy_50_kj, ...: the columns of a distribution.
+std::vector<Column> distribution_columns(const Quantity& quantity) {
+    std::vector<Column> columns;
+    const auto add = [&](const std::string& figure, const std::string& words, const char* source) {
+        columns.push_back({joined(quantity.name, "_", figure, "_", quantity.ending), quantity.unit,
+                           joined(words, " of ", quantity.meaning), source});
+    };
+    const char* ranks = "order statistics by the binomial law; whole bins";
+    add("mean", "mean", simulated);
+    add("50", "median", from_bins);
+    add("90", "90th percentile", from_bins);
+    add("95", "95th percentile", from_bins);
+    add("95_low", "lower end of the 95 % interval of the 95th percentile", ranks);
+    add("95_high", "upper end (empty: fewer than 72 rocks) of the 95 % interval of the 95th percentile",
+        ranks);
+    add("98", "98th percentile", from_bins);
+    add("99", "99th percentile", from_bins);
+    add("max", "largest value", simulated);
     return columns;
 }
 
@@ -26,10 +64,15 @@ void add_distribution(CsvRow& row, const Distribution& d) {
 
 }  // namespace
 
-std::string arrival_columns() {
-    return ",rocks,reached,share_percent,share_low_percent,share_high_percent" +
-           distribution_columns("energy", "kj") + distribution_columns("speed", "mps") +
-           distribution_columns("height", "m");
+std::vector<Column> arrival_columns() {
+    const std::vector<Column> shares{
+        {"rocks", "-", "rocks that fell", counted},
+        {"reached", "-", "rocks that reached the target", counted},
+        {"share_percent", "%", "share of the rocks that reached the target", counted},
+        {"share_low_percent", "%", "lower end of its 95 % interval", exact_interval},
+        {"share_high_percent", "%", "upper end of its 95 % interval", exact_interval}};
+    return together(shares, distribution_columns(arrival_energy), distribution_columns(arrival_speed),
+                    distribution_columns(arrival_height));
 }
 
 void add_arrivals(CsvRow& row, const ArrivalFigures& arrivals) {
@@ -40,9 +83,24 @@ void add_arrivals(CsvRow& row, const ArrivalFigures& arrivals) {
     add_distribution(row, arrivals.height_m);
 }
 
-std::string protection_columns() {
-    return ",rocks,reached_bare,reached_forest,reached_both,protection_percent,protection_low_percent,"
-           "protection_high_percent,bari_percent,miri_percent,orpi_percent";
+std::vector<Column> protection_columns() {
+    constexpr const char* paired = "paired ratio by the delta method (coupling/results/README.md)";
+    constexpr const char* named_after = "choice, named after Dupire et al. 2016";
+    return {{"rocks", "-", "rocks that fell", counted},
+            {"reached_bare", "-", "rocks that reach the target over the bare slope", counted},
+            {"reached_forest", "-", "rocks that reach it with forest", counted},
+            {"reached_both", "-", "rocks that reach it on both slopes", counted},
+            {"protection_percent", "%",
+             "protection effect: share of the rocks arriving over the bare slope that the forest keeps away; "
+             "empty where none arrives",
+             "1 - reached_forest / reached_bare"},
+            {"protection_low_percent", "%",
+             "lower end of its 95 % interval; one-sided where no rock comes through", paired},
+            {"protection_high_percent", "%", "upper end of its 95 % interval", paired},
+            {"bari_percent", "%", "reduction of the number of arrivals", named_after},
+            {"miri_percent", "%",
+             "reduction of the 95th percentile of the energy; 100 where no rock comes through", named_after},
+            {"orpi_percent", "%", "both together: 1 - (1 - BARI) (1 - MIRI)", named_after}};
 }
 
 void add_protection(CsvRow& row, std::uint64_t rocks, const PairedCounts& paired,
@@ -60,17 +118,39 @@ void add_protection(CsvRow& row, std::uint64_t rocks, const PairedCounts& paired
     row.number<3>(known.bari_percent).number<3>(known.miri_percent).number<3>(known.orpi_percent);
 }
 
-std::string slope_columns() {
-    return ",rocks,at_rest,caught,stopped_by_tree,stopped_by_log,left_terrain,gave_up,run_out_mean_m,run_out_"
-           "50_m,run_out_"
-           "90_m,"
-           "run_out_95_m,run_out_98_m,run_out_99_m,run_out_max_m" +
-           distribution_columns("max_speed", "mps") + distribution_columns("max_energy", "kj") +
-           distribution_columns("max_height", "m") +
-           ",mean_speed_mps,jump_height_mean_m,jumps_per_rock,ground_impacts_per_rock,tree_hits_per_rock,"
-           "trees_broken_per_rock,tree_energy_per_rock_kj,hit_a_tree_percent,log_hits_per_rock,logs_broken_"
-           "per_rock,"
-           "log_energy_per_rock_kj";
+std::vector<Column> slope_columns() {
+    constexpr const char* bins_10_m = "simulated; straight inside bins of 10 m";
+    constexpr const char* distance = "of the run-out, the plan distance from release to end";
+    const std::vector<Column> stops{
+        {"rocks", "-", "rocks that fell", counted},
+        {"at_rest", "-", "rocks whose energy was used up", counted},
+        {"caught", "-", "rocks stopped by the roughness of the ground", counted},
+        {"stopped_by_tree", "-", "rocks stopped by a tree", counted},
+        {"stopped_by_log", "-", "rocks that rest upslope of a lying log", counted},
+        {"left_terrain", "-", "rocks that left the terrain; they do not count as stopped", counted},
+        {"gave_up", "-", "rocks that the simulation gave up; they do not count as stopped", counted}};
+    const std::vector<Column> run_out{{"run_out_mean_m", "m", joined("mean ", distance), simulated},
+                                      {"run_out_50_m", "m", joined("median ", distance), bins_10_m},
+                                      {"run_out_90_m", "m", joined("90th percentile ", distance), bins_10_m},
+                                      {"run_out_95_m", "m", joined("95th percentile ", distance), bins_10_m},
+                                      {"run_out_98_m", "m", joined("98th percentile ", distance), bins_10_m},
+                                      {"run_out_99_m", "m", joined("99th percentile ", distance), bins_10_m},
+                                      {"run_out_max_m", "m", joined("largest value ", distance), simulated}};
+    const std::vector<Column> means{
+        {"mean_speed_mps", "m/s", "mean over rocks of path divided by time", simulated},
+        {"jump_height_mean_m", "m", "mean over all jumps of their largest heights", simulated},
+        {"jumps_per_rock", "-", "jumps, mean over rocks", simulated},
+        {"ground_impacts_per_rock", "-", "impacts on the ground, mean over rocks", simulated},
+        {"tree_hits_per_rock", "-", "hits on trees, mean over rocks", simulated},
+        {"trees_broken_per_rock", "-", "hits with more energy than the tree can take, mean over rocks",
+         simulated},
+        {"tree_energy_per_rock_kj", "kJ", "energy taken by trees, mean over rocks", simulated},
+        {"hit_a_tree_percent", "%", "share of the rocks that hit a tree", counted},
+        {"log_hits_per_rock", "-", "hits on lying logs, mean over rocks", simulated},
+        {"logs_broken_per_rock", "-", "hits that break a log, mean over rocks", simulated},
+        {"log_energy_per_rock_kj", "kJ", "energy taken by logs, mean over rocks", simulated}};
+    return together(stops, run_out, distribution_columns(top_speed), distribution_columns(top_energy),
+                    distribution_columns(top_height), means);
 }
 
 void add_slope(CsvRow& row, const SlopeFigures& slope) {

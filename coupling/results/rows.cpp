@@ -5,6 +5,7 @@
 
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
+#include "coupling/results/static_layouts.hpp"
 
 namespace coupling {
 namespace {
@@ -62,11 +63,7 @@ void append_centimetres(std::string& text, double value_m) {
 }  // namespace
 
 void write_rock_header(std::ostream& out) {
-    out << "rock,cover,zone,source,diameter_m,stop_reason,x_start_m,y_start_m,z_start_m,x_end_m,y_end_m,z_"
-           "end_m,"
-           "run_out_m,path_m,time_s,max_speed_mps,mean_speed_mps,max_energy_kj,max_height_m,mean_jump_height_"
-           "m,jumps,"
-           "ground_impacts,tree_hits,trees_broken,tree_energy_kj,log_hits,logs_broken,log_energy_kj\n";
+    write_header(out, static_layouts(), "rocks.csv");
 }
 
 void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cover,
@@ -87,7 +84,7 @@ void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cov
 }
 
 void write_arrival_header(std::ostream& out) {
-    out << "rock,target_id,cover,x_m,y_m,energy_kj,translational_kj,speed_mps,height_m\n";
+    write_header(out, static_layouts(), "arrivals.csv");
 }
 
 void write_arrival(std::ostream& out, std::uint64_t rock, std::string_view target_id, Cover cover,
@@ -104,7 +101,7 @@ void write_arrival(std::ostream& out, std::uint64_t rock, std::string_view targe
 }
 
 void write_tree_hit_header(std::ostream& out) {
-    out << "rock,tree_id,x_m,y_m,z_m,height_m,energy_kj,energy_taken_kj,hit_type,broken,stopped\n";
+    write_header(out, static_layouts(), "tree_hits.csv");
 }
 
 void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree_id,
@@ -120,7 +117,7 @@ void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree
 }
 
 void write_log_hit_header(std::ostream& out) {
-    out << "rock,log_id,x_m,y_m,z_m,energy_kj,energy_taken_kj,outcome\n";
+    write_header(out, static_layouts(), "log_hits.csv");
 }
 
 void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_id,
@@ -134,7 +131,7 @@ void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_i
 }
 
 void write_path_header(std::ostream& out) {
-    out << "rock,cover,point,x_m,y_m,z_m,energy_kj,height_m\n";
+    write_header(out, static_layouts(), "trajectories.csv");
 }
 
 void write_path(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,
@@ -150,7 +147,7 @@ void write_path(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen:
 }
 
 void write_path_wkt_header(std::ostream& out) {
-    out << "rock,cover,energy_max_kj,wkt\n";
+    write_header(out, static_layouts(), "trajectories_wkt.csv");
 }
 
 void write_path_wkt(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,

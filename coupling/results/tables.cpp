@@ -8,6 +8,7 @@
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figure_columns.hpp"
 #include "coupling/results/rows.hpp"
+#include "coupling/results/static_layouts.hpp"
 
 namespace coupling {
 namespace {
@@ -41,7 +42,7 @@ void write_all_paths(OutFile& points, OutFile& lines, const RunResults& results)
 }  // namespace
 
 void write_targets(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers) {
-    out << "target_id,name,kind,cover" << arrival_columns() << '\n';
+    write_header(out, static_layouts(), "targets.csv");
     CsvRow row{out};
     for (const TargetFigures& target : figures.targets) {
         for (const Cover cover : covers) {
@@ -53,7 +54,7 @@ void write_targets(std::ostream& out, const Figures& figures, const std::vector<
 }
 
 void write_protection(std::ostream& out, const Figures& figures) {
-    out << "target_id,name" << protection_columns() << ",rocks_for_half_interval\n";
+    write_header(out, static_layouts(), "protection.csv");
     CsvRow row{out};
     for (const TargetFigures& target : figures.targets) {
         const std::uint64_t rocks = target.at(Cover::bare).share.whole;
@@ -65,7 +66,7 @@ void write_protection(std::ostream& out, const Figures& figures) {
 }
 
 void write_target_distributions(std::ostream& out, const RunResults& results) {
-    out << "target_id,cover,quantity,unit,bin_low,bin_high,rocks\n";
+    write_header(out, static_layouts(), "target_distributions.csv");
     for (std::size_t number = 0; number < results.tally.targets.size(); ++number) {
         const std::string& id = results.site.targets[number].id;
         for (const Cover cover : covers_of(results)) {
@@ -78,7 +79,7 @@ void write_target_distributions(std::ostream& out, const RunResults& results) {
 }
 
 void write_runs(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers) {
-    out << "cover" << slope_columns() << '\n';
+    write_header(out, static_layouts(), "runs.csv");
     CsvRow row{out};
     for (const Cover cover : covers) {
         row.text(name_of(cover));
@@ -88,7 +89,7 @@ void write_runs(std::ostream& out, const Figures& figures, const std::vector<Cov
 }
 
 void write_run_out(std::ostream& out, const RunResults& results) {
-    out << "cover,run_out_low_m,run_out_high_m,rocks\n";
+    write_header(out, static_layouts(), "run_out.csv");
     CsvRow row{out};
     for (const Cover cover : covers_of(results)) {
         const rockfall::RunTally& tally = results.tally.runs[index_of(cover)];
@@ -106,7 +107,7 @@ void write_run_out(std::ostream& out, const RunResults& results) {
 }
 
 void write_tree_hits_per_rock(std::ostream& out, const RunResults& results) {
-    out << "tree_hits,or_more,rocks\n";
+    write_header(out, static_layouts(), "tree_hits_per_rock.csv");
     const auto& counts = results.tally.runs[index_of(Cover::forest)].tree_hits;
     CsvRow row{out};
     for (std::size_t hits = 0; hits < counts.size(); ++hits) {
@@ -116,7 +117,7 @@ void write_tree_hits_per_rock(std::ostream& out, const RunResults& results) {
 }
 
 void write_stems(std::ostream& out, const RunResults& results) {
-    out << "tree_id,x_m,y_m,species,dbh_cm,height_m,hits,broken,energy_kj\n";
+    write_header(out, static_layouts(), "stems.csv");
     CsvRow row{out};
     for (std::size_t number = 0; number < results.site.trees.size(); ++number) {
         const TreeRecord& tree = results.site.trees[number];
@@ -129,8 +130,7 @@ void write_stems(std::ostream& out, const RunResults& results) {
 }
 
 void write_logs(std::ostream& out, const RunResults& results) {
-    out << "log_id,x1_m,y1_m,x2_m,y2_m,species,diameter1_cm,diameter2_cm,clearance_m,strength,hits,broken,"
-           "resting,energy_kj\n";
+    write_header(out, static_layouts(), "logs.csv");
     CsvRow row{out};
     for (std::size_t number = 0; number < results.site.logs.size(); ++number) {
         const LogRecord& record = results.site.logs[number];

@@ -1,8 +1,10 @@
 #include "coupling/results/write_results.hpp"
 
+#include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/rasters.hpp"
 #include "coupling/results/report/page.hpp"
+#include "coupling/results/static_layouts.hpp"
 #include "coupling/results/summary.hpp"
 #include "coupling/results/tables.hpp"
 
@@ -21,6 +23,8 @@ std::vector<WrittenFile> write_results(const RunResults& results, const std::fil
     files.insert(files.end(), streamed.begin(), streamed.end());
     const std::vector<WrittenFile> rasters = write_rasters(results, folder);
     files.insert(files.end(), rasters.begin(), rasters.end());
+
+    add_data_dictionary(folder, {static_layouts(), raster_columns()}, files);
 
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, figures, files);

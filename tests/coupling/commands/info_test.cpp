@@ -12,7 +12,7 @@ namespace {
 
 std::string info_on(const std::string& name) {
     std::ostringstream out;
-    write_info(name, out);
+    write_info(name, "", out);
     return out.str();
 }
 

@@ -1,0 +1,230 @@
+#include "coupling/decades/decade_layouts.hpp"
+
+#include "coupling/results/figure_columns.hpp"
+#include "coupling/results/static_layouts.hpp"
+
+namespace coupling::decades {
+namespace {
+
+constexpr const char* simulated = "simulated";
+constexpr const char* prices = "simulated work, prices of regimes.timber_prices and regimes.work_costs";
+
+/// Which member and year a row speaks of.
+std::vector<Column> member_columns() {
+    return {
+        {"regime", "text", "name of the regime", "input regimes.list"},
+        {"replicate", "-", "number of the replicate, from 1; regimes share climate and rocks of a replicate",
+         "run.replicates"},
+        {"year", "-", "simulated years since the start; 0 is the start", simulated}};
+}
+
+Column species_column(const char* meaning) {
+    return {"species", "text", meaning, "species table"};
+}
+
+std::vector<Column> dbh_class_columns() {
+    return {{"dbh_from_cm", "cm", "lower end of the class of diameter at breast height", "classes of 4 cm"},
+            {"dbh_to_cm", "cm", "upper end of the class; empty: everything thicker", "classes of 4 cm"}};
+}
+
+TableLayout stands() {
+    const std::vector<Column> rest{
+        {"stand", "text", "number of the management unit, or all for the whole forest", "input stands.map"},
+        species_column("species code, or all"),
+        {"stems_pha", "1/ha", "stems of trees of 1 cm and more", simulated},
+        {"basal_area_m2pha", "m2/ha", "basal area at breast height", simulated},
+        {"volume_m3pha", "m3/ha", "stem wood over bark", simulated},
+        {"above_ground_tpha", "t/ha", "dry mass above ground", simulated},
+        {"mean_dbh_cm", "cm", "quadratic mean diameter; 0 without trees", simulated},
+        {"lorey_height_m", "m", "mean height weighted by basal area; 0 without trees", simulated},
+        {"dominant_height_m", "m",
+         "mean height of the 100 thickest stems per hectare, of all where there are fewer", simulated},
+        {"leaf_area_index", "-", "projected leaf area over ground area", simulated}};
+    return {"stands.csv", "a stand, or all, and a species, or all, at the end of a year",
+            together(member_columns(), rest)};
+}
+
+TableLayout dbh_classes() {
+    const std::vector<Column> species{species_column("species code, or all")};
+    const std::vector<Column> stems{
+        {"stems_pha", "1/ha", "stems in the class, in the whole forest", simulated}};
+    return {"dbh_classes.csv", "a diameter class that has stems",
+            together(member_columns(), species, dbh_class_columns(), stems)};
+}
+
+TableLayout forest_years() {
+    const std::vector<Column> rest{
+        {"calendar_year", "-", "calendar year", "run.first_year"},
+        {"volume_increment_m3pha", "m3/ha", "stem wood that the trees which began the year gained in it",
+         simulated},
+        {"production_tpha", "t/ha", "net primary production of the year, dry mass", simulated},
+        {"ingrowth_stems_pha", "1/ha", "trees that passed 1 cm or were planted", simulated},
+        {"saplings_pha", "1/ha", "young trees below 1 cm", simulated},
+        {"snags_pha", "1/ha", "standing dead stems, stumps of felling included", simulated},
+        {"snags_m3pha", "m3/ha", "their volume", simulated},
+        {"logs_pha", "1/ha", "lying dead stems", simulated},
+        {"logs_m3pha", "m3/ha", "their volume", simulated},
+        {"dead_stems_tpha", "t/ha", "dry mass of both, as far as it has not rotted", simulated},
+        {"precipitation_mm", "mm", "precipitation of the year, mean of the patches",
+         "input climate.file, moved to the patches"},
+        {"evapotranspiration_mm", "mm", "evapotranspiration of the year", simulated},
+        {"runoff_mm", "mm", "water that runs off or drains in the year", simulated},
+        {"storage_gain_mm", "mm", "gain of water in soil and snow over the year", simulated},
+        {"mean_temperature_degc", "degC", "mean air temperature of the year, mean of the patches",
+         "input climate.file, moved to the patches"}};
+    return {"forest_years.csv", "a year of the whole forest; what only a year can have is empty at the start",
+            together(member_columns(), rest)};
+}
+
+TableLayout mortality() {
+    const std::vector<Column> rest{
+        {"cause", "text",
+         "background, stress, self_thinning, wind, snow, beetle, rock, wound, felled or browsing", simulated},
+        {"stems_pha", "1/ha", "stems that left the forest in the year", simulated},
+        {"volume_m3pha", "m3/ha", "their stem wood over bark", simulated},
+        {"above_ground_tpha", "t/ha", "their dry mass above ground", simulated}};
+    return {"mortality.csv", "a cause in a year that took trees", together(member_columns(), rest)};
+}
+
+std::vector<Column> tree_columns() {
+    return {{"tree_id", "-", "number of the tree, kept for its life", simulated},
+            {"x_m", "m", "easting of the stem", "input trees.file, or simulated"},
+            {"y_m", "m", "northing of the stem", "input trees.file, or simulated"},
+            species_column("species code"),
+            {"dbh_cm", "cm", "diameter at breast height", simulated},
+            {"height_m", "m", "height of the tree", simulated}};
+}
+
+TableLayout trees() {
+    const std::vector<Column> rest{
+        {"crown_base_m", "m", "height of the crown base above the ground", simulated},
+        {"crown_radius_m", "m", "radius of the crown", simulated},
+        {"age_years", "years", "age", simulated},
+        {"light_ratio", "-", "light of the last season, 1: no neighbour shades it", simulated},
+        {"vitality", "-", "0 to 1; production goes with its square root", simulated},
+        {"stems", "-", "stems that the row stands for: young ones below 5 cm are kept in groups of equals",
+         simulated},
+        {"rock_hits", "-", "hits by the simulated rocks of this year", "counted over the simulated rocks"},
+        {"rock_energy_kj", "kJ", "energy it took from the simulated rocks of this year", simulated}};
+    return {"trees_YEAR.csv", "a tree, or a group of equal young ones, at the end of a year",
+            together(member_columns(), tree_columns(), rest)};
+}
+
+TableLayout interventions() {
+    const std::vector<Column> rest{
+        {"intervention", "text", "name of the row of the regime", "input regimes.list"},
+        {"treatment", "text", "kind of treatment", "input regimes.list"},
+        {"areas", "-", "areas that it came to", simulated},
+        {"area_ha", "ha", "their area; of a group cut that of the holes", simulated},
+        {"stems", "-", "stems felled, of salvage taken, in the whole forest", simulated},
+        {"taken_m3", "m3", "stem wood over bark that left the forest", simulated},
+        {"left_m3", "m3", "stem wood that stayed as logs and stumps", simulated},
+        {"plants", "-", "trees planted", simulated},
+        {"tended", "-", "young stems cut by tending", simulated},
+        {"found_nothing", "text", "yes: it was due but found nothing to do", simulated}};
+    return {"interventions.csv", "an intervention that was due", together(member_columns(), rest)};
+}
+
+TableLayout timber() {
+    const std::vector<Column> species{species_column("species code")};
+    const std::vector<Column> rest{
+        {"stems", "-", "stems felled, in the whole forest", simulated},
+        {"taken_m3", "m3", "their stem wood over bark that left the forest", simulated},
+        {"left_m3", "m3", "their stem wood that stayed as logs and stumps", simulated}};
+    return {"timber.csv", "a species and diameter class that was felled in a year",
+            together(member_columns(), species, dbh_class_columns(), rest)};
+}
+
+TableLayout margins() {
+    const std::vector<Column> rest{
+        {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", prices},
+        {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", prices},
+        {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting and tending", prices},
+        {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead", prices}};
+    return {"margins.csv", "a year with work", together(member_columns(), rest)};
+}
+
+TableLayout removed_trees() {
+    const std::vector<Column> reason{
+        {"reason", "text", "rock: broken or uprooted by a rock; wound: died of an old wound", simulated}};
+    return {"removed_trees.csv", "a tree of 7 cm and more that rocks or old wounds took",
+            together(member_columns(), tree_columns(), reason)};
+}
+
+TableLayout protection() {
+    return {"protection.csv", "a target in a year with rocks",
+            together(member_columns(), target_columns(), protection_columns())};
+}
+
+TableLayout targets() {
+    const std::vector<Column> cover{cover_column()};
+    return {"targets.csv", "a target on one slope in a year with rocks",
+            together(member_columns(), target_columns(), cover, arrival_columns())};
+}
+
+TableLayout runs() {
+    const std::vector<Column> cover{cover_column()};
+    return {"runs.csv", "a slope in a year with rocks", together(member_columns(), cover, slope_columns())};
+}
+
+Column regime_column() {
+    return member_columns().front();
+}
+
+/// The figure that rows of the comparison of regimes speak of.
+std::vector<Column> figure_columns() {
+    return {
+        {"target_id", "text", "target of the figure; empty for figures of the forest", "input targets.file"},
+        {"quantity", "text", "the figure, its unit at the end, such as protection_percent", "definition"}};
+}
+
+std::vector<Column> band_columns() {
+    constexpr const char* over_replicates = "over the replicates";
+    return {{"replicates", "-", "replicates that know the figure", over_replicates},
+            {"mean", "as the quantity says", "mean of the replicates", over_replicates},
+            {"low_5", "as the quantity says",
+             "5th percentile of the replicates, straight between order statistics", over_replicates},
+            {"high_95", "as the quantity says",
+             "95th percentile of the replicates, straight between order statistics", over_replicates}};
+}
+
+TableLayout regimes_by_year() {
+    return {"regimes_by_year.csv", "a figure of a regime in a year",
+            together(std::vector<Column>{regime_column()}, figure_columns(),
+                     std::vector<Column>{member_columns().back()}, band_columns())};
+}
+
+TableLayout regimes_worst_year() {
+    const std::vector<Column> which{
+        {"worst", "text", "lowest or highest: which extreme is bad", "definition"},
+        {"year", "-", "the year in which the mean of the replicates is worst; the first of several",
+         simulated}};
+    return {"regimes_worst_year.csv", "a figure of a regime in its worst year",
+            together(std::vector<Column>{regime_column()}, figure_columns(), which, band_columns())};
+}
+
+TableLayout regime_differences() {
+    constexpr const char* paired = "pairs of replicates, Student's t";
+    const std::vector<Column> reference{
+        {"reference", "text", "the regime it is compared with: the first of the list", "input regimes.list"}};
+    const std::vector<Column> rest{
+        {"pairs", "-", "replicates that know the figure in both regimes", paired},
+        {"mean_difference", "as the quantity says", "mean over the pairs of regime minus reference", paired},
+        {"low_95", "as the quantity says", "lower end of its 95 % interval; empty for one pair", paired},
+        {"high_95", "as the quantity says", "upper end of its 95 % interval; empty for one pair", paired}};
+    return {"regime_differences.csv", "a figure of a regime in a year, minus that of the first regime",
+            together(std::vector<Column>{regime_column()}, reference, figure_columns(),
+                     std::vector<Column>{member_columns().back()}, rest)};
+}
+
+}  // namespace
+
+const std::vector<TableLayout>& decade_layouts() {
+    static const std::vector<TableLayout> layouts{
+        stands(),        dbh_classes(), forest_years(),    mortality(),          trees(),
+        interventions(), timber(),      margins(),         removed_trees(),      protection(),
+        targets(),       runs(),        regimes_by_year(), regimes_worst_year(), regime_differences()};
+    return layouts;
+}
+
+}  // namespace coupling::decades

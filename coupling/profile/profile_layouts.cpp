@@ -1,0 +1,122 @@
+#include "coupling/profile/profile_layouts.hpp"
+
+namespace coupling::profile {
+namespace {
+
+constexpr const char* simulated = "simulated";
+constexpr const char* counted = "counted over the simulated rocks";
+constexpr const char* from_bins = "simulated; fine bins, at most 0.4 % from the value";
+constexpr const char* from_wide_bins = "simulated; bins, at most 3.2 % from the value";
+constexpr const char* exact_interval = "Clopper and Pearson 1934";
+
+TableLayout rocks() {
+    return {"rocks.csv",
+            "a rock",
+            {{"rock", "-", "number of the rock", simulated},
+             {"diameter_m", "m", "diameter of the rock", "drawn as release.diameter_kind says"},
+             {"stop_reason", "text",
+              "at_rest, caught (by the roughness of the ground), left_terrain or gave_up", simulated},
+             {"start_distance_m", "m", "plan distance of the release along the profile", simulated},
+             {"start_height_m", "m", "height of the release above sea", simulated},
+             {"end_distance_m", "m", "plan distance of the end along the profile", simulated},
+             {"end_height_m", "m", "height of the end above sea", simulated},
+             {"run_out_m", "m", "plan distance from release to end", simulated},
+             {"path_m", "m", "length of the path in space", simulated},
+             {"time_s", "s", "time from release to end", simulated},
+             {"max_speed_mps", "m/s", "highest speed", simulated},
+             {"mean_speed_mps", "m/s", "path divided by time", simulated},
+             {"max_energy_kj", "kJ", "highest kinetic energy, translation and rotation", simulated},
+             {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
+             {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
+             {"jumps", "-", "jumps", simulated},
+             {"ground_impacts", "-", "impacts on the ground", simulated}}};
+}
+
+TableLayout jumps_by_segment() {
+    return {"jumps_by_segment.csv",
+            "a segment of the slope",
+            {{"from_m", "m", "slope length from the upper end of the profile to the begin of the segment",
+              "profile.segment_m"},
+             {"to_m", "m", "slope length to its end", "profile.segment_m"},
+             {"from_distance_m", "m", "plan distance of its begin", "input terrain.profile"},
+             {"to_distance_m", "m", "plan distance of its end", "input terrain.profile"},
+             {"jumps", "-", "jumps that end in it", counted},
+             {"min_length_m", "m", "shortest jump, straight from impact to impact", simulated},
+             {"mean_length_m", "m", "mean length of the jumps", simulated},
+             {"max_length_m", "m", "longest jump", simulated},
+             {"mean_impact_speed_mps", "m/s", "mean speed before the impact that ends a jump", simulated}}};
+}
+
+TableLayout run_out() {
+    return {"run_out.csv",
+            "a distance along the profile",
+            {{"distance_m", "m", "plan distance along the profile", "input terrain.profile"},
+             {"rocks_beyond", "-", "rocks whose fall ended beyond it", counted},
+             {"beyond_percent", "%", "their share of all rocks", counted},
+             {"beyond_low_percent", "%", "lower end of its 95 % interval", exact_interval},
+             {"beyond_high_percent", "%", "upper end of its 95 % interval", exact_interval}}};
+}
+
+TableLayout stations() {
+    return {"stations.csv",
+            "a station",
+            {{"station", "text", "name of the station", "input profile.stations"},
+             {"distance_m", "m", "plan distance along the profile", "input profile.stations"},
+             {"rocks", "-", "rocks that pass it at least once", counted},
+             {"reached_percent", "%", "their share of all rocks", counted},
+             {"reached_low_percent", "%", "lower end of its 95 % interval", exact_interval},
+             {"reached_high_percent", "%", "upper end of its 95 % interval", exact_interval},
+             {"energy_mean_kj", "kJ", "mean kinetic energy (translation and rotation) at the first passage",
+              simulated},
+             {"energy_sd_kj", "kJ", "its standard deviation", simulated},
+             {"energy_50_kj", "kJ", "its median", from_bins},
+             {"energy_90_kj", "kJ", "its 90th percentile", from_bins},
+             {"energy_95_kj", "kJ", "its 95th percentile", from_bins},
+             {"energy_99_kj", "kJ", "its 99th percentile", from_bins},
+             {"energy_max_kj", "kJ", "its largest value", simulated},
+             {"translational_mean_kj", "kJ", "mean of its translational part", simulated},
+             {"speed_mean_mps", "m/s", "mean speed at the first passage", simulated},
+             {"speed_95_mps", "m/s", "its 95th percentile", from_bins},
+             {"speed_max_mps", "m/s", "its largest value", simulated},
+             {"height_mean_m", "m",
+              "mean height of the underside above the ground, vertical, at the first passage", simulated},
+             {"height_95_m", "m", "its 95th percentile", from_bins},
+             {"height_max_m", "m", "its largest value", simulated}}};
+}
+
+TableLayout envelope() {
+    return {
+        "envelope.csv",
+        "a stretch of the profile",
+        {{"from_distance_m", "m", "plan distance of its begin", "input terrain.profile"},
+         {"to_distance_m", "m", "plan distance of its end", "input terrain.profile"},
+         {"rocks", "-", "rocks that passed it", counted},
+         {"energy_mean_kj", "kJ", "mean of each rock's largest kinetic energy in it", simulated},
+         {"energy_95_kj", "kJ", "its 95th percentile", from_wide_bins},
+         {"energy_max_kj", "kJ", "its largest value", simulated},
+         {"height_mean_m", "m", "mean of each rock's largest height in it, normal to the slope", simulated},
+         {"height_95_m", "m", "its 95th percentile", from_wide_bins},
+         {"height_max_m", "m", "its largest value", simulated}}};
+}
+
+TableLayout paths() {
+    return {
+        "paths.csv",
+        "a corner of a sampled path",
+        {{"rock", "-", "number of the rock", simulated},
+         {"point", "-", "number of the corner along the path, from 0", simulated},
+         {"distance_m", "m", "plan distance along the profile", simulated},
+         {"height_m", "m", "height of the rock's underside above sea", simulated},
+         {"energy_kj", "kJ", "kinetic energy, translation and rotation", simulated},
+         {"height_above_ground_m", "m", "height of the underside above the ground, vertical", simulated}}};
+}
+
+}  // namespace
+
+const std::vector<TableLayout>& profile_layouts() {
+    static const std::vector<TableLayout> layouts{rocks(),    jumps_by_segment(), run_out(),
+                                                  stations(), envelope(),         paths()};
+    return layouts;
+}
+
+}  // namespace coupling::profile

@@ -1,0 +1,227 @@
+#include "coupling/results/static_layouts.hpp"
+
+#include "coupling/results/figure_columns.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr const char* simulated = "simulated";
+constexpr const char* counted = "counted over the simulated rocks";
+
+Column rock_column() {
+    return {"rock", "-", "number of the rock; the same rock falls with forest and over the bare slope",
+            simulated};
+}
+
+/// Absolute easting, northing and height.
+std::vector<Column> place_columns(const std::string& infix, const std::string& of_what) {
+    return {{"x" + infix + "_m", "m", "easting of " + of_what, simulated},
+            {"y" + infix + "_m", "m", "northing of " + of_what, simulated},
+            {"z" + infix + "_m", "m", "height above sea of " + of_what, simulated}};
+}
+
+TableLayout targets() {
+    const std::vector<Column> kind{
+        {"kind", "text", "line: a rock arrives when it crosses it; area: when it enters it",
+         "input targets.file"},
+        cover_column()};
+    return {"targets.csv", "a target on one slope", together(target_columns(), kind, arrival_columns())};
+}
+
+TableLayout protection() {
+    const std::vector<Column> more{
+        {"rocks_for_half_interval", "-",
+         "rocks that would halve the interval of the protection effect; empty where it is one-sided",
+         "widths shrink with the square root of the number of rocks"}};
+    return {"protection.csv", "a target", together(target_columns(), protection_columns(), more)};
+}
+
+TableLayout target_distributions() {
+    return {"target_distributions.csv",
+            "a filled bin of a quantity at a target on one slope",
+            {target_columns().front(),
+             cover_column(),
+             {"quantity", "text", "energy, speed or height at the first arrival", simulated},
+             {"unit", "text", "unit of the bin: kJ, m/s or m", "definition"},
+             {"bin_low", "as the row says", "lower end of the bin", "128 bins to a doubling"},
+             {"bin_high", "as the row says", "upper end of the bin", "128 bins to a doubling"},
+             {"rocks", "-", "rocks that arrived in this bin", counted}}};
+}
+
+TableLayout runs() {
+    return {"runs.csv", "a slope", together(std::vector<Column>{cover_column()}, slope_columns())};
+}
+
+TableLayout run_out() {
+    return {"run_out.csv",
+            "a bin of run-out on one slope",
+            {cover_column(),
+             {"run_out_low_m", "m", "lower end of the bin of the plan distance from release to end",
+              "bins of 10 m"},
+             {"run_out_high_m", "m", "upper end of the bin; empty: everything further", "bins of 10 m"},
+             {"rocks", "-", "rocks that ended in this bin", counted}}};
+}
+
+TableLayout tree_hits_per_rock() {
+    return {"tree_hits_per_rock.csv",
+            "a number of tree hits",
+            {{"tree_hits", "-", "trees hit by one rock", simulated},
+             {"or_more", "text", "yes: the row takes all higher numbers too", "definition"},
+             {"rocks", "-", "rocks with so many hits, on the slope with forest", counted}}};
+}
+
+TableLayout stems() {
+    return {
+        "stems.csv",
+        "a tree",
+        {{"tree_id", "text", "name of the tree", "input trees.file"},
+         {"x_m", "m", "easting of the stem", "input trees.file"},
+         {"y_m", "m", "northing of the stem", "input trees.file"},
+         {"species", "text", "species as the list of trees names it", "input trees.file"},
+         {"dbh_cm", "cm", "diameter at breast height", "input trees.file"},
+         {"height_m", "m", "height of the tree", "input trees.file, or estimated where the list has none"},
+         {"hits", "-", "hits by rocks", counted},
+         {"broken", "-", "hits with more energy than the tree can take", counted},
+         {"energy_kj", "kJ", "energy it took from all rocks", simulated}}};
+}
+
+TableLayout logs() {
+    constexpr const char* from_list = "input trees.logs";
+    return {"logs.csv",
+            "a lying log",
+            {{"log_id", "text", "name of the log", from_list},
+             {"x1_m", "m", "easting of the first end", from_list},
+             {"y1_m", "m", "northing of the first end", from_list},
+             {"x2_m", "m", "easting of the second end", from_list},
+             {"y2_m", "m", "northing of the second end", from_list},
+             {"species", "text", "species as the list of logs names it", from_list},
+             {"diameter1_cm", "cm", "diameter at the first end", from_list},
+             {"diameter2_cm", "cm", "diameter at the second end", from_list},
+             {"clearance_m", "m", "from the ground to the underside, normal to the ground", from_list},
+             {"strength", "-", "share of the strength of fresh wood, falls with decay, 0 to 1", from_list},
+             {"hits", "-", "hits by rocks", counted},
+             {"broken", "-", "hits that break it", counted},
+             {"resting", "-", "rocks that rest upslope of it", counted},
+             {"energy_kj", "kJ", "energy it took from all rocks", simulated}}};
+}
+
+TableLayout rocks() {
+    const std::vector<Column> first{
+        rock_column(),
+        cover_column(),
+        {"zone", "-", "release zone", "input release"},
+        {"source", "-", "number of the release source, from 0", "input release"},
+        {"diameter_m", "m", "diameter of the rock", "drawn as release.diameter_kind says"},
+        {"stop_reason", "text",
+         "at_rest, caught (by the roughness of the ground), tree, log, left_terrain or gave_up", simulated}};
+    const std::vector<Column> rest{
+        {"run_out_m", "m", "plan distance from release to end", simulated},
+        {"path_m", "m", "length of the path in space", simulated},
+        {"time_s", "s", "time from release to end", simulated},
+        {"max_speed_mps", "m/s", "highest speed", simulated},
+        {"mean_speed_mps", "m/s", "path divided by time", simulated},
+        {"max_energy_kj", "kJ", "highest kinetic energy, translation and rotation", simulated},
+        {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
+        {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
+        {"jumps", "-", "jumps", simulated},
+        {"ground_impacts", "-", "impacts on the ground", simulated},
+        {"tree_hits", "-", "hits on trees", simulated},
+        {"trees_broken", "-", "hits with more energy than the tree can take", simulated},
+        {"tree_energy_kj", "kJ", "energy taken by trees", simulated},
+        {"log_hits", "-", "hits on lying logs", simulated},
+        {"logs_broken", "-", "hits that break a log", simulated},
+        {"log_energy_kj", "kJ", "energy taken by logs", simulated}};
+    return {"rocks.csv", "a rock on one slope",
+            together(first, place_columns("_start", "the release"), place_columns("_end", "the end"), rest)};
+}
+
+TableLayout arrivals() {
+    return {"arrivals.csv",
+            "a rock that reached a target on one slope",
+            {rock_column(),
+             target_columns().front(),
+             cover_column(),
+             {"x_m", "m", "easting of the first arrival", simulated},
+             {"y_m", "m", "northing of the first arrival", simulated},
+             {"energy_kj", "kJ", "kinetic energy there, translation and rotation", simulated},
+             {"translational_kj", "kJ", "the translational part of it", simulated},
+             {"speed_mps", "m/s", "speed there", simulated},
+             {"height_m", "m", "height of the underside above the ground there, vertical", simulated}}};
+}
+
+TableLayout tree_hits() {
+    const std::vector<Column> first{rock_column(),
+                                    {"tree_id", "text", "tree that was hit", "input trees.file"}};
+    const std::vector<Column> rest{
+        {"height_m", "m", "height of the rock's centre above the ground at the stem", simulated},
+        {"energy_kj", "kJ", "kinetic energy of the rock before the hit", simulated},
+        {"energy_taken_kj", "kJ", "energy that the tree took", simulated},
+        {"hit_type", "text", "frontal, lateral or scratch", simulated},
+        {"broken", "text", "yes: the hit had more energy than the tree can take", simulated},
+        {"stopped", "text", "yes: the rock stopped at the tree", simulated}};
+    return {"tree_hits.csv", "a hit of a rock on a tree",
+            together(first, place_columns("", "the rock's underside"), rest)};
+}
+
+TableLayout log_hits() {
+    const std::vector<Column> first{rock_column(),
+                                    {"log_id", "text", "log that was hit", "input trees.logs"}};
+    const std::vector<Column> rest{
+        {"energy_kj", "kJ", "kinetic energy of the rock before the hit", simulated},
+        {"energy_taken_kj", "kJ", "energy that the log took", simulated},
+        {"outcome", "text", "climbed, broke, turned or stopped", simulated}};
+    return {"log_hits.csv", "a hit of a rock on a lying log",
+            together(first, place_columns("", "the rock's underside"), rest)};
+}
+
+TableLayout trajectories() {
+    const std::vector<Column> first{rock_column(),
+                                    cover_column(),
+                                    {"point", "-", "number of the corner along the path, from 0", simulated}};
+    const std::vector<Column> rest{
+        {"energy_kj", "kJ", "kinetic energy, translation and rotation", simulated},
+        {"height_m", "m", "height of the underside above the ground, vertical", simulated}};
+    return {"trajectories.csv", "a corner of a sampled path",
+            together(first, place_columns("", "the rock's underside"), rest)};
+}
+
+TableLayout trajectories_wkt() {
+    return {"trajectories_wkt.csv",
+            "a sampled path",
+            {rock_column(),
+             cover_column(),
+             {"energy_max_kj", "kJ", "largest kinetic energy at the corners of the path", simulated},
+             {"wkt", "text", "the path as LINESTRING Z in metres", simulated}}};
+}
+
+}  // namespace
+
+std::vector<Column> target_columns() {
+    return {{"target_id", "text", "short name of the target", "input targets.file"},
+            {"name", "text", "name of the target", "input targets.file"}};
+}
+
+Column cover_column() {
+    return {"cover", "text", "forest: with trees and lying logs; bare: the same slope without them",
+            "definition"};
+}
+
+const std::vector<TableLayout>& static_layouts() {
+    static const std::vector<TableLayout> layouts{targets(),
+                                                  protection(),
+                                                  target_distributions(),
+                                                  runs(),
+                                                  run_out(),
+                                                  tree_hits_per_rock(),
+                                                  stems(),
+                                                  logs(),
+                                                  rocks(),
+                                                  arrivals(),
+                                                  tree_hits(),
+                                                  log_hits(),
+                                                  trajectories(),
+                                                  trajectories_wkt()};
+    return layouts;
+}
+
+}  // namespace coupling

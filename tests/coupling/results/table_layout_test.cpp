@@ -1,0 +1,75 @@
+#include "coupling/results/table_layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "coupling/decades/decade_layouts.hpp"
+#include "coupling/profile/profile_layouts.hpp"
+#include "coupling/results/data_dictionary.hpp"
+#include "coupling/results/static_layouts.hpp"
+
+namespace coupling {
+namespace {
+
+TEST(TableLayout, IsFoundByItsFile) {
+    const std::vector<TableLayout> layouts{{"trees_YEAR.csv", "a tree", {{"tree_id", "-", "", ""}}},
+                                           {"runs.csv", "a slope", {{"cover", "text", "", ""}}}};
+    EXPECT_EQ(find_layout(layouts, "trees_30.csv"), &layouts[0]);
+    EXPECT_EQ(find_layout(layouts, "runs.csv"), &layouts[1]);
+    for (const char* other : {"trees_.csv", "trees_x.csv", "trees_30", "trees_3.csv.csv", "run.csv", ""}) {
+        EXPECT_EQ(find_layout(layouts, other), nullptr) << other;
+    }
+}
+
+TEST(TableLayout, IsTheHeaderOfItsFile) {
+    const std::vector<TableLayout> layouts{
+        {"a.csv", "a row", {{"x_m", "m", "", ""}, {"name", "text", "", ""}}}};
+    std::ostringstream out;
+    write_header(out, layouts, "a.csv");
+    EXPECT_EQ(out.str(), "x_m,name\n");
+    EXPECT_THROW(write_header(out, layouts, "b.csv"), std::logic_error);
+}
+
+/// What the end of a name says of its unit.
+std::string unit_of(const std::string& name) {
+    static const std::map<std::string, std::string> units{
+        {"m", "m"},       {"cm", "cm"},     {"mm", "mm"},    {"s", "s"},         {"mps", "m/s"},
+        {"kj", "kJ"},     {"percent", "%"}, {"pha", "1/ha"}, {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"},
+        {"tpha", "t/ha"}, {"m3", "m3"},     {"ha", "ha"},    {"degc", "degC"},   {"years", "years"}};
+    if (name.ends_with("_eur_pha")) {
+        return "EUR/ha";
+    }
+    const auto found = units.find(name.substr(name.rfind('_') + 1));
+    return found == units.end() || name.rfind('_') == std::string::npos ? "" : found->second;
+}
+
+TEST(TableLayout, HasTheUnitThatTheNameOfAColumnSays) {
+    for (const auto* layouts : {&static_layouts(), &decades::decade_layouts(), &profile::profile_layouts(),
+                                &dictionary_layouts()}) {
+        for (const TableLayout& layout : *layouts) {
+            std::set<std::string> names;
+            for (const Column& column : layout.columns) {
+                EXPECT_TRUE(names.insert(column.name).second) << column.name << " twice in " << layout.file;
+                EXPECT_FALSE(column.meaning.empty()) << layout.file << ' ' << column.name;
+                EXPECT_FALSE(column.source.empty()) << layout.file << ' ' << column.name;
+                const std::set<std::string> without{"-", "text", "as the row says", "as the quantity says"};
+                EXPECT_EQ(without.contains(column.unit) ? "" : column.unit, unit_of(column.name))
+                    << layout.file << ' ' << column.name;
+            }
+        }
+    }
+}
+
+TEST(FolderPattern, ReplacesRegimeAndYear) {
+    EXPECT_EQ(folder_pattern("rasters/forest/E_95.asc"), "rasters/forest");
+    EXPECT_EQ(folder_pattern("rasters/rockfall/pfm1/year_30/E_max.asc"), "rasters/rockfall/REGIME/year_N");
+    EXPECT_EQ(folder_pattern("rasters/rockfall/bare/year_0/E_max.asc"), "rasters/rockfall/bare/year_N");
+    EXPECT_EQ(folder_pattern("rasters/forest/none/year_7/stems.asc"), "rasters/forest/REGIME/year_N");
+}
+
+}  // namespace
+}  // namespace coupling

@@ -1,0 +1,153 @@
+#include "coupling/results/data_dictionary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/table/table.hpp"
+#include "coupling/decades/decade_layouts.hpp"
+#include "coupling/profile/profile_layouts.hpp"
+#include "coupling/results/static_layouts.hpp"
+#include "tests/runs/program.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* what_to_do =
+    "Columns are declared once: coupling/results/static_layouts.cpp, coupling/decades/decade_layouts.cpp or "
+    "coupling/profile/profile_layouts.cpp. Add the table or column there and let the writer call "
+    "write_header; "
+    "rasters: raster_kinds() or patch_raster_columns().";
+
+using Columns = std::map<std::string, std::vector<std::string>>;
+using Rasters = std::set<std::pair<std::string, std::string>>;
+
+config::Table table(const SampleProject& project, const std::string& name) {
+    std::istringstream in{project.read(name)};
+    return config::Table::read(in, name);
+}
+
+/// First lines of all tables of a run.
+Columns columns_in_files(const SampleProject& project, const std::string& out) {
+    Columns columns;
+    for (const auto& entry : fs::directory_iterator{project.file(out) / "tables"}) {
+        const std::string name = entry.path().filename().string();
+        std::istringstream line{project.read(out + "/tables/" + name)};
+        std::string first;
+        std::getline(line, first);
+        std::istringstream words{first};
+        for (std::string word; std::getline(words, word, ',');) {
+            columns[name].push_back(word);
+        }
+    }
+    return columns;
+}
+
+Columns columns_in_dictionary(const SampleProject& project, const std::string& out) {
+    const config::Table dictionary = table(project, out + "/tables/data_dictionary.csv");
+    Columns columns;
+    for (std::size_t row = 0; row < dictionary.rows(); ++row) {
+        columns[dictionary.text(row, "table")].push_back(dictionary.text(row, "column"));
+        for (const std::string word : {"unit", "meaning", "source"}) {
+            EXPECT_FALSE(dictionary.text(row, word).empty()) << dictionary.text(row, "column");
+        }
+    }
+    return columns;
+}
+
+Rasters rasters_in_files(const SampleProject& project, const std::string& out) {
+    Rasters rasters;
+    for (const auto& entry : fs::recursive_directory_iterator{project.file(out) / "rasters"}) {
+        if (entry.path().extension() == ".asc") {
+            const std::string path = fs::relative(entry.path(), project.file(out)).generic_string();
+            rasters.emplace(folder_pattern(path), entry.path().stem().string());
+        }
+    }
+    return rasters;
+}
+
+Rasters rasters_in_dictionary(const SampleProject& project, const std::string& out) {
+    const config::Table dictionary = table(project, out + "/tables/raster_dictionary.csv");
+    Rasters rasters;
+    for (std::size_t row = 0; row < dictionary.rows(); ++row) {
+        rasters.emplace(dictionary.text(row, "folder"), dictionary.text(row, "raster"));
+        EXPECT_FALSE(dictionary.text(row, "unit").empty()) << dictionary.text(row, "raster");
+    }
+    EXPECT_EQ(rasters.size(), dictionary.rows()) << "a raster is described twice";
+    return rasters;
+}
+
+/// Every declared table is among those that were written, so that none is declared in vain.
+void expect_all_written(const std::vector<TableLayout>& layouts, const Columns& written) {
+    for (const TableLayout& layout : layouts) {
+        bool found = false;
+        for (const auto& [name, columns] : written) {
+            found = found || find_layout({layout}, name) != nullptr;
+        }
+        EXPECT_TRUE(found) << layout.file << " is declared, but no run of this test writes it. "
+                           << what_to_do;
+    }
+}
+
+TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init tyrol --quiet").code, 0);
+    project.write("tyrol/logs.csv",
+                  "log_id,x1_m,y1_m,x2_m,y2_m,species,dbh_cm\nbeam,177700,377500,177712,377510,PIAB,40\n");
+    const Outcome outcome = call(project,
+                                 "run tyrol/scenario.ini --quiet --out out --set trees.logs=logs.csv "
+                                 "--set release.rocks_per_source=1 --set output.tree_hit_table=yes");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Columns files = columns_in_files(project, "out");
+    EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
+    EXPECT_EQ(rasters_in_dictionary(project, "out"), rasters_in_files(project, "out")) << what_to_do;
+    expect_all_written(static_layouts(), files);
+    expect_all_written(dictionary_layouts(), files);
+}
+
+TEST(DataDictionary, NamesTheColumnsOfTheCoupledExample) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init years --example regimes-small --quiet").code, 0);
+    const Outcome outcome =
+        call(project,
+             "run years/scenario.ini --quiet --out out --set run.years=2 --set run.replicates=1 "
+             "--set release.rocks=300 --set \"regimes.list=none, single_tree_selection\" "
+             "--set \"output.map_years=0, 2\" --set feedback.on=yes --set feedback.rocks_per_year=300");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Columns files = columns_in_files(project, "out");
+    EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
+    EXPECT_EQ(rasters_in_dictionary(project, "out"), rasters_in_files(project, "out")) << what_to_do;
+    expect_all_written(decades::decade_layouts(), files);
+}
+
+TEST(DataDictionary, NamesTheColumnsOfTheProfileExample) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init profile --example profile --quiet").code, 0);
+    const Outcome outcome =
+        call(project, "run profile/scenario.ini --quiet --out out --set release.rocks=100");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Columns files = columns_in_files(project, "out");
+    EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
+    expect_all_written(profile::profile_layouts(), files);
+}
+
+TEST(DataDictionary, IsPrintedByTheProgram) {
+    const SampleProject project;
+    EXPECT_NE(call(project, "info tables").out.find("regimes_by_year.csv"), std::string::npos);
+    const Outcome trees = call(project, "info tables trees_30.csv");
+    EXPECT_NE(trees.out.find("crown_radius_m"), std::string::npos) << trees.out << trees.err;
+    const Outcome wrong = call(project, "info tables targest");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_EQ(wrong.err, "bannwald: found table 'targest', expected 'targets'\n");
+}
+
+}  // namespace
+}  // namespace coupling
