@@ -74,7 +74,8 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                                       .files = files,
                                       .version = results.version,
                                       .climate = climate_in_words(results),
-                                      .first = first_sections(results, series)});
+                                      .first = first_sections(results, series),
+                                      .site = &results.site});
     page.close();
     return files;
 }

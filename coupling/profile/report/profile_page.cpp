@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/text/numbers.hpp"
+#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/profile/profile_settings.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -157,10 +158,10 @@ figure.map .grid{stroke:#d5d9d4}figure.map .axis{stroke:#1d2528}
 }
 
 void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
+    const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-           "'unsafe-inline'\"/>\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+        << page_scripts::policy(scripts)
+        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(results.version)
         << "\"/>\n<title>Rockfall along a profile: " << escaped(results.scenario.file.stem().string())
@@ -179,7 +180,8 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         << report::table_of_inputs(results.site.inputs)
         << "</section>\n<h2>Files of this run</h2>\n<section class=\"card\">"
         << report::table_of_files("", files) << "</section>\n"
-        << report::citation(results.version, results.scenario) << "</main>\n</body>\n</html>\n";
+        << report::citation(results.version, results.scenario) << "</main>\n"
+        << page_scripts::elements(scripts) << "</body>\n</html>\n";
 }
 
 }  // namespace coupling::profile

@@ -1,8 +1,11 @@
 #include "coupling/results/report/chart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "coupling/page_scripts/json_text.hpp"
+#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
 
@@ -20,6 +23,32 @@ constexpr std::size_t short_name = 16;
 
 std::string dot_at(const std::string& series, double x, double y) {
     return joined("<circle class=\"dot ", series, "\" cx=\"", place(x), "\" cy=\"", place(y), "\" r=\"4\"/>");
+}
+
+std::vector<double> numbers_of(std::span<const ChartPoint> points) {
+    std::vector<double> numbers;
+    for (const ChartPoint& point : points) {
+        numbers.insert(numbers.end(), {point.x, point.y});
+    }
+    return numbers;
+}
+
+std::vector<double> numbers_of(std::span<const ChartRange> ranges) {
+    std::vector<double> numbers;
+    for (const ChartRange& range : ranges) {
+        numbers.insert(numbers.end(), {range.x, range.low, range.high});
+    }
+    return numbers;
+}
+
+std::string json_of(const Axis& axis) {
+    return page_scripts::JsonObject{}
+        .text("title", axis.title)
+        .number("low", axis.low)
+        .number("high", axis.high)
+        .flag("logarithmic", axis.logarithmic)
+        .add("ticks", page_scripts::json_numbers(axis.ticks()))
+        .json();
 }
 
 }  // namespace
@@ -81,6 +110,11 @@ void Chart::add_steps(const std::string& series, std::span<const double> edges,
     }
     area.line(x_of(edges[heights.size()]), y, x_of(edges[heights.size()]), bottom);
     drawing_ += joined("<path class=\"area ", series, "\" d=\"", area.text(), "\"/>");
+    std::vector<double> bins;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        bins.insert(bins.end(), {edges[i], edges[i + 1], heights[i]});
+    }
+    keep("steps", series, bins);
 }
 
 void Chart::add_line(const std::string& series, std::span<const ChartPoint> points) {
@@ -89,6 +123,7 @@ void Chart::add_line(const std::string& series, std::span<const ChartPoint> poin
         line.line(x_of(points[i].x), y_of(points[i].y), x_of(points[i + 1].x), y_of(points[i + 1].y));
     }
     drawing_ += joined("<path class=\"line ", series, "\" d=\"", line.text(), "\"/>");
+    keep("line", series, numbers_of(points));
 }
 
 void Chart::add_band(const std::string& series, std::span<const ChartRange> ranges) {
@@ -105,6 +140,7 @@ void Chart::add_band(const std::string& series, std::span<const ChartRange> rang
         rim.line(x_of(ranges[i].x), y_of(ranges[i].low), x_of(ranges[i - 1].x), y_of(ranges[i - 1].low));
     }
     drawing_ += joined("<path class=\"band ", series, "\" d=\"", rim.text(), "\"/>");
+    keep("band", series, numbers_of(ranges));
 }
 
 void Chart::add_whiskers(const std::string& series, std::span<const ChartRange> ranges) {
@@ -116,12 +152,14 @@ void Chart::add_whiskers(const std::string& series, std::span<const ChartRange> 
                    place(y_of(range.low)), "h6", cap, place(y_of(range.high)), "h6");
     }
     drawing_ += joined("<path class=\"whiskers ", series, "\" d=\"", strokes, "\"/>");
+    keep("whiskers", series, numbers_of(ranges));
 }
 
 void Chart::add_dots(const std::string& series, std::span<const ChartPoint> points) {
     for (const ChartPoint& point : points) {
         drawing_ += dot_at(series, x_of(point.x), y_of(point.y));
     }
+    keep("dots", series, numbers_of(points));
 }
 
 void Chart::add_bar(const std::string& series, const ChartRange& range, double x_right) {
@@ -129,16 +167,18 @@ void Chart::add_bar(const std::string& series, const ChartRange& range, double x
     drawing_ +=
         joined("<path class=\"band ", series, "\" d=\"M", place(x), " ", place(y_of(range.low)), "V",
                place(y_of(range.high)), "H", place(x_of(x_right)), "V", place(y_of(range.low)), "z\"/>");
+    keep("bar", series, {range.x, x_right, range.low, range.high});
 }
 
 void Chart::add_word(const ChartPoint& at, const std::string& word) {
     const double half = 4.0 * static_cast<double>(word.size());
     marks_ += joined("<text class=\"word\" x=\"", place(std::clamp(x_of(at.x), left + half, right - half)),
                      "\" y=\"", place(y_of(at.y) + 4.5), "\">", escaped(word), "</text>");
+    note("word", at.x, at.y, word);
 }
 
 void Chart::add_end_letter(double y, const std::string& letter) {
-    end_letters_.push_back({y_of(y), letter});
+    end_letters_.push_back({y_of(y), y, letter});
 }
 
 std::string Chart::end_letters() const {
@@ -168,11 +208,13 @@ void Chart::add_mark(double x, const std::string& label) {
     marks_ += joined("<path class=\"mark\" d=\"M", at, " ", place(top), "V", place(bottom),
                      "\"/><text class=\"small\" x=\"", place(x_of(x) + 3.0), "\" y=\"", place(top + 10.0),
                      "\">", escaped(label), "</text>");
+    note("mark", x, y_.low, label);
 }
 
 void Chart::add_label(double x, double y, const std::string& text) {
     marks_ += joined("<text class=\"small\" x=\"", place(x_of(x) + 4.0), "\" y=\"", place(y_of(y) + 4.0),
                      "\">", escaped(text), "</text>");
+    note("label", x, y, text);
 }
 
 void Chart::add_name(const std::string& series, const std::string& name) {
@@ -245,6 +287,50 @@ std::string Chart::list_of_names() const {
     return joined("<ul class=\"names\">", items, "</ul>");
 }
 
+void Chart::keep(const char* kind, const std::string& series, const std::vector<double>& numbers) {
+    parts_.push_back(page_scripts::JsonObject{}
+                         .text("kind", kind)
+                         .text("of", series)
+                         .add("numbers", page_scripts::json_numbers(numbers))
+                         .json());
+}
+
+void Chart::note(const char* kind, double x, double y, const std::string& text) {
+    notes_.push_back(page_scripts::JsonObject{}
+                         .text("kind", kind)
+                         .number("x", x)
+                         .number("y", y)
+                         .text("text", text)
+                         .json());
+}
+
+std::string Chart::numbers() const {
+    constexpr std::array samples{"line", "band", "dot"};
+    std::vector<std::string> names;
+    for (const Name& name : names_) {
+        names.push_back(page_scripts::JsonObject{}
+                            .text("of", name.series)
+                            .text("name", name.name)
+                            .text("sample", samples[static_cast<std::size_t>(name.sample)])
+                            .json());
+    }
+    std::vector<std::string> letters;
+    for (const EndLetter& letter : end_letters_) {
+        letters.push_back(
+            page_scripts::JsonObject{}.number("y", letter.value).text("text", letter.letter).json());
+    }
+    using page_scripts::json_array;
+    return page_scripts::JsonObject{}
+        .text("title", title_)
+        .add("x", json_of(x_))
+        .add("y", json_of(y_))
+        .add("parts", json_array(parts_))
+        .add("notes", json_array(notes_))
+        .add("letters", json_array(letters))
+        .add("names", json_array(names))
+        .json();
+}
+
 std::string Chart::figure(const std::string& caption) const {
     const bool fit = names_fit();
     // Without names in it the drawing begins lower.
@@ -252,6 +338,7 @@ std::string Chart::figure(const std::string& caption) const {
                   (fit ? "" : list_of_names()), "<svg viewBox=\"", (fit ? "0 0 430 310" : "0 18 430 292"),
                   "\" role=\"img\" aria-label=\"", escaped(title_), "\">", axes(), drawing_, marks_,
                   end_letters(), (fit ? names() : ""), "</svg>",
+                  page_scripts::data("chart-numbers", numbers()),
                   (caption.empty() ? "" : joined("<p>", caption, "</p>")), "</figure>\n");
 }
 

@@ -42,7 +42,9 @@ struct ChartRange {
 /// Series are named by a class that the page's style knows: "forest" (solid, filled), "bare" (dashed). Bands
 /// and dots need a style of their own: "band" and "dot" beside the class of the series. Bars are bands.
 ///
-/// Two short names stand in the drawing; more, or longer ones, in a list above it.
+/// Two short names stand in the drawing; more, or longer ones, in a list above it. The numbers go into the
+/// figure too: where scripts run the chart becomes interactive (coupling/page_scripts), in print and without
+/// scripts it is the drawing.
 class Chart {
 public:
     Chart(std::string title, Axis x, Axis y);
@@ -81,14 +83,21 @@ private:
     [[nodiscard]] std::string end_letters() const;
     [[nodiscard]] bool names_fit() const;
     [[nodiscard]] std::string names() const;
+    /// All that is drawn as numbers, for the script that makes the chart interactive.
+    [[nodiscard]] std::string numbers() const;
+    void keep(const char* kind, const std::string& series, const std::vector<double>& numbers);
+    void note(const char* kind, double x, double y, const std::string& text);
 
     std::string title_;
     Axis x_;
     Axis y_;
     std::string drawing_;
     std::string marks_;
+    std::vector<std::string> parts_;  ///< JSON of each series
+    std::vector<std::string> notes_;  ///< JSON of words, labels and marks
     struct EndLetter {
         double y = 0.0;  ///< of the drawing
+        double value = 0.0;
         std::string letter;
     };
     std::vector<EndLetter> end_letters_;

@@ -75,6 +75,21 @@ std::string energy_histogram(const RunResults& results, std::size_t target) {
                      true);
 }
 
+std::string speed_histogram(const RunResults& results, std::size_t target) {
+    const rockfall::TargetTally& tally = results.tally.targets[target];
+    const double most_mps = std::max(tally.by_cover[0].speed_max_mps, tally.by_cover[1].speed_max_mps);
+    Axis x = Axis::from_zero("Speed at the target, m/s", most_mps);
+    std::vector<double> edges(31);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        edges[i] = x.high * static_cast<double>(i) / 30.0;
+    }
+    const auto counts = [&](Cover cover) {
+        return rebinned(rockfall::fine_speed_bins, tally.by_cover[index_of(cover)].speed, 1.0, edges);
+    };
+    return histogram(results, "Speed of the rocks that arrive", std::move(x), edges, counts,
+                     "Translation, where a rock first meets the target.", drawing_order(results), false);
+}
+
 std::string height_histogram(const RunResults& results, std::size_t target) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
     const double most_m = std::max(tally.by_cover[0].height_max_m, tally.by_cover[1].height_max_m);
@@ -180,10 +195,10 @@ std::string charts(const RunResults& results, const Figures& figures) {
         html += joined("<h3>", escaped(named.name.empty() ? named.id : named.name), "</h3>\n");
         const bool none_arrives =
             named.at(Cover::bare).share.part == 0 && named.at(Cover::forest).share.part == 0;
-        html += none_arrives
-                    ? "<p>No rock arrives here.</p>\n"
-                    : joined("<div class=\"thirds\">", energy_histogram(results, target),
-                             height_histogram(results, target), exceedance(results, target), "</div>\n");
+        html += none_arrives ? "<p>No rock arrives here.</p>\n"
+                             : joined("<div class=\"thirds\">", energy_histogram(results, target),
+                                      speed_histogram(results, target), height_histogram(results, target),
+                                      exceedance(results, target), "</div>\n");
     }
     html += joined("<h3>All rocks</h3>\n<div class=\"halves\">", run_out_histogram(results));
     return joined(html,

@@ -62,9 +62,9 @@ config::Raster<float> in_blocks(const config::Raster<float>& raster, int block) 
     return blocks;
 }
 
-MapSheet::MapSheet(const RunResults& results)
-    : results_{results},
-      frame_{results.site.map_frame},
+MapSheet::MapSheet(const Site& site)
+    : site_{site},
+      frame_{site.map_frame},
       block_{block_for(frame_)},
       units_per_m_{sheet_width / (frame_.x_east_m() - frame_.x_west_m)},
       height_{(frame_.y_north_m() - frame_.y_south_m) * units_per_m_} {}
@@ -79,7 +79,7 @@ std::string MapSheet::image(const std::string& attributes, const std::string& pn
 }
 
 std::string MapSheet::definitions() const {
-    const std::string shade = png(hillshade(illumination(thinned(results_.site.heights, block_))));
+    const std::string shade = png(hillshade(illumination(thinned(site_.heights, block_))));
     return joined("<svg class=\"definitions\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>",
                   image("id=\"shade\"", shade), "<clipPath id=\"sheet\"><rect",
                   attribute("width", sheet_width), attribute("height", height_),
@@ -101,7 +101,7 @@ std::string MapSheet::paths(std::span<const rockfall::PathRecord* const> chosen)
     // large enough.
     constexpr double least_step = 2.0;
     std::array<PathText, energy_class_colours.size()> by_class;
-    const Eigen::Vector2d origin_m = results_.site.origin_m();
+    const Eigen::Vector2d origin_m = site_.origin_m();
     const auto on_sheet = [&](const rockfall::PathPoint& point) {
         return DrawnPoint{std::round(x_of(point.position_m.x() + origin_m.x())),
                           std::round(y_of(point.position_m.y() + origin_m.y()))};
@@ -131,8 +131,8 @@ std::string MapSheet::paths(std::span<const rockfall::PathRecord* const> chosen)
 std::string MapSheet::source_outlines() const {
     // A grid that marks whose cell centres lie in a source cell; smaller sources mark the cell they lie in.
     config::Raster<std::uint8_t> inside{frame_, 0};
-    const Eigen::Vector2d origin_m = results_.site.origin_m();
-    for (const rockfall::ReleaseSource& source : results_.site.sources) {
+    const Eigen::Vector2d origin_m = site_.origin_m();
+    for (const rockfall::ReleaseSource& source : site_.sources) {
         if (source.kind != rockfall::ReleaseSource::Kind::cell) {
             continue;
         }
@@ -156,8 +156,8 @@ std::string MapSheet::source_outlines() const {
 
 std::string MapSheet::source_lines() const {
     std::string svg;
-    const Eigen::Vector2d origin_m = results_.site.origin_m();
-    for (const rockfall::ReleaseSource& source : results_.site.sources) {
+    const Eigen::Vector2d origin_m = site_.origin_m();
+    for (const rockfall::ReleaseSource& source : site_.sources) {
         if (source.kind != rockfall::ReleaseSource::Kind::line) {
             continue;
         }
@@ -177,8 +177,8 @@ std::string MapSheet::source_lines() const {
 
 std::string MapSheet::target_lines(bool halo) const {
     std::string svg;
-    const Eigen::Vector2d origin_m = results_.site.origin_m();
-    for (const rockfall::Target& target : results_.site.targets) {
+    const Eigen::Vector2d origin_m = site_.origin_m();
+    for (const rockfall::Target& target : site_.targets) {
         PathText text;
         for (const auto& part : target.parts) {
             for (std::size_t i = 0; i + 1 < part.size(); ++i) {
@@ -195,8 +195,8 @@ std::string MapSheet::target_lines(bool halo) const {
 
 std::string MapSheet::target_names(double lettering) const {
     std::vector<NamedShape> shapes;
-    const Eigen::Vector2d origin_m = results_.site.origin_m();
-    for (const rockfall::Target& target : results_.site.targets) {
+    const Eigen::Vector2d origin_m = site_.origin_m();
+    for (const rockfall::Target& target : site_.targets) {
         NamedShape shape{target.name.empty() ? target.id : target.name, {}};
         for (const auto& part : target.parts) {
             shape.parts.emplace_back();
@@ -246,9 +246,13 @@ std::string MapSheet::figure(const MapContent& content, MapSize size) const {
     const std::string box = joined(place(-margin), " ", place(large ? -12.0 : -4.0), " ",
                                    place(sheet_width + margin + (large ? 12.0 : 4.0)), " ",
                                    place(height_ + margin + (large ? 12.0 : 4.0)));
-    return joined("<figure class=\"map\"><figcaption><b>", escaped(content.title), "</b></figcaption>",
-                  content.legend, "<svg class=\"sheet\" viewBox=\"", box, "\" role=\"img\" aria-label=\"",
-                  escaped(content.title),
+    const std::string choice = content.group.empty()
+                                   ? ""
+                                   : joined(" data-group=\"", escaped(content.group), "\" data-layer=\"",
+                                            escaped(content.title), "\"");
+    return joined("<figure class=\"map\"", choice, "><figcaption><b>", escaped(content.title),
+                  "</b></figcaption>", content.legend, "<svg class=\"sheet\" viewBox=\"", box,
+                  "\" role=\"img\" aria-label=\"", escaped(content.title),
                   "\"><g clip-path=\"url(#sheet)\"><use class=\"shade\" href=\"#shade\"/>", content.drawing,
                   "<use class=\"sources\" href=\"#sources\"/><use class=\"targets\" href=\"#targets\"/></g>",
                   "<rect class=\"neat\"", attribute("width", sheet_width), attribute("height", height_), "/>",

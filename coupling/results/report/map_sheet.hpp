@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "config/grid/raster.hpp"
-#include "coupling/results/figures.hpp"
+#include "coupling/inputs/site.hpp"
 #include "coupling/results/report/scale.hpp"
-#include "coupling/results/run_results.hpp"
+#include "rockfall/ensemble.hpp"
 
 namespace coupling::report {
 
@@ -22,6 +22,7 @@ struct MapContent {
     std::string drawing;  ///< SVG in the sheet's units
     std::string legend;   ///< SVG
     std::string caption;  ///< HTML
+    std::string group{};  ///< what the map shows, for choosing it by script; empty: it cannot be chosen
 };
 
 /// The sheet that all maps of a run share: frame, hillshade, sources, targets, scale bar, north.
@@ -30,8 +31,8 @@ struct MapContent {
 /// drawn in blocks of cells: a block shows the value of its cells that lies farthest from 0.
 class MapSheet {
 public:
-    /// Refers to the results as long as it lives.
-    explicit MapSheet(const RunResults& results);
+    /// Refers to the site as long as it lives.
+    explicit MapSheet(const Site& site);
 
     /// Hillshade and lines that every map refers to. Once on a page, before the first map.
     [[nodiscard]] std::string definitions() const;
@@ -54,7 +55,7 @@ private:
     [[nodiscard]] std::string coordinates(double lettering) const;
     [[nodiscard]] std::string image(const std::string& attributes, const std::string& png_bytes) const;
 
-    const RunResults& results_;
+    const Site& site_;
     config::GridFrame frame_;
     int block_;
     double units_per_m_;

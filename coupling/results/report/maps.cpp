@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "coupling/results/rasters.hpp"
+#include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -11,29 +12,6 @@ namespace {
 
 constexpr std::size_t most_drawn_paths = 500;
 
-config::Raster<float> without_zeros(config::Raster<float> raster) {
-    std::replace(raster.values.begin(), raster.values.end(), 0.0F, std::numeric_limits<float>::quiet_NaN());
-    return raster;
-}
-
-/// A value that all but the largest hundredth (of what is not 0) stay below, so that single cells do not rule
-/// the colours.
-double bulk_of(const config::Raster<float>& raster) {
-    std::vector<float> sizes;
-    for (const float value : raster.values) {
-        if (!std::isnan(value) && value != 0.0F) {
-            sizes.push_back(std::abs(value));
-        }
-    }
-    if (sizes.empty()) {
-        return 0.0;
-    }
-    const auto place =
-        sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
-    std::nth_element(sizes.begin(), place, sizes.end());
-    return static_cast<double>(*place);
-}
-
 const char* title_of(Cover cover) {
     return cover == Cover::forest ? "with forest" : "bare slope";
 }
@@ -42,7 +20,7 @@ const char* title_of(Cover cover) {
 class MapPage {
 public:
     explicit MapPage(const RunResults& results)
-        : results_{results}, sheet_{results}, covers_{covers_of(results)} {
+        : results_{results}, sheet_{results.site}, covers_{covers_of(results)} {
         html_ = sheet_.definitions();
     }
 
@@ -56,11 +34,10 @@ public:
 
 private:
     [[nodiscard]] std::string next_legend() { return joined("ramp", std::to_string(++legends_)); }
-    [[nodiscard]] ColourScale scale_for(const RasterKind& kind, ValueRange range) const;
     [[nodiscard]] ValueRange common_range(const RasterKind& kind) const;
     std::string value_map(const RasterKind& kind, Cover cover, const ColourScale& scale,
-                          const std::string& title);
-    std::string difference_map(const RasterKind& kind, const char* unit);
+                          const std::string& title, const std::string& group);
+    std::string difference_map(const RasterKind& kind, const char* unit, const std::string& group);
 
     const RunResults& results_;
     MapSheet sheet_;
@@ -116,25 +93,6 @@ void MapPage::paths() {
     html_ += "</div>\n";
 }
 
-ColourScale MapPage::scale_for(const RasterKind& kind, ValueRange range) const {
-    const auto high = static_cast<double>(range.high);
-    switch (kind.style) {
-        case RasterStyle::energy_classes:
-            return ColourScale::energy_classes();
-        case RasterStyle::logarithmic:
-            return ColourScale::logarithmic(kind.palette, 1.0, high, std::string{kind.unit});
-        case RasterStyle::linear:
-            break;
-    }
-    if (kind.stem != "Reach_probability") {
-        return ColourScale::linear(kind.palette, high, std::string{kind.unit});
-    }
-    // The fewest rocks that can show: one of those from a single source.
-    const double low = std::clamp(
-        std::pow(10.0, std::floor(std::log10(std::max(1e-3, static_cast<double>(range.low))))), 0.01, 10.0);
-    return ColourScale::logarithmic(kind.palette, low, high, std::string{kind.unit});
-}
-
 ValueRange MapPage::common_range(const RasterKind& kind) const {
     ValueRange common{std::numeric_limits<float>::infinity(), 0.0F};
     for (const Cover cover : covers_) {
@@ -145,14 +103,14 @@ ValueRange MapPage::common_range(const RasterKind& kind) const {
 }
 
 std::string MapPage::value_map(const RasterKind& kind, Cover cover, const ColourScale& scale,
-                               const std::string& title) {
+                               const std::string& title, const std::string& group) {
     const config::Raster<float> shown = without_zeros(raster_of(kind, results_, cover));
     return sheet_.figure({title, joined(std::string{kind.meaning}, ", ", title_of(cover)),
-                          sheet_.picture(shown, scale), scale.legend(next_legend()), ""},
+                          sheet_.picture(shown, scale), scale.legend(next_legend()), "", group},
                          MapSize::third);
 }
 
-std::string MapPage::difference_map(const RasterKind& kind, const char* unit) {
+std::string MapPage::difference_map(const RasterKind& kind, const char* unit, const std::string& group) {
     const config::Raster<float> difference = difference_of(kind, results_);
     const auto share_where = [&](auto condition) {
         const auto cells = std::count_if(difference.values.begin(), difference.values.end(),
@@ -166,7 +124,7 @@ std::string MapPage::difference_map(const RasterKind& kind, const char* unit) {
     const ColourScale scale = ColourScale::difference(bulk_of(difference), unit);
     return sheet_.figure(
         {"Forest effect (forest − bare)", joined(std::string{kind.meaning}, ", with forest minus bare slope"),
-         sheet_.picture(difference, scale), scale.legend(next_legend()), caption},
+         sheet_.picture(difference, scale), scale.legend(next_legend()), caption, group},
         MapSize::third);
 }
 
@@ -180,10 +138,10 @@ void MapPage::row(const char* stem, const char* name, const char* difference_uni
     html_ += joined("<h3>", name, "</h3>\n<p class=\"soft\">", meaning,
                     results_.with_forest ? about_effect : "", "</p>\n<div class=\"thirds\">");
     for (const Cover cover : covers_) {
-        html_ += value_map(kind, cover, scale, title_of(cover));
+        html_ += value_map(kind, cover, scale, title_of(cover), name);
     }
     if (results_.with_forest) {
-        html_ += difference_map(kind, difference_unit);
+        html_ += difference_map(kind, difference_unit, name);
     }
     html_ += "</div>\n";
 }
@@ -196,13 +154,13 @@ void MapPage::rests_and_hits() {
         "</h3>\n<p class=\"soft\">Rocks that stop, and hits on trees, in each cell; colours by powers of "
         "ten.</p>\n<div class=\"thirds\">");
     for (const Cover cover : covers_) {
-        html_ += value_map(rests, cover, scale, joined("Come to rest, ", title_of(cover)));
+        html_ += value_map(rests, cover, scale, joined("Come to rest, ", title_of(cover)), "Rocks at rest");
     }
     if (results_.with_forest) {
         const RasterKind& hits = raster_kind("Nr_tree_impacts");
-        html_ +=
-            value_map(hits, Cover::forest,
-                      scale_for(hits, range_of(raster_of(hits, results_, Cover::forest))), "Hits on trees");
+        html_ += value_map(hits, Cover::forest,
+                           scale_for(hits, range_of(raster_of(hits, results_, Cover::forest))),
+                           "Hits on trees", "Hits on trees");
     }
     html_ += "</div>\n";
 }
@@ -243,7 +201,9 @@ std::string maps(const RunResults& results) {
     page.row("Nr_passages", "Rocks that pass", "rocks",
              "Each rock counts once in a cell; colours by powers of ten.", "");
     page.rests_and_hits();
-    return joined("<h2>Maps</h2>\n<p class=\"soft\">", page.about(), "</p>\n<fieldset class=\"switches\">",
+    return joined("<h2>Maps</h2>\n<p class=\"soft\">", page.about(),
+                  "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n<fieldset "
+                  "class=\"switches\">",
                   switch_for("hillshade"), switch_for("sources"), switch_for("targets"), "</fieldset>\n",
                   page.html());
 }

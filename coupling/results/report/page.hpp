@@ -9,8 +9,8 @@
 
 namespace coupling::report {
 
-/// The results as one self-contained HTML page: no script, no outside address, same bytes from the same
-/// results.
+/// The results as one self-contained HTML page: no outside address, same bytes from the same results. Without
+/// scripts all but the view in three dimensions stays.
 void write_page(std::ostream& out, const RunResults& results, const Figures& figures,
                 const std::vector<WrittenFile>& files);
 

@@ -15,6 +15,8 @@ namespace coupling::report {
 std::string opening(const RunResults& results, const Figures& figures);
 /// Share of rocks that reach each target, what the forest keeps away, energies and heights there.
 std::string answers(const RunResults& results, const Figures& figures);
+/// Ground, trees, sampled paths and targets in three dimensions.
+std::string slope_view(const RunResults& results);
 std::string maps(const RunResults& results);
 std::string charts(const RunResults& results, const Figures& figures);
 /// All rocks on both slopes, and the trees by diameter.

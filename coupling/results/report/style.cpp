@@ -88,6 +88,32 @@ fieldset.switches{border:0;margin:0 0 1em;padding:0}
 .switches label{margin-right:1.4em;white-space:nowrap}
 main:has(#show-sources:not(:checked)) use.sources,main:has(#show-targets:not(:checked)) .targets,
 main:has(#show-hillshade:not(:checked)) use.shade{display:none}
+.live .drawn{height:310px;width:100%;outline-offset:2px}
+.live .drawn svg text{fill:unset}
+.live ul.names button{all:unset;display:flex;align-items:center;gap:.45em;cursor:pointer;border-radius:3px}
+.live ul.names span{display:flex;align-items:center;gap:.45em}
+.live ul.names button:focus-visible{outline:2px solid var(--blue,#2458ad);outline-offset:2px}
+.live ul.names button[aria-pressed=false]{opacity:.4;text-decoration:line-through}
+.tip{display:grid;gap:.1em;font-size:.85rem}
+.tip div{display:grid;grid-template-columns:30px 1fr auto;gap:.5em;align-items:center}
+.tip svg{width:30px;height:14px}
+.tip small{color:var(--soft)}
+.scene .stage{position:relative;margin:.5em 0}
+.scene canvas{display:block;width:100%;border-radius:4px;touch-action:none;cursor:grab}
+.scene canvas:focus-visible{outline:3px solid var(--bare);outline-offset:1px}
+.scene .compass{position:absolute;right:12px;top:10px;width:34px;text-align:center;color:#1d2528;pointer-events:none;background:#ffffffb8;border-radius:4px;font-size:.8rem;line-height:1.1}
+.scene .compass svg{width:30px;height:30px;margin:auto}
+.scene .scale{position:absolute;left:14px;bottom:12px;border:solid #1d2528;border-width:0 2px 2px;background:#ffffffb8;color:#1d2528;font-size:.78rem;text-align:center;line-height:1.25;pointer-events:none;min-width:2.5em}
+.scene .switches{display:flex;flex-wrap:wrap;gap:.4em 1.2em;align-items:center;font-size:.9rem}
+.scene .years{display:flex;align-items:center;gap:.4em}.scene .years output{display:inline-block;min-width:5em;font-weight:600}
+.scene .years input{width:220px}
+.scene .map-legend{background:#fff;color:#1d2528;border-radius:4px;font-size:.85rem}
+.scene .map-legend:empty{display:none}
+.scene .map-legend svg{max-width:440px}.scene .map-legend text{fill:#1d2528;font-size:13px}
+details{margin:0 0 .8em}summary{cursor:pointer;font-weight:600;padding:.2em 0}
+.map-choice svg.sheet{max-width:820px}.map-choice .switches{display:flex;flex-wrap:wrap;gap:.4em 1.2em;margin-bottom:.6em}
+@media screen{.is-live>svg,.is-live>ul.names,.is-live>.paper{display:none}}
+@media print{.chart .live,.only-live,.scene .switches,.scene:not(.is-live){display:none!important}}
 @media (max-width:700px){main{padding:14px 10px 40px}.two{grid-template-columns:1fr}}
 @media print{
 @page{size:A4;margin:12mm}

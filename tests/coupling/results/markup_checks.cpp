@@ -61,7 +61,20 @@ std::size_t end_of_tag(const std::string& text, std::size_t at) {
 
 }  // namespace
 
-std::string markup_fault(const std::string& text) {
+std::string without_scripts(const std::string& text) {
+    std::string rest;
+    std::size_t at = 0;
+    for (std::size_t begin = text.find("<script"); begin != std::string::npos;
+         begin = text.find("<script", at)) {
+        const std::size_t first = std::min(text.size(), text.find('>', begin) + 1);
+        rest += text.substr(at, first - at);
+        at = std::min(text.size(), text.find("</script>", first));
+    }
+    return rest + text.substr(at);
+}
+
+std::string markup_fault(const std::string& page) {
+    const std::string text = without_scripts(page);
     static const std::set<std::string> never_closed{"!DOCTYPE", "?xml"};
     std::vector<std::string> open;
     std::size_t at = 0;

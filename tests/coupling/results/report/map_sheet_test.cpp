@@ -22,14 +22,14 @@ TEST(InBlocks, ShowsTheValueFarthestFromZero) {
 
 TEST(MapSheet, DrawsSmallGridsCellByCellAndLargeOnesInBlocks) {
     testing::SmallRun run;
-    EXPECT_EQ(MapSheet{run.results()}.block(), 1);
+    EXPECT_EQ(MapSheet{run.site}.block(), 1);
     run.site.map_frame.columns = 1401;
-    EXPECT_EQ(MapSheet{run.results()}.block(), 3);
+    EXPECT_EQ(MapSheet{run.site}.block(), 3);
 }
 
 TEST(MapSheet, DefinesHillshadeSourcesAndTargetsOnce) {
     const testing::SmallRun run;
-    const std::string definitions = MapSheet{run.results()}.definitions();
+    const std::string definitions = MapSheet{run.site}.definitions();
     for (const char* name :
          {"id=\"shade\"", "id=\"sources\"", "id=\"targets\"", "data:image/png;base64,iVBORw0KGgo"}) {
         EXPECT_NE(definitions.find(name), std::string::npos) << name;
@@ -42,7 +42,7 @@ TEST(MapSheet, DefinesHillshadeSourcesAndTargetsOnce) {
 TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
     const testing::SmallRun run;
     const std::string figure =
-        MapSheet{run.results()}.figure({"Title", "Label", "<g></g>", "", "Caption"}, MapSize::half);
+        MapSheet{run.site}.figure({"Title", "Label", "<g></g>", "", "Caption"}, MapSize::half);
     for (const char* text :
          {">Title<", ">N<", ">20 m<", "177\u202f020", "Road &amp; &lt;bridge&gt;", ">House<", "Caption"}) {
         EXPECT_NE(figure.find(text), std::string::npos) << text;
@@ -53,8 +53,7 @@ TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
 TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
     testing::SmallRun run;
     run.fall(1);
-    const RunResults results = run.results();
-    const MapSheet sheet{results};
+    const MapSheet sheet{run.site};
     const std::string paths =
         sheet.paths(std::array{static_cast<const rockfall::PathRecord*>(&run.paths[0])});
     // 1 to 50 kJ on the first stretch, up to 400 kJ on the second.

@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "coupling/decades/report/page_parts.hpp"
+#include "coupling/results/report/map_colours.hpp"
+#include "coupling/results/report/map_sheet.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using report::ColourScale;
+
+/// Years of a map that the page shows: pictures of more would make it heavy.
+constexpr std::size_t most_years = 4;
+/// Stands for the bare slope among the regimes.
+constexpr std::uint32_t bare = all;
+
+using Cells = std::vector<rockfall::CellSums>;
+using CellsOfYears = std::map<std::pair<std::uint32_t, std::int32_t>, Cells>;
+
+/// Rocks of all replicates; of the bare slope those of the first regime, for all have the same.
+CellsOfYears summed(const RunView& run, std::span<const MemberYears> members) {
+    CellsOfYears sums;
+    for (const MemberYears& member : members) {
+        for (const CellMap& map : member.maps) {
+            const bool of_bare = map.cover == Cover::bare;
+            if (of_bare && member.member.regime != run.regimes.front().place) {
+                continue;
+            }
+            Cells& sum = sums[{of_bare ? bare : member.member.regime, map.year}];
+            sum.resize(map.cells.size());
+            for (std::size_t i = 0; i < sum.size(); ++i) {
+                sum[i].add(map.cells[i]);
+            }
+        }
+    }
+    return sums;
+}
+
+/// The first and the last year and some between.
+std::vector<std::int32_t> shown_years(const CellsOfYears& sums) {
+    std::set<std::int32_t> known;
+    for (const auto& [key, cells] : sums) {
+        known.insert(key.second);
+    }
+    const std::vector<std::int32_t> years{known.begin(), known.end()};
+    if (years.size() <= most_years) {
+        return years;
+    }
+    std::vector<std::int32_t> shown;
+    for (std::size_t i = 0; i < most_years; ++i) {
+        shown.push_back(years[i * (years.size() - 1) / (most_years - 1)]);
+    }
+    return shown;
+}
+
+struct Quantity {
+    const char* stem;
+    const char* name;
+    const char* meaning;
+    const char* effect_unit;  ///< empty: no map of what the forest changes
+};
+constexpr std::array quantities{
+    Quantity{"Reach_probability", "Reach probability",
+             "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
+             "powers of ten.",
+             ""},
+    Quantity{"E_mean", "Energy, mean",
+             "Of the largest kinetic energy (translation and rotation) of each rock in a cell. For the "
+             "forest effect, "
+             "no rock counts as no energy.",
+             "kJ"},
+    Quantity{"E_max", "Energy, largest", "Of any rock in a cell.", ""},
+    Quantity{"Nr_passages", "Rocks that pass", "Each rock counts once in a cell; colours by powers of ten.",
+             "rocks"},
+    Quantity{"Nr_tree_impacts", "Hits on trees", "Of the rocks of all replicates; colours by powers of ten.",
+             ""},
+};
+
+class FallPictures {
+public:
+    FallPictures(const Site& site, const RunView& run, std::span<const MemberYears> members)
+        : site_{site}, run_{run}, sheet_{site}, sums_{summed(run, members)}, years_{shown_years(sums_)} {}
+
+    [[nodiscard]] std::string html();
+
+private:
+    [[nodiscard]] config::Raster<float> values(const RasterKind& kind, std::uint32_t slope,
+                                               std::int32_t year) const;
+    [[nodiscard]] config::Raster<float> effect(const RasterKind& kind, std::uint32_t regime,
+                                               std::int32_t year) const;
+    std::string block(const Quantity& quantity);
+    std::string figure(const Quantity& quantity, const std::string& title,
+                       const config::Raster<float>& values, const ColourScale& scale);
+    [[nodiscard]] std::string title(std::uint32_t slope, std::int32_t year) const;
+
+    const Site& site_;
+    const RunView& run_;
+    report::MapSheet sheet_;
+    CellsOfYears sums_;
+    std::vector<std::int32_t> years_;
+    int legends_ = 0;
+};
+
+config::Raster<float> FallPictures::values(const RasterKind& kind, std::uint32_t slope,
+                                           std::int32_t year) const {
+    config::Raster<float> raster{site_.map_frame, std::numeric_limits<float>::quiet_NaN()};
+    if (const auto found = sums_.find({slope, year}); found != sums_.end()) {
+        for (std::size_t cell = 0; cell < found->second.size(); ++cell) {
+            if (found->second[cell].passages > 0) {
+                raster.values[cell] = kind.value(found->second[cell], nullptr, cell);
+            }
+        }
+    }
+    return report::without_zeros(std::move(raster));
+}
+
+config::Raster<float> FallPictures::effect(const RasterKind& kind, std::uint32_t regime,
+                                           std::int32_t year) const {
+    config::Raster<float> difference = values(kind, regime, year);
+    const config::Raster<float> without = values(kind, bare, year);
+    for (std::size_t cell = 0; cell < difference.values.size(); ++cell) {
+        float& value = difference.values[cell];
+        const float other = without.values[cell];
+        if (!std::isnan(value) || !std::isnan(other)) {
+            value = (std::isnan(value) ? 0.0F : value) - (std::isnan(other) ? 0.0F : other);
+        }
+    }
+    return difference;
+}
+
+std::string FallPictures::title(std::uint32_t slope, std::int32_t year) const {
+    const auto regime = std::find_if(run_.regimes.begin(), run_.regimes.end(),
+                                     [&](const RegimeView& view) { return view.place == slope; });
+    const std::string name = regime == run_.regimes.end() ? "bare slope"
+                             : run_.regimes.size() > 1    ? regime->title()
+                                                          : "with forest";
+    return joined(year == 0 ? "start" : joined("year ", std::to_string(year)), ", ", name);
+}
+
+std::string FallPictures::figure(const Quantity& quantity, const std::string& title,
+                                 const config::Raster<float>& values, const ColourScale& scale) {
+    return sheet_.figure({title, joined(quantity.name, ", ", title), sheet_.picture(values, scale),
+                          scale.legend(joined("fall-ramp", std::to_string(++legends_))), "", quantity.name},
+                         report::MapSize::third);
+}
+
+std::string FallPictures::block(const Quantity& quantity) {
+    const RasterKind& kind = raster_kind(quantity.stem);
+    ValueRange range{std::numeric_limits<float>::infinity(), 0.0F};
+    double reach = 0.0;
+    std::vector<std::uint32_t> slopes;
+    for (const RegimeView& regime : run_.regimes) {
+        slopes.push_back(static_cast<std::uint32_t>(regime.place));
+    }
+    if (std::string_view{quantity.stem} != "Nr_tree_impacts") {
+        slopes.push_back(bare);
+    }
+    for (const std::int32_t year : years_) {
+        for (const std::uint32_t slope : slopes) {
+            const ValueRange here = range_of(values(kind, slope, year));
+            range = {here.high > 0.0F ? std::min(range.low, here.low) : range.low,
+                     std::max(range.high, here.high)};
+            if (*quantity.effect_unit != '\0' && slope != bare) {
+                reach = std::max(reach, report::bulk_of(effect(kind, slope, year)));
+            }
+        }
+    }
+    if (!(range.high > 0.0F)) {
+        return "";
+    }
+    const ColourScale scale = report::scale_for(kind, range);
+    const ColourScale effects = ColourScale::difference(reach, quantity.effect_unit);
+    std::string figures;
+    for (const std::int32_t year : years_) {
+        for (const std::uint32_t slope : slopes) {
+            figures += figure(quantity, title(slope, year), values(kind, slope, year), scale);
+        }
+        for (const std::uint32_t slope : slopes) {
+            if (*quantity.effect_unit != '\0' && slope != bare) {
+                figures += figure(quantity, joined("forest effect, ", title(slope, year)),
+                                  effect(kind, slope, year), effects);
+            }
+        }
+    }
+    return joined("<details><summary>", quantity.name, "</summary><p class=\"soft\">", quantity.meaning,
+                  "</p>\n<div class=\"thirds\">", figures, "</div></details>\n");
+}
+
+std::string FallPictures::html() {
+    if (years_.empty()) {
+        return "";
+    }
+    std::string blocks;
+    for (const Quantity& quantity : quantities) {
+        blocks += block(quantity);
+    }
+    return joined(
+        "<div>", sheet_.definitions(),
+        "<p class=\"soft\">Rocks of all replicates; a quantity has the same colours in all years and "
+        "regimes. Forest effect: with forest minus bare slope; blue: less with forest, red: more. North is "
+        "up. Grids of all years lie in rasters/rockfall/.</p>\n<figure class=\"map map-choice only-live\" "
+        "hidden=\"hidden\"></figure>\n",
+        blocks, "</div>\n");
+}
+
+}  // namespace
+
+std::string maps_of_falls(const PageContent& content, const RunView& run) {
+    const bool known = content.site != nullptr && !run.regimes.empty() &&
+                       std::any_of(content.members.begin(), content.members.end(),
+                                   [](const MemberYears& member) { return !member.maps.empty(); });
+    return known ? FallPictures{*content.site, run, content.members}.html() : "";
+}
+
+}  // namespace coupling::decades

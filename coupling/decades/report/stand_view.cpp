@@ -1,0 +1,61 @@
+#include <map>
+#include <set>
+
+#include "coupling/decades/report/page_parts.hpp"
+#include "coupling/decades/report/species_colours.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/scene.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using report::Scene;
+using report::SceneStand;
+
+/// The trees of a member by year.
+void add_stands(const RegimeView& regime, const std::string& name, Scene& scene) {
+    std::map<std::int32_t, SceneStand> stands;
+    for (const TreeRow& tree : regime.first->trees) {
+        SceneStand& stand = stands[tree.year];
+        stand.trees.push_back({.x_m = tree.x_m,
+                               .y_m = tree.y_m,
+                               .dbh_cm = static_cast<double>(tree.dbh_cm),
+                               .height_m = static_cast<double>(tree.height_m),
+                               .crown_base_m = static_cast<double>(tree.crown_base_m),
+                               .crown_radius_m = static_cast<double>(tree.crown_radius_m),
+                               .species = static_cast<std::uint8_t>(tree.species)});
+    }
+    for (auto& [year, stand] : stands) {
+        stand.year = year;
+        stand.regime = name;
+        scene.stands.push_back(std::move(stand));
+    }
+}
+
+}  // namespace
+
+std::string view_of_years(const PageContent& content, const RunView& run) {
+    if (content.site == nullptr || run.regimes.empty()) {
+        return "";
+    }
+    Scene scene{
+        .heights = content.site->heights,
+        .targets = content.site->targets,
+        .origin_m = content.site->targets.empty() ? Eigen::Vector2d{0.0, 0.0} : content.site->origin_m()};
+    for (std::size_t s = 0; s < content.names.species.size(); ++s) {
+        const forest::Species& species = content.names.species.all()[s];
+        scene.species.push_back(
+            {joined(species.latin_name, " (", species.code, ")"), colour_of_species(s), species.conifer});
+    }
+    for (const RegimeView& regime : run.regimes) {
+        add_stands(regime, run.regimes.size() > 1 ? regime.title() : "", scene);
+    }
+    if (scene.stands.empty()) {
+        return "";
+    }
+    return report::scene_figure(
+        scene,
+        "This view needs scripts and WebGL. The stand from above and from the side is drawn further below.");
+}
+
+}  // namespace coupling::decades

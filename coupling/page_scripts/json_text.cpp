@@ -1,0 +1,97 @@
+#include "coupling/page_scripts/json_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "coupling/results/joined.hpp"
+#include "coupling/results/report/png.hpp"
+
+namespace coupling::page_scripts {
+namespace {
+
+constexpr int significant_digits = 6;
+
+std::string in_quotes(const std::string& plain) {
+    return joined("\"", plain, "\"");
+}
+
+}  // namespace
+
+std::string json_string(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string json = "\"";
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            json += '\\';
+            json += c;
+        } else if (code < 0x20U || c == '<' || c == '>' || c == '&') {
+            json += "\\u00";
+            json += digits[code >> 4U];
+            json += digits[code & 15U];
+        } else {
+            json += c;
+        }
+    }
+    return json + '"';
+}
+
+std::string json_number(double value) {
+    if (!std::isfinite(value)) {
+        return "null";
+    }
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general,
+                                   significant_digits)
+                         .ptr;
+    return {text.data(), end};
+}
+
+std::string json_numbers(std::span<const double> values) {
+    std::string json = "[";
+    for (const double value : values) {
+        json += json.size() > 1 ? "," : "";
+        json += json_number(value);
+    }
+    return json + "]";
+}
+
+std::string json_array(const std::vector<std::string>& items) {
+    std::string json = "[";
+    for (const std::string& item : items) {
+        json += json.size() > 1 ? "," : "";
+        json += item;
+    }
+    return json + "]";
+}
+
+JsonObject& JsonObject::add(std::string_view name, const std::string& json) {
+    members_ += members_.empty() ? "" : ",";
+    members_ += joined(json_string(name), ":", json);
+    return *this;
+}
+
+std::string JsonObject::json() const {
+    return joined("{", members_, "}");
+}
+
+std::string json_packed(std::span<const std::uint16_t> values) {
+    std::string bytes;
+    bytes.reserve(2 * values.size());
+    for (const std::uint16_t value : values) {
+        bytes += static_cast<char>(value & 0xFFU);
+        bytes += static_cast<char>(value >> 8U);
+    }
+    return in_quotes(report::base64(bytes));
+}
+
+std::string json_packed(std::span<const std::uint8_t> values) {
+    std::string bytes;
+    for (const std::uint8_t value : values) {
+        bytes += static_cast<char>(value);
+    }
+    return in_quotes(report::base64(bytes));
+}
+
+}  // namespace coupling::page_scripts

@@ -1,0 +1,35 @@
+// Numbers as the pages write them (coupling/results/report/markup.cpp).
+
+/** Whole digits in groups of three with narrow blanks, a true minus sign. */
+function grouped(text) {
+    const [whole, fraction] = text.replace("-", "").split(".");
+    const groups = whole.replace(/\B(?=(\d{3})+$)/g, "\u202f");
+    return (text.startsWith("-") ? "\u2212" : "") + groups + (fraction ? "." + fraction : "");
+}
+
+/** Three significant digits without an exponent. */
+export function threeDigits(value) {
+    if (value === null || !Number.isFinite(value)) {
+        return "–";
+    }
+    if (value === 0) {
+        return "0";
+    }
+    const decimals = Math.min(6, Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value)))));
+    const rounded = decimals > 0 ? value : Number(value.toPrecision(3));
+    return grouped(rounded.toFixed(decimals));
+}
+
+/** A number of an axis without needless zeros. */
+export function tickText(value) {
+    return grouped(String(Number(value.toPrecision(6))));
+}
+
+/** Numbers of a JSON list in rows of `width`. */
+export function rows(numbers, width) {
+    const all = [];
+    for (let i = 0; i + width <= numbers.length; i += width) {
+        all.push(numbers.slice(i, i + width));
+    }
+    return all;
+}

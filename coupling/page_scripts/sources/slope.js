@@ -1,0 +1,239 @@
+// The slope in three dimensions: ground with a map on it, trees of a regime and year, paths by energy, targets.
+
+import { AmbientLight, DirectionalLight, Scene, WebGLRenderer } from "three";
+
+import { Eye } from "./camera.js";
+import { button, checkbox, choice, element, layerChoice, sample } from "./controls.js";
+import { Ground } from "./ground.js";
+import { classLooks, pathsOf, restColour, targetColour, targetsOf } from "./lines.js";
+import { fell, grow } from "./trees.js";
+
+const coverNames = { forest: "Paths with forest", bare: "Paths over the bare slope" };
+
+class SlopeView {
+    constructor(figure, numbers, renderer) {
+        this.numbers = numbers;
+        this.renderer = renderer;
+        this.canvas = renderer.domElement;
+        this.ground = new Ground(numbers);
+        this.scene = new Scene();
+        this.lights();
+        this.scene.add(this.ground.mesh());
+        this.paths = {};
+        this.eye = new Eye(this.canvas, this.ground, () => this.ask());
+        this.legend = element("ul", { class: "names" });
+        this.note = element("p", { class: "soft", "aria-live": "polite" });
+        this.mapLegend = element("div", { class: "map-legend" });
+        this.build(figure);
+        this.plant(0);
+        this.eye.reset();
+    }
+
+    lights() {
+        // From the north-west as on the maps, and enough from the sky that nothing is black.
+        const sun = new DirectionalLight(0xffffff, 2.3);
+        sun.position.set(-1, 1.4, -1);
+        this.scene.add(sun, new AmbientLight(0xffffff, 1.25));
+    }
+
+    build(figure) {
+        this.canvas.tabIndex = 0;
+        this.canvas.setAttribute("role", "img");
+        this.canvas.setAttribute("aria-label", "The slope in three dimensions. Arrow keys turn, shift and arrow keys move, plus and minus zoom, Home resets.");
+        this.compass = element("div", { class: "compass", "aria-hidden": "true" });
+        this.compass.innerHTML = '<svg viewBox="-20 -20 40 40"><path d="M0-15L6 12 0 7-6 12z" fill="#1d2528"/></svg><b>N</b>';
+        this.scale = element("div", { class: "scale" });
+        const stage = element("div", { class: "stage" }, this.canvas, this.compass, this.scale);
+        const view = element("div", { class: "live" }, this.switches(), stage, this.legend, this.mapLegend, this.note,
+            element("p", { class: "soft" }, "Drag to turn, with the right button (or two fingers) to move; click, then turn the wheel to zoom. Keys: arrows turn, shift and arrows move, + and − zoom, Home resets. Heights are not exaggerated; stems are drawn twice as thick as they are."));
+        figure.querySelector(".instead").replaceWith(view);
+        figure.classList.add("is-live");
+        new ResizeObserver(() => this.resize(stage.clientWidth)).observe(stage);
+        this.resize(stage.clientWidth);
+    }
+
+    switches() {
+        const bar = element("div", { class: "switches" });
+        const layers = layerChoice((layer) => this.drape(layer));
+        bar.append(...[layers, ...this.standSwitches()].filter((part) => part !== null));
+        for (const cover of Object.keys(coverNames)) {
+            if (this.numbers.paths.some((path) => path.cover === cover)) {
+                const { lines, rests } = pathsOf(this.numbers, this.ground, cover);
+                const shown = cover === "forest" || !this.numbers.paths.some((path) => path.cover === "forest");
+                this.paths[cover] = lines;
+                this.scene.add(lines, rests);
+                lines.visible = rests.visible = shown;
+                bar.append(checkbox(coverNames[cover], shown, (on) => {
+                    lines.visible = rests.visible = on;
+                    this.ask();
+                }));
+            }
+        }
+        if (this.numbers.targets.length > 0) {
+            const targets = targetsOf(this.numbers, this.ground);
+            this.scene.add(targets);
+            bar.append(checkbox("Targets", true, (on) => {
+                targets.visible = on;
+                this.ask();
+            }));
+        }
+        bar.append(button("Reset view", () => this.eye.reset()), button("From above", () => this.eye.fromAbove()));
+        return bar;
+    }
+
+    /** Regime and year of the trees. */
+    standSwitches() {
+        const { stands } = this.numbers;
+        if (stands.length === 0) {
+            return [];
+        }
+        const regimes = [...new Set(stands.map((stand) => stand.regime))];
+        const years = [...new Set(stands.map((stand) => stand.year))].sort((a, b) => a - b);
+        let [regime, year] = [regimes[0], 0];
+        const word = element("output", {}, `year ${years[0]}`);
+        const plant = () => {
+            word.textContent = years[year] === 0 ? "start" : `year ${years[year]}`;
+            this.plant(stands.findIndex((stand) => stand.regime === regime && stand.year === years[year]));
+        };
+        const parts = [checkbox("Trees", true, (on) => {
+            this.treesHidden = !on;
+            this.trees && (this.trees.visible = on);
+            this.ask();
+        })];
+        if (regimes.length > 1) {
+            parts.push(choice("Regime", new Map([["", regimes.map((name) => [name, name])]]), (name) => {
+                regime = name;
+                plant();
+            }));
+        }
+        if (years.length > 1) {
+            const slider = element("input", { type: "range", min: 0, max: years.length - 1, step: 1, value: 0, "aria-label": "year",
+                oninput: () => {
+                    year = Number(slider.value);
+                    plant();
+                } });
+            word.textContent = "start";
+            parts.push(element("label", { class: "years" }, "Trees of ", word, " ", slider));
+        }
+        return parts;
+    }
+
+    plant(index) {
+        if (this.trees) {
+            this.scene.remove(this.trees);
+            fell(this.trees);
+            this.trees = null;
+        }
+        const stand = this.numbers.stands[index];
+        let seen = { species: new Set(), dead: false, broken: false };
+        if (stand) {
+            const grown = grow(this.numbers, this.ground, stand);
+            this.trees = grown.group;
+            this.trees.visible = !this.treesHidden;
+            this.scene.add(this.trees);
+            seen = grown.seen;
+            this.note.textContent = stand.left_out > 0
+                ? `${stand.trees.toLocaleString("en")} trees are drawn; ${stand.left_out.toLocaleString("en")} thinner ones are left out.`
+                : `${stand.trees.toLocaleString("en")} trees (a group of equal young trees is one).`;
+        }
+        this.explain(seen);
+        this.ask();
+    }
+
+    explain(seen) {
+        const entries = [...seen.species].sort((a, b) => a - b).map((s) => {
+            const species = this.numbers.species[s];
+            return sample(species.conifer ? "cone" : "round", species.colour, species.name);
+        });
+        if (seen.dead) {
+            entries.push(sample("stem", 0x8c8c8c, "dead tree"));
+        }
+        if (seen.broken) {
+            entries.push(sample("end", 0xf2e2b8, "broken tree"));
+        }
+        if (this.numbers.paths.length > 0) {
+            this.numbers.classes.forEach((name, k) =>
+                entries.push(sample("line", classLooks[k].colour, `path, ${name}`, 1.4 * classLooks[k].width)));
+            entries.push(sample("dot", restColour, "where a path ends"));
+        }
+        this.numbers.targets.forEach(({ name }) => entries.push(sample("line", targetColour, name, 4)));
+        this.legend.replaceChildren(...entries);
+    }
+
+    drape(layer) {
+        const legend = layer?.figure.querySelector("svg.legend");
+        this.mapLegend.replaceChildren(...(legend ? [element("b", {}, `${layer.group}, ${layer.name}`), legend.cloneNode(true)] : []));
+        this.ground.drape(layer, () => this.ask());
+    }
+
+    resize(width) {
+        const height = Math.round(Math.min(0.62 * width, 640));
+        if (width > 0 && (width !== this.width || height !== this.height)) {
+            [this.width, this.height] = [width, height];
+            this.renderer.setSize(width, height);
+            this.eye.camera.aspect = width / height;
+            this.eye.camera.updateProjectionMatrix();
+            this.ask();
+        }
+    }
+
+    /** Draws once before the next frame, however often it is asked. */
+    ask() {
+        if (!this.asked) {
+            this.asked = true;
+            requestAnimationFrame(() => {
+                this.asked = false;
+                this.draw();
+            });
+        }
+    }
+
+    draw() {
+        this.renderer.render(this.scene, this.eye.camera);
+        this.compass.firstChild.style.transform = `rotate(${this.eye.azimuth}rad)`;
+        const perPixel = this.eye.metresAPixel(this.height);
+        const exponent = Math.floor(Math.log10(120 * perPixel));
+        const length = [5, 2, 1].map((n) => n * 10 ** exponent).find((metres) => metres <= 120 * perPixel);
+        this.scale.style.width = `${length / perPixel}px`;
+        this.scale.textContent = `${length} m`;
+        document.documentElement.dataset.slope = "drawn";
+    }
+}
+
+function rendererOrNull() {
+    try {
+        const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+        renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+        renderer.setClearColor(0xdfe7ea);
+        return renderer;
+    } catch {
+        return null;
+    }
+}
+
+/** Whether this browser has WebGL; asked before three.js does, which would complain on the console. */
+function hasWebGl() {
+    return Boolean(document.createElement("canvas").getContext("webgl2"));
+}
+
+function show(figure) {
+    const renderer = hasWebGl() ? rendererOrNull() : null;
+    if (renderer === null) {
+        figure.querySelector(".instead").prepend("Your browser offers no WebGL. ");
+        document.documentElement.dataset.slope = "no WebGL";
+        return;
+    }
+    const numbers = JSON.parse(figure.querySelector("script.scene-numbers").textContent);
+    new SlopeView(figure, numbers, renderer);
+}
+
+// A view takes a second and much memory: only when a reader comes near.
+const watcher = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+        if (isIntersecting) {
+            watcher.unobserve(target);
+            show(target);
+        }
+    }
+}, { rootMargin: "400px" });
+document.querySelectorAll("figure.scene").forEach((figure) => watcher.observe(figure));

@@ -1,0 +1,217 @@
+#include "coupling/results/report/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/page_scripts/json_text.hpp"
+#include "coupling/page_scripts/page_scripts.hpp"
+#include "coupling/results/colours.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::report {
+namespace {
+
+using page_scripts::json_array;
+using page_scripts::json_packed;
+using page_scripts::JsonObject;
+
+constexpr int most_heights_a_side = 256;
+constexpr std::size_t most_trees = 240'000;
+constexpr double full = 65'535.0;
+/// Room above the highest ground for flying rocks.
+constexpr double headroom_m = 200.0;
+
+/// Values between two ends as whole numbers from 0 to 65 534; 65 535 stands for none.
+class Steps {
+public:
+    Steps(double low, double high) : low_{low}, step_{(std::max(high, low + 1e-6) - low) / (full - 1.0)} {}
+    [[nodiscard]] std::uint16_t of(double value) const {
+        return static_cast<std::uint16_t>(
+            std::isnan(value) ? full : std::clamp(std::round((value - low_) / step_), 0.0, full - 1.0));
+    }
+    [[nodiscard]] std::string json() const {
+        return JsonObject{}.number("low", low_).number("step", step_).json();
+    }
+
+private:
+    double low_;
+    double step_;
+};
+
+/// Coordinates count from the south-western corner of the ground, heights from its lowest place.
+struct Box {
+    config::GridFrame frame;
+    double low_m;
+    Steps x;
+    Steps y;
+    Steps z;
+};
+
+Box box_of(const config::Raster<double>& heights) {
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (const double height : heights.values) {
+        if (!std::isnan(height)) {
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+    }
+    low = std::isfinite(low) ? low : 0.0;
+    high = std::isfinite(high) ? high : 0.0;
+    const config::GridFrame& frame = heights.frame;
+    return {frame, low, Steps{0.0, frame.x_east_m() - frame.x_west_m},
+            Steps{0.0, frame.y_north_m() - frame.y_south_m}, Steps{0.0, high - low + headroom_m}};
+}
+
+/// The height in the middle of each block of cells.
+std::string ground_json(const config::Raster<double>& heights, const Box& box) {
+    const config::GridFrame& frame = heights.frame;
+    const int block = (std::max(frame.columns, frame.rows) + most_heights_a_side - 1) / most_heights_a_side;
+    const int columns = (frame.columns + block - 1) / block;
+    const int rows = (frame.rows + block - 1) / block;
+    std::vector<std::uint16_t> z;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const config::Cell cell{std::min(column * block + block / 2, frame.columns - 1),
+                                    std::min(row * block + block / 2, frame.rows - 1)};
+            z.push_back(box.z.of(heights.at(cell) - box.low_m));
+        }
+    }
+    return JsonObject{}
+        .number("columns", columns)
+        .number("rows", rows)
+        .number("block", block)
+        .number("cell_width_m", frame.cell_width_m)
+        .number("cell_height_m", frame.cell_height_m)
+        .number("width_m", frame.x_east_m() - frame.x_west_m)
+        .number("height_m", frame.y_north_m() - frame.y_south_m)
+        .number("low_m", box.low_m)
+        .add("z", json_packed(z))
+        .json();
+}
+
+std::string stand_json(const SceneStand& stand, const Box& box, std::size_t most) {
+    std::vector<const SceneTree*> shown;
+    for (const SceneTree& tree : stand.trees) {
+        shown.push_back(&tree);
+    }
+    if (shown.size() > most) {
+        std::stable_sort(shown.begin(), shown.end(),
+                         [](const SceneTree* a, const SceneTree* b) { return a->dbh_cm > b->dbh_cm; });
+        shown.resize(most);
+    }
+    std::vector<std::uint16_t> x;
+    std::vector<std::uint16_t> y;
+    std::vector<std::uint16_t> dbh_mm;
+    std::vector<std::uint16_t> height_cm;
+    std::vector<std::uint16_t> base_cm;
+    std::vector<std::uint16_t> radius_cm;
+    std::vector<std::uint8_t> kind;
+    const auto whole = [](double value) {
+        return static_cast<std::uint16_t>(std::clamp(std::round(value), 0.0, full - 1.0));
+    };
+    for (const SceneTree* tree : shown) {
+        x.push_back(box.x.of(tree->x_m - box.frame.x_west_m));
+        y.push_back(box.y.of(tree->y_m - box.frame.y_south_m));
+        dbh_mm.push_back(whole(10.0 * tree->dbh_cm));
+        height_cm.push_back(whole(100.0 * tree->height_m));
+        base_cm.push_back(whole(100.0 * tree->crown_base_m));
+        radius_cm.push_back(whole(100.0 * tree->crown_radius_m));
+        kind.push_back(static_cast<std::uint8_t>(4 * (tree->species % 64) + static_cast<int>(tree->state)));
+    }
+    return JsonObject{}
+        .text("regime", stand.regime)
+        .number("year", stand.year)
+        .number("trees", static_cast<double>(shown.size()))
+        .number("left_out", static_cast<double>(stand.trees.size() - shown.size()))
+        .add("x", json_packed(x))
+        .add("y", json_packed(y))
+        .add("dbh_mm", json_packed(dbh_mm))
+        .add("height_cm", json_packed(height_cm))
+        .add("base_cm", json_packed(base_cm))
+        .add("radius_cm", json_packed(radius_cm))
+        .add("kind", json_packed(kind))
+        .json();
+}
+
+std::string path_json(const rockfall::PathRecord& path, const Box& box, const Eigen::Vector2d& origin_m) {
+    std::vector<std::uint16_t> points;
+    std::vector<std::uint8_t> classes;
+    for (const rockfall::PathPoint& point : path.points) {
+        points.push_back(box.x.of(point.position_m.x() + origin_m.x() - box.frame.x_west_m));
+        points.push_back(box.y.of(point.position_m.y() + origin_m.y() - box.frame.y_south_m));
+        points.push_back(box.z.of(point.position_m.z() - box.low_m));
+        classes.push_back(
+            static_cast<std::uint8_t>(energy_class(static_cast<double>(point.energy_j) / 1000.0)));
+    }
+    return JsonObject{}
+        .text("cover", name_of(path.cover))
+        .add("points", json_packed(points))
+        .add("classes", json_packed(classes))
+        .json();
+}
+
+std::string target_json(const rockfall::Target& target, const Box& box, const Eigen::Vector2d& origin_m) {
+    std::vector<std::string> parts;
+    for (const std::vector<Eigen::Vector2d>& part : target.parts) {
+        std::vector<double> numbers;
+        for (const Eigen::Vector2d& vertex : part) {
+            numbers.push_back(vertex.x() + origin_m.x() - box.frame.x_west_m);
+            numbers.push_back(vertex.y() + origin_m.y() - box.frame.y_south_m);
+        }
+        parts.push_back(page_scripts::json_numbers(numbers));
+    }
+    return JsonObject{}
+        .text("name", target.name.empty() ? target.id : target.name)
+        .flag("area", target.is_area)
+        .add("parts", json_array(parts))
+        .json();
+}
+
+template <class Items, class Write>
+std::string list_of(const Items& items, const Write& write) {
+    std::vector<std::string> texts;
+    for (const auto& item : items) {
+        texts.push_back(write(item));
+    }
+    return json_array(texts);
+}
+
+std::string json_of(const Scene& scene) {
+    const Box box = box_of(scene.heights);
+    const std::size_t most = most_trees / std::max<std::size_t>(1, scene.stands.size());
+    const std::vector<const char*> classes{energy_class_names.begin(), energy_class_names.end()};
+    return JsonObject{}
+        .add("ground", ground_json(scene.heights, box))
+        .add("x", box.x.json())
+        .add("y", box.y.json())
+        .add("z", box.z.json())
+        .add("species", list_of(scene.species,
+                                [](const SceneSpecies& species) {
+                                    return JsonObject{}
+                                        .text("name", species.name)
+                                        .text("colour", species.colour)
+                                        .flag("conifer", species.conifer)
+                                        .json();
+                                }))
+        .add("classes", list_of(classes, [](const char* name) { return page_scripts::json_string(name); }))
+        .add("stands",
+             list_of(scene.stands, [&](const SceneStand& stand) { return stand_json(stand, box, most); }))
+        .add("paths",
+             list_of(scene.paths,
+                     [&](const rockfall::PathRecord* path) { return path_json(*path, box, scene.origin_m); }))
+        .add("targets", list_of(scene.targets,
+                                [&](const rockfall::Target& target) {
+                                    return target_json(target, box, scene.origin_m);
+                                }))
+        .json();
+}
+
+}  // namespace
+
+std::string scene_figure(const Scene& scene, const std::string& instead) {
+    return joined("<figure class=\"scene\"><p class=\"instead\">", instead, "</p>",
+                  page_scripts::data("scene-numbers", json_of(scene)), "</figure>\n");
+}
+
+}  // namespace coupling::report

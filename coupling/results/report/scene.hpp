@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/figures.hpp"
+
+namespace coupling::report {
+
+// What the view in three dimensions shows, as numbers for its script
+// (coupling/page_scripts/sources/slope.js).
+
+enum class TreeState : std::uint8_t { living, dead, broken };
+
+/// A tree to be drawn. A crown without radius is estimated by the script from height and species.
+struct SceneTree {
+    double x_m = 0.0;  ///< absolute
+    double y_m = 0.0;
+    double dbh_cm = 0.0;
+    double height_m = 0.0;  ///< of what stands
+    double crown_base_m = 0.0;
+    double crown_radius_m = 0.0;  ///< 0: not known
+    std::uint8_t species = 0;     ///< place in the scene's list
+    TreeState state = TreeState::living;
+};
+
+/// What stands in one year under one regime.
+struct SceneStand {
+    std::string regime;  ///< empty where there is one
+    std::int32_t year = 0;
+    std::vector<SceneTree> trees;
+};
+
+struct SceneSpecies {
+    std::string name;
+    std::string colour;  ///< "#rrggbb"
+    bool conifer = false;
+};
+
+struct Scene {
+    const config::Raster<double>& heights;  ///< absolute; NaN: none
+    std::vector<SceneSpecies> species{};
+    std::vector<SceneStand> stands{};
+    std::vector<const rockfall::PathRecord*> paths{};  ///< in coordinates of the terrain
+    std::span<const rockfall::Target> targets{};
+    Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();  ///< of the terrain
+};
+
+/// A figure that the script fills; without scripts or WebGL it says what is missing and where else to look
+/// (`instead`, HTML). The ground keeps at most 256 heights a side, a stand at most as many of the thickest
+/// trees as let all stands together be 240 000.
+std::string scene_figure(const Scene& scene, const std::string& instead);
+
+}  // namespace coupling::report
