@@ -21,7 +21,7 @@ namespace po = boost::program_options;
 /// The options that a command takes beside --help, --quiet and --verbose.
 const std::map<std::string, std::vector<std::string>>& options_of_commands() {
     static const std::map<std::string, std::vector<std::string>> options{
-        {"init", {"example"}},
+        {"init", {"example", "from-rockyfor3d"}},
         {"check", {"set", "seed", "threads", "print-settings"}},
         {"run", {"set", "seed", "threads", "out", "overwrite", "shard"}},
         {"merge", {"set", "seed", "out", "overwrite"}},
@@ -252,6 +252,12 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
     }
     for (const std::string& example : texts(values, "example")) {
         line.example = example;
+    }
+    for (const std::string& folder : texts(values, "from-rockyfor3d")) {
+        line.rockyfor3d = folder;
+    }
+    if (values.count("example") > 0 && values.count("from-rockyfor3d") > 0) {
+        refuse("--example beside --from-rockyfor3d", "only one of them");
     }
     for (const std::string& out : texts(values, "out")) {
         line.out = out;

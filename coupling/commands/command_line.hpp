@@ -16,6 +16,7 @@ struct CommandLine {
     std::string help_for;            ///< command whose help is wanted, "" for the short help
     std::filesystem::path argument;  ///< folder, scenario or file
     std::string example = "tyrol";
+    std::filesystem::path rockyfor3d;    ///< init: folder to make the project from; empty: the example
     std::vector<std::string> overrides;  ///< section.key=value, --seed among them
     std::filesystem::path out;
     int threads = 0;  ///< 0: as many as the machine has

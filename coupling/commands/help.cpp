@@ -48,7 +48,7 @@ constexpr std::string_view exit_codes = R"(Exit codes
   75  interrupted: run again to go on
 )";
 
-constexpr std::string_view init_help = R"(bannwald init DIR [--example NAME]
+constexpr std::string_view init_help = R"(bannwald init DIR [--example NAME | --from-rockyfor3d FOLDER]
 
 Writes an example project into a new or empty folder, whole or not at all.
   --example NAME        tyrol (default): a real slope of 132 ha, 25 900 artificial trees, a road
@@ -56,6 +56,9 @@ Writes an example project into a new or empty folder, whole or not at all.
                         forest: a mapped mountain stand grows for a hundred years, without rocks
                         regimes-small: 9 ha under four regimes for thirty years, with rocks
                         regimes: 40 ha under four regimes for a hundred years, ten replicates
+  --from-rockyfor3d FOLDER   instead: a project from the inputs of Rockyfor3D (dem.asc, rockdensity.asc,
+                        d1 d2 d3, blshape, soiltype, rg70 rg20 rg10, treefile.txt or nrtrees ...); prints
+                        and writes into README.md what became of them and what has no counterpart
 )";
 
 constexpr std::string_view scenario_options = R"(  --set section.key=value   changes a setting; again for more

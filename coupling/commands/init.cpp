@@ -7,6 +7,7 @@
 #include "config/errors/input_error.hpp"
 #include "coupling/examples/embedded.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/rockyfor3d/project.hpp"
 
 namespace coupling {
 
@@ -72,11 +73,11 @@ public:
         }
     }
 
-    void write(const ExampleFile& file) {
-        const fs::path path = folder_ / file.name;
+    void write(const std::string& name, std::string_view bytes) {
+        const fs::path path = folder_ / name;
         written_.push_back(path);
         OutFile out{path};
-        out.stream().write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+        out.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         out.close();
     }
     void keep() { written_.clear(); }
@@ -94,9 +95,20 @@ void write_example(const fs::path& folder, const std::string& example) {
     check_folder(folder);
     Draft draft{folder};
     for (const ExampleFile& file : files) {
-        draft.write(file);
+        draft.write(file.name, file.bytes);
     }
     draft.keep();
+}
+
+std::vector<std::string> write_from_rockyfor3d(const fs::path& folder, const fs::path& source) {
+    check_folder(folder);
+    const rockyfor3d::Project project = rockyfor3d::project_of(source);
+    Draft draft{folder};
+    for (const rockyfor3d::Project::File& file : project.files) {
+        draft.write(file.name, file.text);
+    }
+    draft.keep();
+    return project.remarks;
 }
 
 }  // namespace coupling

@@ -26,10 +26,18 @@ int code(ExitCode exit_code) {
 }
 
 int init(const CommandLine& line) {
-    write_example(line.argument, line.example);
+    const std::vector<std::string> remarks = line.rockyfor3d.empty()
+                                                 ? std::vector<std::string>{}
+                                                 : write_from_rockyfor3d(line.argument, line.rockyfor3d);
+    if (line.rockyfor3d.empty()) {
+        write_example(line.argument, line.example);
+    }
     const std::string scenario = (line.argument / "scenario.ini").string();
     std::cout << scenario << '\n';
     if (!line.quiet) {
+        for (const std::string& remark : remarks) {
+            std::cerr << "- " << remark << '\n';
+        }
         std::cerr << "next: bannwald run " << scenario << '\n';
     }
     return code(ExitCode::done);

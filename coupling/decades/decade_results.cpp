@@ -8,6 +8,7 @@
 #include "coupling/decades/report/protection.hpp"
 #include "coupling/decades/work_tables.hpp"
 #include "coupling/results/data_dictionary.hpp"
+#include "coupling/results/gis_files.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
@@ -61,6 +62,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     add(write_comparison(folder, results.names, series));
     add_data_dictionary(folder, {decade_layouts(), together(raster_columns(), patch_raster_columns())},
                         files);
+    add(write_gis_files(folder, results.site, files));
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);
     summary.close();

@@ -1,12 +1,13 @@
 #include "coupling/decades/patch_maps.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
 #include <utility>
 
-#include "config/grid/ascii_grid.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/results/rasters.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -33,6 +34,26 @@ struct YearSum {
     std::vector<double> values;
     std::size_t members = 0;
 };
+using Sums = std::map<std::pair<std::uint32_t, std::int32_t>, YearSum>;  ///< by regime and year
+
+/// Of all patches, regimes and years: all maps of a quantity share their colours.
+float highest_mean(const Sums& sums) {
+    double highest = 0.0;
+    for (const auto& [key, sum] : sums) {
+        for (const double value : sum.values) {
+            highest = std::max(highest, value / static_cast<double>(sum.members));
+        }
+    }
+    return static_cast<float>(highest);
+}
+
+RasterKind drawn_as(const Quantity& quantity) {
+    RasterKind kind{};
+    kind.stem = quantity.name;
+    kind.unit = quantity.unit;
+    kind.palette = Palette::impacts;
+    return kind;
+}
 
 }  // namespace
 
@@ -49,7 +70,7 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
                                           const std::string& projection) {
     std::vector<WrittenFile> written;
     for (const Quantity& quantity : quantities) {
-        std::map<std::pair<std::uint32_t, std::int32_t>, YearSum> sums;  // by regime and year
+        Sums sums;
         for (const MemberYears& member : members) {
             for (const PatchRow& row : member.patches) {
                 YearSum& sum = sums[{member.member.regime, row.year}];
@@ -67,17 +88,10 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
             const std::string year = std::to_string(key.second);
             const std::string path = joined("rasters/forest/", names.regimes[key.first], "/year_", year);
             make_folder(folder / path);
-            OutFile file{folder / path / joined(quantity.name, ".asc")};
-            config::write_ascii_grid(file.stream(), raster);
-            file.close();
-            if (!projection.empty()) {
-                OutFile prj{folder / path / joined(quantity.name, ".prj")};
-                prj.stream() << projection;
-                prj.close();
-            }
-            written.push_back(
-                {joined(path, "/", quantity.name, ".asc"),
-                 joined(quantity.meaning, " [", quantity.unit, "], by patch in year ", year, ".")});
+            const std::string sentence =
+                joined(quantity.meaning, " [", quantity.unit, "], by patch in year ", year, ".");
+            written.push_back(write_raster(folder, {joined(path, "/", quantity.name), sentence, raster},
+                                           projection, drawn_as(quantity), {0.0F, highest_mean(sums)}));
         }
     }
     return written;

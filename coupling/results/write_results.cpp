@@ -11,7 +11,7 @@
 namespace coupling {
 
 std::vector<WrittenFile> write_results(const RunResults& results, const std::filesystem::path& folder,
-                                       std::span<const WrittenFile> streamed) {
+                                       const StreamedTables& streamed) {
     const Figures figures = figures_of(results);
 
     std::vector<WrittenFile> files{
@@ -20,11 +20,13 @@ std::vector<WrittenFile> write_results(const RunResults& results, const std::fil
         {"summary.json", "All figures, settings, input hashes and warnings for scripts."}};
     const std::vector<WrittenFile> tables = write_tables(results, figures, folder);
     files.insert(files.end(), tables.begin(), tables.end());
-    files.insert(files.end(), streamed.begin(), streamed.end());
+    files.insert(files.end(), streamed.files.begin(), streamed.files.end());
     const std::vector<WrittenFile> rasters = write_rasters(results, folder);
     files.insert(files.end(), rasters.begin(), rasters.end());
-
     add_data_dictionary(folder, {static_layouts(), raster_columns()}, files);
+    const std::vector<WrittenFile> gis =
+        write_gis_files(folder, results.site, files, streamed, results.paths);
+    files.insert(files.end(), gis.begin(), gis.end());
 
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, figures, files);

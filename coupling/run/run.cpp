@@ -163,7 +163,8 @@ Ended AssessmentRun::write(OutputFolder& folder) {
     if (InterruptGuard::requested()) {
         return Ended::interrupted;
     }
-    const std::vector<WrittenFile> written = write_results(results, folder.staging(), streamed);
+    const std::vector<WrittenFile> written =
+        write_results(results, folder.staging(), {streamed, folder.parts()});
     if (InterruptGuard::requested()) {
         return Ended::interrupted;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/results/rows.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling {
@@ -38,8 +39,13 @@ TEST(WriteResults, ReturnsEveryFileItWroteOnce) {
 TEST(WriteResults, NamesTablesThatWereStreamedBefore) {
     const SmallRun run;
     const TestFolder folder;
+    const TestFolder parts;  // where they lie until all is whole
+    OutFile rocks{parts.path() / "rocks.csv"};
+    write_rock_header(rocks.stream());
+    rocks.close();
     const std::vector<WrittenFile> streamed{{"tables/rocks.csv", "One row a rock."}};
-    const std::vector<WrittenFile> files = write_results(run.results(), folder.path(), streamed);
+    const std::vector<WrittenFile> files =
+        write_results(run.results(), folder.path(), {streamed, parts.path()});
     EXPECT_TRUE(std::any_of(files.begin(), files.end(),
                             [](const WrittenFile& f) { return f.path == "tables/rocks.csv"; }));
     EXPECT_NE(testing::text_of(folder.path() / "summary.json").find("One row a rock."), std::string::npos);
@@ -74,6 +80,7 @@ TEST(WriteResults, OfABareSlopeWithoutTargetsIsWhole) {
     write_results(run.results(), folder.path());
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "report.html"));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "tables/targets.csv"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "results.gpkg"));
 }
 
 TEST(WriteResults, TellsWhichFileCannotBeWritten) {

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coupling/results/geopackage/database.hpp"
+#include "coupling/results/geopackage/geometry.hpp"
+#include "coupling/results/geopackage/spatial_reference.hpp"
+
+namespace coupling::geopackage {
+
+enum class ColumnType : std::uint8_t { whole, number, text };
+
+struct Column {
+    std::string name;
+    ColumnType type = ColumnType::number;
+};
+
+enum class Form : std::uint8_t { none, point, line, multi_line, polygon, mixed };
+
+/// A layer, or a table without places.
+struct Plan {
+    std::string name;
+    std::string sentence;  ///< what a row is
+    std::vector<Column> columns;
+    Form form = Form::none;
+    Dimensions dimensions;
+};
+
+/// A layer or table as it was written.
+struct Written {
+    Plan plan;
+    std::uint64_t rows = 0;
+    Extent extent;
+};
+
+/// A GeoPackage being written: OGC 12-128r17, version 1.3, with the R-tree extension.
+///
+///     GeoPackage package{file, reference};
+///     Layer layer{package, plan};   // one at a time
+///     layer.add(fields, geometry); ...
+///     layer.finish();
+///     package.close();              // without it the file is unfinished
+///
+/// Everything that SQLite refuses throws config::InputError (file).
+class GeoPackage {
+public:
+    GeoPackage(const std::filesystem::path& file, SpatialReference reference);
+
+    [[nodiscard]] std::int32_t srs_id() const { return reference_.id; }
+    [[nodiscard]] const std::vector<Written>& written() const { return written_; }
+    void close();
+
+private:
+    friend class Layer;
+
+    SpatialReference reference_;
+    Database database_;
+    std::vector<Written> written_;
+};
+
+/// A layer or table being filled.
+class Layer {
+public:
+    Layer(GeoPackage& package, Plan plan);
+
+    /// A row: as many fields as columns, as the tables write them; an empty one is not known. Requires a
+    /// geometry where the plan has a form.
+    void add(const std::vector<std::string_view>& fields, const Geometry* geometry = nullptr);
+    /// Index, triggers and the entries that make it known.
+    void finish();
+
+private:
+    void bind(int parameter, ColumnType type, std::string_view field);
+
+    GeoPackage& package_;
+    Written written_;
+    std::optional<Statement> insert_;
+    std::optional<Statement> insert_extent_;
+};
+
+}  // namespace coupling::geopackage

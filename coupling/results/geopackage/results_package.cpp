@@ -1,0 +1,291 @@
+#include "coupling/results/geopackage/results_package.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <optional>
+
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/geopackage/csv_rows.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::geopackage {
+namespace {
+
+constexpr double j_per_kj = 1000.0;
+
+/// One table, or several of the same columns that become one.
+struct Group {
+    std::string layer;
+    std::string sentence;
+    std::vector<FileBytes> files;
+};
+
+/// The name of a table in the package.
+std::string layer_of(const std::string& table) {
+    if (table == "stems" || table.starts_with("trees_")) {
+        return "trees";
+    }
+    if (table == "targets") {
+        return "target_arrivals";
+    }
+    return table;
+}
+
+std::vector<Group> groups_of(const Contents& contents) {
+    std::vector<Group> groups;
+    for (const auto& [file, place] : contents.tables) {
+        const std::string table = std::filesystem::path{file.path}.stem().string();
+        if (table == "trajectories" || table == "trajectories_wkt") {
+            continue;  // the layer `trajectories`: every corner with its energy
+        }
+        const std::string layer = layer_of(table);
+        auto group =
+            std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.layer == layer; });
+        if (group == groups.end()) {
+            const bool by_year = table.starts_with("trees_");
+            group =
+                groups.insert(groups.end(), {layer,
+                                             by_year ? "Every tree in the years with a list of trees, and "
+                                                       "what it took from the rocks of that year."
+                                                     : file.sentence,
+                                             {}});
+        }
+        group->files.push_back(open_file(place, {.file = place.string()}, "a table of this run"));
+    }
+    return groups;
+}
+
+/// Where a table keeps the places of its rows.
+struct PlaceColumns {
+    std::vector<std::size_t> x, y;
+    std::optional<std::size_t> z;
+
+    [[nodiscard]] Form form() const {
+        return x.empty() ? Form::none : x.size() == 1 ? Form::point : Form::line;
+    }
+};
+
+PlaceColumns places_in(const std::vector<std::string>& columns, const std::string& x, const std::string& y,
+                       const std::string& z) {
+    const auto find = [&](const std::string& name) -> std::optional<std::size_t> {
+        const auto found = std::find(columns.begin(), columns.end(), name);
+        return found == columns.end() ? std::nullopt
+                                      : std::optional{static_cast<std::size_t>(found - columns.begin())};
+    };
+    PlaceColumns places;
+    if (find(x) && find(y)) {
+        places = {{*find(x)}, {*find(y)}, find(z)};
+    } else if (find("x1_m") && find("y1_m") && find("x2_m") && find("y2_m")) {
+        places = {{*find("x1_m"), *find("x2_m")}, {*find("y1_m"), *find("y2_m")}, std::nullopt};
+    }
+    return places;
+}
+
+double number_in(std::string_view field) {
+    double value = 0.0;
+    std::from_chars(field.data(), field.data() + field.size(), value);
+    return value;
+}
+
+Geometry geometry_of(const PlaceColumns& places, const std::vector<std::string_view>& fields,
+                     std::int32_t srs_id) {
+    std::vector<Vertex> vertices;
+    for (std::size_t i = 0; i < places.x.size(); ++i) {
+        vertices.push_back({number_in(fields[places.x[i]]), number_in(fields[places.y[i]]),
+                            places.z ? number_in(fields[*places.z]) : 0.0, 0.0});
+    }
+    const Dimensions dimensions{.z = places.z.has_value()};
+    return vertices.size() == 1 ? point(vertices[0], dimensions, srs_id) : line(vertices, dimensions, srs_id);
+}
+
+/// All rows of a group in one pass for the types and one for the rows.
+void add_table(GeoPackage& package, const Group& group) {
+    ColumnTypes types{CsvRows{group.files.front().text()}.columns()};
+    for (const FileBytes& file : group.files) {
+        for (CsvRows rows{file.text()}; rows.next();) {
+            types.see(rows.fields());
+        }
+    }
+    const PlaceColumns places = places_in(CsvRows{group.files.front().text()}.columns(), "x_m", "y_m", "z_m");
+    Layer layer{package,
+                {group.layer, group.sentence, types.columns(), places.form(), {.z = places.z.has_value()}}};
+    for (const FileBytes& file : group.files) {
+        for (CsvRows rows{file.text()}; rows.next();) {
+            if (places.form() == Form::none) {
+                layer.add(rows.fields());
+            } else {
+                const Geometry geometry = geometry_of(places, rows.fields(), package.srs_id());
+                layer.add(rows.fields(), &geometry);
+            }
+        }
+    }
+    layer.finish();
+}
+
+/// Where rocks came to rest, drawn from the table of rocks.
+void add_deposits(GeoPackage& package, const Group& rocks) {
+    const std::vector<std::string> kept{"rock",        "cover",     "zone",          "diameter_m",
+                                        "stop_reason", "run_out_m", "max_energy_kj", "tree_hits"};
+    CsvRows rows{rocks.files.front().text()};
+    std::vector<std::size_t> numbers;
+    ColumnTypes types{kept};
+    for (const std::string& name : kept) {
+        const auto found = std::find(rows.columns().begin(), rows.columns().end(), name);
+        numbers.push_back(static_cast<std::size_t>(found - rows.columns().begin()));
+    }
+    const auto chosen = [&](std::vector<std::string_view>& fields) {
+        fields.clear();
+        for (const std::size_t number : numbers) {
+            fields.push_back(rows.fields()[number]);
+        }
+        return fields[4] != name_of(rockfall::StopReason::left_terrain) &&
+               fields[4] != name_of(rockfall::StopReason::gave_up);
+    };
+    std::vector<std::string_view> fields;
+    while (rows.next()) {
+        if (chosen(fields)) {
+            types.see(fields);
+        }
+    }
+    const PlaceColumns places = places_in(rows.columns(), "x_end_m", "y_end_m", "z_end_m");
+    Layer layer{package,
+                {"deposits",
+                 "Where rocks came to rest, with forest and without.",
+                 types.columns(),
+                 Form::point,
+                 {.z = true}}};
+    for (rows = CsvRows{rocks.files.front().text()}; rows.next();) {
+        if (chosen(fields)) {
+            const Geometry place = geometry_of(places, rows.fields(), package.srs_id());
+            layer.add(fields, &place);
+        }
+    }
+    layer.finish();
+}
+
+void add_trajectories(GeoPackage& package, const Contents& contents) {
+    const std::vector<Column> columns{{"rock", ColumnType::whole},
+                                      {"cover", ColumnType::text},
+                                      {"energy_max_kj", ColumnType::number},
+                                      {"height_max_m", ColumnType::number}};
+    Layer layer{package,
+                {"trajectories",
+                 "Sampled paths of rocks in space; the measure of each corner is the energy [kJ].",
+                 columns,
+                 Form::line,
+                 {.z = true, .m = true}}};
+    const Eigen::Vector2d origin_m = contents.site.origin_m();
+    for (const rockfall::PathRecord& path : contents.paths) {
+        if (path.points.size() < 2) {
+            continue;  // one point is no line
+        }
+        std::vector<Vertex> vertices;
+        float energy_j = 0.0F;
+        float height_m = 0.0F;
+        for (const rockfall::PathPoint& p : path.points) {
+            vertices.push_back({p.position_m.x() + origin_m.x(), p.position_m.y() + origin_m.y(),
+                                p.position_m.z(), static_cast<double>(p.energy_j) / j_per_kj});
+            energy_j = std::max(energy_j, p.energy_j);
+            height_m = std::max(height_m, p.height_m);
+        }
+        const Geometry geometry = line(vertices, {.z = true, .m = true}, package.srs_id());
+        const std::string rock = std::to_string(path.rock);
+        const std::string energy = config::to_text(static_cast<double>(energy_j) / j_per_kj);
+        const std::string height = config::to_text(height_m);
+        layer.add({rock, coupling::name_of(path.cover), energy, height}, &geometry);
+    }
+    layer.finish();
+}
+
+/// Release cells as squares, pieces of lines and points as what they are.
+void add_sources(GeoPackage& package, const Contents& contents) {
+    using Kind = rockfall::ReleaseSource::Kind;
+    const std::vector<rockfall::ReleaseSource>& sources = contents.site.sources;
+    const auto is_point = [](const auto& s) { return s.kind == Kind::line && s.first_m == s.last_m; };
+    const auto form_of = [&](const auto& s) {
+        return s.kind == Kind::cell ? Form::polygon : is_point(s) ? Form::point : Form::line;
+    };
+    const Form form = form_of(sources.front());
+    const bool same =
+        std::all_of(sources.begin(), sources.end(), [&](const auto& s) { return form_of(s) == form; });
+    Layer layer{package,
+                {"sources",
+                 "Where rocks break off: cells, points or pieces of lines.",
+                 {{"source", ColumnType::whole}, {"zone", ColumnType::whole}, {"rocks", ColumnType::whole}},
+                 same ? form : Form::mixed,
+                 {}}};
+    const Eigen::Vector2d origin_m = contents.site.origin_m();
+    for (std::size_t number = 0; number < sources.size(); ++number) {
+        const rockfall::ReleaseSource& source = sources[number];
+        const Eigen::Vector2d first = source.first_m + origin_m;
+        const Eigen::Vector2d last = source.last_m + origin_m;
+        const std::vector<Vertex> ends{{first.x(), first.y(), 0.0, 0.0}, {last.x(), last.y(), 0.0, 0.0}};
+        Geometry geometry;
+        if (source.kind == Kind::cell) {
+            Extent cell;
+            cell.add(first.x(), first.y());
+            cell.add(last.x(), last.y());
+            geometry = rectangle(cell, package.srs_id());
+        } else {
+            geometry =
+                is_point(source) ? point(ends[0], {}, package.srs_id()) : line(ends, {}, package.srs_id());
+        }
+        const std::string id = std::to_string(number);
+        const std::string zone = std::to_string(source.zone);
+        const std::string rocks = std::to_string(source.rocks);
+        layer.add({id, zone, rocks}, &geometry);
+    }
+    layer.finish();
+}
+
+void add_targets(GeoPackage& package, const Contents& contents) {
+    Layer layer{package,
+                {"targets",
+                 "What is to be protected: lines (roads) and areas (houses).",
+                 {{"target_id", ColumnType::text}, {"name", ColumnType::text}, {"kind", ColumnType::text}},
+                 Form::mixed,
+                 {}}};
+    const Eigen::Vector2d origin_m = contents.site.origin_m();
+    for (const rockfall::Target& target : contents.site.targets) {
+        std::vector<std::vector<config::Point2>> parts;
+        for (const std::vector<Eigen::Vector2d>& part : target.parts) {
+            parts.emplace_back();
+            for (const Eigen::Vector2d& vertex : part) {
+                parts.back().push_back({vertex.x() + origin_m.x(), vertex.y() + origin_m.y()});
+            }
+        }
+        const Geometry geometry =
+            target.is_area ? polygons(parts, package.srs_id()) : lines(parts, package.srs_id());
+        layer.add({target.id, target.name, target.is_area ? "area" : "line"}, &geometry);
+    }
+    layer.finish();
+}
+
+}  // namespace
+
+std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents) {
+    const std::vector<Group> groups = groups_of(contents);
+    GeoPackage package{folder / "results.gpkg", spatial_reference(contents.site.projection)};
+    if (!contents.site.targets.empty()) {
+        add_targets(package, contents);
+    }
+    if (!contents.site.sources.empty()) {
+        add_sources(package, contents);
+    }
+    if (!contents.paths.empty()) {
+        add_trajectories(package, contents);
+    }
+    for (const Group& group : groups) {
+        add_table(package, group);
+        if (group.layer == "rocks") {
+            add_deposits(package, group);
+        }
+    }
+    package.close();
+    return package.written();
+}
+
+}  // namespace coupling::geopackage

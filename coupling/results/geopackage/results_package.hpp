@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/geopackage/package.hpp"
+#include "coupling/results/out_file.hpp"
+#include "rockfall/ensemble.hpp"
+
+namespace coupling::geopackage {
+
+/// What goes into results.gpkg.
+struct Contents {
+    const Site& site;
+    /// Finished tables: name as the results have it (tables/rocks.csv), and the file where it lies now.
+    std::vector<std::pair<WrittenFile, std::filesystem::path>> tables;
+    std::span<const rockfall::PathRecord> paths;  ///< sampled
+};
+
+/// Writes results.gpkg into a folder that exists and returns its layers and tables.
+///
+/// Every table goes in under its own name without `.csv`, its places as points or lines where it has columns
+/// of places. Other names: `trees` is stems.csv, or all trees_YEAR.csv one after the other; `target_arrivals`
+/// is targets.csv, as `targets` are their outlines. The two tables of paths are one layer, `trajectories`,
+/// whose corners carry height above sea and energy; heights above ground stay in trajectories.csv. Throws
+/// config::InputError (file).
+std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents);
+
+/// A sentence for the list of files.
+inline constexpr const char* package_sentence =
+    "All layers (sources, deposits, trajectories, trees, targets, ...) and tables for QGIS, R and SQL.";
+
+}  // namespace coupling::geopackage

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/out_file.hpp"
+#include "rockfall/ensemble.hpp"
+
+namespace coupling {
+
+/// Tables that were written elsewhere and move to the results when these are whole.
+struct StreamedTables {
+    std::span<const WrittenFile> files;
+    std::filesystem::path folder;  ///< where they lie now
+};
+
+/// Adds what GIS programs take to a folder of results: results.gpkg and results.qlr. `files`: all tables and
+/// rasters, the streamed ones among them; `paths`: the sampled ones. Returns what was added. Throws
+/// config::InputError (file).
+std::vector<WrittenFile> write_gis_files(const std::filesystem::path& folder, const Site& site,
+                                         std::span<const WrittenFile> files,
+                                         const StreamedTables& streamed = {},
+                                         std::span<const rockfall::PathRecord> paths = {});
+
+}  // namespace coupling

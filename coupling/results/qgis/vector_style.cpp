@@ -1,0 +1,111 @@
+#include "coupling/results/qgis/vector_style.hpp"
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::qgis {
+namespace {
+
+using config::to_text;
+using report::escaped;
+
+/// Larger than any energy of a rock [kJ].
+constexpr double no_limit_kj = 1e9;
+
+std::string property(std::string_view key, std::string_view value) {
+    return joined("<prop k=\"", key, "\" v=\"", value, "\"/>");
+}
+
+std::string rgba(Colour colour, int alpha) {
+    return joined(std::to_string(colour.red), ",", std::to_string(colour.green), ",",
+                  std::to_string(colour.blue), ",", std::to_string(alpha));
+}
+
+std::string layer_of(Mark mark, const Symbol& symbol) {
+    const std::string size = to_text(symbol.size_mm);
+    const std::string colour = rgba(symbol.colour, 255);
+    switch (mark) {
+        case Mark::point:
+            return joined("<layer class=\"SimpleMarker\" enabled=\"1\" locked=\"0\" pass=\"0\">",
+                          property("name", "circle"), property("color", colour),
+                          property("outline_color", "35,35,35,255"), property("outline_style", "solid"),
+                          property("outline_width", "0.1"), property("size", size),
+                          property("size_unit", "MM"), "</layer>");
+        case Mark::line:
+            return joined("<layer class=\"SimpleLine\" enabled=\"1\" locked=\"0\" pass=\"0\">",
+                          property("line_color", colour), property("line_style", "solid"),
+                          property("line_width", size), property("line_width_unit", "MM"),
+                          property("capstyle", "round"), property("joinstyle", "round"), "</layer>");
+        case Mark::area:
+            break;
+    }
+    return joined("<layer class=\"SimpleFill\" enabled=\"1\" locked=\"0\" pass=\"0\">",
+                  property("color", rgba(symbol.colour, 90)), property("style", "solid"),
+                  property("outline_color", colour),
+                  property("outline_style", symbol.size_mm > 0.0 ? "solid" : "no"),
+                  property("outline_width", size), property("outline_width_unit", "MM"), "</layer>");
+}
+
+std::string symbol_of(Mark mark, std::size_t number, const Symbol& symbol) {
+    const char* const type = mark == Mark::point ? "marker" : mark == Mark::line ? "line" : "fill";
+    return joined("<symbol name=\"", std::to_string(number), "\" type=\"", type,
+                  "\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">", layer_of(mark, symbol),
+                  "</symbol>\n");
+}
+
+std::string renderer(std::string_view type, std::string_view attributes, std::string_view classes,
+                     std::string_view symbols) {
+    return joined("<renderer-v2 type=\"", type, "\"", attributes,
+                  " forceraster=\"0\" symbollevels=\"0\" enableorderby=\"0\">\n", classes, "<symbols>\n",
+                  symbols, "</symbols>\n</renderer-v2>\n");
+}
+
+}  // namespace
+
+std::string single(Mark mark, const Symbol& symbol) {
+    return renderer("singleSymbol", "", "", symbol_of(mark, 0, symbol));
+}
+
+std::string graduated(Mark mark, std::string_view column, const std::vector<Range>& ranges) {
+    std::string classes = "<ranges>\n";
+    std::string symbols;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        classes += joined("<range render=\"true\" symbol=\"", std::to_string(i), "\" lower=\"",
+                          to_text(ranges[i].low), "\" upper=\"", to_text(ranges[i].high), "\" label=\"",
+                          escaped(ranges[i].symbol.label), "\"/>\n");
+        symbols += symbol_of(mark, i, ranges[i].symbol);
+    }
+    return renderer("graduatedSymbol",
+                    joined(" attr=\"", escaped(column), "\" graduatedMethod=\"GraduatedColor\""),
+                    classes + "</ranges>\n", symbols);
+}
+
+std::string categorised(Mark mark, std::string_view column, const std::vector<Category>& categories) {
+    std::string classes = "<categories>\n";
+    std::string symbols;
+    for (std::size_t i = 0; i < categories.size(); ++i) {
+        classes += joined("<category render=\"true\" symbol=\"", std::to_string(i), "\" value=\"",
+                          escaped(categories[i].value), "\" label=\"", escaped(categories[i].symbol.label),
+                          "\"/>\n");
+        symbols += symbol_of(mark, i, categories[i].symbol);
+    }
+    return renderer("categorizedSymbol", joined(" attr=\"", escaped(column), "\""),
+                    classes + "</categories>\n", symbols);
+}
+
+std::string by_energy(Mark mark, std::string_view column, double least_size_mm, const Symbol* none) {
+    std::vector<Range> ranges;
+    if (none != nullptr) {
+        ranges.push_back({0.0, 0.0, *none});
+    }
+    for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
+        const double low = i == 0 ? 0.0 : energy_class_limits_kj[i - 1];
+        const double high = i < energy_class_limits_kj.size() ? energy_class_limits_kj[i] : no_limit_kj;
+        const double size_mm = least_size_mm * (1.0 + 0.6 * static_cast<double>(i));
+        ranges.push_back({low, high, {energy_class_names[i], energy_class_colours[i], size_mm}});
+    }
+    return graduated(mark, column, ranges);
+}
+
+}  // namespace coupling::qgis

@@ -1,0 +1,256 @@
+#include "coupling/rockyfor3d/folder.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+#include "config/errors/input_error.hpp"
+#include "config/grid/ascii_grid.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::rockyfor3d {
+namespace {
+
+namespace fs = std::filesystem;
+using config::ExitCode;
+using config::NumberRange;
+using config::Raster;
+
+constexpr std::size_t most_told = 20;  ///< faulty lines of a tree file
+
+std::string in_small_letters(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::string size_of(const config::GridFrame& frame) {
+    return joined(std::to_string(frame.columns), " x ", std::to_string(frame.rows), " cells of ",
+                  config::to_text(frame.cell_width_m), " m from (", config::to_text(frame.x_west_m), ", ",
+                  config::to_text(frame.y_south_m), ")");
+}
+
+/// Reads the files of one folder and keeps what is wrong with them.
+class Reader {
+public:
+    explicit Reader(const fs::path& folder) : folder_{folder} {
+        std::error_code error;
+        for (const fs::directory_entry& entry : fs::directory_iterator{folder, error}) {
+            if (entry.is_regular_file()) {
+                const std::string name = entry.path().filename().string();
+                names_[in_small_letters(name)] = name;
+            }
+        }
+        if (error) {
+            config::fail(ExitCode::file, {.file = folder.string()},
+                         joined("cannot be read: ", error.message()),
+                         "a folder with the inputs of Rockyfor3D");
+        }
+    }
+
+    [[nodiscard]] bool has(const std::string& name) const { return names_.contains(name); }
+    /// The file as it is written there.
+    [[nodiscard]] fs::path path_of(const std::string& name) const {
+        const auto found = names_.find(name);
+        return folder_ / (found == names_.end() ? name : found->second);
+    }
+    [[nodiscard]] config::Problems& problems() { return problems_; }
+
+    std::optional<Raster<double>> grid(const std::string& name) {
+        try {
+            const fs::path path = path_of(name);
+            const FileBytes bytes = open_file(path, {.file = path.string()}, "a raster of Rockyfor3D");
+            read_.push_back(path.filename().string());
+            return config::read_ascii_grid(bytes.text(), path.string());
+        } catch (const config::InputError& error) {
+            problems_.add(error);
+            return std::nullopt;
+        }
+    }
+
+    /// A raster that has to be there, on the frame of the DEM, each value in its range or NODATA.
+    Raster<double> on(const Raster<double>& dem, const std::string& name, NumberRange range,
+                      bool whole = false) {
+        const std::optional<Raster<double>> raster = grid(name);
+        if (!raster) {
+            return Raster<double>{dem.frame, std::nan("")};
+        }
+        if (!config::same_place(dem.frame, raster->frame)) {
+            problems_.add(ExitCode::data, {.file = path_of(name).string()}, size_of(raster->frame),
+                          joined("the frame of the DEM: ", size_of(dem.frame)));
+            return Raster<double>{dem.frame, std::nan("")};
+        }
+        check_values(*raster, name, range, whole);
+        return {*raster};
+    }
+
+    std::vector<FileTree> tree_file(const std::string& name);
+
+    [[nodiscard]] std::vector<std::string> files_read() const { return read_; }
+    [[nodiscard]] std::vector<std::string> others() const {
+        std::vector<std::string> names;
+        for (const auto& [small, name] : names_) {
+            if (std::find(read_.begin(), read_.end(), name) == read_.end()) {
+                names.push_back(name);
+            }
+        }
+        return names;
+    }
+    void mark_read(const std::string& name) { read_.push_back(path_of(name).filename().string()); }
+
+private:
+    void check_values(const Raster<double>& raster, const std::string& name, NumberRange range, bool whole) {
+        std::size_t faults = 0;
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < raster.values.size(); ++i) {
+            const double value = raster.values[i];
+            if (!std::isnan(value) && (!range.contains(value) || (whole && value != std::floor(value)))) {
+                first = faults++ == 0 ? i : first;
+            }
+        }
+        if (faults > 0) {
+            const config::Cell cell = raster.frame.cell_of(first);
+            problems_.add(ExitCode::data, {.file = path_of(name).string()},
+                          joined(std::to_string(faults), " cells out of range, such as ",
+                                 config::to_text(raster.values[first]), " in row ",
+                                 std::to_string(cell.row + 1), ", column ", std::to_string(cell.column + 1)),
+                          config::describe(whole ? "whole numbers" : "numbers", range));
+        }
+    }
+
+    fs::path folder_;
+    std::map<std::string, std::string> names_;  ///< by name in small letters
+    std::vector<std::string> read_;
+    config::Problems problems_;
+};
+
+/// Numbers of a line, apart by blanks, tabs, commas or semicolons; nothing if one of them is none.
+std::optional<std::vector<double>> numbers_of(std::string_view line) {
+    constexpr std::string_view apart = " \t,;\r";
+    std::vector<double> numbers;
+    for (std::size_t at = line.find_first_not_of(apart); at < line.size();) {
+        const std::size_t end = std::min(line.find_first_of(apart, at), line.size());
+        const auto number = config::parse_number(line.substr(at, end - at));
+        if (!number) {
+            return std::nullopt;
+        }
+        numbers.push_back(*number);
+        at = line.find_first_not_of(apart, end);
+    }
+    return numbers;
+}
+
+std::vector<FileTree> Reader::tree_file(const std::string& name) {
+    constexpr NumberRange dbh_range{.low = 0.0, .high = 250.0, .low_excluded = true};
+    const fs::path path = path_of(name);
+    const FileBytes bytes = open_file(path, {.file = path.string()}, "a tree file of Rockyfor3D");
+    mark_read(name);
+    std::vector<FileTree> trees;
+    const std::string_view text = bytes.text();
+    std::size_t faults = 0;
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < text.size() && faults < most_told;) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string_view line = text.substr(at, end - at);
+        at = end + 1;
+        ++number;
+        const auto values = numbers_of(line);
+        if (!values && number == 1) {
+            continue;  // a line of names
+        }
+        if (values && values->empty()) {
+            continue;
+        }
+        if (!values || values->size() < 3 || !dbh_range.contains((*values)[2])) {
+            problems_.add(ExitCode::data, {path.string(), number, 0}, config::in_quotes(line),
+                          "x, y and DBH in cm, (0, 250]");
+            ++faults;
+            continue;
+        }
+        trees.push_back({(*values)[0], (*values)[1], (*values)[2]});
+    }
+    return trees;
+}
+
+/// Each source cell has a block, each cell of the DEM a ground.
+void check_cells(const Folder& folder, Reader& reader) {
+    std::size_t sources = 0;
+    std::size_t without_block = 0;
+    std::size_t without_ground = 0;
+    for (std::size_t i = 0; i < folder.dem.values.size(); ++i) {
+        const bool has_ground = folder.soil_type.values[i] >= 0.0 && folder.rg70.values[i] >= 0.0 &&
+                                folder.rg20.values[i] >= 0.0 && folder.rg10.values[i] >= 0.0;
+        without_ground += !std::isnan(folder.dem.values[i]) && !has_ground ? 1 : 0;
+        if (folder.rock_density.values[i] > 0.0) {
+            ++sources;
+            const bool has_block = folder.d1.values[i] > 0.0 && folder.d2.values[i] > 0.0 &&
+                                   folder.d3.values[i] > 0.0 && folder.shape.values[i] >= 1.0;
+            without_block += has_block ? 0 : 1;
+        }
+    }
+    const auto file = [&](const char* name) { return config::Place{.file = reader.path_of(name).string()}; };
+    if (sources == 0) {
+        reader.problems().add(ExitCode::data, file("rockdensity.asc"), "no cell above 0", "a source");
+    }
+    if (without_block > 0) {
+        reader.problems().add(ExitCode::data, file("blshape.asc"),
+                              joined(std::to_string(without_block), " source cells without a block"),
+                              "d1, d2, d3 above 0 and blshape 1 to 4 wherever rockdensity is above 0");
+    }
+    if (without_ground > 0) {
+        reader.problems().add(ExitCode::data, file("soiltype.asc"),
+                              joined(std::to_string(without_ground), " cells of the DEM without a ground"),
+                              "soiltype, rg70, rg20 and rg10 wherever the DEM has a height");
+    }
+}
+
+void read_forest(Folder& folder, Reader& reader) {
+    if (reader.has("treefile.txt")) {
+        folder.trees = reader.tree_file("treefile.txt");
+    } else if (reader.has("nrtrees.asc") || reader.has("dbhmean.asc")) {
+        folder.stems_pha = reader.on(folder.dem, "nrtrees.asc", {.low = 0.0, .high = 10'000.0});
+        folder.mean_dbh_cm = reader.on(folder.dem, "dbhmean.asc", {.low = 0.0, .high = 250.0});
+        folder.dbh_deviation_cm = reader.on(folder.dem, "dbhstd.asc", {.low = 0.0, .high = 250.0});
+    }
+    if (reader.has("conif_percent.asc")) {
+        folder.conifer_percent = reader.on(folder.dem, "conif_percent.asc", {.low = 0.0, .high = 100.0});
+    }
+}
+
+}  // namespace
+
+Folder read_folder(const fs::path& path) {
+    Reader reader{path};
+    Folder folder;
+    std::optional<Raster<double>> dem = reader.grid("dem.asc");
+    reader.problems().throw_if_any();  // nothing can be compared without it
+    folder.dem = std::move(*dem);
+    if (reader.has("dem.prj")) {
+        const FileBytes projection = open_file(reader.path_of("dem.prj"), {}, "a projection");
+        folder.projection = std::string{projection.text()};
+        reader.mark_read("dem.prj");
+    }
+    const NumberRange metres{.low = 0.0, .high = 20.0};
+    const NumberRange roughness{.low = 0.0, .high = 100.0};
+    folder.rock_density = reader.on(folder.dem, "rockdensity.asc", {.low = 0.0, .high = 5000.0});
+    folder.d1 = reader.on(folder.dem, "d1.asc", metres);
+    folder.d2 = reader.on(folder.dem, "d2.asc", metres);
+    folder.d3 = reader.on(folder.dem, "d3.asc", metres);
+    folder.shape = reader.on(folder.dem, "blshape.asc", {.low = 0.0, .high = 4.0}, true);
+    folder.soil_type = reader.on(folder.dem, "soiltype.asc", {.low = 0.0, .high = 7.0}, true);
+    folder.rg70 = reader.on(folder.dem, "rg70.asc", roughness);
+    folder.rg20 = reader.on(folder.dem, "rg20.asc", roughness);
+    folder.rg10 = reader.on(folder.dem, "rg10.asc", roughness);
+    read_forest(folder, reader);
+    reader.problems().throw_if_any();
+    check_cells(folder, reader);
+    reader.problems().throw_if_any();
+    folder.files = reader.files_read();
+    folder.not_read = reader.others();
+    return folder;
+}
+
+}  // namespace coupling::rockyfor3d

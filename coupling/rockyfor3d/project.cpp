@@ -1,0 +1,240 @@
+#include "coupling/rockyfor3d/project.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "config/grid/ascii_grid.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/rockyfor3d/blocks.hpp"
+#include "coupling/rockyfor3d/forest.hpp"
+#include "coupling/rockyfor3d/grounds.hpp"
+
+namespace coupling::rockyfor3d {
+namespace {
+
+using config::to_text;
+
+std::string text_of(const config::Raster<double>& raster) {
+    std::ostringstream out;
+    config::write_ascii_grid(out, raster);
+    return out.str();
+}
+
+std::string two_digits(double value) {
+    std::ostringstream out;
+    CsvRow{out}.number<2>(value).end();
+    std::string text = out.str();
+    text.pop_back();
+    return text;
+}
+
+std::string list(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += joined(text.empty() ? "" : ", ", word);
+    }
+    return text;
+}
+
+std::string surface_types(const Grounds& grounds) {
+    std::ostringstream out;
+    out << "# Made from soiltype and rg70, rg20, rg10 of Rockyfor3D; README.md says how. Stopping is that of "
+           "the shipped type in `like`.\n"
+           "code,label,like,r_n,r_t,p_stop,soil_type,rg70_m,rg20_m,rg10_m,cells\n";
+    CsvRow row{out};
+    for (const Ground& ground : grounds.types) {
+        row.whole(static_cast<std::uint32_t>(ground.code));
+        row.text(joined("soil type ", std::to_string(ground.soil_type), ", roughness ",
+                        two_digits(ground.rg70_m), " ", two_digits(ground.rg20_m), " ",
+                        two_digits(ground.rg10_m), " m"));
+        row.text(ground.like).number<3>(ground.r_n).number<3>(ground.r_t);
+        ground.like.empty() ? row.number<0>(1.0) : row.empty();
+        row.whole(static_cast<std::uint32_t>(ground.soil_type));
+        row.number<2>(ground.rg70_m).number<2>(ground.rg20_m).number<2>(ground.rg10_m).whole(ground.cells);
+        row.end();
+    }
+    return out.str();
+}
+
+std::string trees_csv(const Forest& forest) {
+    std::ostringstream out;
+    out << "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
+    CsvRow row{out};
+    for (std::size_t i = 0; i < forest.trees.size(); ++i) {
+        const Tree& tree = forest.trees[i];
+        row.whole(i + 1).number<2>(tree.x_m).number<2>(tree.y_m).text(tree.species);
+        row.number<1>(tree.dbh_cm).number<1>(tree.height_m);
+        row.end();
+    }
+    return out.str();
+}
+
+std::string scenario(const Blocks& blocks, const Forest& forest) {
+    std::vector<std::string> sizes;
+    std::vector<std::string> shares;
+    for (const BlockClass& block : blocks.classes) {
+        sizes.push_back(to_text(block.diameter_m));
+        shares.push_back(std::to_string(block.cells));
+    }
+    const std::string diameter =
+        sizes.size() == 1 ? joined("diameter_kind = fixed\ndiameter_m = ", sizes.front(), "\n")
+                          : joined("diameter_kind = classes\ndiameter_classes_m = ", list(sizes),
+                                   "\ndiameter_shares = ", list(shares), "   ; source cells of each size\n");
+    return joined(
+        "# Made from a Rockyfor3D folder by `bannwald init --from-rockyfor3d`; README.md tells what became "
+        "of each file.\n"
+        "#   bannwald check scenario.ini     reads everything and tells what the run will take\n"
+        "#   bannwald run scenario.ini       writes maps, tables and report.html into the folder out\n"
+        "# `bannwald --help-all` lists every setting with unit, range and source.\n\n"
+        "[run]\nseed = 1\n\n"
+        "[terrain]\ndem = dem.asc\nsurface = surface.asc\nsurface_types = surface_types.csv\n\n",
+        forest.trees.empty() ? "" : "[trees]\nfile = trees.csv\n\n",
+        "[release]\nsource = source.asc         ; zone k: cells with blocks of the k-th size of README.md\n"
+        "rocks_per_source = 10\n",
+        diameter, "density_kgpm3 = ", to_text(std::round(blocks.density_kgpm3)),
+        "\n;fall_height_m = 2          ; the initial fall height of Rockyfor3D, a setting there and in no "
+        "file\n\n"
+        ";[targets]\n;file = targets.csv        ; what is to be protected: target_id, name, wkt\n");
+}
+
+void remark_blocks(const Blocks& blocks, std::vector<std::string>& remarks) {
+    remarks.push_back(
+        joined("Sources: ", std::to_string(blocks.cells()), " cells with rockdensity above 0",
+               blocks.left_out == 0
+                   ? std::string{}
+                   : joined("; ", std::to_string(blocks.left_out),
+                            " more in the two outer rows and columns are left out, as Rockyfor3D does"),
+               "."));
+    remarks.push_back(joined(
+        "Block shapes (blshape, d1, d2, d3) became spheres of the same volume, ",
+        two_digits(blocks.classes.front().diameter_m), " to ", two_digits(blocks.classes.back().diameter_m),
+        " m in ", std::to_string(blocks.classes.size()), " sizes",
+        blocks.class_width_m > 0.0 ? joined(" (classes of ", two_digits(blocks.class_width_m), " m)")
+                                   : std::string{},
+        ". The shape itself has no counterpart."));
+    if (blocks.classes.size() > 1) {
+        remarks.emplace_back(
+            "Block sizes by source cell have no counterpart: sizes are drawn for all sources, each as often "
+            "as it has cells. "
+            "To let one size fall from its own cells only, set release.diameter_kind = fixed and keep that "
+            "zone in source.asc.");
+    }
+    if (blocks.largest_density_kgpm3 > blocks.least_density_kgpm3) {
+        remarks.push_back(joined("rockdensity varies from ", to_text(blocks.least_density_kgpm3), " to ",
+                                 to_text(blocks.largest_density_kgpm3),
+                                 " kg/m3; a run knows one density, the mean of the sources."));
+    }
+}
+
+void remark_grounds(const Grounds& grounds, double rock_radius_m, std::vector<std::string>& remarks) {
+    remarks.push_back(
+        joined("Ground: ", std::to_string(grounds.types.size()), " types from soiltype and roughness",
+               grounds.step_m > 0.0 ? joined(", roughness rounded to ", to_text(grounds.step_m), " m")
+                                    : std::string{},
+               ". r_n is the middle of the soil type's range; its spread, drawn at each contact in "
+               "Rockyfor3D, is left out."));
+    remarks.push_back(joined("r_t comes from rg70, rg20, rg10 for a rock of ",
+                             two_digits(2.0 * rock_radius_m),
+                             " m: sqrt((0.4 + e) / 1.4), e the mean of 1 / (1 + MOH / R). The depth of "
+                             "penetration and the dependence on the size of the "
+                             "rock are left out."));
+    remarks.emplace_back(
+        "Stopping has no file in Rockyfor3D: each type borrows it from a shipped type of like origin and "
+        "roughness (`like` in "
+        "surface_types.csv), a choice. Soil type 0 and rg70 = 100 stop every rock. `bannwald stopping-table` "
+        "makes your own.");
+}
+
+void remark_forest(const Forest& forest, std::vector<std::string>& remarks) {
+    if (forest.trees.empty()) {
+        remarks.emplace_back("No trees: only the bare slope is assessed.");
+        return;
+    }
+    if (forest.generated) {
+        remarks.push_back(
+            joined("Trees: ", std::to_string(forest.trees.size()),
+                   " drawn once from nrtrees (taken as stems per hectare), dbhmean and dbhstd (gamma "
+                   "distribution), with seed ",
+                   std::to_string(forest_seed),
+                   "; Rockyfor3D draws them anew in each run. Places and diameters are artificial."));
+    } else {
+        remarks.push_back(joined("Trees: ", std::to_string(forest.trees.size()), " from treefile.txt."));
+    }
+    if (forest.too_thin + forest.outside > 0) {
+        remarks.push_back(joined("Left out: ", std::to_string(forest.too_thin), " trees below 5 cm and ",
+                                 std::to_string(forest.outside), " off the DEM."));
+    }
+    remarks.push_back(
+        joined(forest.all_conifers
+                   ? std::string{"Species: conif_percent is missing, so every tree counts as a conifer"}
+                   : std::string{"Species: a tree is a conifer with the chance of conif_percent at its "
+                                 "place, drawn once"},
+               "; spruce (PIAB) stands for conifers, beech (FASY) for broadleaved trees."));
+    remarks.emplace_back(
+        "Heights of trees have no file in Rockyfor3D: they follow one curve through 108 trees of a mixed "
+        "mountain stand.");
+}
+
+void remark_rest(const Folder& folder, std::vector<std::string>& remarks) {
+    if (!folder.not_read.empty()) {
+        remarks.push_back(joined("Not read, no counterpart: ", list(folder.not_read), "."));
+    }
+    remarks.emplace_back(
+        "Settings of Rockyfor3D that stand in no file (number of simulations, initial fall height, variation "
+        "of the volume, forest "
+        "or not) are not taken over: rocks_per_source, fall_height_m and the diameter settings of "
+        "scenario.ini are their place. "
+        "Both slopes, with forest and bare, are always assessed.");
+    remarks.emplace_back(
+        "There are no targets yet: add [targets] with lines and polygons, where Rockyfor3D has calculation "
+        "screens.");
+}
+
+std::string readme(const Folder& folder, const Blocks& blocks, const std::vector<std::string>& remarks) {
+    std::string text = joined("# A project made from a Rockyfor3D folder\n\nRead: ", list(folder.files),
+                              ".\n\n## What became of it, and what has no counterpart\n\n");
+    for (const std::string& remark : remarks) {
+        text += joined("- ", remark, "\n");
+    }
+    text += "\n## Release zones\n\n| zone | diameter, m | source cells |\n|---|---|---|\n";
+    for (std::size_t k = 0; k < blocks.classes.size(); ++k) {
+        text += joined("| ", std::to_string(k + 1), " | ", two_digits(blocks.classes[k].diameter_m), " | ",
+                       std::to_string(blocks.classes[k].cells), " |\n");
+    }
+    text +=
+        "\nBannwald and Rockyfor3D are different models: rebound, stopping and tree impacts follow other "
+        "laws, so maps of the same "
+        "names will differ. Calibrate against traces before you decide on anything.\n";
+    return text;
+}
+
+}  // namespace
+
+Project project_of(const std::filesystem::path& path) {
+    const Folder folder = read_folder(path);
+    const Blocks blocks = blocks_of(folder);
+    const double rock_radius_m = 0.5 * blocks.mean_diameter_m();
+    const Grounds grounds = grounds_of(folder, rock_radius_m);
+    const Forest forest = forest_of(folder);
+
+    Project project;
+    remark_blocks(blocks, project.remarks);
+    remark_grounds(grounds, rock_radius_m, project.remarks);
+    remark_forest(forest, project.remarks);
+    remark_rest(folder, project.remarks);
+    project.files = {
+        {"scenario.ini", scenario(blocks, forest)}, {"dem.asc", text_of(folder.dem)},
+        {"surface.asc", text_of(grounds.codes)},    {"surface_types.csv", surface_types(grounds)},
+        {"source.asc", text_of(blocks.zones)},      {"README.md", readme(folder, blocks, project.remarks)}};
+    if (!folder.projection.empty()) {
+        project.files.push_back({"dem.prj", folder.projection});
+    }
+    if (!forest.trees.empty()) {
+        project.files.push_back({"trees.csv", trees_csv(forest)});
+    }
+    return project;
+}
+
+}  // namespace coupling::rockyfor3d

@@ -1,0 +1,203 @@
+// A folder with the inputs of Rockyfor3D becomes a project that runs.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "config/grid/ascii_grid.hpp"
+#include "config/table/table.hpp"
+#include "tests/runs/program.hpp"
+
+namespace coupling {
+namespace {
+
+using config::Raster;
+
+/// A window of 70 x 70 cells of the example `tyrol` as a user of Rockyfor3D has it, in the folder `rocky`.
+class RockyFolder : public SampleProject {
+public:
+    RockyFolder() {
+        EXPECT_EQ(call(*this, "init tyrol --quiet").code, 0);
+        std::filesystem::create_directories(file("rocky"));
+        const Raster<double> dem = window(grid_of("tyrol/dem.asc"));
+        const Raster<double> surface = window(grid_of("tyrol/surface.asc"));
+        const Raster<double> source = window(grid_of("tyrol/source.asc"));
+        frame_ = dem.frame;
+        save("dem.asc", dem);
+        write("rocky/dem.prj", read("tyrol/dem.prj"));
+        const auto from = [&](const Raster<double>& raster, const std::function<double(double)>& value) {
+            Raster<double> made{frame_};
+            for (std::size_t i = 0; i < made.values.size(); ++i) {
+                made.values[i] = value(raster.values[i]);
+            }
+            return made;
+        };
+        const auto if_source = [&](double value) {
+            return from(source, [value](double zone) { return zone > 0.0 ? value : 0.0; });
+        };
+        save("rockdensity.asc", if_source(2650.0));
+        save("d1.asc", if_source(0.8));
+        save("d2.asc", if_source(0.6));
+        save("d3.asc", if_source(0.5));
+        save("blshape.asc", if_source(1.0));
+        save("soiltype.asc", from(surface, [](double code) {
+                 return code == 1 ? 6.0 : code == 2 ? 4.0 : 1.0;
+             }));
+        save("rg70.asc", from(surface, [](double code) { return code == 2 ? 0.25 : 0.0; }));
+        save("rg20.asc", from(surface, [](double code) { return code == 2 ? 0.5 : 0.05; }));
+        save("rg10.asc", from(surface, [](double code) { return code == 2 ? 0.9 : 0.1; }));
+        save("conif_percent.asc", Raster<double>{frame_, 60.0});
+        write("rocky/net_energy.asc", "an old net\n");
+    }
+
+    void save(const std::string& name, const Raster<double>& raster) const {
+        std::ostringstream text;
+        config::write_ascii_grid(text, raster);
+        write("rocky/" + name, text.str());
+    }
+    [[nodiscard]] const config::GridFrame& frame() const { return frame_; }
+
+    /// Statistical forest: 400 stems/ha in the northern half.
+    void add_forest_rasters() const {
+        Raster<double> stems{frame_};
+        for (std::size_t i = 0; i < stems.values.size() / 2; ++i) {
+            stems.values[i] = 400.0;
+        }
+        save("nrtrees.asc", stems);
+        save("dbhmean.asc", Raster<double>{frame_, 30.0});
+        save("dbhstd.asc", Raster<double>{frame_, 8.0});
+    }
+    /// The trees of the example in the window as a tree file.
+    std::size_t add_tree_file() const {
+        std::istringstream in{read("tyrol/trees.csv")};
+        const config::Table trees = config::Table::read(in, "trees.csv");
+        std::ostringstream out;
+        std::size_t count = 0;
+        for (std::size_t row = 0; row < trees.rows(); ++row) {
+            const double x_m = std::stod(trees.text(row, "x_m"));
+            const double y_m = std::stod(trees.text(row, "y_m"));
+            if (frame_.covers(x_m, y_m)) {
+                out << trees.text(row, "x_m") << '\t' << trees.text(row, "y_m") << '\t'
+                    << trees.text(row, "dbh_cm") << '\n';
+                ++count;
+            }
+        }
+        write("rocky/treefile.txt", out.str());
+        return count;
+    }
+    [[nodiscard]] Raster<double> grid_of(const std::string& name) const {
+        return config::read_ascii_grid(read(name), name);
+    }
+
+private:
+    static Raster<double> window(const Raster<double>& whole) {
+        constexpr int size = 70;
+        constexpr int first_column = 60;
+        constexpr int first_row = 30;
+        const config::GridFrame& f = whole.frame;
+        Raster<double> part{{size, size, f.x_west_m + first_column * f.cell_width_m,
+                             f.y_north_m() - (first_row + size) * f.cell_height_m, f.cell_width_m,
+                             f.cell_height_m}};
+        for (int row = 0; row < size; ++row) {
+            for (int column = 0; column < size; ++column) {
+                part.at({column, row}) = whole.at({first_column + column, first_row + row});
+            }
+        }
+        return part;
+    }
+
+    config::GridFrame frame_;
+};
+
+config::Table table_of(const SampleProject& project, const std::string& name) {
+    std::istringstream in{project.read(name)};
+    return config::Table::read(in, name);
+}
+
+TEST(FromRockyfor3d, MakesAProjectThatRuns) {
+    const RockyFolder project;
+    const std::size_t trees = project.add_tree_file();
+    ASSERT_GT(trees, 100U);
+    const Outcome made = call(project, "init made --from-rockyfor3d rocky");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.out, "made/scenario.ini\n");
+    // What has no counterpart is said on the screen and in the project.
+    EXPECT_NE(made.err.find("Not read, no counterpart: net_energy.asc"), std::string::npos) << made.err;
+    EXPECT_NE(project.read("made/README.md").find("net_energy.asc"), std::string::npos);
+    EXPECT_EQ(project.read("made/dem.prj"), project.read("tyrol/dem.prj"));
+
+    const config::Table listed = table_of(project, "made/trees.csv");
+    EXPECT_GT(listed.rows(), trees / 2);  // those below 5 cm are left out
+    std::size_t conifers = 0;
+    for (std::size_t row = 0; row < listed.rows(); ++row) {
+        conifers += listed.text(row, "species") == "PIAB" ? 1U : 0U;
+    }
+    const double share = static_cast<double>(conifers) / static_cast<double>(listed.rows());
+    EXPECT_NEAR(share, 0.6, 4.0 * std::sqrt(0.6 * 0.4 / static_cast<double>(listed.rows())));
+
+    const Outcome check = call(project, "check made/scenario.ini");
+    ASSERT_EQ(check.code, 0) << check.err;
+    EXPECT_EQ(check.err, "");  // nothing doubtful
+    const Outcome run = call(project, "run made/scenario.ini --quiet --set release.rocks=500");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(std::filesystem::exists(project.file("made/out/rasters/forest/E_95.asc")));
+
+    // The size of the spheres of the same volume as the blocks.
+    const config::Table rocks = table_of(project, "made/out/tables/rocks.csv");
+    const double diameter_m = std::cbrt(6.0 / 3.14159265358979 * 0.8 * 0.6 * 0.5);
+    EXPECT_NEAR(std::stod(rocks.text(0, "diameter_m")), diameter_m, 0.005);  // sizes to the centimetre
+}
+
+TEST(FromRockyfor3d, DrawsAForestFromRastersTheSameEachTime) {
+    const RockyFolder project;
+    project.add_forest_rasters();
+    ASSERT_EQ(call(project, "init made --from-rockyfor3d rocky --quiet").code, 0);
+    ASSERT_EQ(call(project, "init again --from-rockyfor3d rocky --quiet").code, 0);
+    EXPECT_EQ(project.read("made/trees.csv"), project.read("again/trees.csv"));
+    const config::Table trees = table_of(project, "made/trees.csv");
+    // 400 stems on each hectare of 35 x 70 cells of 25 m2; each cell holds one tree, so that their number is
+    // exact.
+    EXPECT_EQ(trees.rows(), 35U * 70U);
+    double sum_cm = 0.0;
+    for (std::size_t row = 0; row < trees.rows(); ++row) {
+        sum_cm += std::stod(trees.text(row, "dbh_cm"));
+    }
+    const auto count = static_cast<double>(trees.rows());
+    EXPECT_NEAR(sum_cm / count, 30.0, 4.0 * 8.0 / std::sqrt(count) + 0.05);
+    EXPECT_NE(project.read("made/README.md").find("artificial"), std::string::npos);
+}
+
+TEST(FromRockyfor3d, RefusesRastersThatDoNotLieOnTheDem) {
+    const RockyFolder project;
+    config::GridFrame shifted = project.frame();
+    shifted.x_west_m += 5.0;
+    project.save("rg20.asc", Raster<double>{shifted, 0.0});
+    config::GridFrame smaller = project.frame();
+    --smaller.columns;
+    project.save("d2.asc", Raster<double>{smaller, 0.5});
+    const Outcome made = call(project, "init made --from-rockyfor3d rocky");
+    EXPECT_EQ(made.code, 4);
+    EXPECT_NE(made.err.find("rg20.asc"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("d2.asc"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("the frame of the DEM"), std::string::npos) << made.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("made")));
+}
+
+TEST(FromRockyfor3d, TellsEveryFileThatIsMissingAndEveryValueOutOfRange) {
+    const RockyFolder project;
+    project.remove("rocky/rg10.asc");
+    project.save("soiltype.asc", Raster<double>{project.frame(), 9.0});
+    const Outcome made = call(project, "init made --from-rockyfor3d rocky");
+    EXPECT_NE(made.err.find("rg10.asc"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("soiltype.asc"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("4900 cells"), std::string::npos) << made.err;
+    EXPECT_EQ(made.code, 4);  // that of the first problem
+    EXPECT_EQ(call(project, "init made --from-rockyfor3d nowhere").code, 3);
+}
+
+}  // namespace
+}  // namespace coupling
