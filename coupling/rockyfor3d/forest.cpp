@@ -28,7 +28,7 @@ public:
     /// `u`: uniform on [0, 1).
     void plant(double x_m, double y_m, double dbh_cm, double u) {
         const config::GridFrame& frame = folder_.dem.frame;
-        if (!frame.covers(x_m, y_m) || std::isnan(folder_.dem.at(frame.cell_at(x_m, y_m)))) {
+        if (!on_terrain(x_m, y_m) || std::isnan(folder_.dem.at(frame.cell_at(x_m, y_m)))) {
             ++forest_.outside;
         } else if (dbh_cm < thinnest_cm) {
             ++forest_.too_thin;
@@ -45,6 +45,13 @@ public:
     void generated() { forest_.generated = true; }
 
 private:
+    /// The terrain joins the centres of cells: it ends half a cell inside the DEM.
+    [[nodiscard]] bool on_terrain(double x_m, double y_m) const {
+        const config::GridFrame& frame = folder_.dem.frame;
+        return x_m > frame.x_centre_m(0) && x_m < frame.x_centre_m(frame.columns - 1) &&
+               y_m > frame.y_centre_m(frame.rows - 1) && y_m < frame.y_centre_m(0);
+    }
+
     const Folder& folder_;
     Forest forest_;
 };

@@ -20,7 +20,7 @@ struct Forest {
     std::vector<Tree> trees;
     bool generated = false;     ///< from rasters, not from a list
     std::size_t too_thin = 0;   ///< left out: below 5 cm, which is no obstacle in either program
-    std::size_t outside = 0;    ///< left out: off the DEM
+    std::size_t outside = 0;    ///< left out: off the terrain, which joins the centres of cells
     bool all_conifers = false;  ///< conif_percent is missing
 };
 

@@ -99,6 +99,18 @@ std::string scenario(const Blocks& blocks, const Forest& forest) {
         ";[targets]\n;file = targets.csv        ; what is to be protected: target_id, name, wkt\n");
 }
 
+std::string sizes_in_words(const Blocks& blocks) {
+    const std::string smallest = two_digits(blocks.classes.front().diameter_m);
+    if (blocks.classes.size() == 1) {
+        return joined(smallest, " m");
+    }
+    return joined(std::to_string(blocks.classes.size()), " sizes from ", smallest, " to ",
+                  two_digits(blocks.classes.back().diameter_m), " m",
+                  blocks.class_width_m > 0.0
+                      ? joined(" (classes of ", two_digits(blocks.class_width_m), " m)")
+                      : std::string{});
+}
+
 void remark_blocks(const Blocks& blocks, std::vector<std::string>& remarks) {
     remarks.push_back(
         joined("Sources: ", std::to_string(blocks.cells()), " cells with rockdensity above 0",
@@ -107,13 +119,8 @@ void remark_blocks(const Blocks& blocks, std::vector<std::string>& remarks) {
                    : joined("; ", std::to_string(blocks.left_out),
                             " more in the two outer rows and columns are left out, as Rockyfor3D does"),
                "."));
-    remarks.push_back(joined(
-        "Block shapes (blshape, d1, d2, d3) became spheres of the same volume, ",
-        two_digits(blocks.classes.front().diameter_m), " to ", two_digits(blocks.classes.back().diameter_m),
-        " m in ", std::to_string(blocks.classes.size()), " sizes",
-        blocks.class_width_m > 0.0 ? joined(" (classes of ", two_digits(blocks.class_width_m), " m)")
-                                   : std::string{},
-        ". The shape itself has no counterpart."));
+    remarks.push_back(joined("Block shapes (blshape, d1, d2, d3) became spheres of the same volume: ",
+                             sizes_in_words(blocks), ". The shape itself has no counterpart."));
     if (blocks.classes.size() > 1) {
         remarks.emplace_back(
             "Block sizes by source cell have no counterpart: sizes are drawn for all sources, each as often "
@@ -164,7 +171,8 @@ void remark_forest(const Forest& forest, std::vector<std::string>& remarks) {
     }
     if (forest.too_thin + forest.outside > 0) {
         remarks.push_back(joined("Left out: ", std::to_string(forest.too_thin), " trees below 5 cm and ",
-                                 std::to_string(forest.outside), " off the DEM."));
+                                 std::to_string(forest.outside),
+                                 " off the terrain, which ends half a cell inside the DEM."));
     }
     remarks.push_back(
         joined(forest.all_conifers
