@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <map>
-#include <set>
 
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/species_colours.hpp"
@@ -28,6 +28,14 @@ void add_stands(const RegimeView& regime, const std::string& name, Scene& scene)
     for (auto& [year, stand] : stands) {
         stand.year = year;
         stand.regime = name;
+        const auto same =
+            std::find_if(scene.stands.begin(), scene.stands.end(), [&](const SceneStand& other) {
+                return !other.same_as && other.year == stand.year && other.trees == stand.trees;
+            });
+        if (same != scene.stands.end()) {
+            stand.same_as = static_cast<std::size_t>(same - scene.stands.begin());
+            stand.trees.clear();
+        }
         scene.stands.push_back(std::move(stand));
     }
 }

@@ -124,7 +124,8 @@ class SlopeView {
             fell(this.trees);
             this.trees = null;
         }
-        const stand = this.numbers.stands[index];
+        const chosen = this.numbers.stands[index];
+        const stand = chosen?.same_as === undefined ? chosen : this.numbers.stands[chosen.same_as];
         let seen = { species: new Set(), dead: false, broken: false };
         if (stand) {
             const grown = grow(this.numbers, this.ground, stand);

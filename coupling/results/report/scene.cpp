@@ -16,7 +16,7 @@ using page_scripts::json_packed;
 using page_scripts::JsonObject;
 
 constexpr int most_heights_a_side = 256;
-constexpr std::size_t most_trees = 240'000;
+constexpr std::size_t most_trees = 400'000;
 constexpr double full = 65'535.0;
 /// Room above the highest ground for flying rocks.
 constexpr double headroom_m = 200.0;
@@ -91,6 +91,13 @@ std::string ground_json(const config::Raster<double>& heights, const Box& box) {
 }
 
 std::string stand_json(const SceneStand& stand, const Box& box, std::size_t most) {
+    if (stand.same_as) {
+        return JsonObject{}
+            .text("regime", stand.regime)
+            .number("year", stand.year)
+            .number("same_as", static_cast<double>(*stand.same_as))
+            .json();
+    }
     std::vector<const SceneTree*> shown;
     for (const SceneTree& tree : stand.trees) {
         shown.push_back(&tree);
@@ -179,7 +186,9 @@ std::string list_of(const Items& items, const Write& write) {
 
 std::string json_of(const Scene& scene) {
     const Box box = box_of(scene.heights);
-    const std::size_t most = most_trees / std::max<std::size_t>(1, scene.stands.size());
+    const auto different = std::count_if(scene.stands.begin(), scene.stands.end(),
+                                         [](const SceneStand& stand) { return !stand.same_as; });
+    const std::size_t most = most_trees / static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, different));
     const std::vector<const char*> classes{energy_class_names.begin(), energy_class_names.end()};
     return JsonObject{}
         .add("ground", ground_json(scene.heights, box))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct SceneTree {
     double crown_radius_m = 0.0;  ///< 0: not known
     std::uint8_t species = 0;     ///< place in the scene's list
     TreeState state = TreeState::living;
+    friend bool operator==(const SceneTree&, const SceneTree&) = default;
 };
 
 /// What stands in one year under one regime.
@@ -32,6 +34,8 @@ struct SceneStand {
     std::string regime;  ///< empty where there is one
     std::int32_t year = 0;
     std::vector<SceneTree> trees;
+    /// Place of an earlier stand with the same trees, which are then not repeated here.
+    std::optional<std::size_t> same_as{};
 };
 
 struct SceneSpecies {
@@ -51,7 +55,7 @@ struct Scene {
 
 /// A figure that the script fills; without scripts or WebGL it says what is missing and where else to look
 /// (`instead`, HTML). The ground keeps at most 256 heights a side, a stand at most as many of the thickest
-/// trees as let all stands together be 240 000.
+/// trees as let all stands together be 400 000.
 std::string scene_figure(const Scene& scene, const std::string& instead);
 
 }  // namespace coupling::report

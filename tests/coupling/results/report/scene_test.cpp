@@ -1,0 +1,55 @@
+#include "coupling/results/report/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/coupling/results/markup_checks.hpp"
+
+namespace coupling::report {
+namespace {
+
+config::Raster<double> some_ground() {
+    config::GridFrame frame;
+    frame.columns = 600;
+    frame.rows = 2;
+    frame.cell_width_m = frame.cell_height_m = 10.0;
+    frame.x_west_m = 1000.0;
+    frame.y_south_m = 2000.0;
+    config::Raster<double> heights{frame, 500.0};
+    heights.at({599, 0}) = std::numeric_limits<double>::quiet_NaN();
+    return heights;
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(SceneFigure, ThinsTheGroundAndCountsFromItsSouthWesternCorner) {
+    const config::Raster<double> heights = some_ground();
+    Scene scene{.heights = heights};
+    scene.species = {{"<spruce>", "#117733", true}};
+    scene.stands = {{"", 0, {{.x_m = 1000.0, .y_m = 2000.0, .dbh_cm = 30.0, .height_m = 10.0}}}};
+    const std::string figure = scene_figure(scene, "Nothing <b>here</b>.");
+    EXPECT_EQ(testing::markup_fault(figure), "");
+    EXPECT_FALSE(has(figure, "<spruce>"));
+    EXPECT_TRUE(has(figure, "Nothing <b>here</b>."));
+    EXPECT_TRUE(has(figure, "\"columns\":200,\"rows\":1,\"block\":3")) << "at most 256 a side";
+    EXPECT_TRUE(has(figure, "\"low_m\":500"));
+    // Two bytes, lower one first: 0, 300 mm, 1000 cm.
+    EXPECT_TRUE(has(figure, "\"x\":\"AAA=\",\"y\":\"AAA=\",\"dbh_mm\":\"LAE=\",\"height_cm\":\"6AM=\""));
+    EXPECT_TRUE(has(figure, "\"trees\":1,\"left_out\":0"));
+}
+
+TEST(SceneFigure, WritesTreesOfACommonStartOnce) {
+    const config::Raster<double> heights = some_ground();
+    Scene scene{.heights = heights};
+    scene.species = {{"spruce", "#117733", true}};
+    scene.stands = {{"A", 0, {{.x_m = 1010.0, .y_m = 2010.0, .dbh_cm = 30.0, .height_m = 10.0}}},
+                    {"B", 0, {}, 0}};
+    const std::string figure = scene_figure(scene, "");
+    EXPECT_TRUE(has(figure, "{\"regime\":\"B\",\"year\":0,\"same_as\":0}"));
+}
+
+}  // namespace
+}  // namespace coupling::report
