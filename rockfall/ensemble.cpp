@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rockfall/one_slope.hpp"
+
 namespace rockfall {
 
 Obstacles Assessment::obstacles(Cover cover, std::span<std::uint8_t> gone) const {
@@ -69,28 +71,17 @@ Worker::Worker(const Assessment& assessment, std::array<CellHistograms*, covers>
 }
 
 void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone) {
-    std::uint32_t source = chunk.first_source;
-    for (std::uint64_t rock = chunk.first_rock; rock < chunk.last_rock; ++rock) {
-        while (rock >= assessment_.sources[source].first_rock + assessment_.sources[source].rocks) {
-            ++source;
-        }
-        const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, rock};
-        const std::optional<RockStart> start =
-            start_of(assessment_.slope, assessment_.sources[source], source, assessment_.start, key);
-        if (!start) {
-            ++rows.not_started;
-            continue;
-        }
-        fall_over(Cover::bare, *start, rows, fed, {});
+    each_start(assessment_, chunk, rows, [&](const RockStart& start) {
+        fall_over(Cover::bare, start, rows, fed, {});
         if (!assessment_.only_bare()) {
-            fall_over(Cover::forest, *start, rows, fed, gone);
+            fall_over(Cover::forest, start, rows, fed, gone);
             const auto bare = footprints_[static_cast<std::size_t>(Cover::bare)]->arrivals();
             const auto forest = footprints_[static_cast<std::size_t>(Cover::forest)]->arrivals();
             for (std::size_t i = 0; i < bare.size(); ++i) {
                 tally_.targets[i].reached_both += bare[i].reached && forest[i].reached ? 1 : 0;
             }
         }
-    }
+    });
 }
 
 void Worker::fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed,
@@ -105,45 +96,7 @@ void Worker::fall_over(Cover cover, const RockStart& start, ChunkRows& rows, Fed
 
 void Worker::count(Cover cover, ChunkRows& rows, FedCells* fed, const RockStart& start) {
     const auto c = static_cast<std::size_t>(cover);
-    const Footprint& footprint = *footprints_[c];
-    CellTally& cells = tally_.cells[c];
-    for (const CellVisit& visit : footprint.visits()) {
-        CellSums& sums = cells.cells[visit.cell];
-        sums.add(visit);
-        if (fed != nullptr) {
-            fed->mark(cover, visit.cell);
-        } else if (sums.last_source != start.source) {
-            sums.last_source = start.source;
-            sums.fed_rocks += assessment_.sources[start.source].rocks;
-        }
-        if (histograms_[c] != nullptr) {
-            histograms_[c]->add(visit);
-        }
-    }
-    if (footprint.deposit_cell() < cells.cells.size()) {
-        ++cells.cells[footprint.deposit_cell()].deposited;
-    }
-    tally_.runs[c].add(footprint.record());
-    const auto arrivals = footprint.arrivals();
-    for (std::size_t i = 0; i < arrivals.size(); ++i) {
-        tally_.targets[i].by_cover[c].add(arrivals[i]);
-    }
-    for (const TreeHitRecord& hit : footprint.tree_hits()) {
-        tally_.stems[hit.stem].add(
-            {1, hit.broken ? 1U : 0U, static_cast<std::uint64_t>(std::lround(hit.loss_j))});
-        rows.tree_hits.emplace_back(start.id, hit);
-    }
-    for (const LogHitRecord& hit : footprint.log_hits()) {
-        tally_.logs[hit.log].add({1, hit.outcome == LogOutcome::broke ? 1U : 0U,
-                                  hit.outcome == LogOutcome::stopped ? 1U : 0U,
-                                  static_cast<std::uint64_t>(std::lround(hit.loss_j))});
-        rows.log_hits.emplace_back(start.id, hit);
-    }
-    rows.rocks[c].push_back(footprint.record());
-    rows.arrivals[c].insert(rows.arrivals[c].end(), arrivals.begin(), arrivals.end());
-    if (!footprint.path().empty()) {
-        rows.paths.push_back({start.id, cover, {footprint.path().begin(), footprint.path().end()}});
-    }
+    enter_fall(*footprints_[c], cover, assessment_, start, tally_, rows, fed, histograms_[c]);
 }
 
 }  // namespace rockfall

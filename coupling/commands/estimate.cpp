@@ -123,9 +123,11 @@ Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size
         const std::size_t maps = chosen_years(settings.map_years, scenario.years).size();
         estimate.map_bytes = map_bytes * (at_once * (threads_each + 1) + members * maps);
     }
+    // Over the bare slope once for each replicate, through the forest for each member.
+    const double rocks_s = seconds_of_rocks(site, estimate.rocks * estimate.rock_years);
     estimate.seconds = rounds * (static_cast<double>(scenario.years * patches) * seconds_per_patch_year +
-                                 seconds_of_rocks(site, 2 * estimate.rocks * estimate.rock_years) /
-                                     static_cast<double>(threads_each));
+                                 rocks_s / static_cast<double>(threads_each)) +
+                       static_cast<double>(settings.replicates) * rocks_s / threads;
     return estimate;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "coupling/inputs/scenario.hpp"
+#include "coupling/run/ranks.hpp"
 #include "coupling/validation/quantities.hpp"
 #include "coupling/version.hpp"
 
@@ -82,6 +83,7 @@ Interrupted by Ctrl-C it keeps finished parts; the same call goes on from there.
   --overwrite               replaces results or parts that the folder holds
   --shard i/n               of a run over years: simulates only each n-th member (regime and replicate), from the i-th on,
                             and keeps its part; shards may share a folder, the call without --shard then makes the results
+Started by `mpirun -n N bannwald run ...` the N processes share the members of a run over years.
 )";
 
 constexpr std::string_view merge_help = R"(bannwald merge SCENARIO DIR... [options]
@@ -185,8 +187,8 @@ void write_version(std::ostream& out) {
     }
     out << "\nbuilt with " << BANNWALD_COMPILER << "; CGAL " << BANNWALD_CGAL << ", Eigen "
         << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION << ", Boost "
-        << BOOST_VERSION / 100000 << '.' << BOOST_VERSION / 100 % 1000 << ", OpenMP " << _OPENMP
-        << "\nlicence GPL-3.0-or-later; no warranty, to the extent permitted by law\n";
+        << BOOST_VERSION / 100000 << '.' << BOOST_VERSION / 100 % 1000 << ", OpenMP " << _OPENMP << ", "
+        << mpi_in_words() << "\nlicence GPL-3.0-or-later; no warranty, to the extent permitted by law\n";
 }
 
 }  // namespace coupling

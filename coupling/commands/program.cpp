@@ -3,6 +3,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 
 #include "config/errors/input_error.hpp"
 #include "config/errors/warnings.hpp"
@@ -12,6 +13,8 @@
 #include "coupling/commands/info.hpp"
 #include "coupling/commands/init.hpp"
 #include "coupling/commands/validate.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/run/ranks.hpp"
 #include "coupling/run/run.hpp"
 #include "coupling/stopping/stopping_table.hpp"
 
@@ -60,16 +63,17 @@ int check(const CommandLine& line) {
     return code(ExitCode::done);
 }
 
-int run(const CommandLine& line) {
+int run(const CommandLine& line, RankGroup& ranks) {
     return run_assessment({.scenario = line.argument,
                            .overrides = line.overrides,
                            .out = line.out,
                            .threads = line.threads,
                            .overwrite = line.overwrite,
-                           .quiet = line.quiet,
+                           .quiet = line.quiet || !ranks.first(),
                            .verbose = line.verbose,
                            .shard = line.shard,
-                           .shards = line.folders});
+                           .shards = line.folders},
+                          ranks);
 }
 
 int stopping_table(const CommandLine& line) {
@@ -88,15 +92,22 @@ int stopping_table(const CommandLine& line) {
     return make_stopping_table(request, std::cout);
 }
 
-int carry_out(const CommandLine& line) {
+int carry_out(const CommandLine& line, RankGroup& ranks) {
+    if (line.command == "run") {
+        return run(line, ranks);
+    }
+    if (!ranks.first()) {
+        return code(ExitCode::done);  // only runs are shared: the first rank does anything else
+    }
     if (line.command == "init") {
         return init(line);
     }
     if (line.command == "check") {
         return check(line);
     }
-    if (line.command == "run" || line.command == "merge") {
-        return run(line);
+    if (line.command == "merge") {
+        RankGroup alone{RankGroup::Alone{}};
+        return run(line, alone);
     }
     if (line.command == "validate") {
         return validate_cases(line, std::cout);
@@ -119,25 +130,37 @@ int carry_out(const CommandLine& line) {
 }  // namespace
 
 int run_program(const std::vector<std::string>& arguments) {
+    std::optional<RankGroup> ranks;
+    // Of several ranks that fail one tells why; then all leave together.
+    const auto speaks = [&] { return !ranks || ranks->fail(true); };
+    int result = code(ExitCode::done);
     try {
-        const int result = carry_out(parse_command_line(arguments));
+        ranks.emplace();
+        result = carry_out(parse_command_line(arguments), *ranks);
         std::cout.flush();
         if (!std::cout) {
             std::cerr << "bannwald: cannot write to the standard output\n";
-            return code(ExitCode::file);
+            result = code(ExitCode::file);
         }
-        return result;
+    } catch (const FailedElsewhere&) {
+        ranks->fail(false);
     } catch (const config::InputError& error) {
-        for (const config::Problem& problem : error.problems()) {
-            std::cerr << "bannwald: " << config::to_string(problem) << '\n';
+        if (speaks()) {
+            for (const config::Problem& problem : error.problems()) {
+                std::cerr << "bannwald: " << config::to_string(problem) << '\n';
+            }
+            result = code(error.code());
         }
-        return code(error.code());
-    } catch (const std::bad_alloc&) {
-        std::cerr << "bannwald: not enough memory; `bannwald check` tells how much a run takes\n";
     } catch (const std::exception& error) {
-        std::cerr << "bannwald: a fault of the program: " << error.what() << '\n';
+        if (speaks()) {
+            const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+            std::cerr << (memory ? "bannwald: not enough memory; `bannwald check` tells how much a run takes"
+                                 : joined("bannwald: a fault of the program: ", error.what()))
+                      << '\n';
+            result = code(ExitCode::internal);
+        }
     }
-    return code(ExitCode::internal);
+    return ranks ? ranks->leave_with(result) : result;
 }
 
 }  // namespace coupling

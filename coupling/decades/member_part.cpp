@@ -1,7 +1,5 @@
 #include "coupling/decades/member_part.hpp"
 
-#include "coupling/run/byte_archive.hpp"
-
 namespace coupling::decades {
 namespace {
 
@@ -25,11 +23,27 @@ void each_list(Years& years, const Visit& visit) {
 
 }  // namespace
 
-void write_part(const std::filesystem::path& file, const std::string& hash, const MemberYears& years) {
-    const std::filesystem::path temporary = file.string() + ".tmp";
-    ByteWriter out{temporary};
-    out.value(magic);
+void begin_part(ByteWriter& out, std::uint64_t magic_number, const std::string& hash) {
+    out.value(magic_number);
     out.text(hash);
+}
+
+void check_begin(ByteReader& in, std::uint64_t magic_number, const std::string& hash,
+                 const std::filesystem::path& file) {
+    if (in.value<std::uint64_t>() != magic_number) {
+        config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version",
+                     "delete it, or run with --overwrite to begin anew");
+    }
+    if (in.text() != hash) {
+        config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
+                     "delete it, or run with --overwrite to begin anew");
+    }
+}
+
+void write_part(const std::filesystem::path& file, const std::string& hash, const MemberYears& years) {
+    const std::filesystem::path temporary = temporary_beside(file);
+    ByteWriter out{temporary};
+    begin_part(out, magic, hash);
     out.value(years.member);
     each_list(years, [&](const auto& list) { out.list(list); });
     out.value(static_cast<std::uint64_t>(years.maps.size()));
@@ -46,14 +60,7 @@ std::optional<MemberYears> read_part(const std::filesystem::path& file, const st
         return std::nullopt;
     }
     ByteReader in{file};
-    if (in.value<std::uint64_t>() != magic) {
-        config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version",
-                     "delete it, or run with --overwrite to begin anew");
-    }
-    if (in.text() != hash) {
-        config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
-                     "delete it, or run with --overwrite to begin anew");
-    }
+    check_begin(in, magic, hash, file);
     MemberYears years;
     years.member = in.value<Member>();
     each_list(years, [&]<class Row>(std::vector<Row>& list) { list = in.list<Row>(); });
@@ -65,10 +72,6 @@ std::optional<MemberYears> read_part(const std::filesystem::path& file, const st
     }
     in.check_end();
     return years;
-}
-
-bool has_part(const std::filesystem::path& file, const std::string& hash) {
-    return read_part(file, hash).has_value();
 }
 
 }  // namespace coupling::decades

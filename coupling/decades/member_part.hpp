@@ -5,6 +5,7 @@
 #include <string>
 
 #include "coupling/decades/records.hpp"
+#include "coupling/run/byte_archive.hpp"
 
 namespace coupling::decades {
 
@@ -16,7 +17,10 @@ void write_part(const std::filesystem::path& file, const std::string& hash, cons
 /// damaged, or if it is of other settings.
 std::optional<MemberYears> read_part(const std::filesystem::path& file, const std::string& hash);
 
-/// Whether a whole part of these settings is there. Throws as read_part.
-bool has_part(const std::filesystem::path& file, const std::string& hash);
+/// How each kind of part begins: what it is, and of which run.
+void begin_part(ByteWriter& out, std::uint64_t magic_number, const std::string& hash);
+/// Throws config::InputError (file) if a part begins otherwise.
+void check_begin(ByteReader& in, std::uint64_t magic_number, const std::string& hash,
+                 const std::filesystem::path& file);
 
 }  // namespace coupling::decades

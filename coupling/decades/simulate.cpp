@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "config/random/stream.hpp"
 #include "coupling/decades/record_forest.hpp"
@@ -41,6 +42,9 @@ public:
           tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.years)},
           map_years_{chosen_years(settings_.map_years, decades.scenario.years)} {
         kept_.member = member;
+        if (decades.parts != nullptr) {
+            bare_.emplace(*decades.blocks, *decades.parts, member.replicate);
+        }
     }
 
     void begin() {
@@ -88,7 +92,8 @@ private:
         if (!has_rocks(year)) {
             return {};
         }
-        FallsOfYear falls = decades_.rocks->fall(stand_, member_.replicate, year, threads_);
+        FallsOfYear falls = bare_ ? decades_.rocks->fall(stand_, bare_->at(year), member_.replicate, threads_)
+                                  : decades_.rocks->fall(stand_, member_.replicate, year, threads_);
         record_falls(falls, year, kept_);
         if (contains(map_years_, year)) {
             record_cells(falls, year, kept_);
@@ -144,6 +149,7 @@ private:
     RegimeState regime_state_;
     std::vector<int> tree_list_years_;
     std::vector<int> map_years_;
+    std::optional<BareFalls> bare_;  ///< where they are shared
     MemberYears kept_;
 };
 

@@ -2,7 +2,9 @@
 
 #include <functional>
 
+#include "coupling/decades/bare_falls.hpp"
 #include "coupling/decades/management.hpp"
+#include "coupling/decades/parts.hpp"
 #include "coupling/decades/records.hpp"
 #include "coupling/decades/year_falls.hpp"
 #include "coupling/inputs/forest_site.hpp"
@@ -16,6 +18,9 @@ struct Decades {
     const ForestSite& forest;
     const Management& management;
     const RockSeason* rocks = nullptr;  ///< nullptr: no rockfall
+    /// Where their falls over the bare slope lie; nullptr: each member lets them fall itself.
+    const YearBlocks* blocks = nullptr;
+    const Parts* parts = nullptr;
 };
 
 /// Lives through all years of a member.

@@ -76,27 +76,72 @@ RockSeason::Obstacles RockSeason::obstacles_of(const forest::Stand& stand) const
     return obstacles;
 }
 
-FallsOfYear RockSeason::fall(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,
-                             int threads) const {
-    const Obstacles obstacles = obstacles_of(stand);
-    const double largest_radius_m = 0.5 * start_.diameter.largest_m();
-    const rockfall::TreeImpactLaw& law = scenario_.rockfall.fall.tree;
-    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m, law.taper};
-    const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,
-                                  scenario_.rockfall.fall.log.loose_share};
+rockfall::Assessment RockSeason::assessment(const rockfall::StemIndex& stems, std::uint32_t replicate,
+                                            std::int32_t year) const {
     rockfall::Assessment assessment{site_.slope,   stems,         site_.sources,
                                     site_.targets, start_,        scenario_.rockfall.fall,
                                     frame_,        scenario_.seed};
     assessment.replicate = replicate;
     assessment.year = static_cast<std::uint16_t>(year);
-    assessment.logs = &logs;
+    return assessment;
+}
+
+BareYear RockSeason::fall_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,
+                               int threads) const {
+    const rockfall::StemIndex none;
+    const rockfall::Assessment falls = assessment(none, replicate, year);
+    BareYear bare;
+    bare.year = year;
+    bare.targets.resize(site_.targets.size());
+    bare.arrived.resize((rocks_ * site_.targets.size() + 63) / 64);
+    const auto keep_arrivals = [&](const rockfall::ChunkRows& rows) {
+        auto arrival = rows.arrivals[index_of(Cover::bare)].begin();
+        for (const rockfall::RockRecord& rock : rows.rocks[index_of(Cover::bare)]) {
+            for (std::size_t target = 0; target < bare.targets.size(); ++target, ++arrival) {
+                if (arrival->reached) {
+                    bare.mark_arrived(rock.rock, target);
+                }
+            }
+        }
+    };
+    rockfall::EnsembleTally tally{frame_, site_.targets.size(), 0};
+    if (fall_rocks_over(Cover::bare, falls, chunks_, threads, tally, keep_arrivals) == Ended::interrupted) {
+        throw Interrupted{};
+    }
+    bare.run = std::move(tally.runs[index_of(Cover::bare)]);
+    for (std::size_t target = 0; target < bare.targets.size(); ++target) {
+        bare.targets[target] = std::move(tally.targets[target].by_cover[index_of(Cover::bare)]);
+    }
+    if (with_cells) {
+        bare.cells = std::move(tally.cells[index_of(Cover::bare)].cells);
+    }
+    return bare;
+}
+
+FallsOfYear RockSeason::fall(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
+                             int threads) const {
+    const Obstacles obstacles = obstacles_of(stand);
+    const double largest_radius_m = 0.5 * start_.diameter.largest_m();
+    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
+                                    scenario_.rockfall.fall.tree.taper};
+    const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,
+                                  scenario_.rockfall.fall.log.loose_share};
+    rockfall::Assessment through_forest = assessment(stems, replicate, bare.year);
+    through_forest.logs = &logs;
 
     FallsOfYear falls{.tally = {frame_, site_.targets.size(), stems.placed().size(), logs.count()},
                       .takes = {},
                       .hits = {}};
-    falls.with_forest = !assessment.only_bare();
+    falls.with_forest = !through_forest.only_bare();
     const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
-        const auto& rocks = rows.rocks[static_cast<std::size_t>(Cover::forest)];
+        const auto& rocks = rows.rocks[index_of(Cover::forest)];
+        auto arrival = rows.arrivals[index_of(Cover::forest)].begin();
+        for (const rockfall::RockRecord& fallen : rocks) {
+            for (std::size_t target = 0; target < bare.targets.size(); ++target, ++arrival) {
+                const bool both = arrival->reached && bare.has_arrived(fallen.rock, target);
+                falls.tally.targets[target].reached_both += both ? 1 : 0;
+            }
+        }
         auto rock = rocks.begin();
         for (const auto& [number, hit] : rows.tree_hits) {
             while (rock->rock != number) {
@@ -119,11 +164,15 @@ FallsOfYear RockSeason::fall(const forest::Stand& stand, std::uint32_t replicate
                                                                stem.x_m - hit.position_m.x())}});
         }
     };
-    std::vector<std::uint8_t> none_falls;
-    if (fall_rocks(assessment, chunks_, {}, none_falls, threads, falls.tally, keep_hits) ==
-        Ended::interrupted) {
+    if (falls.with_forest && fall_rocks_over(Cover::forest, through_forest, chunks_, threads, falls.tally,
+                                             keep_hits) == Ended::interrupted) {
         throw Interrupted{};
     }
+    falls.tally.runs[index_of(Cover::bare)] = bare.run;
+    for (std::size_t target = 0; target < bare.targets.size(); ++target) {
+        falls.tally.targets[target].by_cover[index_of(Cover::bare)] = bare.targets[target];
+    }
+    falls.tally.cells[index_of(Cover::bare)].cells = bare.cells;
     for (std::size_t i = 0; i < obstacles.trees.size(); ++i) {
         if (obstacles.trees[i] != nullptr && falls.tally.stems[i].hits > 0) {
             falls.takes.push_back({obstacles.trees[i]->id, falls.tally.stems[i]});

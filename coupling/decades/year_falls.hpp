@@ -31,16 +31,35 @@ struct RockHit {
     forest::Impact impact;
 };
 
-/// The rocks of one year.
-struct FallsOfYear {
-    rockfall::EnsembleTally tally{config::GridFrame{}, 0, 0};
-    std::vector<StemTake> takes;  ///< of stems that were hit
-    std::vector<RockHit> hits;    ///< in the order of rocks
-    bool with_forest = false;     ///< false: no stem stood on the slope
+/// The rocks of a year over the bare slope: the same for all regimes.
+struct BareYear {
+    std::int32_t year = 0;
+    rockfall::RunTally run;
+    std::vector<rockfall::ArrivalTally> targets;
+    std::vector<rockfall::CellSums> cells;  ///< in chosen years only
+    /// Which rocks arrived: a bit for each rock and target, targets of a rock side by side.
+    std::vector<std::uint64_t> arrived;
+
+    [[nodiscard]] bool has_arrived(std::uint64_t rock, std::size_t target) const {
+        const std::uint64_t bit = rock * targets.size() + target;
+        return (arrived[bit / 64] >> (bit % 64) & 1U) != 0;
+    }
+    void mark_arrived(std::uint64_t rock, std::size_t target) {
+        const std::uint64_t bit = rock * targets.size() + target;
+        arrived[bit / 64] |= std::uint64_t{1} << (bit % 64);
+    }
 };
 
-/// Lets the rocks of a year fall: over the slope with the forest as it stands, and the same rocks over the
-/// bare slope. Made once for a run; shared by its members and their threads.
+/// The rocks of one year.
+struct FallsOfYear {
+    rockfall::EnsembleTally tally{config::GridFrame{}, 0, 0};  ///< bare cells in chosen years only
+    std::vector<StemTake> takes;                               ///< of stems that were hit
+    std::vector<RockHit> hits;                                 ///< in the order of rocks
+    bool with_forest = false;                                  ///< false: no stem stood on the slope
+};
+
+/// Lets the rocks of a year fall over the bare slope, and the same rocks over the slope with the forest as it
+/// stands. Made once for a run; shared by its members and their threads.
 class RockSeason {
 public:
     /// Refers to scenario and site as long as it lives. `fracture_energy`: by species of the forest, relative
@@ -50,8 +69,17 @@ public:
 
     /// Random numbers are keyed by replicate and year: all regimes see the same rocks. The result does not
     /// depend on the number of threads. Throws Interrupted.
-    [[nodiscard]] FallsOfYear fall(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,
+    [[nodiscard]] BareYear fall_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,
+                                     int threads) const;
+    /// The same rocks through the forest. `bare` is what fall_bare gave for them.
+    [[nodiscard]] FallsOfYear fall(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
                                    int threads) const;
+
+    /// Both, where nobody else wants what falls over the bare slope.
+    [[nodiscard]] FallsOfYear fall(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,
+                                   int threads) const {
+        return fall(stand, fall_bare(replicate, year, true, threads), replicate, threads);
+    }
 
     [[nodiscard]] std::uint64_t rocks() const { return rocks_; }
 
@@ -64,6 +92,8 @@ private:
     };
     /// Living trees, snags and stumps, stems that do not grow; logs.
     [[nodiscard]] Obstacles obstacles_of(const forest::Stand& stand) const;
+    [[nodiscard]] rockfall::Assessment assessment(const rockfall::StemIndex& stems, std::uint32_t replicate,
+                                                  std::int32_t year) const;
     [[nodiscard]] double fracture_energy(forest::SpeciesId species) const {
         return fracture_energy_[forest::index_of(species)];
     }

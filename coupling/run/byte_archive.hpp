@@ -72,6 +72,9 @@ private:
     Checksum sum_;
 };
 
+/// Name of a part file while it is written: of this process alone, as others may share the folder.
+std::filesystem::path temporary_beside(const std::filesystem::path& file);
+
 /// Ends a part file: closed under its temporary name, renamed when whole. Throws config::InputError (file).
 inline void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
                              const std::filesystem::path& file) {

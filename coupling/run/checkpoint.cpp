@@ -1,82 +1,11 @@
 #include "coupling/run/checkpoint.hpp"
 
-#include "coupling/run/byte_archive.hpp"
+#include "coupling/run/tally_archive.hpp"
 
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x32305452'41504E42ULL;  // "BNPART02", least byte first
-
-template <std::size_t N>
-std::span<const std::uint64_t> as_list(const std::array<std::uint64_t, N>& values) {
-    return values;
-}
-
-template <std::size_t N>
-void read_into(ByteReader& in, std::array<std::uint64_t, N>& values) {
-    const auto list = in.list<std::uint64_t>();
-    std::copy_n(list.begin(), std::min(N, list.size()), values.begin());
-}
-
-void write(ByteWriter& out, const rockfall::ArrivalTally& t) {
-    out.value(t.reached);
-    out.list(t.energy);
-    out.list(t.speed);
-    out.list(t.height);
-    for (const double v : {t.energy_max_j, t.speed_max_mps, t.height_max_m}) {
-        out.value(v);
-    }
-    for (const std::uint64_t v : {t.energy_sum_j, t.speed_sum_mmps, t.height_sum_mm}) {
-        out.value(v);
-    }
-}
-
-void read(ByteReader& in, rockfall::ArrivalTally& t) {
-    t.reached = in.value<std::uint64_t>();
-    t.energy = in.list<std::uint64_t>();
-    t.speed = in.list<std::uint64_t>();
-    t.height = in.list<std::uint64_t>();
-    for (double* v : {&t.energy_max_j, &t.speed_max_mps, &t.height_max_m}) {
-        *v = in.value<double>();
-    }
-    for (std::uint64_t* v : {&t.energy_sum_j, &t.speed_sum_mmps, &t.height_sum_mm}) {
-        *v = in.value<std::uint64_t>();
-    }
-}
-
-/// The plain numbers of a run tally, in one order for writing and reading.
-template <class Tally, class Visit>
-void each_number(Tally& t, const Visit& visit) {
-    for (auto* v :
-         {&t.rocks, &t.run_out_sum_mm, &t.max_speed_sum_mmps, &t.mean_speed_sum_mmps, &t.max_energy_sum_j,
-          &t.max_height_sum_mm, &t.jump_height_sum_mm, &t.jumps, &t.ground_impacts, &t.hits, &t.trees_broken,
-          &t.tree_energy_sum_j, &t.log_hits, &t.logs_broken, &t.log_energy_sum_j}) {
-        visit(*v);
-    }
-    for (auto* v : {&t.max_speed_mps, &t.max_energy_j, &t.max_height_m, &t.max_run_out_m}) {
-        visit(*v);
-    }
-}
-
-void write(ByteWriter& out, const rockfall::RunTally& t) {
-    each_number(t, [&](const auto& v) { out.value(v); });
-    out.list(as_list(t.by_reason));
-    out.list(as_list(t.run_out));
-    out.list(as_list(t.tree_hits));
-    out.list(t.max_speed);
-    out.list(t.max_energy);
-    out.list(t.max_height);
-}
-
-void read(ByteReader& in, rockfall::RunTally& t) {
-    each_number(t, [&](auto& v) { v = in.value<std::remove_reference_t<decltype(v)>>(); });
-    read_into(in, t.by_reason);
-    read_into(in, t.run_out);
-    read_into(in, t.tree_hits);
-    t.max_speed = in.list<std::uint64_t>();
-    t.max_energy = in.list<std::uint64_t>();
-    t.max_height = in.list<std::uint64_t>();
-}
+constexpr std::uint64_t magic = 0x33305452'41504E42ULL;  // "BNPART03", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -147,7 +76,7 @@ std::vector<rockfall::PathRecord> read_paths(ByteReader& in) {
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint,
                       const rockfall::EnsembleTally& tally,
                       const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms) {
-    const std::filesystem::path temporary = file.string() + ".tmp";
+    const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
     out.value(magic);
     out.text(checkpoint.settings_hash);
@@ -170,7 +99,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
 }
 
 void write_marker(const std::filesystem::path& file, const std::string& settings_hash) {
-    const std::filesystem::path temporary = file.string() + ".tmp";
+    const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
     out.value(magic);
     out.text(settings_hash);

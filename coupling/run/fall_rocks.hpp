@@ -27,4 +27,9 @@ Ended fall_rocks(const rockfall::Assessment& assessment, std::span<const rockfal
                  std::span<std::uint8_t> gone, int threads, rockfall::EnsembleTally& total,
                  const RowSink& sink);
 
+/// The same over one of the two slopes only; no percentiles are kept, nothing breaks for good.
+Ended fall_rocks_over(rockfall::Cover cover, const rockfall::Assessment& assessment,
+                      std::span<const rockfall::Chunk> chunks, int threads, rockfall::EnsembleTally& total,
+                      const RowSink& sink);
+
 }  // namespace coupling

@@ -24,6 +24,7 @@ public:
             failed_ = true;
         }
     }
+    [[nodiscard]] bool any() const { return failed_; }
     void rethrow() const {
         if (error_) {
             std::rethrow_exception(error_);

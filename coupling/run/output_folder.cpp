@@ -73,7 +73,8 @@ void OutputFolder::refuse_what_others_wrote() const {
         return;
     }
     for (const char* name : run_writes) {
-        if (fs::exists(folder_ / name)) {
+        // The mark again: another process of the same run may have put it there in the meantime.
+        if (fs::exists(folder_ / name) && !fs::exists(folder_ / mark_of_a_run)) {
             config::fail(config::ExitCode::settings, {(folder_ / name).string()},
                          "the output folder holds something of this name that no run wrote",
                          "another folder by --out");

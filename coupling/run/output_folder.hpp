@@ -24,9 +24,15 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
     [[nodiscard]] bool has_parts() const { return has_parts_; }  ///< of the same settings, at the start
-    [[nodiscard]] std::filesystem::path parts() const { return folder_ / "parts"; }
-    [[nodiscard]] std::filesystem::path checkpoint() const { return parts() / "checkpoint.part"; }
+    [[nodiscard]] std::filesystem::path parts() const { return parts_of(folder_); }
+    [[nodiscard]] std::filesystem::path checkpoint() const { return checkpoint_of(parts()); }
     [[nodiscard]] std::filesystem::path staging() const { return folder_ / ".writing"; }
+
+    /// The same of a folder that another process keeps.
+    static std::filesystem::path parts_of(const std::filesystem::path& folder) { return folder / "parts"; }
+    static std::filesystem::path checkpoint_of(const std::filesystem::path& parts) {
+        return parts / "checkpoint.part";
+    }
 
     /// Moves whole results from the staging folder to their place and deletes the parts.
     void publish();

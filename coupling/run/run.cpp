@@ -10,6 +10,7 @@
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/profile/profile_run.hpp"
+#include "coupling/results/joined.hpp"
 #include "coupling/results/write_results.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/closing_summary.hpp"
@@ -179,11 +180,17 @@ Ended AssessmentRun::write(OutputFolder& folder) {
 
 }  // namespace
 
-int run_assessment(const RunRequest& request) {
+int run_assessment(const RunRequest& request, RankGroup& ranks) {
     const std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, request.overrides);
     if (scenario->years == 0 && (request.shard.count > 1 || !request.shards.empty())) {
         config::fail(config::ExitCode::settings, scenario->options->place_of("run.years"),
                      "shards of a run without years", "run.years above 0: its members are what shards share");
+    }
+    if (scenario->years == 0 && ranks.count() > 1) {
+        config::fail(
+            config::ExitCode::settings, scenario->options->place_of("run.years"),
+            joined(std::to_string(ranks.count()), " processes for a run without years"),
+            "one process with --threads, or run.years above 0: its members are what processes share");
     }
     if (!scenario->profile.empty()) {
         return profile::run_profile(request, *scenario);
@@ -196,7 +203,7 @@ int run_assessment(const RunRequest& request) {
         }
     }
     if (site.forest) {
-        return decades::run_decades(request, *scenario, site, warnings);
+        return decades::run_decades(request, *scenario, site, warnings, ranks);
     }
     const std::filesystem::path out =
         request.out.empty() ? scenario->file.parent_path() / "out" : request.out;

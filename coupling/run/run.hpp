@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/run/ranks.hpp"
+
 namespace coupling {
 
 /// Part `number` (from 1) of `count` of the members of a run over years, for a machine of a cluster.
@@ -31,10 +33,10 @@ struct RunRequest {
 /// writes the results.
 ///
 /// A scenario with terrain.profile runs in two dimensions instead (coupling/profile), one with run.years
-/// above 0 over years (coupling/decades); only the latter has members that shards can share.
+/// above 0 over years (coupling/decades); only the latter has members that shards and ranks can share.
 ///
 /// Returns 0, or 75 if the user interrupted it: finished parts stay and the next call goes on from them.
 /// Throws config::InputError; then no new output folder is left.
-int run_assessment(const RunRequest& request);
+int run_assessment(const RunRequest& request, RankGroup& ranks);
 
 }  // namespace coupling

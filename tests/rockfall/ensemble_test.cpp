@@ -7,6 +7,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "rockfall/one_slope.hpp"
 #include "tests/rockfall/slopes.hpp"
 
 namespace rockfall {
@@ -317,6 +318,28 @@ TEST(Ensemble, GivesTheSameCountsOnEveryMachine) {
     EXPECT_EQ(tally.runs[1].run_out_sum_mm, 140579129U);
     EXPECT_EQ(tally.runs[0].hits, 899U);
     EXPECT_EQ(tally.runs[0].tree_energy_sum_j, 23414721U);
+}
+
+TEST(OneSlopeWorker, CountsWhatAWorkerCountsOnThatSlope) {
+    const Scene scene{2000};
+    const std::vector<Chunk> chunks = plan_chunks(scene.sources, 150);
+    const EnsembleTally both = tally_of(scene, chunks, 1);
+    for (const Cover cover : {Cover::forest, Cover::bare}) {
+        OneSlopeWorker worker{scene.assessment, cover};
+        FedCells fed{scene.assessment.map_frame.size()};
+        ChunkRows rows;
+        for (const Chunk& chunk : chunks) {
+            worker.run(chunk, rows, chunk.whole_sources ? nullptr : &fed);
+        }
+        const auto c = static_cast<std::size_t>(cover);
+        EXPECT_TRUE(same_but_for_marks(worker.tally().cells[c], both.cells[c]));
+        EXPECT_EQ(worker.tally().runs[c].run_out_sum_mm, both.runs[c].run_out_sum_mm);
+        EXPECT_EQ(worker.tally().runs[c].max_energy, both.runs[c].max_energy);
+        EXPECT_EQ(worker.tally().targets[0].by_cover[c].energy, both.targets[0].by_cover[c].energy);
+        EXPECT_EQ(rows.rocks[c].size(), both.runs[c].rocks);
+        EXPECT_EQ(worker.tally().runs[1 - c].rocks, 0U);
+        EXPECT_EQ(rows.tree_hits.empty(), cover == Cover::bare);
+    }
 }
 
 TEST(PlanChunks, CoversEachRockOnce) {

@@ -19,6 +19,22 @@ TEST(Shards, InOneFolderGiveTheBytesOfAWholeRun) {
     EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
 }
 
+TEST(Shards, SideBySideInOneFolderShareTheirPartsAndSurviveAKill) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, members + "--out whole").code, 0);
+    const std::string shard = "\"$bannwald\" " + members + "--threads 1 --out out --shard ";
+    const Outcome outcome =
+        shell(project, shard + "1/3 & first=$!\n" + shard + "2/3 & second=$!\n" + shard +
+                           "3/3 & third=$!\n"
+                           "while kill -0 $third 2>/dev/null && ! ls out/parts/bare_*.part "
+                           ">/dev/null 2>&1; do :; done\n"
+                           "kill -KILL $third\nwait $third\n"
+                           "wait $first || exit 1\nwait $second || exit 2\n" +
+                           shard + "3/3 || exit 3\n\"$bannwald\" " + members +
+                           "--out out || exit 4\ndiff -r whole out\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
 /// The same settings for another command: what follows `run`.
 std::string merge(const std::string& folders_and_options) {
     std::string words = members.substr(members.find(' ') + 1);

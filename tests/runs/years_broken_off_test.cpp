@@ -11,32 +11,30 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Four members of so many years that a run can be broken off.
-const std::string long_members = std::string{four_members} + "--set run.years=60 --threads 2 ";
+const std::string long_members = std::string{four_members} + "--set run.years=60 ";
 
-TEST(Years, GoOnAfterTheRunWasKilledAtAnyMoment) {
+TEST(Years, GoOnAfterTheRunWasKilledAgainAndAgain) {
+    // Killed when so many parts are there: once while rocks fall over the bare slope, then twice between
+    // members, each time on another number of threads.
     const ForestProject project;
     ASSERT_EQ(call(project, long_members + "--out whole").code, 0);
-    // Killed after longer and longer times, at last when the first member is there; then left to its end.
     const std::string script =
-        "killed=0\n"
-        "for seconds in 0.05 0.11 0.17 0.29 0.41; do\n"
-        "  timeout -s KILL $seconds \"$bannwald\" " +
-        long_members +
-        "--out out\n"
-        "  if [ $? -eq 137 ]; then killed=$((killed + 1)); else break; fi\n"
-        "done\n"
-        "if [ ! -e out/summary.json ]; then\n"
+        "parts() { ls out/parts/$1_*.part 2>/dev/null | wc -l; }\n"
+        "kill_with() {\n"
         "  \"$bannwald\" " +
         long_members +
-        "--out out &\n"
-        "  while kill -0 $! 2>/dev/null && ! ls out/parts/member_*.part >/dev/null 2>&1; do sleep 0.01; "
-        "done\n"
+        "--threads $3 --out out &\n"
+        "  while kill -0 $! 2>/dev/null && [ $(parts $1) -lt $2 ]; do :; done\n"
         "  kill -KILL $!; wait $!\n"
-        "  \"$bannwald\" " +
+        "  [ $? -eq 137 ] && [ ! -e out/summary.json ] && [ $(parts $1) -ge $2 ]\n"
+        "}\n"
+        "kill_with bare 1 1 || exit 1\n"
+        "kill_with member 1 3 || exit 2\n"
+        "before=$(parts member)\n"
+        "kill_with member $((before + 1)) 1 || exit 3\n"
+        "\"$bannwald\" " +
         long_members +
-        "--out out || exit 1\n"
-        "fi\n"
-        "[ $killed -gt 0 ] || exit 2\n"
+        "--threads 2 --out out || exit 4\n"
         "diff -r whole out\n";
     const Outcome outcome = shell(project, script);
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
@@ -53,7 +51,7 @@ TEST(Years, KeepFinishedMembersWhenInterrupted) {
     const ForestProject project;
     const Outcome interrupted = shell(project, interrupted_after_a_member);
     ASSERT_EQ(interrupted.code, 75) << interrupted.err;
-    EXPECT_NE(interrupted.err.find("bannwald: interrupted; the finished members are kept, run the same "
+    EXPECT_NE(interrupted.err.find("bannwald: interrupted; the finished parts are kept, run the same "
                                    "command again to go on"),
               std::string::npos)
         << interrupted.err;
@@ -90,7 +88,7 @@ TEST(Years, LeaveNothingWhenInterruptedBeforeAMemberIsThrough) {
               "timeout --preserve-status -s INT 1 \"$bannwald\" run scenario.ini --quiet "
               "--set run.years=1000 --set climate.sequence=repeat --set release.rocks=100000\n");
     EXPECT_EQ(outcome.code, 75) << outcome.err;
-    EXPECT_NE(outcome.err.find("no member was finished"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("no part was finished"), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(project.file("out")));
 }
 

@@ -106,6 +106,14 @@ TEST(Rooms, IncludeTheJsonLibraryInOneSource) {
     EXPECT_EQ(users_of("#include <nlohmann/", "coupling").size(), 1U);
 }
 
+TEST(Rooms, KnowMpiInOneSource) {
+    EXPECT_EQ(users_of("#include <(mpi\\.h|boost/mpi)|\\bMPI_[A-Z]", "coupling"),
+              std::vector<std::string>{"coupling/run/ranks.cpp"});
+    for (const std::string room : {"config", "rockfall", "forest"}) {
+        EXPECT_EQ(users_of("#include <(mpi\\.h|boost/mpi)", room), nobody);
+    }
+}
+
 TEST(Rooms, DrawFromNoDistributionOfTheStandardLibrary) {
     // They give other numbers with other libraries.
     for (const std::string room : {"config", "rockfall", "forest", "coupling"}) {

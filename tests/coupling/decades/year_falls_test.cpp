@@ -16,6 +16,7 @@ struct RockySlope {
           season{*opened.scenario, *opened.site, forest().species.fracture_energy, {}} {}
 
     [[nodiscard]] const ForestSite& forest() const { return *opened.site->forest; }
+    [[nodiscard]] FallsOfYear fall(const forest::Stand& stand) const { return season.fall(stand, 0, 1, 1); }
     [[nodiscard]] forest::Stand without_trees() const {
         return {forest().grid, forest().species.table.size(), {}, forest().first_year() - 1};
     }
@@ -38,7 +39,7 @@ TEST(RocksOfAYear, TellHitsByWhatASoundStemTakes) {
     // Rot is the forest's affair: it divides by the stem's strength itself (forest/wounds).
     const RockySlope slope;
     forest::Stand stand = slope.forest().start(1, 0);
-    const auto sound = first_hits(slope.season.fall(stand, 0, 1, 1));
+    const auto sound = first_hits(slope.fall(stand));
     std::vector<forest::Rot> rots;
     for (const forest::Tree& tree : stand.trees()) {
         rots.push_back({.since_year = 1990,
@@ -47,7 +48,7 @@ TEST(RocksOfAYear, TellHitsByWhatASoundStemTakes) {
                         .depth_cm = static_cast<float>(0.45 * tree.dbh_cm)});
     }
     stand.set_rots(rots);
-    const auto rotten = first_hits(slope.season.fall(stand, 0, 1, 1));
+    const auto rotten = first_hits(slope.fall(stand));
     ASSERT_GT(sound.size(), 50U);
     ASSERT_EQ(rotten.size(), sound.size());
     for (const auto& [rock, hit] : sound) {
@@ -58,7 +59,7 @@ TEST(RocksOfAYear, TellHitsByWhatASoundStemTakes) {
 
 TEST(RocksOfAYear, SeeNoForestWhereNothingStandsOrLies) {
     const RockySlope slope;
-    EXPECT_FALSE(slope.season.fall(slope.without_trees(), 0, 1, 1).with_forest);
+    EXPECT_FALSE(slope.fall(slope.without_trees()).with_forest);
 }
 
 TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
@@ -77,7 +78,7 @@ TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
                         .year = stand.year()});
     }
     stand.add_logs(logs);
-    const FallsOfYear falls = slope.season.fall(stand, 0, 1, 1);
+    const FallsOfYear falls = slope.fall(stand);
     ASSERT_TRUE(falls.with_forest);
     ASSERT_EQ(falls.tally.logs.size(), 4U);
     EXPECT_GT(falls.tally.logs[0].hits, 50U);
@@ -85,7 +86,7 @@ TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
     const auto bare = static_cast<std::size_t>(Cover::bare);
     EXPECT_LT(falls.tally.targets[0].by_cover[forest].reached, falls.tally.targets[0].by_cover[bare].reached);
     EXPECT_EQ(falls.tally.targets[0].by_cover[bare].reached,
-              slope.season.fall(slope.without_trees(), 0, 1, 1).tally.targets[0].by_cover[bare].reached);
+              slope.fall(slope.without_trees()).tally.targets[0].by_cover[bare].reached);
 }
 
 }  // namespace

@@ -1,0 +1,82 @@
+#include "coupling/decades/closing_summary.hpp"
+
+#include <cstdio>
+
+#include "coupling/inputs/reading.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::decades {
+namespace {
+
+namespace fs = std::filesystem;
+
+void say_target(const DecadeResults& results, std::uint32_t target) {
+    for (std::uint32_t regime = 0; regime < results.names.regimes.size(); ++regime) {
+        PairedCounts first;
+        PairedCounts last;
+        std::int32_t last_year = 0;
+        const auto add = [](PairedCounts& sum, const PairedCounts& counts) {
+            sum.both += counts.both;
+            sum.only_forest += counts.only_forest;
+            sum.only_bare += counts.only_bare;
+        };
+        for (const MemberYears& member : results.members) {
+            for (const TargetRow& row : member.targets) {
+                if (member.member.regime != regime || row.target != target) {
+                    continue;
+                }
+                if (row.year == member.targets.front().year) {
+                    add(first, row.paired);
+                }
+                if (row.year == member.targets.back().year) {
+                    add(last, row.paired);
+                    last_year = row.year;
+                }
+            }
+        }
+        const auto percent = [](const PairedCounts& counts) {
+            const auto effect = protection_effect(counts);
+            return effect ? joined(report::fixed(100.0 * effect->value, 1), " %")
+                          : std::string{"– (no rock arrives)"};
+        };
+        std::printf("  %s, %s: kept away by the forest: %s in year 0, %s in year %d\n",
+                    results.site.targets[target].name.c_str(), results.names.regimes[regime].c_str(),
+                    percent(first).c_str(), percent(last).c_str(), last_year);
+    }
+}
+
+}  // namespace
+
+void print_summary(const DecadeResults& results, const fs::path& folder,
+                   const std::vector<WrittenFile>& files) {
+    const forest::PatchGrid& grid = results.site.forest->grid;
+    std::printf("%s of %.2f ha forest (%zu patches), %s, %s", counted(results.scenario.years, "year").c_str(),
+                grid.area_ha(), grid.size(), counted(results.names.regimes.size(), "regime").c_str(),
+                counted(results.scenario.forest.replicates, "replicate").c_str());
+    results.rocks > 0 ? std::printf(", %llu rocks a year\n", static_cast<unsigned long long>(results.rocks))
+                      : std::printf(", no rockfall\n");
+    const MemberYears& member = results.members.front();
+    for (const StandRow& row : member.stands) {
+        if (row.unit == all && row.species == all &&
+            (row.year == 0 || row.year == static_cast<std::int32_t>(results.scenario.years))) {
+            std::printf(
+                "  year %d (%s, replicate 1): %.0f stems/ha, %.1f m2/ha, %.0f m3/ha, dominant height %.1f "
+                "m\n",
+                row.year, results.names.regimes[member.member.regime].c_str(), row.figures.stems_pha,
+                row.figures.basal_area_m2pha, row.figures.volume_m3pha, row.figures.dominant_height_m);
+        }
+    }
+    for (std::uint32_t target = 0; results.rocks > 0 && target < results.site.targets.size(); ++target) {
+        say_target(results, target);
+    }
+    std::printf("Results in %s\n", folder.string().c_str());
+    for (const WrittenFile& file : files) {
+        if (file.path == "report.html" || file.path == "summary.json" || file.path == "tables/stands.csv" ||
+            file.path == "tables/protection.csv") {
+            std::printf("  %-28s %s\n", file.path.c_str(), file.sentence.c_str());
+        }
+    }
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,48 @@
+#include "coupling/decades/parts.hpp"
+
+#include "coupling/decades/bare_part.hpp"
+#include "coupling/decades/member_part.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/run/checkpoint.hpp"
+#include "coupling/run/output_folder.hpp"
+
+namespace coupling::decades {
+
+std::filesystem::path Parts::of(const Member& member) const {
+    return folder_ / joined("member_", std::to_string(member.regime + 1), "_",
+                            std::to_string(member.replicate + 1), ".part");
+}
+
+std::filesystem::path Parts::of_bare(std::uint32_t replicate, std::size_t block) const {
+    return folder_ / joined("bare_", std::to_string(replicate + 1), "_", std::to_string(block + 1), ".part");
+}
+
+bool Parts::any() const {
+    return std::filesystem::exists(OutputFolder::checkpoint_of(folder_));
+}
+
+void Parts::keep(const MemberYears& years) const {
+    const std::lock_guard lock{mutex_};
+    write_marker(OutputFolder::checkpoint_of(folder_), hash_);
+    write_part(of(years.member), hash_, years);
+}
+
+std::optional<MemberYears> Parts::read(const Member& member) const {
+    return read_part(of(member), hash_);
+}
+
+void Parts::keep_bare(std::uint32_t replicate, std::size_t block, std::span<const BareYear> years) const {
+    const std::lock_guard lock{mutex_};
+    write_marker(OutputFolder::checkpoint_of(folder_), hash_);
+    write_bare_part(of_bare(replicate, block), hash_, years);
+}
+
+bool Parts::has_bare(std::uint32_t replicate, std::size_t block) const {
+    return std::filesystem::exists(of_bare(replicate, block));
+}
+
+std::vector<BareYear> Parts::read_bare(std::uint32_t replicate, std::size_t block) const {
+    return read_bare_part(of_bare(replicate, block), hash_);
+}
+
+}  // namespace coupling::decades

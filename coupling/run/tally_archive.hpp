@@ -1,0 +1,15 @@
+#pragma once
+
+#include "coupling/run/byte_archive.hpp"
+#include "rockfall/tally/ensemble_tally.hpp"
+
+namespace coupling {
+
+// Tallies in part files. What is read replaces a tally that is empty so far.
+
+void write(ByteWriter& out, const rockfall::ArrivalTally& t);
+void read(ByteReader& in, rockfall::ArrivalTally& t);
+void write(ByteWriter& out, const rockfall::RunTally& t);
+void read(ByteReader& in, rockfall::RunTally& t);
+
+}  // namespace coupling

@@ -1,0 +1,68 @@
+#include "rockfall/one_slope.hpp"
+
+#include <cmath>
+
+namespace rockfall {
+
+void enter_fall(const Footprint& footprint, Cover cover, const Assessment& assessment, const RockStart& start,
+                EnsembleTally& tally, ChunkRows& rows, FedCells* fed, CellHistograms* histograms) {
+    const auto c = static_cast<std::size_t>(cover);
+    CellTally& cells = tally.cells[c];
+    for (const CellVisit& visit : footprint.visits()) {
+        CellSums& sums = cells.cells[visit.cell];
+        sums.add(visit);
+        if (fed != nullptr) {
+            fed->mark(cover, visit.cell);
+        } else if (sums.last_source != start.source) {
+            sums.last_source = start.source;
+            sums.fed_rocks += assessment.sources[start.source].rocks;
+        }
+        if (histograms != nullptr) {
+            histograms->add(visit);
+        }
+    }
+    if (footprint.deposit_cell() < cells.cells.size()) {
+        ++cells.cells[footprint.deposit_cell()].deposited;
+    }
+    tally.runs[c].add(footprint.record());
+    const auto arrivals = footprint.arrivals();
+    for (std::size_t i = 0; i < arrivals.size(); ++i) {
+        tally.targets[i].by_cover[c].add(arrivals[i]);
+    }
+    for (const TreeHitRecord& hit : footprint.tree_hits()) {
+        tally.stems[hit.stem].add(
+            {1, hit.broken ? 1U : 0U, static_cast<std::uint64_t>(std::lround(hit.loss_j))});
+        rows.tree_hits.emplace_back(start.id, hit);
+    }
+    for (const LogHitRecord& hit : footprint.log_hits()) {
+        tally.logs[hit.log].add({1, hit.outcome == LogOutcome::broke ? 1U : 0U,
+                                 hit.outcome == LogOutcome::stopped ? 1U : 0U,
+                                 static_cast<std::uint64_t>(std::lround(hit.loss_j))});
+        rows.log_hits.emplace_back(start.id, hit);
+    }
+    rows.rocks[c].push_back(footprint.record());
+    rows.arrivals[c].insert(rows.arrivals[c].end(), arrivals.begin(), arrivals.end());
+    if (!footprint.path().empty()) {
+        rows.paths.push_back({start.id, cover, {footprint.path().begin(), footprint.path().end()}});
+    }
+}
+
+OneSlopeWorker::OneSlopeWorker(const Assessment& assessment, Cover cover)
+    : assessment_{assessment},
+      cover_{cover},
+      tally_{assessment.map_frame, assessment.targets.size(), assessment.stems.placed().size(),
+             assessment.log_count()},
+      footprint_{assessment.slope.terrain, assessment.map_frame, assessment.targets} {}
+
+void OneSlopeWorker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed) {
+    const Obstacles obstacles = assessment_.obstacles(cover_, {});
+    each_start(assessment_, chunk, rows, [&](const RockStart& start) {
+        const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
+        footprint_.begin(start, assessment_.path_every > 0 && start.id % assessment_.path_every == 0);
+        footprint_.finish(
+            fall(assessment_.slope, obstacles, assessment_.law, key, start, scratch_, footprint_));
+        enter_fall(footprint_, cover_, assessment_, start, tally_, rows, fed, nullptr);
+    });
+}
+
+}  // namespace rockfall

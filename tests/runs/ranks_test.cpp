@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/runs/years.hpp"
+
+namespace coupling {
+namespace {
+
+/// As root in a container, with more ranks than processors; libraries of MPI keep memory to their end.
+const std::string mpirun =
+    "export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1\n"
+    "export OMPI_MCA_hwloc_base_binding_policy=none ASAN_OPTIONS=detect_leaks=0\n"
+    "ranks() { n=$1; shift; mpirun -n $n \"$bannwald\" \"$@\"; }\n";
+
+bool without_mpi() {
+    return call(SampleProject{}, "--version").out.find("without MPI") != std::string::npos;
+}
+
+std::size_t count(const std::string& text, const std::string& words) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+/// Runs over years on several ranks.
+class Ranks : public testing::Test {
+protected:
+    void SetUp() override {
+        if (without_mpi()) {
+            GTEST_SKIP() << "built without MPI";
+        }
+    }
+    [[nodiscard]] Outcome with_ranks(const std::string& script) const {
+        return shell(project_, mpirun + script);
+    }
+    ForestProject project_;
+};
+
+const std::string members = std::string{four_members} + "--set run.years=6 ";
+
+TEST_F(Ranks, OfAnyNumberGiveTheBytesOfOneProcess) {
+    ASSERT_EQ(call(project_, members + "--out whole").code, 0);
+    for (const std::string n : {"1", "2", "4"}) {
+        const Outcome outcome = with_ranks("ranks " + n + " " + members + "--out with_" + n +
+                                           " || exit 1\ndiff -r whole with_" + n + "\n");
+        EXPECT_EQ(outcome.code, 0) << n << " ranks\n" << outcome.out << outcome.err;
+    }
+}
+
+TEST_F(Ranks, ShareTheMembersOfAShard) {
+    ASSERT_EQ(call(project_, members + "--out whole").code, 0);
+    const Outcome outcome = with_ranks("ranks 2 " + members +
+                                       "--out out --shard 1/2 || exit 1\n"
+                                       "ls out/parts/member_*.part | wc -l\n"
+                                       "ranks 2 " +
+                                       members +
+                                       "--out out || exit 2\n"
+                                       "diff -r whole out\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("2\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Ranks, SayOnceWhatIsWrongAndLeaveTogether) {
+    const Outcome outcome = with_ranks("ranks 3 run scenario.ini --set run.years=0.5\n");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(count(outcome.err, "bannwald: "), 1U) << outcome.err;
+    const Outcome missing = with_ranks("ranks 3 run scenario.ini --set climate.file=none.csv\n");
+    EXPECT_EQ(missing.code, 3) << missing.err;
+    EXPECT_EQ(count(missing.err, "bannwald: "), 1U) << missing.err;
+    EXPECT_FALSE(std::filesystem::exists(project_.file("out")));
+}
+
+TEST_F(Ranks, EndAllWithTheCodeOfTheOneThatFailed) {
+    // The second rank reads another scenario than the first.
+    const Outcome outcome = with_ranks(
+        "cat > other.sh <<'END'\n"
+        "if [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then exec \"$1\" run scenario.ini --quiet --seed 5; fi\n"
+        "exec \"$1\" run scenario.ini --quiet\n"
+        "END\n"
+        "mpirun -n 2 sh other.sh \"$bannwald\"\n");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(count(outcome.err, "processes of one run with different settings"), 1U) << outcome.err;
+}
+
+TEST_F(Ranks, DoNotShareARunWithoutYears) {
+    const Outcome outcome = with_ranks("ranks 2 run scenario.ini --set run.years=0 --set trees.file=\n");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(count(outcome.err, "2 processes for a run without years"), 1U) << outcome.err;
+}
+
+TEST_F(Ranks, LeaveOtherCommandsToTheFirst) {
+    const Outcome outcome = with_ranks("ranks 2 --version\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(count(outcome.out, "licence"), 1U) << outcome.out;
+}
+
+TEST_F(Ranks, LeaveFinishedMembersWhenOneIsKilled) {
+    // Killed are the processes that mpirun started, one of them, as soon as a member is through.
+    const std::string longer = members + "--set run.years=60 --threads 1 ";
+    const Outcome outcome = with_ranks(
+        "mpirun -n 2 sh -c 'echo $$ > rank_$OMPI_COMM_WORLD_RANK; exec \"$0\" \"$@\"' \"$bannwald\" " +
+        longer +
+        "--out out &\n"
+        "while kill -0 $! 2>/dev/null && ! ls out/parts/member_*.part >/dev/null 2>&1; do sleep 0.01; done\n"
+        "kill -KILL $(cat rank_1)\nwait $!\n"
+        "[ $? -ne 0 ] || exit 1\n"
+        "ls out/parts/member_*.part || exit 2\n"
+        "[ ! -e out/summary.json ] || exit 3\n"
+        "ranks 2 " +
+        longer + "--out out || exit 4\n\"$bannwald\" " + longer +
+        "--out whole || exit 5\n"
+        "diff -r whole out\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(Ranks, KeepFinishedMembersWhenInterrupted) {
+    const std::string longer = members + "--set run.years=60 --threads 1 ";
+    const Outcome outcome = with_ranks(
+        "mpirun -n 2 sh -c 'echo $$ > rank_$OMPI_COMM_WORLD_RANK; exec \"$0\" \"$@\"' \"$bannwald\" " +
+        longer +
+        "--out out &\n"
+        "while kill -0 $! 2>/dev/null && ! ls out/parts/member_*.part >/dev/null 2>&1; do sleep 0.01; done\n"
+        "kill -TERM $(cat rank_1)\nwait $!\n");
+    EXPECT_EQ(outcome.code, 75) << outcome.err;
+    EXPECT_EQ(count(outcome.err, "bannwald: interrupted; the finished parts are kept"), 1U) << outcome.err;
+}
+
+TEST(WithoutMpi, SeveralProcessesAreRefused) {
+    if (!without_mpi()) {
+        GTEST_SKIP() << "built with MPI";
+    }
+    const ForestProject project;
+    const Outcome outcome = shell(project, "OMPI_COMM_WORLD_SIZE=2 \"$bannwald\" run scenario.ini\n");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("2 processes started to share a run"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace coupling
