@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rockfall/motion/flight.hpp"
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/models.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/log_impact.hpp"
 #include "rockfall/obstacles/obstacles.hpp"
@@ -16,7 +16,7 @@ namespace rockfall {
 
 /// All settings of the fall of a rock.
 struct FallLaw {
-    PicusLaw ground;
+    MotionLaws motion;
     TreeImpactLaw tree;
     LogImpactLaw log;
 };

@@ -52,6 +52,36 @@ void declare_ground(config::Options& options, GroundLaw& ground) {
                     .source = "choice"});
 }
 
+void declare_motion(config::Options& options, MotionLaws& motion) {
+    options.choice("rockfall.motion", motion.model,
+                   {{"picus", MotionModel::picus}, {"pir3d", MotionModel::pir3d}},
+                   {.meaning = "motion model: jump-angle law and rolling, or sliding and PiR3D's soils",
+                    .source = "Rammer et al. 2010; Cottaz et al. 2010"});
+    pir3d::Law& law = motion.pir3d;
+    options.choice("pir3d.spread", law.spread,
+                   {{"uniform", pir3d::Spread::uniform}, {"normal", pir3d::Spread::normal}},
+                   {.meaning = "distribution of k, R_N, R_T and the angles; normal is cut at 3 deviations",
+                    .source = "Cottaz et al. 2010, 2.4"});
+    options.choice("pir3d.uncertainty", law.uncertainty,
+                   {{"off", pir3d::Uncertainty::off},
+                    {"constant", pir3d::Uncertainty::constant},
+                    {"by_speed", pir3d::Uncertainty::by_speed}},
+                   {.meaning = "their widths: none, those at rest, or falling with speed",
+                    .source = "Cottaz et al. 2010, Eqs. 6-9"});
+    options.number("pir3d.position_tolerance_m", law.position_tolerance_m,
+                   {.unit = "m",
+                    .low = 1e-9,
+                    .high = 1.0,
+                    .meaning = "largest error of a step of sliding; larger ones are made again, shorter",
+                    .source = "Cottaz et al. 2010, 2.3.1.2"});
+    options.number("pir3d.least_hop", law.least_hop,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 10.0,
+                    .meaning = "hops shorter than this times the rock's radius are sliding",
+                    .source = "choice"});
+}
+
 void declare_restitution(config::Options& options, PicusLaw& law) {
     options.flag("rockfall.damping", law.restitution.damping,
                  {.meaning = "restitution falls with impact speed above 10 m/s",
@@ -282,7 +312,8 @@ Parameters::Parameters() {
 }
 
 void declare(config::Options& options, Parameters& parameters) {
-    PicusLaw& law = parameters.fall.ground;
+    PicusLaw& law = parameters.fall.motion.picus;
+    declare_motion(options, parameters.fall.motion);
     declare_ground(options, parameters.ground);
     declare_restitution(options, law);
     declare_rebound(options, law, parameters.written);
@@ -295,7 +326,7 @@ void declare(config::Options& options, Parameters& parameters) {
 
 void take_over(Parameters& parameters, const config::Options& options) {
     const WrittenLaw& written = parameters.written;
-    PicusLaw& law = parameters.fall.ground;
+    PicusLaw& law = parameters.fall.motion.picus;
     law.jump_angle.coefficient = config::Angle::from_degrees(written.jump_angle_coefficient_deg);
     law.jump_angle.cap = config::Angle::from_degrees(written.jump_angle_cap_deg);
     law.lateral.at_rest = config::Angle::from_degrees(written.lateral_slow_deg);
@@ -304,6 +335,7 @@ void take_over(Parameters& parameters, const config::Options& options) {
         config::sin_cos_of(config::Angle::from_degrees(written.rolling_edge_deg).in_radians());
     law.rolling.edge_angle_tangent = edge.sin / edge.cos;
     law.stopping.most_impacts = static_cast<std::uint32_t>(written.most_impacts);
+    parameters.fall.motion.pir3d.most_impacts = law.stopping.most_impacts;
     parameters.fall.log.stop_share = parameters.fall.tree.stop_share;
 
     config::Problems problems;

@@ -34,7 +34,7 @@ struct Parameters {
     WrittenLaw written;
 };
 
-/// Declares the settings [rockfall], [tree_impact] and [log_impact]; each carries its presets `strict`,
+/// Declares the settings [rockfall], [pir3d], [tree_impact] and [log_impact]; each carries its presets `strict`,
 /// `paper_rebound`, `paper_initial`. After reading, `take_over` brings the laws up to date.
 void declare(config::Options& options, Parameters& parameters);
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "rockfall/motion/pir3d/soil.hpp"
 #include "rockfall/motion/restitution.hpp"
 #include "rockfall/motion/stopping.hpp"
 #include "rockfall/terrain/surface.hpp"
@@ -14,9 +16,10 @@ namespace rockfall {
 struct SurfaceType {
     int code = 0;  ///< in the user's surface grid
     std::string label;
-    Restitution restitution;        ///< published coefficients, below the reference speed
-    StopCurve stopping;             ///< probability that a ground impact stops a rock [-]
-    StopCurve rolling_stops_per_m;  ///< rate at which a rolling rock is caught [1/m]
+    Restitution restitution;          ///< published coefficients, below the reference speed
+    StopCurve stopping;               ///< probability that a ground impact stops a rock [-]
+    StopCurve rolling_stops_per_m;    ///< rate at which a rolling rock is caught [1/m]
+    std::optional<pir3d::Soil> soil;  ///< what PiR3D knows of it; that model needs it
 };
 
 /// The ground that rocks fall on.

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "config/random/stream.hpp"
 #include "rockfall/fall.hpp"
 #include "rockfall/motion/flight.hpp"
 #include "rockfall/motion/groove.hpp"
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/models.hpp"
 #include "rockfall/motion/resting_place.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/log_impact.hpp"
@@ -18,26 +19,24 @@
 #include "rockfall/obstacles/tree_impact.hpp"
 #include "rockfall/rock.hpp"
 #include "rockfall/slope.hpp"
-#include "rockfall/surface_stops.hpp"
 
 namespace rockfall {
 
-/// One rock from release to rest: a loop of named events.
+/// One rock from release to rest: a loop of named events, compiled for each motion model (motion/models.hpp).
 ///
 /// Chance comes from streams keyed by the rock and counted by its contacts, so a fall depends on nothing but
 /// the key, the start, the slope and the obstacles. The observer is told of each flight, roll, impact and
 /// hit; it cannot influence the fall.
-template <class Observer>
+template <class Motion, class Observer>
 class Fall {
 public:
-    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, const config::StreamKey& key,
-         const RockStart& start, FallScratch& scratch, Observer& observer)
+    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, Motion motion,
+         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer)
         : slope_{slope},
           obstacles_{obstacles},
           law_{law},
-          ground_draws_{key, config::Purpose::ground_impact},
+          motion_{std::move(motion)},
           tree_draws_{key, config::Purpose::tree_impact},
-          rolling_draws_{key, config::Purpose::rolling},
           rock_{start.rock},
           scratch_{scratch},
           observer_{observer},
@@ -46,12 +45,7 @@ public:
           triangle_{start.triangle},
           rolling_{start.rolling},
           resting_place_{start.rock.radius_m},
-          surface_stops_{start.rock.diameter_m},
           encounters_{obstacles, start.rock.radius_m} {
-        if (law.ground.noise == NoiseScope::rock) {
-            constexpr std::uint32_t once_per_rock = 0xFFFFFF;
-            noise_of_rock_ = 2.0 * ground_draws_.uniforms_of(once_per_rock)[0] - 1.0;
-        }
         if (rolling_) {
             begin_rolling();
         }
@@ -105,7 +99,7 @@ private:
     /// Between two faces the only way on is along their edge; in a pit there is none.
     void leave_groove_or_rest() {
         auto run = run_along_groove(slope_.terrain, triangle_, position_m_, rock_.radius_m,
-                                    law_.ground.rolling.friction);
+                                    motion_.groove_law(surface_here()));
         if (!run) {
             stop(StopReason::at_rest);
             return;
@@ -118,8 +112,14 @@ private:
         observer_.rolled(rock_, *run, triangle_);
         velocity_mps_ = run->velocity_at(run->duration_s);
         // A centimetre on, clear of the vertex: which triangle lies there the walk tells.
-        const RollingPiece step{run->position_m(run->duration_s), velocity_mps_,     Eigen::Vector3d::Zero(),
-                                0.01 / velocity_mps_.norm(),      RollingEnd::piece, run->next_triangle};
+        const RollingPiece step{run->position_m(run->duration_s),
+                                velocity_mps_,
+                                Eigen::Vector3d::Zero(),
+                                0.01 / velocity_mps_.norm(),
+                                RollingEnd::piece,
+                                run->next_triangle,
+                                false,
+                                run->slides};
         observer_.rolled(rock_, step, run->next_triangle);
         position_m_ = step.position_m(step.duration_s);
         const auto beyond = slope_.terrain.locate(position_m_.x(), position_m_.y(), run->next_triangle);
@@ -139,7 +139,7 @@ private:
         const double along_mps = along.norm();
         velocity_mps_ = along_mps > 0.0 ? Eigen::Vector3d{velocity_mps_.norm() / along_mps * along}
                                         : Eigen::Vector3d::Zero();
-        spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
+        spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
     }
 
     void touch_ground(const Plane& plane) {
@@ -148,20 +148,19 @@ private:
             leave_groove_or_rest();
             return;
         }
-        if (end_.ground_impacts >= law_.ground.stopping.most_impacts) {
+        if (end_.ground_impacts >= motion_.most_impacts()) {
             stop(StopReason::gave_up);
             return;
         }
-        const SurfaceType& surface = slope_.type_at(position_m_.x(), position_m_.y());
-        ContactDraws draws = next_draws();
+        const SurfaceType& surface = surface_here();
+        const auto draws = motion_.next_draws();
         ++end_.ground_impacts;
         resting_place_.add_impact();
         observer_.impacted(position_m_);
         if (velocity_mps_.dot(normal) >= 0.0) {
             return;  // grazes along a facet it does not press on: flies on
         }
-        const Contact contact = meet_ground(velocity_mps_, spin_radps_, normal, surface.restitution,
-                                            surface_stops_.probability(surface), rock_, law_.ground, draws);
+        const Contact contact = motion_.touch(velocity_mps_, spin_radps_, normal, surface, draws);
         velocity_mps_ = contact.velocity_mps;
         spin_radps_ = contact.spin_radps;
         switch (contact.onward) {
@@ -180,19 +179,14 @@ private:
         }
     }
 
-    ContactDraws next_draws() {
-        ContactDraws draws = contact_draws(ground_draws_.uniforms_of(contacts_++), law_.ground);
-        if (law_.ground.noise == NoiseScope::rock) {
-            draws.noise = noise_of_rock_;
-        }
-        return draws;
+    [[nodiscard]] const SurfaceType& surface_here() const {
+        return slope_.type_at(position_m_.x(), position_m_.y());
     }
 
     void begin_rolling() {
         rolling_ = true;
-        spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
-        const double u = rolling_draws_.uniforms_of(rolls_++)[0];
-        rolling_until_caught_ = -config::ln_of(1.0 - u);  // unit exponential: used up at the surface's rate
+        spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
+        motion_.begin_rolling();
     }
 
     void roll_on() {
@@ -205,16 +199,13 @@ private:
             return;
         }
         const Plane plane = slope_.terrain.plane_of(triangle_);
-        const Eigen::Vector3d normal = plane.normal();
-        const double launch_mps =
-            law_.ground.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
-        if (velocity_mps_.norm() >= launch_mps * (1.0 - 1e-9) && lifts_off(normal)) {
+        if (const auto leaving_mps = motion_.lift_off(velocity_mps_, plane.normal())) {
+            velocity_mps_ = *leaving_mps;
+            rolling_ = false;
             return;
         }
-        // Past the launch speed but with hops too short to matter: rolls on in pieces.
-        const double next_launch_mps = std::max(launch_mps, velocity_mps_.norm() * 1.1);
-        RollingPiece piece = roll(slope_.terrain, triangle_, plane, position_m_, velocity_mps_,
-                                  law_.ground.rolling.friction, next_launch_mps);
+        auto piece =
+            motion_.next_piece(slope_.terrain, triangle_, plane, position_m_, velocity_mps_, surface_here());
         if (meets_obstacle_rolling(piece) || is_caught_rolling(piece)) {
             return;
         }
@@ -223,7 +214,7 @@ private:
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
         position_m_.z() = plane.height_m(position_m_.x(), position_m_.y());
-        spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
+        spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
         if (piece.end == RollingEnd::standstill) {
             stop(StopReason::at_rest);
         } else if (piece.end == RollingEnd::edge) {
@@ -240,19 +231,6 @@ private:
             .value_or(no_triangle);
     }
 
-    bool lifts_off(const Eigen::Vector3d& normal) {
-        if (law_.ground.angle == ReboundAngle::geometric) {
-            return false;  // without a law for the angle nothing lifts a rolling rock off even ground
-        }
-        const Eigen::Vector3d leaving_mps = lift_off(velocity_mps_, normal, law_.ground, next_draws());
-        if (!hops_far(leaving_mps, normal, rock_.radius_m)) {
-            return false;
-        }
-        velocity_mps_ = leaving_mps;
-        rolling_ = false;
-        return true;
-    }
-
     void roll_over_edge(const RollingPiece& piece) {
         const std::uint32_t beyond = triangle_beyond(piece);
         if (beyond == no_triangle) {
@@ -262,38 +240,33 @@ private:
         triangle_ = beyond;
         const Plane next = slope_.terrain.plane_of(triangle_);
         position_m_.z() = next.height_m(position_m_.x(), position_m_.y());
-        const Eigen::Vector3d normal = next.normal();
-        const double off_mps = velocity_mps_.dot(normal);
-        const double along_mps = (velocity_mps_ - off_mps * normal).norm();
-        if (std::abs(off_mps) > law_.ground.rolling.edge_angle_tangent * along_mps) {
-            if (off_mps > 0.0) {
-                rolling_ = false;  // convex: the ground falls away, no loss
-            } else {
-                touch_ground(next);  // concave: runs into the next face
-            }
-            return;
+        switch (motion_.way_over_edge(velocity_mps_, next.normal(), surface_here())) {
+            case EdgeWay::goes_on:
+                enter_face(next);
+                break;
+            case EdgeWay::takes_off:
+                rolling_ = false;
+                break;
+            case EdgeWay::runs_into:
+                touch_ground(next);
+                break;
         }
-        enter_face(next);
     }
 
     bool is_caught_rolling(RollingPiece& piece) {
-        const double rate = surface_stops_.rolling_rate(slope_.type_at(position_m_.x(), position_m_.y()));
-        if (rate <= 0.0 || !law_.ground.stopping.by_chance) {
+        const auto share = motion_.caught_on_the_way(surface_here(), piece);
+        if (!share) {
             return false;
         }
-        const double length_m = (piece.position_m(piece.duration_s) - piece.start_m).norm();
-        if (length_m * rate < rolling_until_caught_) {
-            rolling_until_caught_ -= length_m * rate;
-            return false;
-        }
-        piece.duration_s = piece.time_along_s(rolling_until_caught_ / (length_m * rate));
+        piece.duration_s = piece.time_along_s(*share);
         observer_.rolled(rock_, piece, triangle_);
         position_m_ = piece.position_m(piece.duration_s);
         stop(StopReason::caught);
         return true;
     }
 
-    bool meets_obstacle_rolling(RollingPiece& piece) {
+    template <class Piece>
+    bool meets_obstacle_rolling(Piece& piece) {
         if (obstacles_.none() || piece.duration_s <= 0.0) {
             return false;
         }
@@ -308,7 +281,7 @@ private:
         observer_.rolled(rock_, piece, triangle_);
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
-        spin_radps_ = velocity_mps_.norm() / rock_.radius_m;
+        spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
         meet(*encounter);
         return true;
     }
@@ -403,9 +376,8 @@ private:
     const Slope& slope_;
     const Obstacles& obstacles_;
     const FallLaw& law_;
-    config::RandomStream ground_draws_;
+    Motion motion_;
     config::RandomStream tree_draws_;
-    config::RandomStream rolling_draws_;
     Rock rock_;
     FallScratch& scratch_;
     Observer& observer_;
@@ -419,21 +391,21 @@ private:
     FallEnd end_;
 
     RestingPlace resting_place_;
-    SurfaceStops surface_stops_;
-    std::uint32_t contacts_ = 0;
-    std::uint32_t rolls_ = 0;
     std::uint32_t rolling_pieces_ = 0;
     Encounters encounters_;
     std::uint32_t turned_at_log_ = no_log;
     Eigen::Vector3d turned_at_m_ = Eigen::Vector3d::Zero();
-    double noise_of_rock_ = 0.0;
-    double rolling_until_caught_ = 0.0;
 };
 
+/// Lets a rock fall under the motion model of the law, which is chosen here, once for the rock.
 template <class Observer>
 FallEnd fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, const config::StreamKey& key,
              const RockStart& start, FallScratch& scratch, Observer& observer) {
-    return Fall<Observer>{slope, obstacles, law, key, start, scratch, observer}.run();
+    return with_model(law.motion, [&]<class Motion>(std::type_identity<Motion>, const auto& settings) {
+        return Fall<Motion, Observer>{slope, obstacles, law,     Motion{settings, key, start.rock},
+                                      key,   start,     scratch, observer}
+            .run();
+    });
 }
 
 }  // namespace rockfall

@@ -70,7 +70,9 @@ void describe_site(const Scenario& scenario, const Site& site, std::ostream& out
                                 : site.projection.substr(0, site.projection.find('"', 8) + 1) + ", ...");
 }
 
-void describe_falls(const Site& site, std::ostream& out) {
+void describe_falls(const Scenario& scenario, const Site& site, std::ostream& out) {
+    const bool slides = scenario.rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
+    say(out, "motion", slides ? "pir3d" : "picus");
     say(out, "ground", ground_in_words(site));
     say(out, "sources", std::to_string(site.sources.size()) + " in " + counted(zones_of(site), "zone"));
     std::string targets;
@@ -99,7 +101,7 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, std
     if (!site.logs.empty()) {
         say(out, "logs", counted(site.logs.size(), "log"));
     }
-    describe_falls(site, out);
+    describe_falls(scenario, site, out);
     const Estimate estimate = estimate_of(scenario, site, threads);
     say(out, "rocks",
         std::to_string(estimate.rocks) +
@@ -115,7 +117,7 @@ void describe_years(const Scenario& scenario, Site site, int threads, config::Wa
     describe_forest(scenario, site, management, out);
     const Estimate estimate = estimate_of_years(scenario, site, management.regimes.size(), threads);
     if (has_rocks(scenario)) {
-        describe_falls(site, out);
+        describe_falls(scenario, site, out);
         say(out, "rocks",
             std::to_string(estimate.rocks) + " a year, in " + counted(estimate.rock_years, "year") +
                 " of each member, each with forest and on the bare slope");

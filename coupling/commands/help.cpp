@@ -136,6 +136,7 @@ Tells what an ESRI ASCII grid (frame, range, NODATA, projection) or a CSV table 
 holds. The name of a shipped table prints that table:
   bannwald info surfaces           ground types with restitution
   bannwald info stopping           their stopping probabilities by rock diameter
+  bannwald info pir3d_soils        soils of the motion model pir3d
   bannwald info tree_resistance    species with the energy they take
   bannwald info timber_prices      what wood brings and costs; also work_costs
   bannwald info regimes            names of the shipped regimes and the columns of a regime

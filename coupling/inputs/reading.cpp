@@ -56,6 +56,10 @@ std::string to_mm(double value_m) {
 
 }  // namespace
 
+bool has_value(const config::Table& table, std::size_t row, const std::string& column) {
+    return table.has(column) && !table.text(row, column).empty();
+}
+
 std::string to_string(const config::GridFrame& frame) {
     std::string size = to_mm(frame.cell_width_m);
     if (frame.cell_width_m != frame.cell_height_m) {

@@ -65,6 +65,9 @@ private:
     std::vector<InputFile> inputs_;
 };
 
+/// Whether a table has a column and the row something in it.
+bool has_value(const config::Table& table, std::size_t row, const std::string& column);
+
 /// "220 x 241 cells of 5 m, corner 177198.3, 376897.5".
 std::string to_string(const config::GridFrame& frame);
 

@@ -48,6 +48,10 @@ void check_stopping(const Scenario& s, Checker& checker) {
         checker.refuse("terrain.stopping", "terrain.stopping without terrain.surface_types",
                        "a table of what its codes mean");
     }
+    if (!s.soils.empty() && s.surface_types.empty()) {
+        checker.refuse("terrain.soils", "terrain.soils without terrain.surface_types",
+                       "a table whose column soil names them");
+    }
 }
 
 void check_terrain(const Scenario& s, Checker& checker) {

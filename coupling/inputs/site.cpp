@@ -84,6 +84,26 @@ void tell_idle_settings(const Scenario& scenario, Reading& reading) {
     }
 }
 
+/// Settings that the user made for another motion model than the chosen one.
+void tell_idle_motion(const Scenario& scenario, Reading& reading) {
+    const bool slides = scenario.rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
+    const std::set<std::string> of_both{
+        "rockfall.motion",          "rockfall.vertical_tolerance_m", "rockfall.contact_support_m",
+        "rockfall.contact_shift_m", "rockfall.most_impacts",         "rockfall.preset"};
+    std::string names;
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        const bool of_other = slides ? row.key.starts_with("rockfall.") && !of_both.contains(row.key)
+                                     : row.key.starts_with("pir3d.");
+        if (of_other && scenario.options->was_set(row.key)) {
+            names += (names.empty() ? "" : ", ") + row.key;
+        }
+    }
+    if (!names.empty()) {
+        reading.note(joined("rockfall.motion is ", slides ? "pir3d" : "picus", ": ", names,
+                            names.find(',') == std::string::npos ? " has" : " have", " no effect"));
+    }
+}
+
 Files read_files(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     Files files;
@@ -94,6 +114,7 @@ Files read_files(Reading& reading) {
         tell_idle_settings(scenario, reading);
     }
     if (has_rocks(scenario)) {
+        tell_idle_motion(scenario, reading);
         files.types = read_surface_types(reading);
         files.cover = read_ground_cover(reading);
         files.sources = read_sources(reading);

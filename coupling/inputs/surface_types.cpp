@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
+#include "coupling/inputs/pir3d_soils.hpp"
 #include "coupling/inputs/stopping_input.hpp"
 
 namespace coupling {
@@ -24,16 +25,18 @@ config::Table shipped(const std::string& name) {
     return config::Table::read(in, name);
 }
 
-bool has_value(const config::Table& table, std::size_t row, const std::string& column) {
-    return table.has(column) && !table.text(row, column).empty();
-}
-
 /// Reads the table of ground types row by row.
 class TypeReader {
 public:
+    /// `needs_soils`: the motion model asks for the soil of each type.
     TypeReader(const config::Table& table, std::map<std::string, StoppingCurves> stopping,
-               config::Problems& problems)
-        : table_{table}, stopping_{std::move(stopping)}, shipped_{shipped_surfaces()}, problems_{problems} {}
+               std::vector<rockfall::pir3d::Soil> soils, bool needs_soils, config::Problems& problems)
+        : table_{table},
+          stopping_{std::move(stopping)},
+          soils_{std::move(soils)},
+          needs_soils_{needs_soils},
+          shipped_{shipped_surfaces()},
+          problems_{problems} {}
 
     std::vector<rockfall::SurfaceType> all() {
         std::vector<rockfall::SurfaceType> types;
@@ -74,7 +77,26 @@ private:
         type.restitution.tangential =
             value(row, "r_t", restitution_range, like ? &like->type.restitution.tangential : nullptr);
         read_stopping(row, like, type);
+        type.soil = soil_of(row, like);
         return type;
+    }
+
+    /// The soil that the row names, else that of the shipped type.
+    std::optional<rockfall::pir3d::Soil> soil_of(std::size_t row, const ShippedSurface* like) {
+        if (has_value(table_, row, "soil")) {
+            return named_soil(table_, row, "soil", soils_, problems_);
+        }
+        if (like != nullptr) {
+            return like->type.soil;
+        }
+        if (needs_soils_) {
+            refuse(
+                row, table_.has("soil") ? "soil" : "code",
+                "code " + table_.text(row, "code") + " without soil",
+                "for rockfall.motion = pir3d: a name of `bannwald info pir3d_soils` or of terrain.soils in a "
+                "column soil");
+        }
+        return std::nullopt;
     }
 
     /// Probabilities from the stopping table, else scaled from p_stop, else those of the shipped type; rates
@@ -138,6 +160,8 @@ private:
 
     const config::Table& table_;
     std::map<std::string, StoppingCurves> stopping_;
+    std::vector<rockfall::pir3d::Soil> soils_;
+    bool needs_soils_;
     std::vector<ShippedSurface> shipped_;
     config::Problems& problems_;
 };
@@ -175,7 +199,8 @@ std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
     problems.throw_if_any();
 
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
-    TypeReader reader{table, std::move(stopping), problems};
+    const bool needs_soils = reading.scenario().rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
+    TypeReader reader{table, std::move(stopping), read_pir3d_soils(reading), needs_soils, problems};
     std::vector<rockfall::SurfaceType> types = reader.all();
     if (types.empty() || types.size() >= most_types) {
         problems.add(config::ExitCode::data, {table.file()}, counted(types.size(), "ground type"),
@@ -217,6 +242,7 @@ std::vector<ShippedSurface> shipped_surfaces() {
     config::Problems problems;
     const config::Table table = shipped("surfaces.csv");
     const auto curves = read_stopping_curves(shipped("stopping.csv"), "name", problems);
+    const std::vector<rockfall::pir3d::Soil> soils = shipped_pir3d_soils();
     std::vector<ShippedSurface> surfaces;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         ShippedSurface surface;
@@ -226,6 +252,7 @@ std::vector<ShippedSurface> shipped_surfaces() {
                                     table.number(row, "r_t", restitution_range, problems).value_or(0.0)};
         surface.type.stopping = curves.at(surface.name).stopping;
         surface.type.rolling_stops_per_m = curves.at(surface.name).rolling_stops_per_m;
+        surface.type.soil = named_soil(table, row, "soil", soils, problems);
         surfaces.push_back(std::move(surface));
     }
     problems.throw_if_any();

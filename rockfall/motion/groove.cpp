@@ -65,7 +65,7 @@ void consider_edges_at(const Terrain& terrain, std::uint32_t triangle, std::uint
 
 std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32_t triangle,
                                              const Eigen::Vector3d& position_m, double reach_m,
-                                             double friction) {
+                                             const GrooveLaw& law) {
     const Triangle& t = terrain.triangles()[triangle];
     Way best;
     for (int i = 0; i < 3; ++i) {
@@ -79,20 +79,22 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
             consider_edges_at(terrain, triangle, t.corners[i], position_m, reach_m, best);
         }
     }
-    if (best.fall_tangent <= friction) {
+    if (best.fall_tangent <= law.friction) {
         return std::nullopt;
     }
     const Eigen::Vector3d way = best.end_m - position_m;
     const double length_m = way.norm();
     const double cosine = 1.0 / std::sqrt(1.0 + best.fall_tangent * best.fall_tangent);
     const double acceleration =
-        rolling_mass_factor * config::gravity_mps2 * cosine * (best.fall_tangent - friction);
+        law.mass_factor * config::gravity_mps2 * cosine * (best.fall_tangent - law.friction);
     return RollingPiece{position_m,
                         Eigen::Vector3d::Zero(),
                         acceleration / length_m * way,
                         std::sqrt(2.0 * length_m / acceleration),
                         RollingEnd::edge,
-                        best.triangle};
+                        best.triangle,
+                        false,
+                        law.slides};
 }
 
 }  // namespace rockfall

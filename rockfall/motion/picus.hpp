@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "config/random/stream.hpp"
+#include "rockfall/motion/contact.hpp"
 #include "rockfall/motion/jump_angle.hpp"
 #include "rockfall/motion/rebound.hpp"
 #include "rockfall/motion/restitution.hpp"
@@ -26,16 +27,6 @@ struct PicusLaw {
     LateralDeviation lateral;
     RollingLaw rolling;
     StoppingLaw stopping;
-};
-
-/// How a rock goes on after it touched the ground.
-enum class Onward : std::uint8_t { flies, rolls, rests, caught };
-
-/// Motion after a ground contact.
-struct Contact {
-    Onward onward;
-    Eigen::Vector3d velocity_mps;
-    double spin_radps;
 };
 
 /// What is drawn at one ground contact.

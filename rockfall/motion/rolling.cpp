@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "config/units/constants.hpp"
+#include "rockfall/motion/leaving.hpp"
 
 namespace rockfall {
 namespace {
@@ -19,54 +20,6 @@ constexpr double longest_curved_piece_s = 0.25;
 /// Gravity along the plane.
 Eigen::Vector3d gravity_along(const Eigen::Vector3d& normal) {
     return -gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
-}
-
-/// First time at which c0 + c1 t + c2 t^2 falls through zero; a start at or below zero counts as zero.
-double time_of_leaving(double c0, double c1, double c2) {
-    c0 = std::max(c0, 0.0);
-    if (c0 == 0.0 && c1 < 0.0) {
-        return 0.0;
-    }
-    const double discriminant = c1 * c1 - 4.0 * c2 * c0;
-    if (discriminant < 0.0) {
-        return never;
-    }
-    const double root = std::sqrt(discriminant);
-    if (c1 < 0.0) {
-        return 2.0 * c0 / (root - c1);  // falling from the start: the nearer root
-    }
-    return c2 < 0.0 ? (-c1 - root) / (2.0 * c2) : never;  // rises first, comes back only if it bends down
-}
-
-/// Time until the piece leaves the triangle in plan, and over which edge.
-struct Leaving {
-    double time_s;
-    int edge;
-};
-
-Leaving leaving(const Terrain& terrain, const Triangle& triangle, const RollingPiece& piece) {
-    Leaving first{never, 0};
-    for (int i = 0; i < 3; ++i) {
-        const Vertex& a = terrain.vertices()[triangle.corners[i]];
-        const Vertex& b = terrain.vertices()[triangle.corners[i == 2 ? 0 : i + 1]];
-        // Inward normal of a counter-clockwise edge, not normalised: only signs and times matter.
-        const double nx = a.y_m - b.y_m;
-        const double ny = b.x_m - a.x_m;
-        const double time_s =
-            time_of_leaving(nx * (piece.start_m.x() - a.x_m) + ny * (piece.start_m.y() - a.y_m),
-                            nx * piece.velocity_mps.x() + ny * piece.velocity_mps.y(),
-                            0.5 * (nx * piece.acceleration_mps2.x() + ny * piece.acceleration_mps2.y()));
-        if (time_s < first.time_s) {
-            first = {time_s, i};
-        }
-    }
-    return first;
-}
-
-/// Whether a neighbour goes on steeply up or down where a piece runs over to it.
-bool is_cliff_or_wall(const Terrain& terrain, const Plane& here, std::uint32_t neighbour) {
-    return neighbour != no_triangle &&
-           (terrain.plane_of(neighbour).gradient - here.gradient).norm() > largest_overrun_tangent;
 }
 
 /// First time at which |v + a t| rises to a speed.
@@ -149,18 +102,7 @@ RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& p
         piece.duration_s = launch_s;
         piece.end = RollingEnd::launch_speed;
     }
-    const Triangle& t = terrain.triangles()[triangle];
-    const Leaving out = leaving(terrain, t, piece);
-    if (out.time_s <= piece.duration_s) {
-        piece.duration_s = std::min(piece.duration_s, std::max(out.time_s, shortest_rolling_piece_s));
-        piece.end = RollingEnd::edge;
-        piece.next_triangle = t.neighbours[out.edge];
-        piece.ran_over = piece.duration_s > out.time_s;
-        if (piece.ran_over && is_cliff_or_wall(terrain, plane, piece.next_triangle)) {
-            piece.duration_s = out.time_s;
-            piece.ran_over = false;
-        }
-    }
+    end_at_edge(piece, terrain, triangle, plane, leaving(terrain, triangle, piece));
     return piece;
 }
 

@@ -37,6 +37,7 @@ struct RollingPiece {
     RollingEnd end;
     std::uint32_t next_triangle;  ///< beyond the edge that ends the piece, or that a shortest piece ran over
     bool ran_over = false;        ///< ends a little beyond its edge
+    bool slides = false;          ///< moves without spin
 
     [[nodiscard]] Eigen::Vector3d position_m(double time_s) const {
         return start_m + time_s * velocity_mps + 0.5 * time_s * time_s * acceleration_mps2;

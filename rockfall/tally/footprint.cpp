@@ -240,7 +240,7 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     const Eigen::Vector3d move = end - piece.start_m;
     const double begin2 = piece.velocity_mps.squaredNorm();
     const double end2 = piece.velocity_at(piece.duration_s).squaredNorm();
-    const double spin_factor = 0.5 * rock.inertia_kgm2 / (rock.radius_m * rock.radius_m);
+    const double spin_factor = piece.slides ? 0.0 : 0.5 * rock.inertia_kgm2 / (rock.radius_m * rock.radius_m);
     const auto energy_j = [&](double squared_speed) {
         return (0.5 * rock.mass_kg + spin_factor) * squared_speed;
     };

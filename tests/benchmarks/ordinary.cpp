@@ -393,7 +393,7 @@ public:
         face_ = nullptr;
         while (motion_.state == Motion::State::flies || motion_.state == Motion::State::rolls) {
             motion_.state == Motion::State::flies ? fly() : roll();
-            if (record_.impacts >= law_.ground.stopping.most_impacts) {
+            if (record_.impacts >= law_.motion.picus.stopping.most_impacts) {
                 motion_.state = Motion::State::stopped;
             }
         }
@@ -457,7 +457,7 @@ private:
         const double off_mps = motion_.velocity_mps.dot(ground.normal);
         const double speed_mps = motion_.velocity_mps.norm();
         const Vector3d along_mps = motion_.velocity_mps - off_mps * ground.normal;
-        if (std::abs(off_mps) > law_.ground.rolling.edge_angle_tangent * along_mps.norm()) {
+        if (std::abs(off_mps) > law_.motion.picus.rolling.edge_angle_tangent * along_mps.norm()) {
             if (off_mps > 0.0) {
                 motion_.state = Motion::State::flies;
             } else {
@@ -472,7 +472,7 @@ private:
     void roll_on(const Vector3d& normal) {
         const Vector3d gravity{0.0, 0.0, -g};
         const double speed_mps = motion_.velocity_mps.norm();
-        const double friction = law_.ground.rolling.friction * g * normal.z();
+        const double friction = law_.motion.picus.rolling.friction * g * normal.z();
         const Vector3d pull = gravity - gravity.dot(normal) * normal;
         const double slowing_mps = 5.0 / 7.0 * friction * step_s;
         Vector3d velocity_mps = motion_.velocity_mps + 5.0 / 7.0 * step_s * pull;

@@ -128,7 +128,7 @@ void impact_rebound(State& state) {
     for (auto _ : state) {
         for (const Arriving& r : rocks) {
             DoNotOptimize(rockfall::meet_ground(r.velocity_mps, 10.0, r.normal, {0.30, 0.75}, 0.0, rock,
-                                                law.ground, r.draws));
+                                                law.motion.picus, r.draws));
         }
     }
     per_item(state, "ns_per_impact", rocks.size());
@@ -156,7 +156,7 @@ void over_speeds(State& state, Law law) {
 }
 
 void jump_angle_ours(State& state) {
-    const rockfall::JumpAngleLaw law = compared_law().ground.jump_angle;
+    const rockfall::JumpAngleLaw law = compared_law().motion.picus.jump_angle;
     over_speeds(state, [&](double squared_speed) {
         return config::sin_cos_of(rockfall::jump_angle(squared_speed, law).in_radians());
     });

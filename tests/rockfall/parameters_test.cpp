@@ -37,52 +37,52 @@ std::string message_of(const std::string& text) {
 TEST(RockfallParameters, StrictIsWhatThePaperStates) {
     const Parameters strict = preset("strict");
     EXPECT_EQ(strict.ground.contact_support_m, 0.0);
-    EXPECT_EQ(strict.fall.ground.jump_angle.scatter, 0.0);
-    EXPECT_FALSE(strict.fall.ground.blend_steep_impacts);
+    EXPECT_EQ(strict.fall.motion.picus.jump_angle.scatter, 0.0);
+    EXPECT_FALSE(strict.fall.motion.picus.blend_steep_impacts);
     EXPECT_FALSE(strict.fall.tree.taper);
     EXPECT_FALSE(strict.fall.tree.height_effect);
-    EXPECT_TRUE(strict.fall.ground.restitution.damping);
-    EXPECT_EQ(strict.fall.ground.angle, ReboundAngle::jump_angle_law);
-    EXPECT_TRUE(strict.fall.ground.stopping.by_chance);
-    EXPECT_EQ(strict.fall.ground.restitution.tangential_noise, 0.05);
-    EXPECT_EQ(strict.fall.ground.noise, NoiseScope::impact);
+    EXPECT_TRUE(strict.fall.motion.picus.restitution.damping);
+    EXPECT_EQ(strict.fall.motion.picus.angle, ReboundAngle::jump_angle_law);
+    EXPECT_TRUE(strict.fall.motion.picus.stopping.by_chance);
+    EXPECT_EQ(strict.fall.motion.picus.restitution.tangential_noise, 0.05);
+    EXPECT_EQ(strict.fall.motion.picus.noise, NoiseScope::impact);
 }
 
 TEST(RockfallParameters, TheEarlierVariantsOfThePaperLeaveOutItsLaterSteps) {
     const Parameters rebound = preset("paper_rebound");
-    EXPECT_TRUE(rebound.fall.ground.restitution.damping);
-    EXPECT_EQ(rebound.fall.ground.angle, ReboundAngle::jump_angle_law);
-    EXPECT_FALSE(rebound.fall.ground.stopping.by_chance);
+    EXPECT_TRUE(rebound.fall.motion.picus.restitution.damping);
+    EXPECT_EQ(rebound.fall.motion.picus.angle, ReboundAngle::jump_angle_law);
+    EXPECT_FALSE(rebound.fall.motion.picus.stopping.by_chance);
 
     const Parameters initial = preset("paper_initial");
-    EXPECT_FALSE(initial.fall.ground.restitution.damping);
-    EXPECT_EQ(initial.fall.ground.angle, ReboundAngle::geometric);
-    EXPECT_FALSE(initial.fall.ground.stopping.by_chance);
+    EXPECT_FALSE(initial.fall.motion.picus.restitution.damping);
+    EXPECT_EQ(initial.fall.motion.picus.angle, ReboundAngle::geometric);
+    EXPECT_FALSE(initial.fall.motion.picus.stopping.by_chance);
     EXPECT_EQ(initial.ground.contact_support_m, 0.0);
 }
 
 TEST(RockfallParameters, WhatTheUserSetsWinsOverThePreset) {
     const Parameters parameters = settings_of("[rockfall]\ncontact_support_m = 3\npreset = strict\n");
     EXPECT_EQ(parameters.ground.contact_support_m, 3.0);
-    EXPECT_EQ(parameters.fall.ground.jump_angle.scatter, 0.0);
+    EXPECT_EQ(parameters.fall.motion.picus.jump_angle.scatter, 0.0);
 }
 
 TEST(RockfallParameters, TheDefaultsOfTheLawsAreThoseOfTheSettings) {
     const Parameters read = settings_of("");
     const PicusLaw law;
-    EXPECT_DOUBLE_EQ(read.fall.ground.jump_angle.coefficient.in_degrees(),
+    EXPECT_DOUBLE_EQ(read.fall.motion.picus.jump_angle.coefficient.in_degrees(),
                      law.jump_angle.coefficient.in_degrees());
-    EXPECT_DOUBLE_EQ(read.fall.ground.jump_angle.cap.in_degrees(), law.jump_angle.cap.in_degrees());
-    EXPECT_DOUBLE_EQ(read.fall.ground.lateral.at_rest.in_degrees(), law.lateral.at_rest.in_degrees());
-    EXPECT_DOUBLE_EQ(read.fall.ground.lateral.when_fast.in_degrees(), law.lateral.when_fast.in_degrees());
-    EXPECT_NEAR(read.fall.ground.rolling.edge_angle_tangent, law.rolling.edge_angle_tangent, 1e-4);
-    EXPECT_EQ(read.fall.ground.stopping.most_impacts, law.stopping.most_impacts);
+    EXPECT_DOUBLE_EQ(read.fall.motion.picus.jump_angle.cap.in_degrees(), law.jump_angle.cap.in_degrees());
+    EXPECT_DOUBLE_EQ(read.fall.motion.picus.lateral.at_rest.in_degrees(), law.lateral.at_rest.in_degrees());
+    EXPECT_DOUBLE_EQ(read.fall.motion.picus.lateral.when_fast.in_degrees(), law.lateral.when_fast.in_degrees());
+    EXPECT_NEAR(read.fall.motion.picus.rolling.edge_angle_tangent, law.rolling.edge_angle_tangent, 1e-4);
+    EXPECT_EQ(read.fall.motion.picus.stopping.most_impacts, law.stopping.most_impacts);
 }
 
 TEST(RockfallParameters, AnglesAreWrittenInDegrees) {
     const Parameters parameters = settings_of("[rockfall]\njump_angle_cap_deg = 45\nrolling_edge_deg = 45\n");
-    EXPECT_DOUBLE_EQ(parameters.fall.ground.jump_angle.cap.in_degrees(), 45.0);
-    EXPECT_DOUBLE_EQ(parameters.fall.ground.rolling.edge_angle_tangent, 1.0);
+    EXPECT_DOUBLE_EQ(parameters.fall.motion.picus.jump_angle.cap.in_degrees(), 45.0);
+    EXPECT_DOUBLE_EQ(parameters.fall.motion.picus.rolling.edge_angle_tangent, 1.0);
 }
 
 TEST(RockfallParameters, EachSettingSaysWhatItMeansAndWhereItComesFrom) {

@@ -27,6 +27,14 @@ inline config::Raster<double> heights_of(const config::GridFrame& frame,
     return heights;
 }
 
+/// A soil of PiR3D with round numbers: widths, then threshold 5 degrees.
+inline pir3d::Soil test_soil(double friction = 0.6, Restitution restitution = {0.35, 0.85}) {
+    const auto radians = [](double degrees) { return config::Angle::from_degrees(degrees).in_radians(); };
+    return {"test soil",  restitution,           friction,
+            {0.10, 0.06}, {0.15, 0.10},          {radians(20.0), radians(15.0)},
+            10.0,         std::tan(radians(5.0))};
+}
+
 /// A slope of one ground type over heights.
 inline Slope slope_over(const config::Raster<double>& heights, Restitution restitution,
                         double stop_probability = 0.0) {
@@ -35,6 +43,7 @@ inline Slope slope_over(const config::Raster<double>& heights, Restitution resti
     type.label = "test ground";
     type.restitution = restitution;
     type.stopping = StopCurve{{{1.0, stop_probability}}};
+    type.soil = test_soil();
     return {triangulate(heights, 0.0), SurfaceMap::uniform(SurfaceId{0}), {type}};
 }
 
@@ -51,16 +60,24 @@ inline Slope plane_slope(double slope_deg, Restitution restitution, double stop_
 /// Law of exactly what the paper states, without any chance.
 inline FallLaw deterministic_law() {
     FallLaw law;
-    law.ground.noise = NoiseScope::off;
-    law.ground.jump_angle.scatter = 0.0;
-    law.ground.lateral.at_rest = config::Angle{};
-    law.ground.lateral.when_fast = config::Angle{};
-    law.ground.blend_steep_impacts = false;
+    law.motion.picus.noise = NoiseScope::off;
+    law.motion.picus.jump_angle.scatter = 0.0;
+    law.motion.picus.lateral.at_rest = config::Angle{};
+    law.motion.picus.lateral.when_fast = config::Angle{};
+    law.motion.picus.blend_steep_impacts = false;
     law.tree.taper = false;
     law.tree.height_effect = false;
     const auto degrees = [](double d) { return config::Angle::from_degrees(d); };
     law.tree.deviation.limits = {degrees(0.0), degrees(22.5), degrees(67.5), degrees(76.0)};
     law.tree.deviation.shares = {{{0.44, 0.50, 0.06}, {0.19, 0.76, 0.05}, {0.72, 0.24, 0.04}}};
+    return law;
+}
+
+/// The motion model of PiR3D without any chance.
+inline FallLaw sliding_law() {
+    FallLaw law = deterministic_law();
+    law.motion.model = MotionModel::pir3d;
+    law.motion.pir3d.uncertainty = pir3d::Uncertainty::off;
     return law;
 }
 

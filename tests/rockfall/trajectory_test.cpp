@@ -20,10 +20,16 @@ using testing::slope_over;
 using testing::start_at;
 
 /// Everything random at full strength.
-FallLaw lively_law() {
+FallLaw lively_law(MotionModel model = MotionModel::picus) {
     FallLaw law;
+    law.motion.model = model;
     law.tree.deviation = deterministic_law().tree.deviation;
     return law;
+}
+
+/// Rules that hold for falls hold under every motion model.
+rc::Gen<MotionModel> any_model() {
+    return rc::gen::element(MotionModel::picus, MotionModel::pir3d);
 }
 
 /// A rough slope: a plane with waves, steps and noise, different for each seed.
@@ -61,10 +67,11 @@ double energy_per_mass(const Rock& rock, const Eigen::Vector3d& velocity, double
 
 RC_GTEST_PROP(FallOnRoughGround, KeepsItsEnergyInFlightAndNeverGainsAny, ()) {
     const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
+    const FallLaw law = lively_law(*any_model());
     const Slope slope = rough_slope(seed, 0.5);
     const StemIndex stems{stems_on(seed, 600), slope.terrain, 0.5, true};
     const RockStart start = start_at(slope, 20.0, 100.0, 1.5, {3.0, 0.5, -1.5}, 0.9, seed);
-    const auto [end, log] = logged_fall(slope, lively_law(), start, &stems);
+    const auto [end, log] = logged_fall(slope, law, start, &stems);
     // Total mechanical energy per mass at the start of each flight, in order: contacts and hits only take.
     double last = energy_per_mass(start.rock, start.velocity_mps, 0.0, start.position_m.z());
     for (const EventLog::Jump& jump : log.jumps) {
@@ -80,9 +87,10 @@ RC_GTEST_PROP(FallOnRoughGround, KeepsItsEnergyInFlightAndNeverGainsAny, ()) {
 
 RC_GTEST_PROP(FallOnRoughGround, NeverGoesBelowTheSurface, ()) {
     const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
+    const FallLaw law = lively_law(*any_model());
     const Slope slope = rough_slope(seed, 1.0);
     const RockStart start = start_at(slope, 20.0, 100.0, 1.5, {3.0, 0.5, -1.5}, 0.9, seed);
-    const auto [end, log] = logged_fall(slope, lively_law(), start);
+    const auto [end, log] = logged_fall(slope, law, start);
     RC_ASSERT(end.position_m.allFinite());
     for (const EventLog::Jump& jump : log.jumps) {
         RC_ASSERT(jump.flight.velocity_mps.allFinite());
@@ -100,9 +108,10 @@ RC_GTEST_PROP(FallOnRoughGround, EndsAndMovesBetweenItsImpacts, ()) {
     // A rock that lands on the edge that it leaves, again and again, once stopped 4 % of all rocks on even
     // ground.
     const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
+    const FallLaw law = lively_law(*any_model());
     const Slope slope = rough_slope(seed, 0.1);
     const RockStart start = start_at(slope, 20.0, 100.0, 1.5, {3.0, 0.5, -1.5}, 0.9, seed);
-    const auto [end, log] = logged_fall(slope, lively_law(), start);
+    const auto [end, log] = logged_fall(slope, law, start);
     RC_ASSERT(end.reason != StopReason::gave_up);
     int without_time = 0;
     for (const EventLog::Jump& jump : log.jumps) {
@@ -153,10 +162,14 @@ TEST(Fall, RestsInAPitWithSteepWalls) {
     const Slope pit =
         slope_over(heights_of(frame, [](double x, double y) { return 1.2 * std::hypot(x - 50.0, y - 50.0); }),
                    {0.35, 0.85});
-    const auto [end, log] = logged_fall(pit, lively_law(), start_at(pit, 30.0, 40.0, 1.5, {3.0, 0.0, -1.0}));
-    EXPECT_EQ(end.reason, StopReason::at_rest);
-    EXPECT_LT(end.ground_impacts, 400U);
-    EXPECT_LT((end.position_m.head<2>() + pit.terrain.origin_m() - Eigen::Vector2d{50.0, 50.0}).norm(), 8.0);
+    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d}) {
+        const auto [end, log] =
+            logged_fall(pit, lively_law(model), start_at(pit, 30.0, 40.0, 1.5, {3.0, 0.0, -1.0}));
+        EXPECT_EQ(end.reason, StopReason::at_rest);
+        EXPECT_LT(end.ground_impacts, 400U);
+        EXPECT_LT((end.position_m.head<2>() + pit.terrain.origin_m() - Eigen::Vector2d{50.0, 50.0}).norm(),
+                  8.0);
+    }
 }
 
 TEST(Fall, FollowsAGullyDownhill) {
@@ -164,16 +177,19 @@ TEST(Fall, FollowsAGullyDownhill) {
     const Slope gully = slope_over(
         heights_of(frame, [](double x, double y) { return 400.0 - 0.8 * x + 1.0 * std::abs(y - 47.5); }),
         {0.30, 0.65});
-    FallLaw law = lively_law();
-    law.ground.stopping.by_chance = false;
-    int left = 0;
-    constexpr int rocks = 100;
-    for (std::uint64_t rock = 0; rock < rocks; ++rock) {
-        const auto [end, log] =
-            logged_fall(gully, law, start_at(gully, 20.0, 70.0, 1.0, {1.0, -1.0, 0.0}, 0.8, rock));
-        left += end.reason == StopReason::left_terrain ? 1 : 0;
+    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d}) {
+        FallLaw law = lively_law(model);
+        law.motion.picus.stopping.by_chance = false;
+        int left = 0;
+        constexpr int rocks = 100;
+        for (std::uint64_t rock = 0; rock < rocks; ++rock) {
+            const auto [end, log] =
+                logged_fall(gully, law, start_at(gully, 20.0, 70.0, 1.0, {1.0, -1.0, 0.0}, 0.8, rock));
+            left += end.reason == StopReason::left_terrain ? 1 : 0;
+        }
+        EXPECT_EQ(left,
+                  rocks);  // the floor falls by 38 degrees, more than any friction here: nothing holds a rock
     }
-    EXPECT_EQ(left, rocks);  // the floor falls by 38 degrees: nothing holds a rock there
 }
 
 TEST(Fall, LeavesTheTerrainAsAnOutcome) {
@@ -187,7 +203,7 @@ TEST(Fall, LeavesTheTerrainAsAnOutcome) {
 TEST(Fall, EndsAfterTheLargestNumberOfImpacts) {
     const Slope slope = plane_slope(38.0, {0.30, 0.75}, 0.0, 1000.0);
     FallLaw law = lively_law();
-    law.ground.stopping.most_impacts = 10;
+    law.motion.picus.stopping.most_impacts = 10;
     const auto [end, log] = logged_fall(slope, law, start_at(slope, 20.0, 50.0, 1.5, {2.6, 0.0, -1.5}));
     EXPECT_EQ(end.reason, StopReason::gave_up);
     EXPECT_EQ(end.ground_impacts, 10U);
@@ -231,8 +247,8 @@ TEST(Fall, HitsTreesWhileRolling) {
     const RockStart start =
         start_at(slope, 100.0, 50.0, 0.0, 1.5 * Eigen::Vector3d{std::cos(b), 0.0, -std::sin(b)});
     FallLaw law = deterministic_law();
-    law.ground.rolling.friction = 0.3;  // rolls on at 20 degrees
-    law.ground.rolling.launch_factor = 1e9;
+    law.motion.picus.rolling.friction = 0.3;  // rolls on at 20 degrees
+    law.motion.picus.rolling.launch_factor = 1e9;
     const auto [end, log] = logged_fall(slope, law, start, &stems);
     ASSERT_EQ(log.hits.size(), 1U);
     EXPECT_EQ(end.reason, StopReason::tree);

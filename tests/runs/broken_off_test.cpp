@@ -16,8 +16,8 @@ constexpr const char* two_parts =
     "--set release.rocks=500000";
 
 /// Starts that run, interrupts it once its first part is finished, and ends with its exit code.
-std::string interrupted_after_first_part(const std::string& out) {
-    return std::string{"\"$bannwald\" "} + two_parts + " --out " + out +
+std::string interrupted_after_first_part(const std::string& out, const std::string& settings) {
+    return std::string{"\"$bannwald\" "} + two_parts + settings + " --out " + out +
            " &\n"
            "while kill -0 $! 2>/dev/null && [ ! -e " +
            out +
@@ -51,19 +51,24 @@ TEST(Interruption, LeavesNoResults) {
     EXPECT_FALSE(fs::exists(project.file("out/summary.json")));
 }
 
-TEST(Interruption, KeepsFinishedPartsForTheSameSettingsOnly) {
+class InterruptionUnderModel : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Motion, InterruptionUnderModel, ::testing::Values("picus", "pir3d"),
+                         [](const auto& model) { return model.param; });
+
+TEST_P(InterruptionUnderModel, KeepsFinishedPartsForTheSameSettingsOnly) {
     const SampleProject project;
-    const Outcome interrupted = shell(project, interrupted_after_first_part("out"));
+    const std::string motion = " --set rockfall.motion=" + GetParam();
+    const Outcome interrupted = shell(project, interrupted_after_first_part("out", motion));
     ASSERT_EQ(interrupted.code, 75) << interrupted.err;
     ASSERT_TRUE(fs::exists(project.file("out/parts")));
     EXPECT_FALSE(fs::exists(project.file("out/report.html")));
 
-    const Outcome other = call(project, std::string{two_parts} + " --seed 2");
+    const Outcome other = call(project, two_parts + motion + " --seed 2");
     EXPECT_EQ(other.code, 2) << other.err;
     EXPECT_TRUE(fs::exists(project.file("out/parts")));
 
-    EXPECT_EQ(call(project, two_parts).code, 0);
-    EXPECT_EQ(call(project, std::string{two_parts} + " --out whole").code, 0);
+    EXPECT_EQ(call(project, two_parts + motion).code, 0);
+    EXPECT_EQ(call(project, two_parts + motion + " --out whole").code, 0);
     for (const std::string name :
          {"rasters/bare/E_95.asc", "rasters/bare/Nr_passages.asc", "tables/targets.csv"}) {
         EXPECT_EQ(project.read("out/" + name), project.read("whole/" + name)) << name;

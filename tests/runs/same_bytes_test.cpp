@@ -15,9 +15,17 @@ Outcome run_and_compare(const SampleProject& project, const std::string& argumen
                               " && diff -r first " + folder + "\n");
 }
 
-TEST(Results, AreTheSameBytesOnAnyNumberOfThreads) {
+/// What holds for results holds under every motion model.
+class ResultsOfModel : public ::testing::TestWithParam<std::string> {
+protected:
+    [[nodiscard]] static std::string motion() { return "--set rockfall.motion=" + GetParam() + " "; }
+};
+INSTANTIATE_TEST_SUITE_P(Motion, ResultsOfModel, ::testing::Values("picus", "pir3d"),
+                         [](const auto& model) { return model.param; });
+
+TEST_P(ResultsOfModel, AreTheSameBytesOnAnyNumberOfThreads) {
     const SampleProject project;
-    const std::string rocks = "--set release.rocks=20000 ";
+    const std::string rocks = motion() + "--set release.rocks=20000 ";
     ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
     ASSERT_TRUE(std::filesystem::exists(project.file("first/tables/rocks.csv")));
     for (const std::string threads : {"2", "7"}) {
@@ -26,9 +34,9 @@ TEST(Results, AreTheSameBytesOnAnyNumberOfThreads) {
     }
 }
 
-TEST(Results, AreTheSameBytesWhereBrokenTreesFall) {
+TEST_P(ResultsOfModel, AreTheSameBytesWhereBrokenTreesFall) {
     const SampleProject project;
-    const std::string rocks = "--set release.rocks=5000 --set tree_impact.remove_broken=yes ";
+    const std::string rocks = motion() + "--set release.rocks=5000 --set tree_impact.remove_broken=yes ";
     ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
     const Outcome outcome = run_and_compare(project, rocks + "--threads 3", "with_3");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
@@ -42,12 +50,12 @@ void add_logs(const SampleProject& project) {
     project.replace("scenario.ini", "file = trees.csv\n", "file = trees.csv\nlogs = logs.csv\n");
 }
 
-TEST(Results, AreTheSameBytesWithLogsThatMayBreak) {
+TEST_P(ResultsOfModel, AreTheSameBytesWithLogsThatMayBreak) {
     const SampleProject project;
     add_logs(project);
     for (const std::string remove : {"no", "yes"}) {
         const std::string rocks =
-            "--overwrite --set release.rocks=5000 --set tree_impact.remove_broken=" + remove + " ";
+            motion() + "--overwrite --set release.rocks=5000 --set tree_impact.remove_broken=" + remove + " ";
         ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
         const Outcome outcome = run_and_compare(project, rocks + "--threads 3", "with_3");
         EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
@@ -66,6 +74,15 @@ TEST(Results, TellTheEffectOfLogsWithoutTrees) {
     EXPECT_TRUE(std::filesystem::exists(project.file("first/tables/protection.csv")));
     EXPECT_FALSE(std::filesystem::exists(project.file("first/tables/stems.csv")));
     EXPECT_NE(project.read("first/report.html").find("Stopped at a lying log"), std::string::npos);
+}
+
+TEST(Results, ChangeWithTheMotionModel) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --set rockfall.motion=picus --out first").code, 0);
+    EXPECT_EQ(run_and_compare(project, "", "default").code, 0);  // the default is the first of the two
+    EXPECT_NE(run_and_compare(project, "--set rockfall.motion=pir3d", "other").code, 0);
+    EXPECT_NE(project.read("other/tables/rocks.csv"), project.read("first/tables/rocks.csv"));
+    EXPECT_NE(project.read("other/tables/tree_hits.csv").find("\n"), std::string::npos);
 }
 
 TEST(Results, ChangeWithTheSeed) {

@@ -52,7 +52,11 @@ std::string dense_list(bool with_thin_trees) {
     return list.str();
 }
 
-TEST(FirstRocksOfYears, AreThoseOfToday) {
+class FirstRocksOfYearsUnderModel : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Motion, FirstRocksOfYearsUnderModel, ::testing::Values("picus", "pir3d"),
+                         [](const auto& model) { return model.param; });
+
+TEST_P(FirstRocksOfYearsUnderModel, AreThoseOfToday) {
     // The rocks of year 0 fall through the trees of the list, on patches or not, with the same random
     // numbers: the figures agree to the last digit, whichever way the stems are numbered.
     const ForestProject project;
@@ -60,7 +64,8 @@ TEST(FirstRocksOfYears, AreThoseOfToday) {
     project.write("stands.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
                                     return column < 8 ? "0" : "7";
                                 }));
-    const std::string rocks = "run scenario.ini --quiet --set trees.file=list.csv --set release.rocks=1000 ";
+    const std::string rocks = "run scenario.ini --quiet --set trees.file=list.csv --set release.rocks=1000 " +
+                              ("--set rockfall.motion=" + GetParam() + " ");
     ASSERT_EQ(call(project, rocks + "--set run.years=0 --out today").code, 0);
     const Outcome years = call(project, rocks + "--set run.years=1 --out years");
     ASSERT_EQ(years.code, 0) << years.err;

@@ -30,7 +30,8 @@ public:
         write("dem.prj", "PROJCS[\"Sample\"]\n");
         write("surface.asc", header() + rows([](int column, int) { return column < 3 ? "1" : "3"; }));
         write("surface_types.csv",
-              "code,label,r_n,r_t,p_stop\n1,rock,0.40,0.90,0.0005\n3,soil,0.30,0.80,0.01\n");
+              "code,label,r_n,r_t,p_stop,soil\n1,rock,0.40,0.90,0.0005,sound_rock_step_2\n"
+              "3,soil,0.30,0.80,0.01,vegetated_soil_step_1\n");
         write("source.asc", header() + rows([](int column, int row) {
                                 return column == 2 && row >= 3 && row < 7 ? "1" : "0";
                             }));

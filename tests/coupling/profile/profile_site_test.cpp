@@ -66,8 +66,8 @@ TEST(OpenProfile, TurnsDeviationOffInEverySet) {
     for (const std::string preset : {"default", "strict", "paper_rebound", "paper_initial"}) {
         const OpenedProfile opened = open_profile_of(project, {"rockfall.preset=" + preset});
         ASSERT_TRUE(opened.scenario) << opened.errors;
-        EXPECT_EQ(opened.scenario->rockfall.fall.ground.lateral.at_rest.in_radians(), 0.0);
-        EXPECT_EQ(opened.scenario->rockfall.fall.ground.lateral.when_fast.in_radians(), 0.0);
+        EXPECT_EQ(opened.scenario->rockfall.fall.motion.picus.lateral.at_rest.in_radians(), 0.0);
+        EXPECT_EQ(opened.scenario->rockfall.fall.motion.picus.lateral.when_fast.in_radians(), 0.0);
     }
 }
 

@@ -76,8 +76,8 @@ TEST(PicusVariants, InitialModelKeepsItsCoefficientsAtAnySpeed) {
     // gives the normal speed back, so it falls by r_n at each impact while the speed along the slope gains 2
     // tan(b) v_n.
     FallLaw law = deterministic_law();
-    law.ground.angle = ReboundAngle::geometric;
-    law.ground.restitution.damping = false;
+    law.motion.picus.angle = ReboundAngle::geometric;
+    law.motion.picus.restitution.damping = false;
     const double b = config::Angle::from_degrees(45.0).in_radians();
     const Slope slope = plane_slope(45.0, {0.60, 0.90}, 0.0, 6000.0);
     const auto [end, log] = logged_fall(slope, law, start_at(slope, 20.0, 50.0, 30.0, {30.0, 0.0, -4.0}));
@@ -96,7 +96,7 @@ TEST(PicusVariants, InitialModelKeepsItsCoefficientsAtAnySpeed) {
 
 TEST(MeetGround, StopsByChanceOnlyBelowTheProbability) {
     const Rock rock = Rock::sphere(0.95, 2700.0);
-    const PicusLaw law = deterministic_law().ground;
+    const PicusLaw law = deterministic_law().motion.picus;
     ContactDraws draws;
     draws.stop = 0.0149;
     EXPECT_EQ(
@@ -112,7 +112,7 @@ TEST(MeetGround, StopsByChanceOnlyBelowTheProbability) {
 
 TEST(MeetGround, TurnsAVerticalImpactAtACliffFootByTheCoefficients) {
     const Rock rock = Rock::sphere(0.95, 2700.0);
-    PicusLaw law = deterministic_law().ground;
+    PicusLaw law = deterministic_law().motion.picus;
     const double b = config::Angle::from_degrees(3.0).in_radians();
     const Eigen::Vector3d normal{std::sin(b), 0.0, std::cos(b)};
     law.blend_steep_impacts = true;

@@ -1,0 +1,174 @@
+#include "coupling/inputs/pir3d_soils.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "config/data/shipped_tables.hpp"
+#include "config/math/elementary.hpp"
+
+namespace coupling {
+namespace {
+
+using rockfall::pir3d::Soil;
+
+double radians(double angle_deg) {
+    return config::Angle::from_degrees(angle_deg).in_radians();
+}
+double tangent(double angle_deg) {
+    const config::SinCos of = config::sin_cos_of(radians(angle_deg));
+    return of.sin / of.cos;
+}
+
+/// A row of the table on its way to a soil: what its columns say, in their units.
+struct Row {
+    double r_n, r_t, dr_slow, dr_fast, friction, dk_slow, dk_fast, angle_slow, angle_fast, limit, threshold;
+};
+
+constexpr config::NumberRange restitution{.low = 0.0, .high = rockfall::largest_restitution};
+constexpr config::NumberRange percent{.low = 0.0, .high = 100.0};
+constexpr config::NumberRange angle{.low = 0.0, .high = 90.0};
+
+struct RowColumn {
+    const char* name;
+    double Row::*value;
+    config::NumberRange range;
+};
+constexpr RowColumn columns[] = {
+    {"r_n", &Row::r_n, restitution},
+    {"r_t", &Row::r_t, restitution},
+    {"dr_slow_percent", &Row::dr_slow, percent},
+    {"dr_fast_percent", &Row::dr_fast, percent},
+    {"friction", &Row::friction, {.low = 0.0, .high = 5.0}},
+    {"dk_slow_percent", &Row::dk_slow, percent},
+    {"dk_fast_percent", &Row::dk_fast, percent},
+    {"angle_slow_deg", &Row::angle_slow, angle},
+    {"angle_fast_deg", &Row::angle_fast, angle},
+    {"limit_mps", &Row::limit, {.low = 0.1, .high = 100.0}},
+    {"threshold_deg", &Row::threshold, {.low = 0.0, .high = 45.0}},
+};
+
+struct NamedRow {
+    std::string name;
+    Row row;
+};
+
+Soil soil_of(const NamedRow& named) {
+    const Row& row = named.row;
+    return {named.name,
+            {row.r_n, row.r_t},
+            row.friction,
+            {0.01 * row.dr_slow, 0.01 * row.dr_fast},
+            {0.01 * row.dk_slow, 0.01 * row.dk_fast},
+            {radians(row.angle_slow), radians(row.angle_fast)},
+            row.limit,
+            tangent(row.threshold)};
+}
+
+const NamedRow* find(const std::vector<NamedRow>& rows, const std::string& name) {
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const NamedRow& r) { return r.name == name; });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+std::string nearest_of(const std::string& name, const std::vector<std::string>& names) {
+    const std::string nearest = config::nearest_word(name, names);
+    return "a soil of `bannwald info pir3d_soils` or of terrain.soils" +
+           (nearest.empty() ? "" : " (" + nearest + "?)");
+}
+
+/// Reads a table of soils. `known`: those that its column `like` may name.
+std::vector<NamedRow> read_rows(const config::Table& table, const std::vector<NamedRow>& known,
+                                config::Problems& problems) {
+    std::vector<NamedRow> rows;
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+        NamedRow row{table.text(i, "name"), {}};
+        if (row.name.empty() || find(rows, row.name) != nullptr) {
+            problems.add(
+                config::ExitCode::data, table.place(i, "name"),
+                row.name.empty() ? "no name" : "soil " + config::in_quotes(row.name) + " a second time",
+                "each soil once, by name");
+        }
+        const NamedRow* like = nullptr;
+        if (has_value(table, i, "like")) {
+            like = find(known, table.text(i, "like"));
+            if (like == nullptr) {
+                std::vector<std::string> names;
+                for (const NamedRow& k : known) {
+                    names.push_back(k.name);
+                }
+                problems.add(config::ExitCode::data, table.place(i, "like"),
+                             config::in_quotes(table.text(i, "like")),
+                             nearest_of(table.text(i, "like"), names));
+                continue;
+            }
+        }
+        for (const RowColumn& column : columns) {
+            if (like != nullptr && !has_value(table, i, column.name)) {
+                row.row.*column.value = like->row.*column.value;
+            } else if (table.has(column.name)) {
+                row.row.*column.value = table.number(i, column.name, column.range, problems).value_or(1.0);
+            } else {
+                problems.add(config::ExitCode::data, table.place(i, "name"),
+                             "soil " + config::in_quotes(row.name) + " without " + column.name,
+                             std::string{"a column "} + column.name + ", or a shipped soil in a column like");
+            }
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<NamedRow> shipped_rows() {
+    std::istringstream in{std::string{config::shipped_table("pir3d_soils.csv")}};
+    config::Problems problems;
+    std::vector<NamedRow> rows = read_rows(config::Table::read(in, "pir3d_soils.csv"), {}, problems);
+    problems.throw_if_any();
+    return rows;
+}
+
+std::vector<Soil> soils_of(const std::vector<NamedRow>& rows) {
+    std::vector<Soil> soils;
+    std::transform(rows.begin(), rows.end(), std::back_inserter(soils), soil_of);
+    return soils;
+}
+
+}  // namespace
+
+std::vector<Soil> shipped_pir3d_soils() {
+    return soils_of(shipped_rows());
+}
+
+std::vector<Soil> read_pir3d_soils(Reading& reading) {
+    std::vector<NamedRow> rows = shipped_rows();
+    if (const std::string& file = reading.scenario().soils; !file.empty()) {
+        const config::Table table = reading.table("terrain.soils", "soils", file);
+        config::Problems problems;
+        table.require({"name"}, problems);
+        problems.throw_if_any();
+        std::vector<NamedRow> own = read_rows(table, rows, problems);
+        config::Problems shown;
+        add_first(shown, problems, table.file());
+        shown.throw_if_any();
+        std::erase_if(rows, [&](const NamedRow& row) { return find(own, row.name) != nullptr; });
+        rows.insert(rows.begin(), own.begin(), own.end());
+    }
+    return soils_of(rows);
+}
+
+std::optional<Soil> named_soil(const config::Table& table, std::size_t row, const std::string& column,
+                               const std::vector<Soil>& soils, config::Problems& problems) {
+    const std::string& name = table.text(row, column);
+    std::vector<std::string> names;
+    for (const Soil& soil : soils) {
+        if (soil.name == name) {
+            return soil;
+        }
+        names.push_back(soil.name);
+    }
+    problems.add(config::ExitCode::data, table.place(row, column), "soil " + config::in_quotes(name),
+                 nearest_of(name, names));
+    return std::nullopt;
+}
+
+}  // namespace coupling

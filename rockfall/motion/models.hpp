@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "rockfall/motion/picus_motion.hpp"
+#include "rockfall/motion/pir3d/motion.hpp"
+
+namespace rockfall {
+
+/// The list of motion models. A new one is a room of its own below motion/, an entry in each of the three
+/// below, and what its grounds need in SurfaceType.
+///
+/// A model is a class made for one rock from its law, the rock's stream key and the rock. It offers:
+///   next_draws()                        what chance gives to the next ground contact
+///   touch(velocity, spin, normal, surface, draws) -> Contact   meets the ground
+///   begin_rolling()                     the rock now moves on the ground
+///   rolling_spin_radps(speed)           its spin there
+///   lift_off(velocity, normal)          the velocity with which it leaves even ground by itself, if it does
+///   next_piece(terrain, triangle, plane, position, velocity, surface)   moves on: a RollingPiece or one's
+///   heir caught_on_the_way(surface, piece)   the share of the piece after which the ground catches it, if it
+///   does way_over_edge(velocity, next_normal, surface) -> EdgeWay groove_law(surface), most_impacts()
+/// The event loop (trajectory.hpp) does all else and is compiled once for each model: no call is virtual.
+enum class MotionModel : std::uint8_t { picus, pir3d };
+
+/// Which model lets rocks fall, and the settings of all.
+struct MotionLaws {
+    MotionModel model = MotionModel::picus;
+    PicusLaw picus;
+    pir3d::Law pir3d;
+};
+
+/// Calls `with` with the type of the chosen model and its law.
+template <class With>
+auto with_model(const MotionLaws& laws, With&& with) {
+    switch (laws.model) {
+        case MotionModel::pir3d:
+            return with(std::type_identity<pir3d::Motion>{}, laws.pir3d);
+        case MotionModel::picus:
+            break;
+    }
+    return with(std::type_identity<PicusMotion>{}, laws.picus);
+}
+
+}  // namespace rockfall

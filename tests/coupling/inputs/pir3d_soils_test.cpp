@@ -1,0 +1,115 @@
+#include "coupling/inputs/pir3d_soils.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/inputs/surface_types.hpp"
+#include "tests/coupling/inputs/opened.hpp"
+
+namespace coupling {
+namespace {
+
+using config::ExitCode;
+
+const std::vector<std::string> with_pir3d{"rockfall.motion=pir3d"};
+
+TEST(Pir3dSoils, AreTheSixOfTheJuraBeforeAndAfterTheFit) {
+    const auto soils = shipped_pir3d_soils();
+    ASSERT_EQ(soils.size(), 12U);
+    const auto& scree = soils[8];
+    EXPECT_EQ(scree.name, "scree_step_1");
+    EXPECT_EQ(scree.restitution.normal, 0.31);
+    EXPECT_EQ(scree.restitution.tangential, 0.81);
+    EXPECT_EQ(scree.friction, 0.60);
+    EXPECT_DOUBLE_EQ(scree.restitution_share.slow, 0.08);
+    EXPECT_DOUBLE_EQ(scree.restitution_share.fast, 0.04);
+    EXPECT_NEAR(scree.angle_rad.slow, 20.0 * M_PI / 180.0, 1e-12);
+    EXPECT_NEAR(scree.threshold_tangent, std::tan(6.0 * M_PI / 180.0), 1e-11);
+    EXPECT_EQ(scree.limit_mps, 10.0);
+    EXPECT_EQ(soils[9].restitution.tangential, 0.71);
+}
+
+TEST(Pir3dSoils, AreKnownForEveryShippedSurface) {
+    for (const ShippedSurface& surface : shipped_surfaces()) {
+        EXPECT_TRUE(surface.type.soil) << surface.name;
+    }
+}
+
+TEST(Pir3dSoils, AreNamedByTheSurfaceOrComeWithTheShippedType) {
+    const SampleProject project;
+    project.write("surface_types.csv",
+                  "code,like,soil,r_n,r_t,p_stop\n1,solid_rock,,,,\n3,,scree_step_2,0.3,0.8,0.01\n");
+    const Opened opened = open(project, with_pir3d);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->slope.types[0].soil->name, "sound_rock_step_2");
+    EXPECT_EQ(opened.site->slope.types[1].soil->name, "scree_step_2");
+}
+
+TEST(Pir3dSoils, OfASurfaceThatHasNoneAreAskedForByThatModelOnly) {
+    const SampleProject project;
+    project.write("surface_types.csv",
+                  "code,label,r_n,r_t,p_stop\n1,rock,0.40,0.90,0\n3,soil,0.30,0.80,0.01\n");
+    EXPECT_TRUE(open(project).site);
+    const Opened opened = open(project, with_pir3d);
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(
+        opened.errors,
+        "surface_types.csv:2:1: found code 1 without soil, expected for rockfall.motion = pir3d: a name of "
+        "`bannwald info pir3d_soils` or of terrain.soils in a column soil\n"
+        "surface_types.csv:3:1: found code 3 without soil, expected for rockfall.motion = pir3d: a name of "
+        "`bannwald info pir3d_soils` or of terrain.soils in a column soil");
+}
+
+TEST(Pir3dSoils, OfAnUnknownNameAreRefusedWithTheNearest) {
+    const SampleProject project;
+    project.write("surface_types.csv",
+                  "code,soil,r_n,r_t,p_stop\n1,scree_step2,0.4,0.9,0\n3,scree_step_1,0.3,0.8,0\n");
+    const Opened opened = open(project, with_pir3d);
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(
+        opened.errors,
+        "surface_types.csv:2:3: found soil 'scree_step2', expected a soil of `bannwald info pir3d_soils` or "
+        "of terrain.soils (scree_step_2?)");
+}
+
+TEST(Pir3dSoils, MayBeTheUsersOwn) {
+    const SampleProject project;
+    project.write(
+        "soils.csv",
+        "name,like,r_t,threshold_deg\nmeadow,soft_soil_step_1,0.75,5\nscree_step_1,scree_step_2,0.6,\n");
+    project.write("surface_types.csv",
+                  "code,soil,r_n,r_t,p_stop\n1,scree_step_1,0.4,0.9,0\n3,meadow,0.3,0.8,0\n");
+    const std::vector<std::string> settings{"rockfall.motion=pir3d", "terrain.soils=soils.csv"};
+    const Opened opened = open(project, settings);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->slope.types[0].soil->restitution.tangential,
+              0.6);  // takes the place of the shipped
+    EXPECT_EQ(opened.site->slope.types[1].soil->restitution.tangential, 0.75);
+    EXPECT_EQ(opened.site->slope.types[1].soil->friction, 0.65);
+
+    project.write("soils.csv", "name,like,r_t,friction\nmeadow,softsoil_step_1,0.75,\nclay,,1.5,0.6\n");
+    EXPECT_NE(open(project, settings)
+                  .errors.find("soils.csv:2:8: found 'softsoil_step_1', expected a soil of "
+                               "`bannwald info pir3d_soils` or of terrain.soils "
+                               "(soft_soil_step_1?)\n"
+                               "soils.csv:3:1: found soil 'clay' without r_n, expected a column "
+                               "r_n, or a shipped soil in a column like\n"
+                               "soils.csv:3:7: found r_t '1.5', expected a number in [0, 0.99]"),
+              std::string::npos)
+        << open(project, settings).errors;
+}
+
+TEST(MotionModel, TellsOfSettingsOfTheOther) {
+    const SampleProject project;
+    const Opened slides = open(project, {"rockfall.motion=pir3d", "rockfall.rolling_friction=0.4"});
+    ASSERT_TRUE(slides.site) << slides.errors;
+    EXPECT_EQ(slides.warnings,
+              std::vector<std::string>{"rockfall.motion is pir3d: rockfall.rolling_friction has no effect"});
+    const Opened rolls = open(project, {"pir3d.least_hop=0.2", "pir3d.spread=normal"});
+    EXPECT_EQ(rolls.warnings, std::vector<std::string>{
+                                  "rockfall.motion is picus: pir3d.spread, pir3d.least_hop have no effect"});
+}
+
+}  // namespace
+}  // namespace coupling
