@@ -45,6 +45,16 @@ struct Book {
     double shed_kg = 0.0;
     std::array<double, cause_count> lost_kg{};
 
+    // Dry wood of stems. A stem that dies leaves the living; what of it is followed enters the dead wood: not
+    // that of trees below 7 cm, nor what people haul off at once.
+    double stem_in_kg = 0.0;
+    double stem_grown_kg = 0.0;
+    std::array<double, cause_count> stem_lost_kg{};
+    double dead_wood_in_kg = 0.0;
+    double dead_wood_decayed_kg = 0.0;
+    double dead_wood_to_soil_kg = 0.0;  ///< pieces too rotten to be followed, or that rolled off
+    double dead_wood_taken_kg = 0.0;    ///< salvaged
+
     std::uint64_t saplings_in = 0;         ///< germinated, sprouted, planted
     std::uint64_t saplings_recruited = 0;  ///< became trees
     std::array<std::uint64_t, cause_count> saplings_out{};
@@ -52,6 +62,9 @@ struct Book {
     [[nodiscard]] std::uint64_t all_stems_in() const;
     [[nodiscard]] std::uint64_t all_stems_out() const;
     [[nodiscard]] double all_lost_kg() const;
+    [[nodiscard]] double all_stem_lost_kg() const;
+    /// All that left the dead wood.
+    [[nodiscard]] double all_dead_wood_out_kg() const;
     [[nodiscard]] std::uint64_t all_saplings_out() const;
 
     Book& operator+=(const Book& other);

@@ -19,6 +19,7 @@ struct Snag {
     double height_m = 0.0;       ///< of what stands; below tree_height_m = broken off
     std::int32_t year = 0;       ///< of death
     double density_share = 1.0;  ///< (0, 1], wood density relative to sound wood
+    double sound_kg = 0.0;       ///< dry mass of what stands, as it was when the tree died
 };
 
 /// Why a log lies there.
@@ -39,7 +40,16 @@ struct Log {
     LogOrigin origin = LogOrigin::fallen;
     bool anchored = false;  ///< behind stumps or by cables
     std::int32_t year = 0;  ///< since when it lies
+    double sound_kg = 0.0;  ///< dry mass of the piece, as it was when the tree died
 };
+
+/// Dry mass [kg] that decay has left. A stem keeps its mass when it dies, falls or breaks.
+constexpr double mass_kg(const Snag& snag) {
+    return snag.density_share * snag.sound_kg;
+}
+constexpr double mass_kg(const Log& log) {
+    return log.density_share * log.sound_kg;
+}
 
 /// All dead wood of a stand, oldest first.
 struct SnagsAndLogs {

@@ -131,8 +131,9 @@ std::vector<TreeGrowth> growth_of_trees(const Stand& stand, const SpeciesTable& 
                                       .height_growth_m = increment.height_m,
                                       .light_ratio = tree.light_ratio,
                                       .shaded_below_m = season.shaded_below_m});
-        growth[i].above_ground_kg =
-            part_masses(kind.allometry, dbh_cm, height_m, growth[i].crown.completeness).above_ground_kg();
+        const PartMasses masses = part_masses(kind.allometry, dbh_cm, height_m, growth[i].crown.completeness);
+        growth[i].above_ground_kg = masses.above_ground_kg();
+        growth[i].stem_kg = masses.stem_kg;
         growth[i].gain_kg = gain_kg;
     }
     return growth;

@@ -53,6 +53,7 @@ struct PatchState {
     double drought_index = 0.0;  ///< [0, 1], share of the year's water demand that was not met; 0 = never dry
     double water_modifier = 1.0;     ///< [0, 1], mean soil-water modifier of the last growing season
     std::uint16_t open_years = 0;    ///< years in a row with ground light above 0.3
+    std::uint16_t fenced_years = 0;  ///< for which a fence still keeps deer out
     float herb_cover = 0.0F;         ///< [0, 1]
     std::uint16_t beetle_years = 0;  ///< age of the outbreak whose bark beetles winter here, 0 = none do
 };

@@ -80,6 +80,25 @@ double Stand::mass_standing_kg() const {
     return mass_kg;
 }
 
+double Stand::stem_mass_standing_kg() const {
+    double mass_kg = 0.0;
+    for (const Tree& tree : trees_) {
+        mass_kg += tree.stems * tree.stem_kg;
+    }
+    return mass_kg;
+}
+
+double Stand::dead_wood_kg() const {
+    double sum_kg = 0.0;
+    for (const Snag& snag : dead_wood_.snags) {
+        sum_kg += mass_kg(snag);
+    }
+    for (const Log& log : dead_wood_.logs) {
+        sum_kg += mass_kg(log);
+    }
+    return sum_kg;
+}
+
 std::uint64_t Stand::saplings_standing() const {
     std::uint64_t saplings = 0;
     for (const Cohort& cohort : cohorts_) {
@@ -110,6 +129,8 @@ void Stand::grow(std::span<const TreeGrowth> growth) {
         book_.grown_kg += tree.stems * year.gain_kg;
         book_.shed_kg += tree.stems * (year.gain_kg - (year.above_ground_kg - tree.above_ground_kg));
         tree.above_ground_kg = year.above_ground_kg;
+        book_.stem_grown_kg += tree.stems * (year.stem_kg - tree.stem_kg);
+        tree.stem_kg = year.stem_kg;
     }
 }
 
@@ -166,6 +187,7 @@ void Stand::add_trees(std::span<const Tree> trees) {
     for (const Tree& tree : trees) {
         book_.stems_in[static_cast<std::size_t>(tree.origin)] += tree.stems;
         book_.mass_in_kg += tree.stems * tree.above_ground_kg;
+        book_.stem_in_kg += tree.stems * tree.stem_kg;
         enter(tree);
     }
 }
@@ -185,6 +207,7 @@ void Stand::remove_trees(std::span<const Removal> removals) {
         any_left = any_left || tree.stems == 0;
         book_.stems_out[index_of(removal.cause)] += dead.tree.stems;
         book_.lost_kg[index_of(removal.cause)] += dead.tree.stems * dead.tree.above_ground_kg;
+        book_.stem_lost_kg[index_of(removal.cause)] += dead.tree.stems * dead.tree.stem_kg;
         deaths_.push_back(dead);
     }
     if (any_left) {
@@ -280,11 +303,24 @@ void Stand::recruit(std::span<const std::size_t> cohorts, std::span<const Tree> 
 }
 
 void Stand::add_snags(std::span<const Snag> snags) {
+    for (const Snag& snag : snags) {
+        book_.dead_wood_in_kg += mass_kg(snag);
+    }
     dead_wood_.snags.insert(dead_wood_.snags.end(), snags.begin(), snags.end());
 }
 
 void Stand::add_logs(std::span<const Log> logs) {
+    for (const Log& log : logs) {
+        book_.dead_wood_in_kg += mass_kg(log);
+    }
     dead_wood_.logs.insert(dead_wood_.logs.end(), logs.begin(), logs.end());
+}
+
+void Stand::set_dead_wood(SnagsAndLogs dead_wood, const DeadWoodLoss& loss) {
+    book_.dead_wood_decayed_kg += loss.decayed_kg;
+    book_.dead_wood_to_soil_kg += loss.soil_kg;
+    book_.dead_wood_taken_kg += loss.taken_kg;
+    dead_wood_ = std::move(dead_wood);
 }
 
 }  // namespace forest

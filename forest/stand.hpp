@@ -20,7 +20,15 @@ struct TreeGrowth {
     double height_m = 0.0;         ///< >= 0, increment
     TreeCrown crown{};             ///< after the year
     double above_ground_kg = 0.0;  ///< after the year
+    double stem_kg = 0.0;          ///< of it, after the year
     double gain_kg = 0.0;          ///< above-ground share of its production
+};
+
+/// Dry mass that a change takes out of the dead wood.
+struct DeadWoodLoss {
+    double decayed_kg = 0.0;  ///< by decay
+    double soil_kg = 0.0;     ///< of pieces too rotten to be followed, or that rolled off
+    double taken_kg = 0.0;    ///< by people
 };
 
 /// Stems to take out of a tree record: all of them, or some of a group.
@@ -54,7 +62,7 @@ struct SaplingRemoval {
 /// Processes read what is here, work out what happens, and tell it: nobody changes a tree from outside. Every
 /// stem comes and goes through the functions below, which keep the books, so that
 ///     stems at the start + stems in = stems out + stems standing
-/// holds at any time, and the same for saplings and for mass.
+/// holds at any time, and the same for saplings, for mass, and for the wood of stems, living and dead.
 ///
 /// Trees stand in the order of their ids, cohorts in the order they came: nothing depends on the order in
 /// which they were given, and sums over trees have the same bits on every machine. Lists of trees that one
@@ -89,6 +97,8 @@ public:
     [[nodiscard]] Book total_book() const;
     [[nodiscard]] std::uint64_t stems_standing() const;
     [[nodiscard]] double mass_standing_kg() const;
+    [[nodiscard]] double stem_mass_standing_kg() const;
+    [[nodiscard]] double dead_wood_kg() const;
     [[nodiscard]] std::uint64_t saplings_standing() const;
     [[nodiscard]] std::uint64_t stems_at_start() const { return stems_at_start_; }
     [[nodiscard]] double mass_at_start_kg() const { return mass_at_start_kg_; }
@@ -139,8 +149,8 @@ public:
 
     void add_snags(std::span<const Snag> snags);
     void add_logs(std::span<const Log> logs);
-    /// Dead wood after a year of decay and falls.
-    void set_dead_wood(SnagsAndLogs dead_wood) { dead_wood_ = std::move(dead_wood); }
+    /// Dead wood after a year of decay and falls, or after people took some: what is gone by what.
+    void set_dead_wood(SnagsAndLogs dead_wood, const DeadWoodLoss& loss);
 
 private:
     void enter(Tree tree);

@@ -110,12 +110,12 @@ StandYear year_of(const Stand& stand, const SpeciesTable& species, double volume
     year.snags_pha = static_cast<double>(dead.snags.size()) / area_ha;
     year.logs_pha = static_cast<double>(dead.logs.size()) / area_ha;
     for (const Snag& snag : dead.snags) {
-        year.snags_m3pha += volume_m3(snag) / area_ha;
+        year.snags_m3pha += volume_m3(snag, species) / area_ha;
     }
     for (const Log& log : dead.logs) {
-        year.logs_m3pha += volume_m3(log) / area_ha;
+        year.logs_m3pha += volume_m3(log, species) / area_ha;
     }
-    year.dead_stems_tpha = dead_mass_kg(dead, species) / kg_per_t / area_ha;
+    year.dead_stems_tpha = stand.dead_wood_kg() / kg_per_t / area_ha;
     return year;
 }
 

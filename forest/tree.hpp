@@ -84,8 +84,9 @@ struct Tree {
     std::uint16_t stress_years = 0;         ///< bad years in a row
     Rot rot{};
 
-    double above_ground_kg =
-        0.0;  ///< dry mass of stem, branches and foliage; kept in step by forest/growth.hpp
+    // Dry masses, kept in step by forest/growth.hpp.
+    double above_ground_kg = 0.0;  ///< of stem, branches and foliage
+    double stem_kg = 0.0;          ///< of the stem alone: what dead wood is made of
 };
 
 }  // namespace forest

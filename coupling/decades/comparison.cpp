@@ -7,7 +7,10 @@
 #include <set>
 
 #include "coupling/decades/decade_layouts.hpp"
+#include "coupling/decades/profile_tables.hpp"
 #include "coupling/results/csv_row.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/stop_causes.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -56,6 +59,52 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
     }
 }
 
+void add_causes(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members) {
+    for (std::size_t cause = 0; cause < stop_causes; ++cause) {
+        const auto kind = static_cast<StopCause>(cause);
+        const bool stops = kind < StopCause::left_terrain;
+        Series series = empty_series(
+            names, members, joined(stops ? "stopped_by_" : "", name_of(kind), "_percent"), "", stops);
+        for (const MemberYears& member : members) {
+            for (const SlopeRow& slope : member.slopes) {
+                if (slope.cover == Cover::forest && slope.figures.rocks > 0) {
+                    of_member(series, member)[slope.year] =
+                        100.0 * shares_by_cause(slope.figures)[cause].value;
+                }
+            }
+        }
+        if (!years_of(series).empty()) {
+            all_series.push_back(std::move(series));
+        }
+    }
+}
+
+void add_profile(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members,
+                 const std::optional<forest::TargetProfile>& profile) {
+    Series gap_95 = empty_series(names, members, "gap_95_m", "", false);
+    Series gap_max = empty_series(names, members, "gap_max_m", "", false);
+    Series met = empty_series(names, members, "target_profile_met_percent", "", true);
+    for (const MemberYears& member : members) {
+        for (const GapRow& gap : member.gaps) {
+            if (gap.unit == all) {
+                of_member(gap_95, member)[gap.year] = gap.figures.p95_m;
+                of_member(gap_max, member)[gap.year] = gap.figures.max_m;
+            }
+        }
+        if (profile) {
+            for (const auto& [year, share] : share_met(member, *profile)) {
+                of_member(met, member)[year] = 100.0 * share;
+            }
+        }
+    }
+    gap_max.has_worst = met.has_worst = true;
+    all_series.push_back(std::move(gap_95));
+    all_series.push_back(std::move(gap_max));
+    if (profile) {
+        all_series.push_back(std::move(met));
+    }
+}
+
 void add_forest(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members) {
     Series basal_area = empty_series(names, members, "basal_area_m2pha", "", true);
     Series volume = empty_series(names, members, "volume_m3pha", "", true);
@@ -84,10 +133,13 @@ void add_forest(std::vector<Series>& all_series, const Names& names, std::span<c
 
 }  // namespace
 
-std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members) {
+std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members,
+                              const std::optional<forest::TargetProfile>& profile) {
     std::vector<Series> all_series;
     add_targets(all_series, names, site, members);
+    add_causes(all_series, names, members);
     add_forest(all_series, names, members);
+    add_profile(all_series, names, members, profile);
     return all_series;
 }
 

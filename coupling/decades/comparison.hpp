@@ -13,6 +13,7 @@
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/out_file.hpp"
+#include "forest/protection/target_profile.hpp"
 
 namespace coupling::decades {
 
@@ -26,9 +27,11 @@ struct Series {
     std::vector<std::vector<std::map<std::int32_t, double>>> values;  ///< [regime][replicate][year]
 };
 
-/// Protection, reaching rocks and their energy at each target; basal area, volume, stems and harvest of the
-/// forest.
-std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members);
+/// Protection, reaching rocks and their energy at each target; share of the rocks through the forest that
+/// each cause ended; basal area, volume, stems, harvest and gaps of the forest; with a profile the share of
+/// the forest in stands that meet it.
+std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members,
+                              const std::optional<forest::TargetProfile>& profile);
 
 /// A figure over the replicates of a regime in a year.
 struct OverReplicates {

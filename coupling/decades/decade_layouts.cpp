@@ -22,6 +22,11 @@ Column species_column(const char* meaning) {
     return {"species", "text", meaning, "species table"};
 }
 
+Column stand_column() {
+    return {"stand", "text", "number of the management unit, or all for the whole forest",
+            "input stands.map"};
+}
+
 std::vector<Column> dbh_class_columns() {
     return {{"dbh_from_cm", "cm", "lower end of the class of diameter at breast height", "classes of 4 cm"},
             {"dbh_to_cm", "cm", "upper end of the class; empty: everything thicker", "classes of 4 cm"}};
@@ -29,7 +34,7 @@ std::vector<Column> dbh_class_columns() {
 
 TableLayout stands() {
     const std::vector<Column> rest{
-        {"stand", "text", "number of the management unit, or all for the whole forest", "input stands.map"},
+        stand_column(),
         species_column("species code, or all"),
         {"stems_pha", "1/ha", "stems of trees of 1 cm and more", simulated},
         {"basal_area_m2pha", "m2/ha", "basal area at breast height", simulated},
@@ -71,7 +76,19 @@ TableLayout forest_years() {
         {"runoff_mm", "mm", "water that runs off or drains in the year", simulated},
         {"storage_gain_mm", "mm", "gain of water in soil and snow over the year", simulated},
         {"mean_temperature_degc", "degC", "mean air temperature of the year, mean of the patches",
-         "input climate.file, moved to the patches"}};
+         "input climate.file, moved to the patches"},
+        {"stem_wood_tpha", "t/ha", "dry wood of living stems", simulated},
+        {"stem_growth_tpha", "t/ha", "what they gained in the year", simulated},
+        {"stem_ingrowth_tpha", "t/ha", "of trees that passed 1 cm", simulated},
+        {"stem_losses_tpha", "t/ha", "of trees that left; in year 0 by work and rocks at the start",
+         simulated},
+        {"stem_hauled_tpha", "t/ha", "of these losses, felled and taken out of the forest", simulated},
+        {"stem_litter_tpha", "t/ha", "of these losses, below 7 cm and not followed", simulated},
+        {"dead_wood_in_tpha", "t/ha", "of these losses, now snag, stump or log", simulated},
+        {"dead_wood_decayed_tpha", "t/ha", "dead wood that decay took", simulated},
+        {"dead_wood_to_soil_tpha", "t/ha", "dead wood too rotten to be followed, or that rolled off",
+         simulated},
+        {"dead_wood_taken_tpha", "t/ha", "dead wood that was salvaged", simulated}};
     return {"forest_years.csv", "a year of the whole forest; what only a year can have is empty at the start",
             together(member_columns(), rest)};
 }
@@ -110,6 +127,50 @@ TableLayout trees() {
             together(member_columns(), tree_columns(), rest)};
 }
 
+TableLayout gaps() {
+    constexpr const char* measured = "simulated, on patches of 10 m";
+    const std::vector<Column> rest{
+        stand_column(),
+        {"area_ha", "ha", "area of the stand on the map", "input stands.map"},
+        {"open_percent", "%", "of the area on patches without a living stem of 12 cm", measured},
+        {"gaps", "-", "lines of open patches down the fall line that touch the stand", measured},
+        {"gap_mean_m", "m", "their mean length along the ground; 0 without gaps", measured},
+        {"gap_95_m", "m", "95th percentile of their lengths, straight between them", measured},
+        {"gap_max_m", "m", "the longest of them", measured}};
+    return {"gaps.csv", "a stand, or all, at the end of a year", together(member_columns(), rest)};
+}
+
+TableLayout target_profile() {
+    constexpr const char* guideline = "NaiS (Frehner et al. 2005), for the mean diameter of the rocks";
+    const std::vector<Column> rest{
+        stand_column(),
+        {"criterion", "text", "stems_from_N_cm: stems of N cm and more; longest_gap: along the fall line",
+         guideline},
+        {"value", "as the unit says", "what the stand has", simulated},
+        {"unit", "text", "of value and limits", "definition"},
+        {"at_least", "as the unit says", "least value; empty: none", guideline},
+        {"at_most", "as the unit says", "largest value; empty: none", guideline},
+        {"met", "text", "yes or no", simulated},
+        {"ideal", "text", "yes or no: whether the ideal number of stems is there; empty for gaps",
+         simulated}};
+    return {"target_profile.csv", "a criterion for a stand, or all, at the end of a year with a profile",
+            together(member_columns(), rest)};
+}
+
+TableLayout causes() {
+    constexpr const char* counted = "counted over the simulated rocks";
+    constexpr const char* exact = "Clopper & Pearson 1934";
+    const std::vector<Column> rest{
+        cover_column(),
+        {"cause", "text", "what ended the fall: tree, log, ground, left_terrain or gave_up", simulated},
+        {"rocks", "-", "rocks that fell", counted},
+        {"stopped", "-", "rocks whose fall it ended", counted},
+        {"share_percent", "%", "of the rocks that fell", counted},
+        {"share_low_percent", "%", "lower end of the 95 % interval", exact},
+        {"share_high_percent", "%", "upper end of the 95 % interval", exact}};
+    return {"causes.csv", "a cause on one slope in a year with rocks", together(member_columns(), rest)};
+}
+
 TableLayout interventions() {
     const std::vector<Column> rest{
         {"intervention", "text", "name of the row of the regime", "input regimes.list"},
@@ -121,6 +182,7 @@ TableLayout interventions() {
         {"left_m3", "m3", "stem wood that stayed as logs and stumps", simulated},
         {"plants", "-", "trees planted", simulated},
         {"tended", "-", "young stems cut by tending", simulated},
+        {"fenced_ha", "ha", "area that is fenced longer than before", simulated},
         {"found_nothing", "text", "yes: it was due but found nothing to do", simulated}};
     return {"interventions.csv", "an intervention that was due", together(member_columns(), rest)};
 }
@@ -146,9 +208,13 @@ TableLayout margins() {
 
 TableLayout removed_trees() {
     const std::vector<Column> reason{
-        {"reason", "text", "rock: broken or uprooted by a rock; wound: died of an old wound", simulated}};
-    return {"removed_trees.csv", "a tree of 7 cm and more that rocks or old wounds took",
-            together(member_columns(), tree_columns(), reason)};
+        {"reason", "text",
+         "rock: broken or uprooted by a rock; wound: died of an old wound; others as in mortality.csv",
+         simulated}};
+    return {
+        "removed_trees.csv",
+        "a tree of 7 cm and more that rocks or old wounds took, or any cause with output.all_removed_trees",
+        together(member_columns(), tree_columns(), reason)};
 }
 
 TableLayout protection() {
@@ -220,10 +286,24 @@ TableLayout regime_differences() {
 }  // namespace
 
 const std::vector<TableLayout>& decade_layouts() {
-    static const std::vector<TableLayout> layouts{
-        stands(),        dbh_classes(), forest_years(),    mortality(),          trees(),
-        interventions(), timber(),      margins(),         removed_trees(),      protection(),
-        targets(),       runs(),        regimes_by_year(), regimes_worst_year(), regime_differences()};
+    static const std::vector<TableLayout> layouts{stands(),
+                                                  dbh_classes(),
+                                                  forest_years(),
+                                                  mortality(),
+                                                  trees(),
+                                                  interventions(),
+                                                  timber(),
+                                                  margins(),
+                                                  removed_trees(),
+                                                  protection(),
+                                                  targets(),
+                                                  runs(),
+                                                  causes(),
+                                                  gaps(),
+                                                  target_profile(),
+                                                  regimes_by_year(),
+                                                  regimes_worst_year(),
+                                                  regime_differences()};
     return layouts;
 }
 

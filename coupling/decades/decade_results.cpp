@@ -4,8 +4,10 @@
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/fall_tables.hpp"
 #include "coupling/decades/patch_maps.hpp"
+#include "coupling/decades/profile_tables.hpp"
 #include "coupling/decades/report/decade_page.hpp"
 #include "coupling/decades/report/protection.hpp"
+#include "coupling/decades/report/target_profile.hpp"
 #include "coupling/decades/work_tables.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/gis_files.hpp"
@@ -29,11 +31,19 @@ std::string climate_in_words(const DecadeResults& results) {
                   changes ? ", with a change of climate" : "");
 }
 
-std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series) {
-    if (results.rocks == 0 || results.site.targets.empty()) {
-        return {};
+std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series,
+                                    const std::optional<forest::TargetProfile>& profile) {
+    std::vector<Section> sections;
+    if (results.rocks > 0 && !results.site.targets.empty()) {
+        sections.push_back(
+            {"Protection over the years", protection_over_years(results.names, results.site, series)});
     }
-    return {{"Protection over the years", protection_over_years(results.names, results.site, series)}};
+    if (results.rocks > 0) {
+        sections.push_back(
+            {"Stands against rocks", stands_against_rocks(results.names, series, profile,
+                                                          start_law(results.scenario).diameter.mean_m())});
+    }
+    return sections;
 }
 
 }  // namespace
@@ -58,7 +68,10 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     if (results.rocks > 0) {
         add(write_fall_maps(folder, results.names, results.site, results.members));
     }
-    const std::vector<Series> series = series_of(results.names, results.site, results.members);
+    const std::optional<forest::TargetProfile> profile =
+        results.rocks > 0 ? profile_for(results.scenario) : std::nullopt;
+    add(write_profile_tables(folder, results.names, results.members, profile));
+    const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);
     add(write_comparison(folder, results.names, series));
     add_data_dictionary(folder, {decade_layouts(), together(raster_columns(), patch_raster_columns())},
                         files);
@@ -76,7 +89,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                                       .files = files,
                                       .version = results.version,
                                       .climate = climate_in_words(results),
-                                      .first = first_sections(results, series),
+                                      .first = first_sections(results, series, profile),
                                       .site = &results.site});
     page.close();
     return files;

@@ -13,10 +13,6 @@ std::string_view species_of(const Names& names, std::uint32_t species) {
     return species == all ? std::string_view{"all"} : names.species.all()[species].code;
 }
 
-void add_unit(CsvRow& row, std::uint32_t unit) {
-    unit == all ? row.text("all") : row.whole(unit);
-}
-
 void write_stands(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
     write_header(out, decade_layouts(), "stands.csv");
     CsvRow row{out};
@@ -76,6 +72,12 @@ void write_years(std::ostream& out, const Names& names, std::span<const MemberYe
                 row.number<1>(y.precipitation_mm).number<1>(y.evapotranspiration_mm).number<1>(y.runoff_mm);
                 row.number<1>(y.storage_gain_mm).number<2>(y.mean_temperature_degc);
             }
+            for (const double tpha :
+                 {y.stem_wood_tpha, y.stem_growth_tpha, y.stem_ingrowth_tpha, y.stem_losses_tpha,
+                  y.stem_hauled_tpha, y.stem_litter_tpha, y.dead_wood_in_tpha, y.dead_wood_decayed_tpha,
+                  y.dead_wood_to_soil_tpha, y.dead_wood_taken_tpha}) {
+                row.number<4>(tpha);
+            }
             row.end();
         }
     }
@@ -123,6 +125,10 @@ void begin_row(CsvRow& row, const Names& names, const Member& member, std::int32
         .whole(static_cast<std::uint32_t>(year));
 }
 
+void add_unit(CsvRow& row, std::uint32_t unit) {
+    unit == all ? row.text("all") : row.whole(unit);
+}
+
 void add_dbh_class(CsvRow& row, std::size_t dbh_class) {
     row.number<0>(forest::dbh_class_cm * static_cast<double>(dbh_class));
     if (dbh_class + 1 == forest::dbh_classes) {
@@ -145,7 +151,8 @@ std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder
           [&](std::ostream& out) { write_stands(out, names, members); });
     write("dbh_classes.csv", "Stems by species and diameter class of 4 cm each year.",
           [&](std::ostream& out) { write_dbh_classes(out, names, members); });
-    write("forest_years.csv", "Growth, ingrowth, saplings, dead wood, water and weather of each year.",
+    write("forest_years.csv",
+          "Growth, ingrowth, saplings, dead wood, water, weather and the budget of wood of each year.",
           [&](std::ostream& out) { write_years(out, names, members); });
     write("mortality.csv", "Trees that left the forest each year, by cause.",
           [&](std::ostream& out) { write_losses(out, names, members); });

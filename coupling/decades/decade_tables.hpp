@@ -23,6 +23,8 @@ struct Names {
 
 /// Begins a row of a member: regime, replicate (counted from 1, as people do) and year.
 void begin_row(CsvRow& row, const Names& names, const Member& member, std::int32_t year);
+/// A management unit or "all".
+void add_unit(CsvRow& row, std::uint32_t unit);
 /// Both ends of a diameter class; the last one is open.
 void add_dbh_class(CsvRow& row, std::size_t dbh_class);
 

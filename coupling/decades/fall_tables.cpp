@@ -10,6 +10,7 @@
 #include "coupling/results/figure_columns.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/rasters.hpp"
+#include "coupling/results/stop_causes.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -54,6 +55,26 @@ void write_runs(std::ostream& out, const Names& names, std::span<const MemberYea
             row.text(name_of(slope.cover));
             add_slope(row, slope.figures);
             row.end();
+        }
+    }
+}
+
+void write_causes(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
+    write_header(out, decade_layouts(), "causes.csv");
+    CsvRow row{out};
+    for (const MemberYears& member : members) {
+        for (const SlopeRow& slope : member.slopes) {
+            const std::array<Share, stop_causes> shares = shares_by_cause(slope.figures);
+            for (std::size_t cause = 0; cause < stop_causes; ++cause) {
+                begin_row(row, names, member.member, slope.year);
+                row.text(name_of(slope.cover)).text(name_of(static_cast<StopCause>(cause)));
+                row.whole(shares[cause].whole)
+                    .whole(shares[cause].part)
+                    .number<4>(100.0 * shares[cause].value);
+                row.number<4>(100.0 * shares[cause].interval.low);
+                row.number<4>(100.0 * shares[cause].interval.high);
+                row.end();
+            }
         }
     }
 }
@@ -108,6 +129,8 @@ std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, 
           [&](std::ostream& out) { write_targets(out, names, site, members); });
     write("runs.csv", "All rocks of each year: how they stopped, run-out, speed, energy, tree hits.",
           [&](std::ostream& out) { write_runs(out, names, members); });
+    write("causes.csv", "Share of the rocks that tree, log or ground stopped each year, with 95 % intervals.",
+          [&](std::ostream& out) { write_causes(out, names, members); });
     return written;
 }
 

@@ -12,7 +12,8 @@
 namespace coupling::decades {
 
 /// Writes tables/protection.csv, targets.csv and runs.csv: the figures of the static assessment, for every
-/// regime, replicate and year with rocks. Throws config::InputError (file).
+/// regime, replicate and year with rocks; and causes.csv: the share of each cause that ends a fall. Throws
+/// config::InputError (file).
 std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, const Names& names,
                                            const Site& site, std::span<const MemberYears> members);
 

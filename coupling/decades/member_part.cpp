@@ -3,13 +3,14 @@
 namespace coupling::decades {
 namespace {
 
-constexpr std::uint64_t magic = 0x31304D45'4D4E4142ULL;  // "BANMEM01", least byte first
+constexpr std::uint64_t magic = 0x32304D45'4D4E4142ULL;  // "BANMEM02", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
 void each_list(Years& years, const Visit& visit) {
     visit(years.years);
     visit(years.stands);
+    visit(years.gaps);
     visit(years.losses);
     visit(years.trees);
     visit(years.patches);

@@ -29,6 +29,44 @@ struct Unit {
     std::vector<forest::Tree> trees;
 };
 
+/// Gaps of the whole forest and of each management unit.
+void add_gaps(const forest::Stand& stand, const std::map<std::uint32_t, Unit>& units, std::int32_t year,
+              MemberYears& kept) {
+    const forest::PatchGrid& grid = stand.grid();
+    const std::vector<char> open = forest::open_patches(grid, stand.trees());
+    const std::vector<forest::Gap> gaps = forest::gaps_along_fall_line(grid, open);
+    kept.gaps.push_back(
+        {year, all, forest::figures_of(grid, open, gaps, [](const forest::Patch&) { return true; })});
+    for (const auto& [number, unit] : units) {
+        if (units.size() > 1) {
+            kept.gaps.push_back(
+                {year, number,
+                 forest::figures_of(grid, open, gaps, [number = number](const forest::Patch& patch) {
+                     return patch.management_unit == number;
+                 })});
+        }
+    }
+}
+
+/// What became of the wood of stems this year.
+void add_wood(const forest::Stand& stand, YearRow& row) {
+    const double kg_per_tpha = kg_per_t * stand.grid().area_ha();
+    const forest::Book& book = stand.book();
+    double litter_kg = 0.0;
+    for (const auto& [tree, cause] : stand.deaths()) {
+        litter_kg += tree.dbh_cm < forest::least_dead_wood_cm ? tree.stems * tree.stem_kg : 0.0;
+    }
+    row.stem_growth_tpha = book.stem_grown_kg / kg_per_tpha;
+    row.stem_ingrowth_tpha = book.stem_in_kg / kg_per_tpha;
+    row.stem_losses_tpha = book.all_stem_lost_kg() / kg_per_tpha;
+    row.stem_litter_tpha = litter_kg / kg_per_tpha;
+    row.dead_wood_in_tpha = book.dead_wood_in_kg / kg_per_tpha;
+    row.stem_hauled_tpha = row.stem_losses_tpha - row.stem_litter_tpha - row.dead_wood_in_tpha;
+    row.dead_wood_decayed_tpha = book.dead_wood_decayed_kg / kg_per_tpha;
+    row.dead_wood_to_soil_tpha = book.dead_wood_to_soil_kg / kg_per_tpha;
+    row.dead_wood_taken_tpha = book.dead_wood_taken_kg / kg_per_tpha;
+}
+
 std::map<std::uint32_t, Unit> units_of(const forest::Stand& stand) {
     std::map<std::uint32_t, Unit> units;
     for (const forest::Patch& patch : stand.grid().patches()) {
@@ -57,6 +95,8 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
         }
     }
 
+    add_gaps(stand, units, year, kept);
+
     const forest::StandYear whole =
         forest::year_of(stand, species, report ? report->volume_increment_m3 : 0.0);
     YearRow row;
@@ -68,6 +108,7 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
     row.logs_pha = whole.logs_pha;
     row.logs_m3pha = whole.logs_m3pha;
     row.dead_stems_tpha = whole.dead_stems_tpha;
+    row.stem_wood_tpha = stand.stem_mass_standing_kg() / kg_per_t / area_ha;
     if (report) {
         row.volume_increment_m3pha = whole.volume_increment_m3pha;
         row.production_tpha = report->production_kg / kg_per_t / area_ha;
@@ -82,7 +123,8 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
 }
 
 void record_losses(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
-                   MemberYears& kept) {
+                   bool list_all, MemberYears& kept) {
+    add_wood(stand, kept.years.back());
     const forest::StandYear whole = forest::year_of(stand, species, 0.0);
     for (std::size_t cause = 0; cause < forest::cause_count; ++cause) {
         if (whole.losses[cause].stems_pha > 0.0) {
@@ -90,8 +132,8 @@ void record_losses(const forest::Stand& stand, const forest::SpeciesTable& speci
         }
     }
     for (const auto& [tree, cause] : stand.deaths()) {
-        const bool by_rock = cause == forest::Cause::rock || cause == forest::Cause::wound;
-        if (by_rock && tree.dbh_cm >= forest::least_dead_wood_cm) {
+        const bool told = list_all || cause == forest::Cause::rock || cause == forest::Cause::wound;
+        if (told && tree.dbh_cm >= forest::least_dead_wood_cm) {
             kept.removed.push_back({.year = year,
                                     .species = static_cast<std::uint32_t>(forest::index_of(tree.species)),
                                     .tree = forest::number_of(tree.id),

@@ -11,15 +11,16 @@
 namespace coupling::decades {
 
 /// Writes down what stands now and what the year brought: rows for the forest and its species and, where
-/// there are several, for each management unit. `report` is missing for the start.
+/// there are several, for each management unit, with its gaps along the fall line. `report` is missing for
+/// the start.
 void record_year(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
                  const std::optional<forest::YearReport>& report, double mean_temperature_degc,
                  MemberYears& kept);
 
 /// Who left the stand in the running year, by cause, and each tree of at least 7 cm that a rock or its wounds
-/// killed.
+/// killed, or all with `list_all`. What became of the wood of stems goes into the last row of the years.
 void record_losses(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,
-                   MemberYears& kept);
+                   bool list_all, MemberYears& kept);
 
 /// Every tree as it stands now.
 void record_trees(const forest::Stand& stand, std::int32_t year, MemberYears& kept);

@@ -29,7 +29,8 @@ void record_work(const RegimeReport& report, const Regime& regime, const PriceTa
                                 .taken_m3 = entry.taken_m3,
                                 .left_m3 = entry.left_m3,
                                 .plants = entry.plants,
-                                .tended = entry.tended});
+                                .tended = entry.tended,
+                                .fenced_ha = entry.fenced_ha});
     }
     for (std::uint32_t s = 0; s < report.timber.by_species.size(); ++s) {
         for (std::uint32_t c = 0; c < forest::dbh_classes; ++c) {

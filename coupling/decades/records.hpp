@@ -6,6 +6,7 @@
 
 #include "coupling/regimes/timber_value.hpp"
 #include "coupling/results/figures.hpp"
+#include "forest/protection/gaps.hpp"
 #include "forest/tables.hpp"
 #include "forest/treatment/felling.hpp"
 #include "forest/tree.hpp"
@@ -32,6 +33,13 @@ struct StandRow {
     forest::StandFigures figures;
 };
 
+/// Gaps along the fall line at the end of a year: in one management unit or in the whole forest.
+struct GapRow {
+    std::int32_t year = 0;
+    std::uint32_t unit = all;
+    forest::GapFigures figures;
+};
+
 /// What happened in a year, in the whole forest and per hectare.
 struct YearRow {
     std::int32_t year = 0;
@@ -45,6 +53,17 @@ struct YearRow {
     double logs_pha = 0.0;
     double logs_m3pha = 0.0;
     double dead_stems_tpha = 0.0;
+    // Dry wood of stems. The flows of the start are those of its work and rocks, which come after what stood.
+    double stem_wood_tpha = 0.0;    ///< living
+    double stem_growth_tpha = 0.0;  ///< of trees that stand and of those that die later in the year
+    double stem_ingrowth_tpha = 0.0;
+    double stem_losses_tpha = 0.0;   ///< of all trees that left
+    double stem_hauled_tpha = 0.0;   ///< of these, felled and taken out of the forest
+    double stem_litter_tpha = 0.0;   ///< of these, too thin to be followed
+    double dead_wood_in_tpha = 0.0;  ///< of these, now snag, stump or log
+    double dead_wood_decayed_tpha = 0.0;
+    double dead_wood_to_soil_tpha = 0.0;  ///< pieces too rotten to be followed, or that rolled off
+    double dead_wood_taken_tpha = 0.0;    ///< salvaged
     double precipitation_mm = 0.0;
     double evapotranspiration_mm = 0.0;
     double runoff_mm = 0.0;
@@ -78,7 +97,8 @@ struct TreeRow {
     float rock_energy_kj = 0.0F;  ///< taken from rocks in that year
 };
 
-/// A tree of at least 7 cm that left the stand.
+/// A tree of at least 7 cm that left the stand: for a rock or its wounds, or for any cause where all are
+/// asked for.
 struct RemovedRow {
     std::int32_t year = 0;
     std::uint32_t species = 0;
@@ -102,6 +122,7 @@ struct HarvestRow {
     double left_m3 = 0.0;
     std::uint64_t plants = 0;
     std::uint64_t tended = 0;
+    double fenced_ha = 0.0;
 };
 
 /// Wood of a species and diameter class that was felled in a year.
@@ -158,6 +179,7 @@ struct MemberYears {
     Member member;
     std::vector<YearRow> years;  ///< the first is the start
     std::vector<StandRow> stands;
+    std::vector<GapRow> gaps;
     std::vector<LossRow> losses;
     std::vector<TreeRow> trees;
     std::vector<PatchRow> patches;

@@ -53,7 +53,7 @@ public:
         record_lists(0, falls);
         hurt_trees(falls, 0);
         manage(0);
-        record_losses(stand_, species(), 0, kept_);
+        record_losses(stand_, species(), 0, settings_.list_all_removed, kept_);
     }
 
     void pass(std::int32_t year) {
@@ -66,7 +66,7 @@ public:
         const FallsOfYear falls = let_rocks_fall(year);
         hurt_trees(falls, year);
         record_year(stand_, species(), year, report, mean_temperature_degc(forest.place, weather), kept_);
-        record_losses(stand_, species(), year, kept_);
+        record_losses(stand_, species(), year, settings_.list_all_removed, kept_);
         record_lists(year, falls);
     }
 

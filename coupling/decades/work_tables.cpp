@@ -18,7 +18,10 @@ void write_interventions(std::ostream& out, const Names& names, std::span<const 
             const auto& [name, treatment] = names.interventions[member.member.regime][work.intervention];
             row.text(name).text(treatment).whole(work.areas).number<4>(work.area_ha);
             row.number<0>(work.stems).number<3>(work.taken_m3).number<3>(work.left_m3);
-            row.whole(work.plants).whole(work.tended).text(work.found_nothing ? "yes" : "no");
+            row.whole(work.plants)
+                .whole(work.tended)
+                .number<4>(work.fenced_ha)
+                .text(work.found_nothing ? "yes" : "no");
             row.end();
         }
     }
@@ -94,8 +97,8 @@ std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, 
     }
     if (any(members, &MemberYears::removed)) {
         write("removed_trees.csv",
-              "Every tree that rocks broke or uprooted (rock) or that died of old wounds, by rocks or "
-              "felling (wound).",
+              "Trees of 7 cm and more that left the forest, each with its cause: those that rocks broke or "
+              "uprooted (rock) or that died of old wounds (wound); on demand all.",
               [&](std::ostream& out) { write_removed(out, names, members); });
     }
     return written;

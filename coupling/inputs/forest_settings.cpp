@@ -147,6 +147,10 @@ void declare_output(config::Options& options, ForestSettings& s) {
                      .low = 0.0,
                      .high = 1000.0,
                      .meaning = "years of simulation (0 = start) with maps; none: first and last"});
+    options.flag(
+        "output.all_removed_trees", s.list_all_removed,
+        {.meaning = "removed_trees.csv lists each tree of 7 cm and more that left the forest, with its "
+                    "cause; no: only those that rocks killed"});
 }
 
 /// Adds problems at the line where a setting stands.

@@ -66,6 +66,7 @@ struct ForestSettings {
     // [output]
     std::vector<double> tree_list_years;  ///< years of simulation, 0 = the start
     std::vector<double> map_years;
+    bool list_all_removed = false;  ///< removed_trees.csv tells of all causes
 };
 
 /// Declares all of them. The options keep references into the settings.

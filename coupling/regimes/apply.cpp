@@ -56,6 +56,12 @@ public:
                      report.entries[i].tended_ha += done.area_ha;
                  }
              });
+        each([](const Intervention& row) { return row.treatment == Treatment::fence; },
+             [&](const Intervention& row, std::size_t i) {
+                 for (const Area* area : areas_of(due[i])) {
+                     report.entries[i].fenced_ha += forest::fence(stand_, area->place, row.fence_years);
+                 }
+             });
         each([](const Intervention& row) { return row.plants(); },
              [&](const Intervention& row, std::size_t i) {
                  for (const Area* area : areas_of(due[i])) {

@@ -47,7 +47,10 @@ struct Entry {
     std::uint64_t plants = 0;  ///< planted
     std::uint64_t tended = 0;  ///< young stems cut by tending
     double tended_ha = 0.0;    ///< of the patches where it cut any
-    [[nodiscard]] bool found_nothing() const { return stems == 0.0 && plants == 0 && tended == 0; }
+    double fenced_ha = 0.0;    ///< of the patches that are fenced longer than before
+    [[nodiscard]] bool found_nothing() const {
+        return stems == 0.0 && plants == 0 && tended == 0 && fenced_ha == 0.0;
+    }
 };
 
 /// What a regime did in a year.
@@ -60,8 +63,8 @@ struct RegimeReport {
 ///
 /// First all rows are judged by the stand as it is: which areas are due, which trees go (a tree that two rows
 /// want goes with the upper one). Then the marked trees are felled, logs left, dead wood salvaged, young
-/// growth tended, and last planted, each step in the order of the rows. An area that was due counts as
-/// visited even where nothing was found.
+/// growth tended, fences set up, and last planted, each step in the order of the rows. An area that was due
+/// counts as visited even where nothing was found.
 ///
 /// Requires a stand on the grid that the regime was read for.
 RegimeReport apply(const Regime& regime, int year, forest::Stand& stand, const forest::SpeciesTable& species,

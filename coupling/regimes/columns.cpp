@@ -8,9 +8,9 @@ namespace coupling {
 namespace {
 
 constexpr std::array<std::string_view, treatment_count> treatment_names = {
-    "thin_below", "thin_density", "thin_crop_trees", "target_diameter",
-    "selection",  "shelter_cut",  "group_cut",       "clear_cut",
-    "salvage",    "tend",         "plant",           "plant_clusters"};
+    "thin_below",  "thin_density", "thin_crop_trees", "target_diameter", "selection",
+    "shelter_cut", "group_cut",    "clear_cut",       "salvage",         "tend",
+    "fence",       "plant",        "plant_clusters"};
 constexpr std::array<std::string_view, where_count> where_names = {"all", "stands", "strips", "slits",
                                                                    "polygons"};
 
@@ -279,6 +279,12 @@ std::vector<RegimeColumn> all_columns() {
          choice,
          {.low = 0.0, .high = 20.0},
          uses(Treatment::tend)},
+        {"fence_years",
+         +[](I& i) -> int& { return i.fence_years; },
+         "for which the fence keeps deer out, until young trees outgrow them",
+         choice,
+         {.low = 1.0, .high = 1000.0},
+         uses(Treatment::fence)},
     };
 }
 

@@ -26,10 +26,11 @@ enum class Treatment : std::uint8_t {
     clear_cut,        ///< all trees: of strips, slits, stands; clearance of a shelterwood
     salvage,
     tend,
+    fence,  ///< keeps deer out for some years
     plant,
     plant_clusters,
 };
-inline constexpr std::size_t treatment_count = 12;
+inline constexpr std::size_t treatment_count = 13;
 
 /// Where.
 enum class Where : std::uint8_t {
@@ -93,6 +94,7 @@ struct Intervention {
     double spacing_m = 20.0;
     double from_height_m = 0.5;
     double to_height_m = 5.0;
+    int fence_years = 15;
 
     [[nodiscard]] bool cuts() const { return treatment <= Treatment::clear_cut; }
     [[nodiscard]] bool plants() const { return treatment >= Treatment::plant; }

@@ -25,10 +25,7 @@ struct RockFacts {
     std::uint32_t tree_hits = 0;
     std::uint32_t trees_broken = 0;
 
-    [[nodiscard]] bool stopped() const {
-        return reason == rockfall::StopReason::at_rest || reason == rockfall::StopReason::caught ||
-               reason == rockfall::StopReason::tree;
-    }
+    [[nodiscard]] bool stopped() const { return rockfall::came_to_rest(reason); }
 };
 
 /// The jumps that end in one stretch of slope length, before the mean is taken.

@@ -80,9 +80,17 @@ Log fallen_piece(const Snag& snag, double from_m, const Bed& bed, double u, int 
     return log;
 }
 
+/// A year of decay; what it took [kg].
+template <class Piece>
+double rot(Piece& piece, double density_left) {
+    const double before_kg = mass_kg(piece);
+    piece.density_share *= density_left;
+    return before_kg - mass_kg(piece);
+}
+
 /// What a year makes of the snags; what falls is added to the logs.
 std::vector<Snag> age_snags(const Stand& stand, const SpeciesTable& species, const Beds& beds,
-                            const YearChance& chance, std::vector<Log>& logs) {
+                            const YearChance& chance, std::vector<Log>& logs, DeadWoodLoss& loss) {
     std::vector<Snag> left;
     left.reserve(stand.dead_wood().snags.size());
     for (Snag snag : stand.dead_wood().snags) {
@@ -93,8 +101,9 @@ std::vector<Snag> age_snags(const Stand& stand, const SpeciesTable& species, con
         const Deadwood& law = species[snag.species].deadwood;
         const Bed bed = beds.at(snag.x_m, snag.y_m);
         const double rate_pyear = snag.cut ? law.log_decay_pyear : law.snag_decay_pyear;
-        snag.density_share *= yearly_density_left(rate_pyear, bed.speed);
+        loss.decayed_kg += rot(snag, yearly_density_left(rate_pyear, bed.speed));
         if (snag.density_share < soil_density) {
+            loss.soil_kg += mass_kg(snag);
             continue;
         }
         const config::FourUniforms u = chance.of(snag.tree, 0);
@@ -106,6 +115,7 @@ std::vector<Snag> age_snags(const Stand& stand, const SpeciesTable& species, con
             const double break_m = 1.0 + 4.0 * u[2];
             if (break_m < snag.height_m) {
                 logs.push_back(fallen_piece(snag, break_m, bed, u[3], stand.year()));
+                snag.sound_kg -= logs.back().sound_kg;
                 snag.height_m = break_m;
             }
         }
@@ -115,7 +125,7 @@ std::vector<Snag> age_snags(const Stand& stand, const SpeciesTable& species, con
 }
 
 std::vector<Log> age_logs(const Stand& stand, const SpeciesTable& species, const Beds& beds,
-                          const YearChance& chance) {
+                          const YearChance& chance, DeadWoodLoss& loss) {
     std::vector<Log> left;
     left.reserve(stand.dead_wood().logs.size());
     for (Log log : stand.dead_wood().logs) {
@@ -124,7 +134,8 @@ std::vector<Log> age_logs(const Stand& stand, const SpeciesTable& species, const
             continue;
         }
         const Bed bed = beds.at(log.x_m, log.y_m);
-        log.density_share *= yearly_density_left(species[log.species].deadwood.log_decay_pyear, bed.speed);
+        loss.decayed_kg +=
+            rot(log, yearly_density_left(species[log.species].deadwood.log_decay_pyear, bed.speed));
         const double age_years = stand.year() - log.year;
         const double before = clearance_m(1.0, age_years - 1.0);
         log.clearance_m *= before > 0.0 ? clearance_m(1.0, age_years) / before : 0.0;
@@ -134,14 +145,11 @@ std::vector<Log> age_logs(const Stand& stand, const SpeciesTable& species, const
         const bool rolls = may_roll && chance.of(log.tree, 1)[0] < rolling_chance;
         if (log.density_share >= soil_density && !rolls) {
             left.push_back(log);
+        } else {
+            loss.soil_kg += mass_kg(log);
         }
     }
     return left;
-}
-
-double cone_m3(double thick_cm, double thin_cm, double length_m) {
-    const double square_cm2 = thick_cm * thick_cm + thick_cm * thin_cm + thin_cm * thin_cm;
-    return std::numbers::pi / 120'000.0 * square_cm2 * length_m;
 }
 
 Snag snag_of(const Tree& tree, int year) {
@@ -152,7 +160,8 @@ Snag snag_of(const Tree& tree, int year) {
             .dbh_cm = tree.dbh_cm,
             .tree_height_m = tree.height_m,
             .height_m = tree.height_m,
-            .year = year};
+            .year = year,
+            .sound_kg = tree.stem_kg};
 }
 
 }  // namespace
@@ -175,6 +184,12 @@ double stem_diameter_cm(double dbh_cm, double tree_height_m, double height_m) {
     return dbh_cm * std::max(0.0, taper);
 }
 
+double stem_part(double tree_height_m, double from_m, double to_m) {
+    const double base = (tree_height_m - from_m) / tree_height_m;
+    const double top = (tree_height_m - std::min(to_m, tree_height_m)) / tree_height_m;
+    return base * base * base - top * top * top;
+}
+
 Log log_of_piece(const Snag& stem, double from_m, double to_m, double direction_rad) {
     assert(from_m < to_m);
     return {.tree = stem.tree,
@@ -186,16 +201,17 @@ Log log_of_piece(const Snag& stem, double from_m, double to_m, double direction_
             .thin_end_cm = stem_diameter_cm(stem.dbh_cm, stem.tree_height_m, to_m),
             .density_share = stem.density_share,
             .species = stem.species,
-            .year = stem.year};
+            .year = stem.year,
+            .sound_kg = stem.sound_kg * stem_part(stem.tree_height_m, from_m, to_m) /
+                        stem_part(stem.tree_height_m, 0.0, stem.height_m)};
 }
 
-double volume_m3(const Snag& snag) {
-    return cone_m3(stem_diameter_cm(snag.dbh_cm, snag.tree_height_m, 0.0),
-                   stem_diameter_cm(snag.dbh_cm, snag.tree_height_m, snag.height_m), snag.height_m);
+double volume_m3(const Snag& snag, const SpeciesTable& species) {
+    return snag.sound_kg / species[snag.species].allometry.stem_density_kgpm3;
 }
 
-double volume_m3(const Log& log) {
-    return cone_m3(log.thick_end_cm, log.thin_end_cm, log.length_m);
+double volume_m3(const Log& log, const SpeciesTable& species) {
+    return log.sound_kg / species[log.species].allometry.stem_density_kgpm3;
 }
 
 Wreck wreck_of(const Tree& tree, double break_m, double direction_rad, LogOrigin origin, int year) {
@@ -206,28 +222,10 @@ Wreck wreck_of(const Tree& tree, double break_m, double direction_rad, LogOrigin
     wreck.log.origin = origin;
     if (break_m > 0.0) {
         stem.height_m = break_m;
+        stem.sound_kg -= wreck.log.sound_kg;
         wreck.stump = stem;
     }
     return wreck;
-}
-
-double mass_kg(const Snag& snag, const SpeciesTable& species) {
-    return snag.density_share * volume_m3(snag) * species[snag.species].allometry.basic_density_kgpm3;
-}
-
-double mass_kg(const Log& log, const SpeciesTable& species) {
-    return log.density_share * volume_m3(log) * species[log.species].allometry.basic_density_kgpm3;
-}
-
-double dead_mass_kg(const SnagsAndLogs& wood, const SpeciesTable& species) {
-    double sum_kg = 0.0;
-    for (const Snag& snag : wood.snags) {
-        sum_kg += mass_kg(snag, species);
-    }
-    for (const Log& log : wood.logs) {
-        sum_kg += mass_kg(log, species);
-    }
-    return sum_kg;
 }
 
 void age_dead_wood(Stand& stand, const Site& site, const SpeciesTable& species,
@@ -236,9 +234,10 @@ void age_dead_wood(Stand& stand, const Site& site, const SpeciesTable& species,
     const Beds beds{stand, site, weather};
     const YearChance chance{seed, replicate, stand.year()};
     SnagsAndLogs wood;
-    wood.logs = age_logs(stand, species, beds, chance);
-    wood.snags = age_snags(stand, species, beds, chance, wood.logs);
-    stand.set_dead_wood(std::move(wood));
+    DeadWoodLoss loss;
+    wood.logs = age_logs(stand, species, beds, chance, loss);
+    wood.snags = age_snags(stand, species, beds, chance, wood.logs, loss);
+    stand.set_dead_wood(std::move(wood), loss);
     stand.add_snags(snags_of_deaths(stand));
 }
 

@@ -28,7 +28,11 @@ std::vector<Snag> snags_of_deaths(const Stand& stand);
 /// Diameter of a stem of that tree at a height: a cone from the DBH to the tip [cm].
 double stem_diameter_cm(double dbh_cm, double tree_height_m, double height_m);
 
-/// The lying piece of a stem between two heights, thick end at the given place. Requires from < to.
+/// Part of the wood of a tree's stem between two heights [0, 1]: that of a cone.
+double stem_part(double tree_height_m, double from_m, double to_m);
+
+/// The lying piece of a stem between two heights, thick end at the given place, with its part of the mass.
+/// Requires from < to, at most the height of what stands.
 Log log_of_piece(const Snag& stem, double from_m, double to_m, double direction_rad);
 
 /// What is left of a stem that gives way.
@@ -41,14 +45,9 @@ struct Wreck {
 /// Requires a height below that of the tree.
 Wreck wreck_of(const Tree& tree, double break_m, double direction_rad, LogOrigin origin, int year);
 
-/// Dry mass of dead stems [kg], as cones of the species' basic density.
-double mass_kg(const Snag& snag, const SpeciesTable& species);
-double mass_kg(const Log& log, const SpeciesTable& species);
-double dead_mass_kg(const SnagsAndLogs& wood, const SpeciesTable& species);
-
-/// Volume of dead stems as cones [m3].
-double volume_m3(const Snag& snag);
-double volume_m3(const Log& log);
+/// Stem wood over bark of dead pieces, as they were when the tree died [m3].
+double volume_m3(const Snag& snag, const SpeciesTable& species);
+double volume_m3(const Log& log, const SpeciesTable& species);
 
 /// A year of dead wood: this year's dead stand as snags; older ones lose density, break at 1 to 5 m
 /// [choice; BAFU] or fall and become logs; logs settle and rot; crosswise logs that have lost their strength

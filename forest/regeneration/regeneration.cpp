@@ -86,7 +86,7 @@ SaplingPlace place_of(const Stand& stand, std::size_t patch, double deer) {
     const bool steep = stand.grid().patches()[patch].slope.in_degrees() > gliding_slope_deg;
     return {.environment = state.water_modifier,
             .ground_light = state.ground_light,
-            .deer = deer,
+            .deer = state.fenced_years > 0 ? 0.0 : deer,
             .snow_glides = steep && state.ground_light > gliding_light};
 }
 
@@ -128,6 +128,16 @@ void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
     }
     stand.grow_cohorts(growth);
     stand.remove_saplings(deaths);
+}
+
+void pass_fenced_year(Stand& stand) {
+    std::vector<PatchState> states(stand.patch_states().begin(), stand.patch_states().end());
+    for (PatchState& state : states) {
+        if (state.fenced_years > 0) {
+            --state.fenced_years;
+        }
+    }
+    stand.set_patch_states(states);
 }
 
 /// Parts of a room for those who want it: none gets more than it wants, and what one leaves the others share
@@ -350,6 +360,7 @@ void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
     stand.set_patch_states(states);
 
     grow_saplings(stand, site, species, climates, law.browsing_pressure, chance);
+    pass_fenced_year(stand);
     thin_saplings(stand);
     recruit_trees(stand, species, chance);
 

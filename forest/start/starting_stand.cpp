@@ -124,8 +124,9 @@ Tree new_tree(const Species& kind, SpeciesId species, double x_m, double y_m, do
     tree.height_m = height_m;
     tree.age_years = age_years;
     tree.crown = starting_crown(kind, dbh_cm, height_m);
-    tree.above_ground_kg =
-        part_masses(kind.allometry, dbh_cm, height_m, tree.crown.completeness).above_ground_kg();
+    const PartMasses masses = part_masses(kind.allometry, dbh_cm, height_m, tree.crown.completeness);
+    tree.above_ground_kg = masses.above_ground_kg();
+    tree.stem_kg = masses.stem_kg;
     return tree;
 }
 

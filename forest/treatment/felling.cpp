@@ -34,13 +34,6 @@ Timber empty_timber(const SpeciesTable& species) {
     return {std::vector<std::array<TimberClass, dbh_classes>>(species.size())};
 }
 
-/// Share of a cone's volume between two heights.
-double cone_share(double tree_height_m, double from_m, double to_m) {
-    const double base = (tree_height_m - from_m) / tree_height_m;
-    const double top = (tree_height_m - std::min(to_m, tree_height_m)) / tree_height_m;
-    return base * base * base - top * top * top;
-}
-
 Snag stump_of(const Tree& tree, double height_m, int year) {
     return {.tree = tree.id,
             .x_m = tree.x_m,
@@ -50,7 +43,8 @@ Snag stump_of(const Tree& tree, double height_m, int year) {
             .dbh_cm = tree.dbh_cm,
             .tree_height_m = tree.height_m,
             .height_m = std::min(height_m, tree.height_m),
-            .year = year};
+            .year = year,
+            .sound_kg = tree.stem_kg * stem_part(tree.height_m, 0.0, height_m)};
 }
 
 /// The log that is left of a felled tree, obliquely to one side of the fall line or the other.
@@ -150,13 +144,13 @@ Timber fell(Stand& stand, const SpeciesTable& species, std::span<const std::size
             sum.left_m3 += tree.stems * stem_m3;  // too thin to be worth hauling, or to be followed
             continue;
         }
-        double left_share = cone_share(tree.height_m, 0.0, how.stump_height_m);
+        double left_share = stem_part(tree.height_m, 0.0, how.stump_height_m);
         stumps.push_back(stump_of(tree, how.stump_height_m, stand.year()));
         const config::FourUniforms u = chance_of(stand, tree.id, 1, seed, replicate);
         if (tree.dbh_cm >= least_left_cm && u[0] < how.left_share && how.stump_height_m < tree.height_m) {
             logs.push_back(left_log(stand, tree, how, u[1]));
             left_share +=
-                cone_share(tree.height_m, how.stump_height_m, how.stump_height_m + logs.back().length_m);
+                stem_part(tree.height_m, how.stump_height_m, how.stump_height_m + logs.back().length_m);
         }
         sum.left_m3 += tree.stems * left_share * stem_m3;
         sum.taken_m3 += tree.stems * (1.0 - left_share) * stem_m3;
@@ -179,10 +173,8 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
         return stand.year() - year <= oldest_years && belongs(area, stand.grid(), x_m, y_m) &&
                chance_of(stand, tree, 2, seed, replicate)[0] < share;
     };
-    const auto sound_m3 = [&](double kg, SpeciesId kind, double density_share) {
-        return kg / (species[kind].allometry.basic_density_kgpm3 * density_share);
-    };
     SnagsAndLogs left;
+    DeadWoodLoss loss;
     for (const Snag& snag : stand.dead_wood().snags) {
         if (snag.cut || !taken(snag.tree, snag.x_m, snag.y_m, snag.year)) {
             left.snags.push_back(snag);
@@ -190,7 +182,8 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
         }
         TimberClass& sum = timber.by_species[index_of(snag.species)][dbh_class_of(snag.dbh_cm)];
         sum.stems += 1.0;
-        sum.taken_m3 += sound_m3(mass_kg(snag, species), snag.species, snag.density_share);
+        sum.taken_m3 += volume_m3(snag, species);
+        loss.taken_kg += mass_kg(snag);
     }
     for (const Log& log : stand.dead_wood().logs) {
         if (log.origin == LogOrigin::felled_crosswise || !taken(log.tree, log.x_m, log.y_m, log.year)) {
@@ -199,9 +192,10 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
         }
         TimberClass& sum = timber.by_species[index_of(log.species)][dbh_class_of(log.thick_end_cm)];
         sum.stems += 1.0;
-        sum.taken_m3 += sound_m3(mass_kg(log, species), log.species, log.density_share);
+        sum.taken_m3 += volume_m3(log, species);
+        loss.taken_kg += mass_kg(log);
     }
-    stand.set_dead_wood(std::move(left));
+    stand.set_dead_wood(std::move(left), loss);
     return timber;
 }
 

@@ -152,4 +152,19 @@ TendingDone tend(Stand& stand, const TreatmentArea& area, const Tending& tending
     return done;
 }
 
+double fence(Stand& stand, const TreatmentArea& area, int years) {
+    assert(years >= 1 && years <= 1000);
+    std::vector<PatchState> states(stand.patch_states().begin(), stand.patch_states().end());
+    double fenced_ha = 0.0;
+    for (const PatchId patch : patches_in(stand.grid(), area)) {
+        PatchState& state = states[index_of(patch)];
+        if (state.fenced_years < years) {
+            state.fenced_years = static_cast<std::uint16_t>(years);
+            fenced_ha += patch_area_m2 / m2_per_ha;
+        }
+    }
+    stand.set_patch_states(states);
+    return fenced_ha;
+}
+
 }  // namespace forest

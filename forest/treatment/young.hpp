@@ -58,4 +58,9 @@ struct TendingDone {
 /// young tree alike. Gives the number of stems cut.
 TendingDone tend(Stand& stand, const TreatmentArea& area, const Tending& tending);
 
+/// Keeps deer out of the patches of an area: nothing is browsed there for that many years
+/// (forest/regeneration). A longer fence stays. Requires 1 to 1000 years. Gives the area that is fenced
+/// longer than before [ha].
+double fence(Stand& stand, const TreatmentArea& area, int years);
+
 }  // namespace forest

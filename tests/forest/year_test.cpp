@@ -36,6 +36,8 @@ void expect_balance(const Stand& stand) {
     const double mass_in_kg = stand.mass_at_start_kg() + book.mass_in_kg + book.grown_kg - book.shed_kg;
     const double mass_out_kg = book.all_lost_kg() + stand.mass_standing_kg();
     RC_ASSERT(std::abs(mass_in_kg - mass_out_kg) <= 1e-9 * (mass_in_kg + 1.0));
+    const double dead_kg = book.dead_wood_in_kg - book.all_dead_wood_out_kg();
+    RC_ASSERT(std::abs(stand.dead_wood_kg() - dead_kg) <= 1e-9 * (mass_in_kg + 1.0));
 }
 
 TEST(GrowYear, KeepsItsInvariantsOnAnyStand) {
@@ -48,6 +50,10 @@ TEST(GrowYear, KeepsItsInvariantsOnAnyStand) {
         for (int year = 0; year < 3; ++year) {
             const Stand before = stand;
             const YearReport report = forest.live(stand, seed);
+            const Book& year = stand.book();
+            const double stems_kg = before.stem_mass_standing_kg() + year.stem_in_kg + year.stem_grown_kg -
+                                    year.all_stem_lost_kg();
+            RC_ASSERT(std::abs(stand.stem_mass_standing_kg() - stems_kg) <= 1e-9 * (stems_kg + 1.0));
             expect_invariants(before, stand, forest.species);
             expect_balance(stand);
             const WaterYear& water = report.water;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -112,6 +113,127 @@ TEST(RocksOfYears, MeetTreesOutsideTheForestInEachYear) {
     for (std::size_t row = 0; row < rows.rows(); row += 2) {
         EXPECT_GT(number(rows, row, "protection_percent"), 20.0) << rows.text(row, "year");
     }
+}
+
+TEST(RocksOfYears, AreAllToldByWhatEndedTheirFall) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, four_members).code, 0);
+    const config::Table causes = table(project, "out/tables/causes.csv");
+    std::map<std::string, double> rocks;  // by regime, replicate, year and slope
+    for (std::size_t row = 0; row < causes.rows(); ++row) {
+        const std::string key = causes.text(row, "regime") + '/' + causes.text(row, "replicate") + '/' +
+                                causes.text(row, "year") + '/' + causes.text(row, "cover");
+        rocks[key] += number(causes, row, "stopped");
+        EXPECT_LE(number(causes, row, "share_low_percent"), number(causes, row, "share_percent"));
+        EXPECT_GE(number(causes, row, "share_high_percent"), number(causes, row, "share_percent"));
+        if (causes.text(row, "cover") == "bare" &&
+            (causes.text(row, "cause") == "tree" || causes.text(row, "cause") == "log")) {
+            EXPECT_EQ(causes.text(row, "stopped"), "0");
+        }
+    }
+    EXPECT_EQ(rocks.size(), 4U * 3U * 2U);
+    for (const auto& [key, count] : rocks) {
+        EXPECT_EQ(count, 200.0) << key;
+    }
+
+    // Rocks of half a metre: stems from 24 cm on. Two stands and the whole of them.
+    const config::Table profile = table(project, "out/tables/target_profile.csv");
+    ASSERT_EQ(profile.rows(), 4U * 5U * 3U * 2U);
+    for (std::size_t row = 0; row < profile.rows(); row += 2) {
+        EXPECT_EQ(profile.text(row, "criterion"), "stems_from_24_cm");
+        EXPECT_EQ(profile.text(row, "met") == "yes", number(profile, row, "value") >= 300.0);
+        EXPECT_EQ(profile.text(row + 1, "criterion"), "longest_gap");
+        EXPECT_EQ(profile.text(row + 1, "met") == "yes", number(profile, row + 1, "value") <= 20.0);
+    }
+    const config::Table compared = table(project, "out/tables/regimes_by_year.csv");
+    double shares = 0.0;
+    double met = -1.0;
+    for (std::size_t row = 0; row < compared.rows(); ++row) {
+        const std::string quantity = compared.text(row, "quantity");
+        if (compared.text(row, "regime") != "none" || compared.text(row, "year") != "4") {
+            continue;
+        }
+        if (quantity.starts_with("stopped_by_") || quantity == "left_terrain_percent" ||
+            quantity == "gave_up_percent") {
+            shares += number(compared, row, "mean");
+        }
+        met = quantity == "target_profile_met_percent" ? number(compared, row, "mean") : met;
+    }
+    EXPECT_NEAR(shares, 100.0, 0.01);
+    EXPECT_GE(met, 0.0);
+    EXPECT_LE(met, 100.0);
+}
+
+TEST(Feedback, SwitchedOffChangesNothing) {
+    const ForestProject project;
+    project.write("list.csv", dense_list(false));
+    const std::string rocks =
+        "run scenario.ini --quiet --set trees.file=list.csv --set release.rocks=500 --set run.years=3 ";
+    ASSERT_EQ(call(project, rocks + "--out without").code, 0);
+    ASSERT_EQ(call(project, rocks + "--set feedback.on=no --set feedback.rocks_per_year=300 --out off").code,
+              0);
+    const Outcome same =
+        shell(project, "diff -r without/tables off/tables && diff -r without/rasters off/rasters\n");
+    EXPECT_EQ(same.code, 0) << same.out << same.err;
+    EXPECT_FALSE(fs::exists(project.file("off/tables/removed_trees.csv")));
+
+    // On, the first rocks meet the same forest; later ones meet another.
+    ASSERT_EQ(call(project, rocks + "--set feedback.on=yes --set feedback.rocks_per_year=300 --out on").code,
+              0);
+    const config::Table off = table(project, "off/tables/protection.csv");
+    const config::Table on = table(project, "on/tables/protection.csv");
+    EXPECT_EQ(protection(on, "none", "0"), protection(off, "none", "0"));
+    EXPECT_NE(protection(on, "none", "3"), protection(off, "none", "3"));
+    EXPECT_EQ(protection(on, "none", "3")[0][2], protection(off, "none", "3")[0][2]);  // over the bare slope
+}
+
+TEST(Feedback, ExplainsEachTreeThatARockBroke) {
+    const ForestProject project;
+    project.write("list.csv", dense_list(false));
+    const Outcome outcome = call(project,
+                                 "run scenario.ini --quiet --set trees.file=list.csv --set release.rocks=500 "
+                                 "--set run.years=3 --set feedback.on=yes --set feedback.rocks_per_year=300 "
+                                 "--set \"output.tree_list_years=0, 1, 2, 3\"");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    // Trees by year: where each stands.
+    std::vector<std::map<std::string, std::string>> standing(4);
+    for (std::size_t year = 0; year < standing.size(); ++year) {
+        const config::Table trees = table(project, "out/tables/trees_" + std::to_string(year) + ".csv");
+        for (std::size_t row = 0; row < trees.rows(); ++row) {
+            standing[year][trees.text(row, "tree_id")] =
+                trees.text(row, "x_m") + ' ' + trees.text(row, "y_m") + ' ' + trees.text(row, "species");
+        }
+    }
+    const config::Table removed = table(project, "out/tables/removed_trees.csv");
+    std::map<std::string, double> broken;
+    for (std::size_t row = 0; row < removed.rows(); ++row) {
+        const std::string id = removed.text(row, "tree_id");
+        const auto year = static_cast<std::size_t>(number(removed, row, "year"));
+        // What broke at the start was still listed there.
+        ASSERT_TRUE(standing[year == 0 ? 0 : year - 1].contains(id)) << id;
+        EXPECT_EQ(
+            standing[year == 0 ? 0 : year - 1][id],
+            removed.text(row, "x_m") + ' ' + removed.text(row, "y_m") + ' ' + removed.text(row, "species"));
+        EXPECT_FALSE(standing[year == 0 ? 1 : year].contains(id)) << id;
+        EXPECT_TRUE(removed.text(row, "reason") == "rock" || removed.text(row, "reason") == "wound");
+        if (removed.text(row, "reason") == "rock") {
+            broken[removed.text(row, "year")] += 1.0;
+        }
+    }
+    const config::Table losses = table(project, "out/tables/mortality.csv");
+    std::map<std::string, double> counted;
+    for (std::size_t row = 0; row < losses.rows(); ++row) {
+        if (losses.text(row, "cause") == "rock") {
+            counted[losses.text(row, "year")] += 0.8 * number(losses, row, "stems_pha");
+        }
+    }
+    ASSERT_EQ(counted.size(), broken.size());
+    double all = 0.0;
+    for (const auto& [year, stems] : broken) {
+        EXPECT_NEAR(stems, counted[year], 0.8 * 0.0005 + 1e-9) << year;  // thousandths
+        all += stems;
+    }
+    EXPECT_GT(all, 10.0);
 }
 
 TEST(Regimes, AClearCutAboveTheTargetLowersItsProtectionAtOnce) {

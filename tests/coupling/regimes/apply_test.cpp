@@ -166,7 +166,8 @@ TEST(Apply, SalvagesFreshDeadWood) {
                             .dbh_cm = 30.0,
                             .tree_height_m = 25.0,
                             .height_m = 25.0,
-                            .year = 2000};
+                            .year = 2000,
+                            .sound_kg = 300.0};
     forest::Snag old = snag;
     old.year = 1990;
     stand.add_snags(std::vector<forest::Snag>{old, snag});
@@ -200,6 +201,17 @@ TEST(Apply, TellsWhatWasDueAndFoundNothing) {
     EXPECT_EQ(worked.report.entries[0].areas, 1U);
     EXPECT_EQ(worked.stand.trees().size(), worked.before_trees);
     EXPECT_TRUE(Worked("treatment,first_year\nclear_cut,5\n").report.entries.empty()) << "not due";
+}
+
+TEST(Apply, FencesItsAreasForAsLongAsTheTableSays) {
+    const Worked worked{"treatment,where,stands,fence_years\nfence,stands,2,8\n"};
+    EXPECT_NEAR(worked.report.entries[0].fenced_ha, 0.18, 1e-12);
+    EXPECT_FALSE(worked.report.entries[0].found_nothing());
+    for (std::uint32_t p = 0; p < worked.stand.grid().size(); ++p) {
+        const bool is_in = worked.stand.grid()[forest::PatchId{p}].management_unit == 2;
+        EXPECT_EQ(worked.stand.patch_states()[p].fenced_years, is_in ? 8 : 0);
+    }
+    EXPECT_EQ(worked.stand.trees().size(), worked.before_trees);
 }
 
 TEST(Apply, GivesTheSameBytesForAnyOrderOfTrees) {

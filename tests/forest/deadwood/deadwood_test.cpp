@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "forest/allometry.hpp"
 #include "forest/deadwood/decay.hpp"
 #include "tests/forest/small_forest.hpp"
 
@@ -27,7 +28,8 @@ protected:
                              .dbh_cm = dbh_cm,
                              .tree_height_m = 25.0,
                              .height_m = 25.0,
-                             .year = 2000});
+                             .year = 2000,
+                             .sound_kg = 500.0});
         }
         return snags;
     }
@@ -87,13 +89,15 @@ TEST_F(DeadWood, LosesMassByDecayAloneHoweverItFallsAndBreaks) {
     for (int year = 0; year < 15; ++year) {
         double expected_kg = 0.0;
         for (const Snag& snag : stand.dead_wood().snags) {
-            expected_kg += mass_kg(snag, forest.species) * std::exp(-law.snag_decay_pyear * speed);
+            expected_kg += mass_kg(snag) * std::exp(-law.snag_decay_pyear * speed);
         }
         for (const Log& log : stand.dead_wood().logs) {
-            expected_kg += mass_kg(log, forest.species) * std::exp(-law.log_decay_pyear * speed);
+            expected_kg += mass_kg(log) * std::exp(-law.log_decay_pyear * speed);
         }
+        const double before_kg = stand.dead_wood_kg();
         age(stand);
-        EXPECT_NEAR(dead_mass_kg(stand.dead_wood(), forest.species), expected_kg, 1e-9 * expected_kg);
+        EXPECT_NEAR(stand.dead_wood_kg(), expected_kg, 1e-9 * expected_kg);
+        EXPECT_NEAR(stand.book().dead_wood_decayed_kg, before_kg - expected_kg, 1e-9 * expected_kg);
     }
     EXPECT_GT(stand.dead_wood().logs.size(), 300U);
 }
@@ -173,6 +177,44 @@ TEST_F(DeadWood, RollsOffSteepSlopesOnceWeakAndLooseOnly) {
     EXPECT_EQ(left_after(true), 1.0);
     const double p = std::pow(0.99, 20.0);
     EXPECT_NEAR(left_after(false), p, 4.0 * std::sqrt(p * (1.0 - p) / 1000.0));
+}
+
+TEST_F(DeadWood, HasTheStemThatDied) {
+    const Tree tree = new_tree(forest.species[spruce], spruce, 5.0, 5.0, 30.0, 25.0, 80.0);
+    const double stem_m3 = stem_volume_m3(forest.species[spruce].allometry, 30.0, 25.0);
+    Stand stand{forest.grid, forest.species.size(), {tree}, 2000};
+    stand.begin_year();
+    stand.remove_trees(std::vector<Removal>{{TreeId{0}, Cause::stress}});
+    age_dead_wood(stand, forest.site, forest.species, forest.weather, 1, 0);
+    EXPECT_DOUBLE_EQ(stand.dead_wood_kg(), tree.stem_kg);
+    EXPECT_DOUBLE_EQ(stand.book().stem_lost_kg[index_of(Cause::stress)], tree.stem_kg);
+    EXPECT_NEAR(volume_m3(stand.dead_wood().snags[0], forest.species), stem_m3, 1e-12);
+}
+
+TEST_F(DeadWood, BooksWhatBecomesSoil) {
+    Stand stand{forest.grid, forest.species.size(), {}, 2000};
+    stand.add_snags(whole_snags(50, 40.0));
+    stand.begin_year();
+    double out_kg = 0.0;
+    for (int year = 0; year < 250; ++year) {
+        age(stand);
+        out_kg += stand.book().all_dead_wood_out_kg();
+    }
+    EXPECT_TRUE(stand.dead_wood().snags.empty() && stand.dead_wood().logs.empty());
+    EXPECT_NEAR(out_kg, 50.0 * 500.0, 1e-6);
+    EXPECT_GT(stand.total_book().dead_wood_to_soil_kg, 0.05 * 50.0 * 500.0);
+    EXPECT_LT(stand.total_book().dead_wood_to_soil_kg, 0.1 * 50.0 * 500.0 + 1e-6);
+}
+
+TEST(WreckOf, SharesTheStemBetweenStumpAndLog) {
+    Tree tree;
+    tree.dbh_cm = 40.0;
+    tree.height_m = 30.0;
+    tree.stem_kg = 800.0;
+    const Wreck broken = wreck_of(tree, 3.0, 0.0, LogOrigin::windthrow, 2000);
+    EXPECT_NEAR(broken.stump->sound_kg, 800.0 * (1.0 - 0.9 * 0.9 * 0.9), 1e-9);
+    EXPECT_NEAR(broken.stump->sound_kg + broken.log.sound_kg, 800.0, 1e-9);
+    EXPECT_NEAR(wreck_of(tree, 0.0, 0.0, LogOrigin::windthrow, 2000).log.sound_kg, 800.0, 1e-9);
 }
 
 TEST(LogOfPiece, IsACutOfACone) {

@@ -137,7 +137,7 @@ TEST(Disturb, LetsBeetlesFollowAStormUnlessItsWoodIsCleared) {
         stand.begin_year();
         disturb(stand, forest.site, forest.species, {forest.weather, 350.0, false}, storm, 1, replicate);
         Stand cleared = stand;
-        cleared.set_dead_wood({});
+        cleared.set_dead_wood({}, {});
         for (Stand* one : {&stand, &cleared}) {
             one->begin_year();
             disturb(*one, forest.site, forest.species, {forest.weather, 350.0, false}, beetles, 1, replicate);

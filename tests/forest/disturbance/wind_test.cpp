@@ -127,8 +127,7 @@ TEST(ThrowByWind, TakesTheShareThatItsChanceSaysAndLeavesItAsWood) {
                                        .dbh_cm = 30.0,
                                        .tree_height_m = one.height_m,
                                        .height_m = one.height_m}});
-    EXPECT_NEAR(dead_mass_kg(wood, table), thrown * dead_mass_kg(whole.dead_wood(), table),
-                1e-9 * dead_mass_kg(wood, table));
+    EXPECT_NEAR(stand.dead_wood_kg(), thrown * whole.dead_wood_kg(), 1e-9 * stand.dead_wood_kg());
 }
 
 TEST(ThrowByWind, SparesThinTreesAndBroadleavesMore) {

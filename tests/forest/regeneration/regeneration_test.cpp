@@ -52,11 +52,15 @@ TEST(Regenerate, FillsASlitWithinADozenYears) {
 }
 
 /// Open patches under a given light, some years without trees.
-Stand years_under(const SmallForest& forest, double ground_light, double deer, int years) {
+Stand years_under(const SmallForest& forest, double ground_light, double deer, int years,
+                  std::uint16_t fenced_years = 0, std::size_t fenced_patches = 0) {
     Stand stand{forest.grid, forest.species.size(), {}, 2000};
     std::vector<PatchState> states(stand.patch_states().begin(), stand.patch_states().end());
     for (PatchState& state : states) {
         state.ground_light = ground_light;
+    }
+    for (std::size_t p = 0; p < fenced_patches; ++p) {
+        states[p].fenced_years = fenced_years;
     }
     RegenerationLaw law;
     law.browsing_pressure = deer;
@@ -64,6 +68,9 @@ Stand years_under(const SmallForest& forest, double ground_light, double deer, i
         stand.begin_year();
         stand.set_patch_states(states);
         regenerate(stand, forest.site, forest.species, forest.weather, law, 1, 0);
+        for (std::size_t p = 0; p < states.size(); ++p) {
+            states[p].fenced_years = stand.patch_states()[p].fenced_years;
+        }
     }
     return stand;
 }
@@ -98,6 +105,29 @@ TEST(Regenerate, UnderManyDeerLosesFirAndRowanAndKeepsSpruce) {
     }
     const SpeciesId spruce = *forest.species.find("piab");
     EXPECT_GT(taller_than(browsed, spruce, 1.3), taller_than(fenced, spruce, 1.3));
+}
+
+TEST(Regenerate, BehindAFenceIsNotBrowsedUntilItIsTakenDown) {
+    const SmallForest forest{square_of_forest(6)};
+    const SpeciesId fir = *forest.species.find("abal");
+    const auto firs = [&](const Stand& stand, bool fenced) {
+        double stems = 0.0;
+        for (const Cohort& cohort : stand.cohorts()) {
+            stems += cohort.species == fir && cohort.height_m > 0.6 && (index_of(cohort.patch) < 18) == fenced
+                         ? cohort.stems
+                         : 0.0;
+        }
+        return stems;
+    };
+    const Stand half = years_under(forest, 0.6, 3.0, 20, 20, 18);
+    EXPECT_GT(firs(half, true), 5.0);
+    EXPECT_LT(firs(half, false), 0.1 * firs(half, true));
+    EXPECT_EQ(half.patch_states()[0].fenced_years, 0);
+    // No deer on one side is what no deer at all would be.
+    EXPECT_EQ(taller_than(years_under(forest, 0.6, 3.0, 20, 20, 36), fir, 0.6),
+              taller_than(years_under(forest, 0.6, 0.0, 20), fir, 0.6));
+    // One that stands for two years only helps little.
+    EXPECT_LT(firs(years_under(forest, 0.6, 3.0, 20, 2, 18), true), 0.2 * firs(half, true));
 }
 
 TEST(Regenerate, KeepsTheBooksOfSaplingsAndTrees) {

@@ -71,6 +71,11 @@ TEST(Fell, LeavesHighStumpsAndLogsAcrossTheSlope) {
     EXPECT_LT(to_one_side, 0.7 * left_m3);
     EXPECT_DOUBLE_EQ(stand.dead_wood().snags[0].height_m, 1.3);
     EXPECT_GT(timber.total().left_m3, 0.1 * timber.total().taken_m3);
+    // What is left is in the dead wood, what is taken has left the forest.
+    const double density_kgpm3 = table[spruce].allometry.stem_density_kgpm3;
+    EXPECT_NEAR(stand.dead_wood_kg(), timber.total().left_m3 * density_kgpm3, 1e-6);
+    EXPECT_NEAR(stand.book().all_stem_lost_kg() - stand.dead_wood_kg(),
+                timber.total().taken_m3 * density_kgpm3, 1e-6);
 }
 
 TEST(Fell, DamagesNeighboursOnlyAndAsOftenAsItsShareSays) {
@@ -109,7 +114,8 @@ TEST(Salvage, TakesItsShareOfFreshDeadWoodAndLeavesWhatWasLeftOnPurpose) {
                          .dbh_cm = 30.0,
                          .tree_height_m = 25.0,
                          .height_m = 25.0,
-                         .year = i < 1000 ? 2000 : 1990});
+                         .year = i < 1000 ? 2000 : 1990,
+                         .sound_kg = 300.0});
     }
     stand.add_snags(snags);
     stand.add_logs(std::vector<Log>{{.tree = TreeId{9999},
@@ -124,7 +130,9 @@ TEST(Salvage, TakesItsShareOfFreshDeadWoodAndLeavesWhatWasLeftOnPurpose) {
     EXPECT_NEAR(timber.total().stems / 1000.0, 0.6, 4.0 * std::sqrt(0.24 / 1000.0));
     EXPECT_EQ(static_cast<double>(stand.dead_wood().snags.size()), 2000.0 - timber.total().stems);
     EXPECT_EQ(stand.dead_wood().logs.size(), 1U);
-    EXPECT_GT(timber.total().taken_m3, 0.0);
+    EXPECT_NEAR(stand.book().dead_wood_taken_kg, 300.0 * timber.total().stems, 1e-6);
+    EXPECT_NEAR(timber.total().taken_m3 * table[spruce].allometry.stem_density_kgpm3,
+                stand.book().dead_wood_taken_kg, 1e-6);
 }
 
 TEST(Timber, AddsUp) {

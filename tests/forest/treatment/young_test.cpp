@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/forest/small_forest.hpp"
@@ -50,6 +51,21 @@ TEST(Tend, CutsOthersWhereAFavouredSpeciesStands) {
     EXPECT_EQ(stand.cohorts()[2].stems, 20U) << "too small to press the fir";
     EXPECT_EQ(stand.cohorts()[3].stems, 20U) << "no fir there";
     EXPECT_EQ(stand.book().saplings_out[index_of(Cause::felled)], 15U);
+}
+
+TEST(Fence, StandsOnItsAreaAndALongerOneStays) {
+    Stand stand{square_of_forest(20), table.size(), {}, 2000};
+    const config::Shape plot = rectangle({100.0, 100.0}, 40.0, 20.0, config::Angle::from_degrees(0.0));
+    EXPECT_NEAR(fence(stand, {{plot}, {}}, 15), 0.08, 1e-12);
+    const auto fenced = [&](int years) {
+        return std::count_if(stand.patch_states().begin(), stand.patch_states().end(),
+                             [&](const PatchState& state) { return state.fenced_years == years; });
+    };
+    EXPECT_EQ(fenced(15), 8);
+    EXPECT_EQ(fenced(0), 392);
+    EXPECT_NEAR(fence(stand, {}, 10), 3.92, 1e-12);
+    EXPECT_EQ(fenced(15), 8);
+    EXPECT_EQ(fenced(10), 392);
 }
 
 TEST(PatchesWithFewer, CountWhatHasEstablished) {

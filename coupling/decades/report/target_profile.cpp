@@ -1,0 +1,174 @@
+#include "coupling/decades/report/target_profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "coupling/decades/report/series.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/stop_causes.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using report::escaped;
+using report::fixed;
+
+const Series* find(std::span<const Series> all_series, const std::string& quantity) {
+    const auto found = std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
+        return series.target.empty() && series.quantity == quantity;
+    });
+    return found == all_series.end() ? nullptr : &*found;
+}
+
+std::string title_of(const Names& names, std::size_t regime) {
+    const std::string letter = letter_of(regime, names.regimes.size());
+    return escaped(letter.empty() ? names.regimes[regime] : joined(letter, ": ", names.regimes[regime]));
+}
+
+std::string cell_of(const Series& series, std::size_t regime, std::int32_t year, int decimals) {
+    const auto value = over_replicates(series, regime, year);
+    if (!value) {
+        return "–";
+    }
+    const Band& band = value->band;
+    return value->replicates > 1 ? joined(fixed(band.mean, decimals), " <small>(", fixed(band.low, decimals),
+                                          " – ", fixed(band.high, decimals), ")</small>")
+                                 : fixed(band.mean, decimals);
+}
+
+/// The first, the middle and the last of some years.
+std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years) {
+    std::vector<std::int32_t> chosen{years.front(), years[years.size() / 2], years.back()};
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    return chosen;
+}
+
+/// "on the whole area", "on 40 % of the area", "nowhere".
+std::string where_met(const Series& met, std::size_t regime, std::int32_t year) {
+    const auto value = over_replicates(met, regime, year);
+    const double percent = value ? value->band.mean : 0.0;
+    if (percent >= 99.95) {
+        return "on the whole area";
+    }
+    return percent < 0.05 ? "nowhere"
+                          : joined("on ", fixed(percent, percent < 10.0 ? 1 : 0), " % of the area");
+}
+
+std::string profile_in_words(const Names& names, const Series& met, const forest::TargetProfile& profile,
+                             double mean_block_m) {
+    std::string html =
+        joined("<p>Rocks of ", fixed(mean_block_m, 2), "\u00a0m on average ask for at least ",
+               fixed(profile.least_stems_pha, 0), " stems a hectare from ", fixed(profile.dbh_from_cm, 0),
+               "\u00a0cm on (better ", fixed(profile.ideal_stems_pha, 0),
+               "), and for no gap along the fall line above ", fixed(profile.longest_gap_m, 0), "\u00a0m. ");
+    html += joined("<small>", escaped(profile.source), ".</small></p>\n");
+    const std::vector<std::int32_t> years = three_of(years_of(met));
+    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+        html += joined("<p class=\"answer\"><b>", title_of(names, regime), "</b>. Stands meet this ");
+        for (std::size_t i = 0; i < years.size(); ++i) {
+            html +=
+                joined(i == 0                  ? ""
+                       : i + 1 == years.size() ? " and "
+                                               : ", ",
+                       "<b>", where_met(met, regime, years[i]), "</b> in year ", std::to_string(years[i]));
+        }
+        html += ".</p>\n";
+    }
+    return html;
+}
+
+/// Rows of a figure, one a regime.
+void add_rows(report::HtmlTable& table, const Names& names, const Series& series, const std::string& name,
+              const std::vector<std::int32_t>& years, int decimals) {
+    table.group(name);
+    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+        std::vector<std::string> cells{title_of(names, regime)};
+        for (const std::int32_t year : years) {
+            cells.push_back(cell_of(series, regime, year, decimals));
+        }
+        table.row(cells);
+    }
+}
+
+std::vector<std::string> head_of(const std::string& first, const std::vector<std::int32_t>& years) {
+    std::vector<std::string> head{first};
+    for (const std::int32_t year : years) {
+        head.push_back(joined("year ", std::to_string(year)));
+    }
+    return head;
+}
+
+std::string table_of_stands(const Names& names, std::span<const Series> all_series) {
+    const Series* longest = find(all_series, "gap_max_m");
+    const std::vector<std::int32_t> years = three_of(years_of(*longest));
+    report::HtmlTable table{
+        "Mean of the replicates, in brackets their 5th and 95th percentile. A gap is a line of patches of 10 "
+        "m "
+        "without a stem of 12 cm; its length is that along the ground.",
+        head_of("Stands", years)};
+    if (const Series* met = find(all_series, "target_profile_met_percent")) {
+        add_rows(table, names, *met, "Forest in stands that meet the target profile, %", years, 0);
+    }
+    add_rows(table, names, *longest, "Longest gap along the fall line, m", years, 0);
+    add_rows(table, names, *find(all_series, "gap_95_m"), "Gap that one in twenty exceeds, m", years, 0);
+    return table.html();
+}
+
+std::string table_of_causes(const Names& names, std::span<const Series> all_series) {
+    const Series* trees = find(all_series, "stopped_by_tree_percent");
+    if (trees == nullptr) {
+        return "";
+    }
+    const std::vector<std::int32_t> all_years = years_of(*trees);
+    std::vector<std::int32_t> years{all_years.front()};
+    if (all_years.size() > 1) {
+        years.push_back(all_years.back());
+    }
+    report::HtmlTable table{"What ended the fall of the rocks through the forest, percent of all rocks.",
+                            head_of("Rocks", years)};
+    constexpr std::array<const char*, stop_causes> in_words{"Stopped by a tree, %", "Stopped by a log, %",
+                                                            "Stopped by the ground, %", "Left the terrain, %",
+                                                            "Given up after too many impacts, %"};
+    for (std::size_t cause = 0; cause < stop_causes; ++cause) {
+        const auto kind = static_cast<StopCause>(cause);
+        const bool stops = kind < StopCause::left_terrain;
+        const Series* series =
+            find(all_series, joined(stops ? "stopped_by_" : "", name_of(kind), "_percent"));
+        const auto happened = [&](std::size_t regime) {
+            return std::any_of(years.begin(), years.end(), [&](std::int32_t year) {
+                const auto value = over_replicates(*series, regime, year);
+                return value && value->band.high > 0.0;
+            });
+        };
+        bool any = stops;
+        for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+            any = any || happened(regime);
+        }
+        if (any) {
+            add_rows(table, names, *series, in_words[cause], years, 1);
+        }
+    }
+    return table.html();
+}
+
+}  // namespace
+
+std::string stands_against_rocks(const Names& names, std::span<const Series> all_series,
+                                 const std::optional<forest::TargetProfile>& profile, double mean_block_m) {
+    std::string html = "<section class=\"card\">";
+    const Series* met = find(all_series, "target_profile_met_percent");
+    if (profile && met != nullptr) {
+        html += profile_in_words(names, *met, *profile, mean_block_m);
+    } else {
+        html += joined("<p>Rocks of ", fixed(mean_block_m, 2),
+                       "\u00a0m on average are larger than any that the target profiles speak of.</p>\n");
+    }
+    html += table_of_stands(names, all_series);
+    html += table_of_causes(names, all_series);
+    return joined(html, "</section>\n");
+}
+
+}  // namespace coupling::decades
