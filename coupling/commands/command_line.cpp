@@ -28,18 +28,18 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"validate", {"set", "seed", "threads", "out", "overwrite", "cases", "profile", "rocks", "list"}},
         {"stopping-table",
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
+        {"compare", {"out", "overwrite"}},
         {"info", {}},
+        {"completion", {}},
     };
     return options;
 }
 
 /// What the word after the command is.
 const std::map<std::string, std::string>& arguments_of_commands() {
-    static const std::map<std::string, std::string> arguments{{"init", "a folder"},
-                                                              {"check", "a scenario file"},
-                                                              {"run", "a scenario file"},
-                                                              {"stopping-table", "a recipe"},
-                                                              {"info", "a file"}};
+    static const std::map<std::string, std::string> arguments{
+        {"init", "a folder"},           {"check", "a scenario file"}, {"run", "a scenario file"},
+        {"stopping-table", "a recipe"}, {"info", "a file"},           {"completion", "bash"}};
     return arguments;
 }
 
@@ -63,14 +63,6 @@ po::options_description described(const std::string& command) {
         }
     }
     return options;
-}
-
-std::vector<std::string> option_words(const std::string& command) {
-    std::vector<std::string> words{"--help", "--quiet", "--verbose"};
-    for (const std::string& name : options_of_commands().at(command)) {
-        words.push_back("--" + name);
-    }
-    return words;
 }
 
 po::variables_map parse(const std::string& command, const std::vector<std::string>& arguments) {
@@ -213,6 +205,15 @@ void add_info(CommandLine& line, const po::variables_map& values) {
     line.table = values["argument"].as<std::vector<std::string>>().back();
 }
 
+/// Folders of finished runs.
+void add_compare(CommandLine& line, const po::variables_map& values) {
+    if (values.count("argument") == 0 || values["argument"].as<std::vector<std::string>>().size() < 2) {
+        refuse("`bannwald compare` without two folders", "the folders of two finished runs or more");
+    }
+    const auto& words = values["argument"].as<std::vector<std::string>>();
+    line.folders.assign(words.begin(), words.end());
+}
+
 /// The scenario and the folders after it.
 void add_merge(CommandLine& line, const po::variables_map& values) {
     if (values.count("argument") == 0 || values["argument"].as<std::vector<std::string>>().size() < 2) {
@@ -241,6 +242,8 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         add_merge(line, values);
     } else if (command == "info") {
         add_info(line, values);
+    } else if (command == "compare") {
+        add_compare(line, values);
     } else {
         line.argument = argument_of(command, values);
     }
@@ -292,17 +295,25 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty()
-               ? "init, check, run, merge, validate, stopping-table or info; see `bannwald --help`"
-               : config::in_quotes(nearest));
+           nearest.empty() ? "init, check, run, merge, compare, validate, stopping-table, info or "
+                             "completion; see `bannwald --help`"
+                           : config::in_quotes(nearest));
 }
 
 }  // namespace
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init",     "check",          "run", "merge",
-                                                "validate", "stopping-table", "info"};
+    static const std::vector<std::string> names{"init",     "check",          "run",  "merge",     "compare",
+                                                "validate", "stopping-table", "info", "completion"};
     return names;
+}
+
+std::vector<std::string> option_words(const std::string& command) {
+    std::vector<std::string> words{"--help", "--quiet", "--verbose"};
+    for (const std::string& name : options_of_commands().at(command)) {
+        words.push_back("--" + name);
+    }
+    return words;
 }
 
 CommandLine parse_command_line(const std::vector<std::string>& arguments) {

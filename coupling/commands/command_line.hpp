@@ -31,7 +31,7 @@ struct CommandLine {
     // run
     Shard shard;
 
-    // merge; the argument is the scenario
+    // merge, where the argument is the scenario; compare
     std::vector<std::filesystem::path> folders;
 
     // validate
@@ -56,5 +56,8 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments);
 
 /// Names of the commands.
 const std::vector<std::string>& command_names();
+
+/// Options of a command with their dashes, such as "--set". Requires a name of the list.
+std::vector<std::string> option_words(const std::string& command);
 
 }  // namespace coupling

@@ -18,20 +18,23 @@ namespace {
 
 constexpr std::string_view short_help = R"(bannwald - how well a forest protects from rockfall
 
-  bannwald init DIR [--example NAME]   writes an example project, ready to run
+  bannwald init DIR [--example NAME]   writes an example project, ready to run: tyrol, profile, forest,
+                                       regimes-small, regimes
   bannwald check SCENARIO              reads everything, tells size, memory and time; writes nothing
   bannwald run SCENARIO                lets the rocks fall and writes maps, tables and a report
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
+  bannwald compare DIR DIR...          puts finished runs side by side and tells what is more than chance
   bannwald validate [CASE...|all]      holds the model against published experiments and tables
   bannwald stopping-table [RECIPE]     makes stopping probabilities from virtual surfaces
-  bannwald info FILE                   tells what a grid or a table holds
+  bannwald info FILE                   tells what a grid or a table holds; `info tables`: what results hold
+  bannwald completion bash             prints what lets the Tab key complete commands, options and settings
 
 Everywhere
   --help                               help of a command: bannwald run --help
   --help-all                           every setting of a scenario
   --version                            version, and what it was built with
   -q, --quiet                          only errors
-  -v, --verbose                        more on the way
+  -v, --verbose                        every warning and problem one by one, every file of the results
 
 A first run
   bannwald init example
@@ -94,6 +97,25 @@ The scenario and its settings have to be those of the shards.
   --overwrite               replaces results or parts that the folder holds
 )";
 
+constexpr std::string_view compare_help = R"(bannwald compare DIR DIR... [options]
+
+Puts two or more finished runs side by side: today's protection with today's, or years with years. Shows for each
+target the share of rocks that the forest keeps away, how many arrive and with which energy, with intervals; for runs
+over years the means over the years and the worst year of each regime. Tells which settings and inputs differ,
+whether a difference to the first run is more than chance, and when runs cannot be compared because their terrain,
+targets or rocks differ.
+  --out FILE                writes the comparison as a table (CSV) too
+  --overwrite               replaces that file if it is there
+  -q, --quiet               nothing on the screen
+)";
+
+constexpr std::string_view completion_help = R"help(bannwald completion bash
+
+Prints a script for the shell bash: the Tab key then completes commands, options, examples, settings and files.
+For this session:       eval "$(bannwald completion bash)"
+For all to come:        bannwald completion bash > ~/.local/share/bash-completion/completions/bannwald
+)help";
+
 constexpr std::string_view validate_help = R"(bannwald validate [CASE...|all] [options]
 
 Lets the rocks of published experiments fall with the settings of the paper (strict) and with ours (default),
@@ -149,8 +171,10 @@ The tables that a run writes, with unit, meaning and source of every column:
 
 void write_help(std::ostream& out, const std::string& command) {
     const std::map<std::string, std::string_view> texts{
-        {"init", init_help},   {"check", check_help},       {"run", run_help},
-        {"merge", merge_help}, {"validate", validate_help}, {"stopping-table", stopping_table_help},
+        {"init", init_help},         {"check", check_help},
+        {"run", run_help},           {"merge", merge_help},
+        {"compare", compare_help},   {"completion", completion_help},
+        {"validate", validate_help}, {"stopping-table", stopping_table_help},
         {"info", info_help}};
     const auto text = texts.find(command);
     if (text == texts.end()) {
@@ -171,7 +195,8 @@ void write_help(std::ostream& out, const std::string& command) {
 void write_help_all(std::ostream& out) {
     out << short_help;
     for (const std::string_view text :
-         {init_help, check_help, run_help, scenario_options, validate_help, stopping_table_help, info_help}) {
+         {init_help, check_help, run_help, merge_help, scenario_options, compare_help, validate_help,
+          stopping_table_help, info_help, completion_help}) {
         out << text << '\n';
     }
     out << exit_codes << "\nSettings of a scenario file\n\n";

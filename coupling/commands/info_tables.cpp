@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/compare/side_by_side.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/profile/profile_layouts.hpp"
 #include "coupling/results/data_dictionary.hpp"
@@ -20,7 +21,8 @@ struct Kind {
 
 constexpr std::array kinds{
     Kind{"an assessment of today", static_layouts}, Kind{"a run over years", decades::decade_layouts},
-    Kind{"a run along a profile", profile::profile_layouts}, Kind{"every run", dictionary_layouts}};
+    Kind{"a run along a profile", profile::profile_layouts}, Kind{"every run", dictionary_layouts},
+    Kind{"a comparison of runs", compare::compare_layouts}};
 
 void write_columns(const TableLayout& layout, const char* kind, std::ostream& out) {
     out << layout.file << " of " << kind << ": a row is " << layout.row << '\n';

@@ -1,21 +1,26 @@
 #include "coupling/commands/program.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <optional>
 
+#include "config/errors/brief.hpp"
 #include "config/errors/input_error.hpp"
 #include "config/errors/warnings.hpp"
 #include "coupling/commands/check.hpp"
 #include "coupling/commands/command_line.hpp"
+#include "coupling/commands/completion.hpp"
 #include "coupling/commands/help.hpp"
 #include "coupling/commands/info.hpp"
 #include "coupling/commands/init.hpp"
 #include "coupling/commands/validate.hpp"
+#include "coupling/compare/compare.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/run/ranks.hpp"
 #include "coupling/run/run.hpp"
+#include "coupling/run/telling.hpp"
 #include "coupling/stopping/stopping_table.hpp"
 
 namespace coupling {
@@ -48,11 +53,7 @@ int init(const CommandLine& line) {
 
 int check(const CommandLine& line) {
     config::Warnings warnings;
-    const auto tell = [&] {
-        for (const std::string& sentence : warnings.sentences()) {
-            std::cerr << "bannwald: warning: " << sentence << '\n';
-        }
-    };
+    const auto tell = [&] { tell_warnings(warnings, line.verbose); };
     try {
         check_scenario(line, warnings, std::cout);
     } catch (...) {
@@ -115,6 +116,16 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
     if (line.command == "stopping-table") {
         return stopping_table(line);
     }
+    if (line.command == "compare") {
+        compare::compare_runs(
+            {.folders = line.folders, .out = line.out, .overwrite = line.overwrite, .quiet = line.quiet},
+            std::cout);
+        return code(ExitCode::done);
+    }
+    if (line.command == "completion") {
+        write_completion(line.argument.string(), std::cout);
+        return code(ExitCode::done);
+    }
     if (line.command == "info") {
         write_info(line.argument.string(), line.table, std::cout);
     } else if (line.command == "version") {
@@ -125,6 +136,22 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
         write_help(std::cout, line.help_for);
     }
     return code(ExitCode::done);
+}
+
+/// Of many problems of a kind the first three and their number, all of them with --verbose.
+void tell_problems(const config::InputError& error, const std::vector<std::string>& arguments) {
+    const bool verbose = std::any_of(arguments.begin(), arguments.end(), [](const std::string& word) {
+        return word == "-v" || word == "--verbose";
+    });
+    if (!verbose) {
+        for (const std::string& text : config::brief(error.problems())) {
+            std::cerr << "bannwald: " << text << '\n';
+        }
+        return;
+    }
+    for (const config::Problem& problem : error.problems()) {
+        std::cerr << "bannwald: " << config::to_string(problem) << '\n';
+    }
 }
 
 }  // namespace
@@ -146,9 +173,7 @@ int run_program(const std::vector<std::string>& arguments) {
         ranks->fail(false);
     } catch (const config::InputError& error) {
         if (speaks()) {
-            for (const config::Problem& problem : error.problems()) {
-                std::cerr << "bannwald: " << config::to_string(problem) << '\n';
-            }
+            tell_problems(error, arguments);
             result = code(error.code());
         }
     } catch (const std::exception& error) {

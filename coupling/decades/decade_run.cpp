@@ -253,7 +253,7 @@ private:
         const std::vector<WrittenFile> files = write_results(results, folder.staging());
         folder.publish();
         if (!request_.quiet) {
-            print_summary(results, folder.path(), files);
+            print_summary(results, folder.path(), files, request_.verbose);
         }
     }
 

@@ -1,7 +1,6 @@
 #include "coupling/inputs/forest_site.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "config/text/numbers.hpp"
@@ -173,13 +172,10 @@ void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& readin
         const double height_m = tree.height_m.value_or(forest::height_by_growth(
             kind, tree.dbh_cm, forest::site_height_factor(kind.height_growth, degree_days)));
         filled += tree.height_m ? 0U : 1U;
-        std::string code = kind.code;
-        std::transform(code.begin(), code.end(), code.begin(),
-                       [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
         const double energy =
             site.species.fracture_energy.empty() ? 1.0 : site.species.fracture_energy[rows[i].species];
         site.obstacles.push_back(
-            {std::to_string(tree.id), code, {tree.x_m, tree.y_m, tree.dbh_cm, height_m, energy}});
+            {std::to_string(tree.id), kind.code, {tree.x_m, tree.y_m, tree.dbh_cm, height_m, energy}});
     }
     if (filled > 0) {
         reading.note(joined(file, ": ", counted(filled, "height"),

@@ -64,7 +64,11 @@ SpeciesLookup ForestSpecies::lookup() const {
         const std::string word = config::nearest_word(name, words);
         return word.empty() ? SpeciesTable::shipped().nearest(name) : word;
     };
-    return {place, nearest};
+    std::string codes;
+    for (const forest::Species& kind : table.all()) {
+        codes += joined(codes.empty() ? "" : ", ", kind.code);
+    }
+    return {place, nearest, codes};
 }
 
 std::optional<ForestSpecies> read_forest_species(Reading& reading) {
@@ -90,12 +94,9 @@ std::optional<forest::Parameters> read_forest_parameters(const ForestSpecies& sp
                 forest::SpeciesId{static_cast<std::uint16_t>(*place)});
         } else {
             is_complete = false;
-            const std::string nearest = lookup.nearest(word);
-            reading.problems().add(
-                ExitCode::settings, reading.scenario().options->place_of("forest.region_species"),
-                joined("species ", config::in_quotes(word)),
-                joined("a code of the species table",
-                       nearest.empty() ? std::string{", such as ABAL"} : joined(" (", nearest, "?)")));
+            reading.problems().add(ExitCode::settings,
+                                   reading.scenario().options->place_of("forest.region_species"),
+                                   joined("species ", config::in_quotes(word)), lookup.expected(word));
         }
     }
     return is_complete ? std::optional{std::move(parameters)} : std::nullopt;

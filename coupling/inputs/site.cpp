@@ -84,6 +84,21 @@ void tell_idle_settings(const Scenario& scenario, Reading& reading) {
     }
 }
 
+/// Settings of the output that only an assessment of today heeds.
+void tell_idle_output(const Scenario& scenario, Reading& reading) {
+    std::string names;
+    for (const char* key :
+         {"output.percentiles", "output.rock_table", "output.tree_hit_table", "output.sample_paths"}) {
+        if (scenario.options->was_set(key)) {
+            names += (names.empty() ? "" : ", ") + std::string{key};
+        }
+    }
+    if (!names.empty()) {
+        reading.note("run.years is above 0: " + names +
+                     " have no effect, as runs over years keep no single rocks");
+    }
+}
+
 /// Settings that the user made for another motion model than the chosen one.
 void tell_idle_motion(const Scenario& scenario, Reading& reading) {
     const bool slides = scenario.rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
@@ -112,6 +127,8 @@ Files read_files(Reading& reading) {
     if (scenario.years == 0) {
         files.trees = read_trees(reading);
         tell_idle_settings(scenario, reading);
+    } else {
+        tell_idle_output(scenario, reading);
     }
     if (has_rocks(scenario)) {
         tell_idle_motion(scenario, reading);

@@ -5,13 +5,23 @@
 namespace coupling {
 
 SpeciesLookup lookup_in(const SpeciesTable& known) {
+    std::string codes;
+    for (const Species& species : known.all()) {
+        codes += joined(codes.empty() ? "" : ", ", species.code);
+    }
     return {[&known](const std::string& name) -> std::optional<std::size_t> {
                 const Species* species = known.find(name);
                 return species == nullptr
                            ? std::nullopt
                            : std::optional{static_cast<std::size_t>(species - known.all().data())};
             },
-            [&known](const std::string& name) { return known.nearest(name); }};
+            [&known](const std::string& name) { return known.nearest(name); }, codes};
+}
+
+std::string SpeciesLookup::expected(const std::string& name) const {
+    const std::string near = nearest(name);
+    return near.empty() ? joined("a code or Latin name of the species table; codes: ", codes)
+                        : joined("a code or Latin name of the species table (", near, "?)");
 }
 
 std::optional<std::size_t> SpeciesColumn::find(std::size_t row) {
@@ -29,14 +39,12 @@ void SpeciesColumn::refuse_unknown(config::Problems& problems) const {
         if (use.species) {
             continue;
         }
-        const std::string nearest = lookup_.nearest(name);
         std::string found = name.empty() ? "no species" : "species " + config::in_quotes(name);
         if (use.count > 1) {
             found += ", " + std::to_string(use.count) + " times";
         }
         problems.add(config::ExitCode::data, table_.place(use.first_row, "species"), std::move(found),
-                     joined("a code or Latin name of the species table",
-                            nearest.empty() ? std::string{", such as ABAL"} : joined(" (", nearest, "?)")));
+                     lookup_.expected(name));
     }
 }
 

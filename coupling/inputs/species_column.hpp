@@ -16,6 +16,10 @@ namespace coupling {
 struct SpeciesLookup {
     std::function<std::optional<std::size_t>(const std::string& name)> find;
     std::function<std::string(const std::string& name)> nearest;
+    std::string codes;  ///< all that are known: "ABAL, ACPS, ..."
+
+    /// What a wrong name is told: the nearest one, or all codes.
+    [[nodiscard]] std::string expected(const std::string& name) const;
 };
 
 /// In the shipped species, which must outlive the lookup.

@@ -16,6 +16,7 @@
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
+#include "coupling/run/telling.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::profile {
@@ -97,7 +98,7 @@ private:
 };
 
 void print_summary(const ProfileResults& results, const std::filesystem::path& folder,
-                   const std::vector<WrittenFile>& written) {
+                   const std::vector<WrittenFile>& written, bool verbose) {
     const ProfileTally& tally = results.tally;
     std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m",
                 static_cast<unsigned long long>(tally.rocks), results.site.last_m() - results.site.first_m(),
@@ -123,10 +124,7 @@ void print_summary(const ProfileResults& results, const std::filesystem::path& f
         }
         std::printf("\n");
     }
-    std::printf("Results in %s\n", folder.string().c_str());
-    for (const WrittenFile& file : written) {
-        std::printf("  %-28s %s\n", file.path.c_str(), file.sentence.c_str());
-    }
+    print_files(folder, written, verbose);
 }
 
 void fall_and_write(const RunRequest& request, const Scenario& scenario, const ProfileSite& site,
@@ -154,7 +152,7 @@ void fall_and_write(const RunRequest& request, const Scenario& scenario, const P
     }
     folder.publish();
     if (!request.quiet) {
-        print_summary(results, folder.path(), written);
+        print_summary(results, folder.path(), written, request.verbose);
     }
 }
 
@@ -198,9 +196,7 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
     config::Warnings warnings;
     const ProfileSite site = open_profile(scenario, warnings);
     if (!request.quiet) {
-        for (const std::string& sentence : warnings.sentences()) {
-            std::fprintf(stderr, "bannwald: warning: %s\n", sentence.c_str());
-        }
+        tell_warnings(warnings, request.verbose);
     }
     const std::filesystem::path out = request.out.empty() ? scenario.file.parent_path() / "out" : request.out;
     OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};

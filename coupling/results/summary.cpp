@@ -5,9 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/decades/decade_results.hpp"
 #include "coupling/profile/profile_results.hpp"
+#include "coupling/results/read_summary.hpp"
 
 namespace coupling {
 namespace {
@@ -283,10 +285,12 @@ Json stand(const decades::StandRow& row) {
 
 /// The whole forest at the start and at the end, and the targets in the first and last year with rocks.
 Json member(const decades::DecadeResults& results, const decades::MemberYears& years) {
-    Json json{{"regime", results.names.regimes[years.member.regime]}, {"replicate", years.member.replicate + 1}};
+    Json json{{"regime", results.names.regimes[years.member.regime]},
+              {"replicate", years.member.replicate + 1}};
     const auto last_year = static_cast<std::int32_t>(results.scenario.years);
     for (const decades::StandRow& row : years.stands) {
-        if (row.unit == decades::all && row.species == decades::all && (row.year == 0 || row.year == last_year)) {
+        if (row.unit == decades::all && row.species == decades::all &&
+            (row.year == 0 || row.year == last_year)) {
             json[row.year == 0 ? "stand_at_start" : "stand_at_end"] = stand(row);
         }
     }
@@ -308,7 +312,8 @@ Json member(const decades::DecadeResults& results, const decades::MemberYears& y
 
 }  // namespace
 
-void decades::write_summary(std::ostream& out, const DecadeResults& results, const std::vector<WrittenFile>& files) {
+void decades::write_summary(std::ostream& out, const DecadeResults& results,
+                            const std::vector<WrittenFile>& files) {
     Json summary{{"program", "Bannwald"}, {"version", results.version}};
     const forest::PatchGrid& grid = results.site.forest->grid;
     summary["run"] = {{"scenario", results.scenario.file.filename().string()},
@@ -329,6 +334,38 @@ void decades::write_summary(std::ostream& out, const DecadeResults& results, con
     }
     summary["warnings"] = results.warnings.sentences();
     write_with_sources(out, std::move(summary), results.site.inputs, results.scenario, files);
+}
+
+SummaryOfRun read_summary(std::string_view text, const std::string& file) {
+    try {
+        const Json summary = Json::parse(text);
+        if (summary.at("program") != "Bannwald") {
+            config::fail(config::ExitCode::data, {file}, "a summary of another program", "one of bannwald");
+        }
+        const Json& run = summary.at("run");
+        SummaryOfRun read;
+        read.version = summary.at("version").get<std::string>();
+        read.kind = run.value("kind", "today");
+        read.seed = run.at("seed").get<std::uint64_t>();
+        read.rocks = run.contains("rocks") ? run["rocks"].get<std::uint64_t>()
+                                           : run.at("rocks_a_year").get<std::uint64_t>();
+        read.years = run.value("years", 0U);
+        read.replicates = run.value("replicates", 1U);
+        for (const Json& setting : summary.at("settings")) {
+            const Json& value = setting.at("value");
+            read.settings.push_back({setting.at("key").get<std::string>(),
+                                     value.is_string() ? value.get<std::string>() : value.dump(),
+                                     setting.at("unit").get<std::string>()});
+        }
+        for (const Json& input : summary.at("inputs")) {
+            read.inputs.push_back({input.at("role").get<std::string>(), input.at("file").get<std::string>(),
+                                   input.at("hash").get<std::string>()});
+        }
+        return read;
+    } catch (const Json::exception&) {
+        config::fail(config::ExitCode::data, {file}, "no summary of a run",
+                     "summary.json as `bannwald run` writes it");
+    }
 }
 
 }  // namespace coupling

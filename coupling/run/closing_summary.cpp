@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "coupling/results/indicators.hpp"
+#include "coupling/run/telling.hpp"
 
 namespace coupling {
 namespace {
@@ -35,22 +36,14 @@ void print_target(const RunResults& results, std::size_t i) {
 }  // namespace
 
 void print_summary(const RunResults& results, const std::filesystem::path& folder,
-                   const std::vector<WrittenFile>& written) {
+                   const std::vector<WrittenFile>& written, bool verbose) {
     std::printf("%llu rocks from %zu sources%s\n", static_cast<unsigned long long>(results.rocks),
                 results.site.sources.size(),
                 results.with_forest ? ", each with forest and without" : ", bare slope");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         print_target(results, i);
     }
-    std::printf("Results in %s\n", folder.string().c_str());
-    for (const WrittenFile& file : written) {
-        const bool worth_opening = file.path == "report.html" || file.path == "summary.json" ||
-                                   file.path == "tables/targets.csv" ||
-                                   file.path.ends_with("forest/E_95.asc");
-        if (worth_opening) {
-            std::printf("  %-28s %s\n", file.path.c_str(), file.sentence.c_str());
-        }
-    }
+    print_files(folder, written, verbose);
 }
 
 }  // namespace coupling

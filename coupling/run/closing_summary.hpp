@@ -8,8 +8,8 @@
 
 namespace coupling {
 
-/// The answer of the run in a few lines, and the files worth opening: results to stdout.
+/// The answer of the run in a few lines, and the files worth opening (all if `verbose`): results to stdout.
 void print_summary(const RunResults& results, const std::filesystem::path& folder,
-                   const std::vector<WrittenFile>& written);
+                   const std::vector<WrittenFile>& written, bool verbose);
 
 }  // namespace coupling

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace coupling {
@@ -11,6 +12,19 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
+}
+
+/// To the minute where hours are left, to the second where minutes are.
+std::string time_in_words(double seconds) {
+    const long whole_s = std::lround(seconds);
+    if (whole_s < 60) {
+        return std::to_string(whole_s) + " s";
+    }
+    const long minutes = whole_s / 60;
+    const bool hours = minutes >= 60;
+    const std::string small = std::to_string(hours ? minutes % 60 : whole_s % 60);
+    return std::to_string(hours ? minutes / 60 : minutes) + (hours ? " h " : " min ") + small +
+           (hours ? " min" : " s");
 }
 
 }  // namespace
@@ -54,11 +68,11 @@ void Progress::say(bool last) {
     const double elapsed_s = seconds();
     const double rate = elapsed_s > 0.0 ? static_cast<double>(done_ - done_before_) / elapsed_s : 0.0;
     const double left_s = rate > 0.0 ? static_cast<double>(total_ - done_) / rate : 0.0;
-    std::fprintf(stderr, "%s%s: %3.0f %%, %llu of %llu, %.0f per second, %.0f s left%s",
-                 terminal_ ? "\r" : "", what_.c_str(),
-                 100.0 * static_cast<double>(done_) / static_cast<double>(total_),
-                 static_cast<unsigned long long>(done_), static_cast<unsigned long long>(total_), rate,
-                 left_s, terminal_ ? (last ? "   \n" : "   ") : "\n");
+    std::fprintf(stderr, "%s%s: %3.0f %%, %llu of %llu, %.*f per second, %s%s%s", terminal_ ? "\r" : "",
+                 what_.c_str(), 100.0 * static_cast<double>(done_) / static_cast<double>(total_),
+                 static_cast<unsigned long long>(done_), static_cast<unsigned long long>(total_),
+                 rate < 10.0 ? 1 : 0, rate, time_in_words(last ? elapsed_s : left_s).c_str(),
+                 last ? " in all" : " left", terminal_ ? (last ? "   \n" : "   ") : "\n");
 }
 
 }  // namespace coupling

@@ -20,6 +20,7 @@
 #include "coupling/run/progress.hpp"
 #include "coupling/run/row_tables.hpp"
 #include "coupling/run/settings_hash.hpp"
+#include "coupling/run/telling.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling {
@@ -173,7 +174,7 @@ Ended AssessmentRun::write(OutputFolder& folder) {
     tables_->move_to(folder.staging() / "tables");
     folder.publish();
     if (!request_.quiet) {
-        print_summary(results, folder.path(), written);
+        print_summary(results, folder.path(), written, request_.verbose);
     }
     return Ended::done;
 }
@@ -198,9 +199,7 @@ int run_assessment(const RunRequest& request, RankGroup& ranks) {
     config::Warnings warnings;
     Site site = open_site(*scenario, warnings);
     if (!request.quiet) {
-        for (const std::string& sentence : warnings.sentences()) {
-            std::fprintf(stderr, "bannwald: warning: %s\n", sentence.c_str());
-        }
+        tell_warnings(warnings, request.verbose);
     }
     if (site.forest) {
         return decades::run_decades(request, *scenario, site, warnings, ranks);

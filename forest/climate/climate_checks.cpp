@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -143,9 +144,14 @@ void check_months(const ClimateSeries& series, const Table& table, const RowsOfM
     Suspicion mean_outside;
     Suspicion warm_frost;
     Suspicion dry;
+    // Where a number was refused the others of its row have nothing to agree with.
+    std::set<std::size_t> refused_lines;
+    for (const config::Problem& problem : problems.list()) {
+        refused_lines.insert(problem.place.line);
+    }
     for (const auto& [when, row] : rows) {
         const ClimateYear* year = series.find(when.first);
-        if (year == nullptr) {
+        if (year == nullptr || refused_lines.contains(table.place(row, "month").line)) {
             continue;
         }
         const ClimateMonth& month = year->months[static_cast<std::size_t>(when.second - 1)];

@@ -112,20 +112,20 @@ TEST(SpeciesTable, RefusesAnotherUnit) {
 
 TEST(SpeciesTable, RefusesValuesThatContradictEachOther) {
     EXPECT_NE(message_of(with("2.4727,24.9494,30.1378", "2.4727,31.9494,30.1378"))
-                  .find("found pg_Tmax '30.1378' of 'piab', expected more than pg_Topt"),
+                  .find("found pg_Tmax '30.1378' of 'PIAB', expected more than pg_Topt"),
               std::string::npos);
     EXPECT_NE(message_of(with("Buche,0,0,5,11", "Buche,0,1,5,11"))
-                  .find("found leaf_on_month '5' of 'fasy', expected 0 for an evergreen species"),
+                  .find("found leaf_on_month '5' of 'FASY', expected 0 for an evergreen species"),
               std::string::npos);
 }
 
 TEST(SpeciesTable, RefusesASpeciesTwice) {
-    EXPECT_NE(message_of(with("abal,Abies", "piab,Abies")).find("'piab' a second time"), std::string::npos);
+    EXPECT_NE(message_of(with("ABAL,Abies", "piab,Abies")).find("'piab' a second time"), std::string::npos);
 }
 
 TEST(SpeciesTable, RefusesATableWithoutSpecies) {
     std::string text = shipped_text();
-    EXPECT_EQ(message_of(text.substr(0, text.find("piab,"))),
+    EXPECT_EQ(message_of(text.substr(0, text.find("PIAB,"))),
               "species.csv: found no species, expected a row for each");
 }
 

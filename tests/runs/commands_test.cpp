@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -62,6 +63,44 @@ TEST(Program, TellsWhatAFileHolds) {
     EXPECT_NE(call(project, "info dem.asc").out.find("12 x 10 cells of 10 m"), std::string::npos);
     EXPECT_NE(call(project, "info trees.csv").out.find("rows          3"), std::string::npos);
     EXPECT_EQ(call(project, "info gone.asc").code, 3);
+}
+
+TEST(Examples, OverYearsWarnOfNothing) {
+    const SampleProject project;
+    for (const std::string example : {"regimes-small", "regimes"}) {
+        ASSERT_EQ(call(project, "init " + example + " --quiet --example " + example).code, 0);
+        const Outcome outcome = call(project, "check " + example + "/scenario.ini");
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_EQ(outcome.err, "") << example;
+    }
+}
+
+TEST(Program, TellsTheFirstOfManyProblems) {
+    const SampleProject project;
+    std::string trees = "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
+    for (int i = 1; i <= 20; ++i) {
+        trees += std::to_string(i) + ",1060,2050,ABAL,-" + std::to_string(i) + ",20\n";
+    }
+    project.write("trees.csv", trees);
+    const Outcome brief = call(project, "check scenario.ini");
+    EXPECT_EQ(brief.code, 4);
+    EXPECT_EQ(std::count(brief.err.begin(), brief.err.end(), '\n'), 4) << brief.err;
+    EXPECT_NE(brief.err.find("... and 17 more like this"), std::string::npos) << brief.err;
+    const Outcome all = call(project, "check scenario.ini --verbose");
+    EXPECT_EQ(std::count(all.err.begin(), all.err.end(), '\n'), 20) << all.err;
+}
+
+TEST(Program, NamesTheFilesWorthOpening) {
+    const SampleProject project;
+    const Outcome some = call(project, "run scenario.ini --out some");
+    ASSERT_EQ(some.code, 0) << some.err;
+    EXPECT_NE(some.out.find("report.html"), std::string::npos) << some.out;
+    EXPECT_NE(some.out.find("more files"), std::string::npos) << some.out;
+    EXPECT_EQ(some.out.find("tables/runs.csv"), std::string::npos) << some.out;
+    const Outcome all = call(project, "run scenario.ini --out all --verbose");
+    EXPECT_NE(all.out.find("tables/runs.csv"), std::string::npos) << all.out;
+    EXPECT_EQ(all.out.find("more files"), std::string::npos) << all.out;
+    EXPECT_EQ(call(project, "run scenario.ini --out none --quiet").out, "");
 }
 
 }  // namespace

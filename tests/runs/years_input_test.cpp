@@ -1,10 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "tests/coupling/inputs/forest_project.hpp"
-#include "tests/runs/program.hpp"
+#include "tests/runs/years.hpp"
 
 namespace coupling {
 namespace {
@@ -170,6 +171,40 @@ TEST(Examples, OverYearsAreWhole) {
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find("pfm1 (1 intervention)"), std::string::npos) << outcome.out;
     }
+}
+
+TEST(YearsInput, TellsSettingsThatOnlyTodayHeeds) {
+    const ForestProject project;
+    const Outcome quiet = call(project, "check scenario.ini");
+    EXPECT_EQ(quiet.err.find("have no effect"), std::string::npos) << quiet.err;
+    const Outcome told =
+        call(project, "check scenario.ini --set output.percentiles=yes --set output.sample_paths=10");
+    EXPECT_EQ(told.code, 0) << told.err;
+    EXPECT_NE(told.err.find("output.percentiles, output.sample_paths have no effect"), std::string::npos)
+        << told.err;
+}
+
+TEST(YearsInput, ListsTheCodesWhereNoNameIsNear) {
+    const ForestProject project;
+    const Outcome far = call(project, "check scenario.ini --set forest.region_species=QQQQ");
+    EXPECT_EQ(far.code, 2);
+    EXPECT_NE(far.err.find("codes: PIAB, ABAL, FASY, "), std::string::npos) << far.err;
+    const Outcome near = call(project, "check scenario.ini --set forest.region_species=PIAN");
+    EXPECT_NE(near.err.find("(PIAB?)"), std::string::npos) << near.err;
+}
+
+TEST(YearsInput, WritesSpeciesAsTablesDo) {
+    const ForestProject project;
+    ASSERT_EQ(
+        call(project, std::string{four_members} + "--set run.years=1 --set run.rockfall_every=0 --out out")
+            .code,
+        0);
+    const config::Table stands = table(project, "out/tables/stands.csv");
+    std::set<std::string> species;
+    for (std::size_t row = 0; row < stands.rows(); ++row) {
+        species.insert(stands.text(row, "species"));
+    }
+    EXPECT_TRUE(species.contains("PIAB") && !species.contains("piab"));
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(ForestSpeciesInput, RefusesUnknownNamesInEachTable) {
     project.replace("records.csv", "7,PIAB", "7,PIAX");
     expect_refused(project, by_records, ExitCode::data, "records.csv:2:3: found species 'PIAX'");
     expect_refused(project, and_also(by_records, "forest.region_species=PIAB, LADX"), ExitCode::settings,
-                   "found species 'LADX', expected a code of the species table (");
+                   "found species 'LADX', expected a code or Latin name of the species table (");
 }
 
 TEST(ForestSpeciesInput, LetsSpeciesStandInAndTells) {
@@ -107,7 +107,7 @@ TEST(ForestSpeciesInput, KnowsTheSpeciesOfTheRegion) {
     ASSERT_TRUE(two.site) << two.errors;
     const ForestSite& site = *two.site->forest;
     ASSERT_EQ(site.parameters.regeneration.outside.species.size(), 2U);
-    EXPECT_EQ(site.species.table[site.parameters.regeneration.outside.species[1]].code, "fasy");
+    EXPECT_EQ(site.species.table[site.parameters.regeneration.outside.species[1]].code, "FASY");
 }
 
 TEST(ForestSpeciesInput, RefusesAnOwnTableWithoutAColumnOrWithAValueOutOfRange) {
@@ -119,7 +119,7 @@ TEST(ForestSpeciesInput, RefusesAnOwnTableWithoutAColumnOrWithAValueOutOfRange) 
     expect_refused(project, {"forest.species=species.csv"}, ExitCode::data,
                    "species.csv: no column 'max_height");
     project.write("species.csv", shipped);
-    project.replace("species.csv", "abal,", "fir?,");
+    project.replace("species.csv", "ABAL,", "fir?,");
     expect_refused(project, {"forest.species=species.csv"}, ExitCode::data,
                    "species.csv: found species 'fir?' without a known strength against rocks");
 }

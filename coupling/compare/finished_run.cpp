@@ -1,0 +1,270 @@
+#include "coupling/compare/finished_run.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "config/errors/input_error.hpp"
+#include "config/table/table.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+config::Table read_table(const fs::path& folder, const std::string& name,
+                         const std::vector<std::string>& wanted) {
+    const fs::path path = folder / "tables" / name;
+    const FileBytes bytes = open_file(path, {}, "a table of the results");
+    std::istringstream in{std::string{bytes.text()}};
+    config::Table table = config::Table::read(in, path.string());
+    config::Problems problems;
+    table.require(wanted, problems);
+    problems.throw_if_any();
+    return table;
+}
+
+bool has_table(const fs::path& folder, const std::string& name) {
+    std::error_code error;
+    return fs::exists(folder / "tables" / name, error);
+}
+
+/// NaN for an empty field: not known.
+double number(const config::Table& table, std::size_t row, const std::string& column) {
+    return config::parse_number(table.text(row, column)).value_or(unknown);
+}
+
+/// A figure whose interval stands beside it.
+Figure with_interval(FigureKey key, const config::Table& table, std::size_t row, const std::string& value,
+                     const std::string& low, const std::string& high) {
+    return {.key = std::move(key),
+            .value = number(table, row, value),
+            .low = low.empty() ? unknown : number(table, row, low),
+            .high = high.empty() ? unknown : number(table, row, high),
+            .is_interval = true};
+}
+
+void add_today(const fs::path& folder, std::vector<Figure>& figures) {
+    if (!has_table(folder, "targets.csv")) {
+        return;
+    }
+    if (has_table(folder, "protection.csv")) {
+        const config::Table table = read_table(
+            folder, "protection.csv",
+            {"target_id", "protection_percent", "protection_low_percent", "protection_high_percent"});
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            figures.push_back(with_interval({table.text(row, "target_id"), "", "protection_percent", "today"},
+                                            table, row, "protection_percent", "protection_low_percent",
+                                            "protection_high_percent"));
+        }
+    }
+    const config::Table table =
+        read_table(folder, "targets.csv",
+                   {"target_id", "cover", "share_percent", "share_low_percent", "share_high_percent",
+                    "energy_50_kj", "energy_95_kj", "energy_95_low_kj", "energy_95_high_kj", "energy_99_kj"});
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& target = table.text(row, "target_id");
+        const std::string end = table.text(row, "cover") == "bare" ? "_bare" : "";
+        const auto key = [&](const char* begin, const char* unit) {
+            return FigureKey{target, "", joined(begin, end, unit), "today"};
+        };
+        figures.push_back(with_interval(key("reached", "_percent"), table, row, "share_percent",
+                                        "share_low_percent", "share_high_percent"));
+        figures.push_back(with_interval(key("energy_50", "_kj"), table, row, "energy_50_kj", "", ""));
+        figures.push_back(with_interval(key("energy_95", "_kj"), table, row, "energy_95_kj",
+                                        "energy_95_low_kj", "energy_95_high_kj"));
+        figures.push_back(with_interval(key("energy_99", "_kj"), table, row, "energy_99_kj", "", ""));
+    }
+}
+
+void add_profile(const fs::path& folder, std::vector<Figure>& figures) {
+    const config::Table table =
+        read_table(folder, "stations.csv",
+                   {"station", "reached_percent", "reached_low_percent", "reached_high_percent",
+                    "energy_50_kj", "energy_95_kj", "energy_99_kj"});
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& station = table.text(row, "station");
+        figures.push_back(with_interval({station, "", "reached_percent", "today"}, table, row,
+                                        "reached_percent", "reached_low_percent", "reached_high_percent"));
+        for (const char* column : {"energy_50_kj", "energy_95_kj", "energy_99_kj"}) {
+            figures.push_back(with_interval({station, "", column, "today"}, table, row, column, "", ""));
+        }
+    }
+}
+
+/// Sums over the years of each member, in the order in which regimes come.
+class MeansOverYears {
+public:
+    explicit MeansOverYears(std::vector<Figure>& figures) : figures_{figures} {}
+
+    void add(const FigureKey& key, const std::string& replicate, double value) {
+        if (std::isnan(value)) {
+            return;
+        }
+        auto found =
+            std::find_if(sums_.begin(), sums_.end(), [&](const auto& sum) { return sum.first == key; });
+        if (found == sums_.end()) {
+            found = sums_.insert(sums_.end(), {key, {}});
+        }
+        auto& [sum, count] = found->second[config::parse_whole(replicate).value_or(0)];
+        sum += value;
+        ++count;
+    }
+    void finish() {
+        for (auto& [key, replicates] : sums_) {
+            std::vector<double> means;
+            for (const auto& [replicate, sum] : replicates) {
+                means.push_back(sum.first / static_cast<double>(sum.second));
+            }
+            figures_.push_back(over_replicates(key, std::move(means)));
+        }
+        sums_.clear();
+    }
+
+private:
+    std::vector<Figure>& figures_;
+    std::vector<std::pair<FigureKey, std::map<long long, std::pair<double, std::size_t>>>> sums_;
+};
+
+constexpr const char* over_years = "mean over years";
+
+void add_targets_over_years(const fs::path& folder, std::vector<Figure>& figures) {
+    MeansOverYears means{figures};
+    const config::Table protection =
+        read_table(folder, "protection.csv", {"regime", "replicate", "target_id", "protection_percent"});
+    for (std::size_t row = 0; row < protection.rows(); ++row) {
+        means.add({protection.text(row, "target_id"), protection.text(row, "regime"), "protection_percent",
+                   over_years},
+                  protection.text(row, "replicate"), number(protection, row, "protection_percent"));
+    }
+    const config::Table targets = read_table(folder, "targets.csv",
+                                             {"regime", "replicate", "target_id", "cover", "share_percent",
+                                              "energy_50_kj", "energy_95_kj", "energy_99_kj"});
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        const bool bare = targets.text(row, "cover") == "bare";
+        const auto add = [&](const char* quantity, const char* column) {
+            means.add({targets.text(row, "target_id"), targets.text(row, "regime"), quantity, over_years},
+                      targets.text(row, "replicate"), number(targets, row, column));
+        };
+        add(bare ? "reached_bare_percent" : "reached_percent", "share_percent");
+        if (!bare) {
+            add("energy_50_kj", "energy_50_kj");
+            add("energy_95_kj", "energy_95_kj");
+            add("energy_99_kj", "energy_99_kj");
+        }
+    }
+    means.finish();
+}
+
+void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vector<Figure>& figures) {
+    MeansOverYears means{figures};
+    const config::Table stands =
+        read_table(folder, "stands.csv",
+                   {"regime", "replicate", "year", "stand", "species", "basal_area_m2pha", "volume_m3pha"});
+    const config::Table losses =
+        read_table(folder, "mortality.csv", {"regime", "replicate", "cause", "volume_m3pha"});
+    std::map<std::pair<std::string, std::string>, double> felled_m3pha;
+    for (std::size_t row = 0; row < losses.rows(); ++row) {
+        if (losses.text(row, "cause") == "felled") {
+            felled_m3pha[{losses.text(row, "regime"), losses.text(row, "replicate")}] +=
+                number(losses, row, "volume_m3pha");
+        }
+    }
+    for (std::size_t row = 0; row < stands.rows(); ++row) {
+        if (stands.text(row, "stand") != "all" || stands.text(row, "species") != "all") {
+            continue;
+        }
+        const std::string& regime = stands.text(row, "regime");
+        const std::string& replicate = stands.text(row, "replicate");
+        means.add({"", regime, "basal_area_m2pha", over_years}, replicate,
+                  number(stands, row, "basal_area_m2pha"));
+        means.add({"", regime, "volume_m3pha", over_years}, replicate, number(stands, row, "volume_m3pha"));
+        if (stands.text(row, "year") == "0") {
+            means.add({"", regime, "felled_m3pha", over_years}, replicate,
+                      felled_m3pha[{regime, replicate}] / static_cast<double>(years));
+        }
+    }
+    means.finish();
+}
+
+void add_worst_years(const fs::path& folder, std::vector<Figure>& figures) {
+    const config::Table table =
+        read_table(folder, "regimes_worst_year.csv",
+                   {"regime", "target_id", "quantity", "year", "mean", "low_5", "high_95"});
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        figures.push_back(
+            {.key = {table.text(row, "target_id"), table.text(row, "regime"), table.text(row, "quantity"),
+                     "worst year"},
+             .value = number(table, row, "mean"),
+             .low = number(table, row, "low_5"),
+             .high = number(table, row, "high_95"),
+             .year = static_cast<int>(config::parse_whole(table.text(row, "year")).value_or(-1))});
+    }
+}
+
+void refuse_unfinished(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) {
+        config::fail(config::ExitCode::file, {folder.string()}, "no such folder",
+                     "the folder of a finished run");
+    }
+    if (!fs::exists(folder / "summary.json", error)) {
+        const bool has_parts = fs::exists(folder / "parts", error);
+        config::fail(config::ExitCode::file, {folder.string()},
+                     has_parts ? "only parts of a run that is not finished" : "no results in this folder",
+                     has_parts ? "finished results: run the same command again to go on"
+                               : "the --out folder of a finished run, with summary.json");
+    }
+}
+
+}  // namespace
+
+Figure over_replicates(FigureKey key, std::vector<double> by_replicate) {
+    const auto n = static_cast<double>(by_replicate.size());
+    double mean = 0.0;
+    for (const double value : by_replicate) {
+        mean += value / n;
+    }
+    Figure figure{.key = std::move(key), .value = mean, .is_interval = true};
+    if (by_replicate.size() > 1) {
+        double squares = 0.0;
+        for (const double value : by_replicate) {
+            squares += (value - mean) * (value - mean);
+        }
+        const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
+        const double half = t * std::sqrt(squares / (n - 1.0) / n);
+        figure.low = mean - half;
+        figure.high = mean + half;
+    }
+    figure.by_replicate = std::move(by_replicate);
+    return figure;
+}
+
+FinishedRun read_finished_run(const fs::path& folder) {
+    refuse_unfinished(folder);
+    const fs::path file = folder / "summary.json";
+    FinishedRun run{folder, read_summary(open_file(file, {}, "a summary").text(), file.string()), {}};
+    if (run.summary.kind == "today") {
+        add_today(folder, run.figures);
+    } else if (run.summary.kind == "profile") {
+        add_profile(folder, run.figures);
+    } else {
+        if (run.summary.rocks > 0 && has_table(folder, "protection.csv")) {
+            add_targets_over_years(folder, run.figures);
+        }
+        add_forest_over_years(folder, run.summary.years, run.figures);
+        add_worst_years(folder, run.figures);
+    }
+    return run;
+}
+
+}  // namespace coupling::compare

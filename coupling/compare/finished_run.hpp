@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "coupling/results/read_summary.hpp"
+
+namespace coupling::compare {
+
+/// Which figure of a run: the same key in two runs means the same thing.
+struct FigureKey {
+    std::string target;    ///< id, empty for figures of the forest
+    std::string regime;    ///< empty in runs of today
+    std::string quantity;  ///< unit at the end, as columns of tables
+    std::string when;      ///< "today", "mean over years" or "worst year"
+
+    friend bool operator==(const FigureKey&, const FigureKey&) = default;
+};
+
+/// A figure with what is known of its uncertainty; NaN where not known.
+struct Figure {
+    FigureKey key;
+    double value = std::numeric_limits<double>::quiet_NaN();
+    double low = std::numeric_limits<double>::quiet_NaN();
+    double high = std::numeric_limits<double>::quiet_NaN();
+    bool is_interval = false;  ///< low and high: 95 % interval; otherwise the range of nine replicates in ten
+    int year = -1;             ///< the worst one; -1: none
+    std::vector<double> by_replicate{};  ///< means over years
+};
+
+/// A finished run as its folder holds it.
+struct FinishedRun {
+    std::filesystem::path folder;
+    SummaryOfRun summary;
+    std::vector<Figure> figures;  ///< in the order of the tables
+};
+
+/// Throws config::InputError: (file) for a folder that is missing, holds no finished results or lacks a
+/// table, (data) for files that no run wrote.
+FinishedRun read_finished_run(const std::filesystem::path& folder);
+
+/// Mean of the replicates with its 95 % interval by Student's t; one replicate has none.
+Figure over_replicates(FigureKey key, std::vector<double> by_replicate);
+
+}  // namespace coupling::compare

@@ -1,0 +1,207 @@
+#include "coupling/compare/side_by_side.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::compare {
+namespace {
+
+constexpr const char* none = "–";
+
+/// Inputs and settings that say what slope, rocks and targets a run speaks of: with others it answers another
+/// question.
+struct Question {
+    std::string_view begin;  ///< of a role or a key
+    const char* what;
+};
+constexpr std::array question_inputs{
+    Question{"dem", "terrain"},           Question{"profile", "terrain"},
+    Question{"targets", "targets"},       Question{"stations", "stations"},
+    Question{"source", "release places"}, Question{"release", "release places"}};
+constexpr std::array question_settings{Question{"release.", "rocks"}};
+/// How many rocks fall changes how sure a figure is, not what it means.
+constexpr std::array counts{"release.rocks", "release.rocks_per_source"};
+
+std::string pair(const SideBySide& comparison, const Disagreement& d) {
+    std::string text;
+    for (std::size_t i = 0; i < d.values.size(); ++i) {
+        text +=
+            joined(i == 0 ? "" : ", ", comparison.letters[i], " ", d.values[i].empty() ? none : d.values[i]);
+    }
+    return text;
+}
+
+/// Rows of (name, value) lists that are not the same everywhere, in the order of the first run that has them.
+template <class Row, class Name, class Value>
+std::vector<Disagreement> disagreements(std::span<const FinishedRun> runs,
+                                        std::vector<Row> SummaryOfRun::*rows, Name name, Value value) {
+    std::vector<Disagreement> found;
+    std::vector<std::string> seen;
+    for (const FinishedRun& run : runs) {
+        for (const Row& row : run.summary.*rows) {
+            if (std::find(seen.begin(), seen.end(), name(row)) != seen.end()) {
+                continue;
+            }
+            seen.push_back(name(row));
+            Disagreement d{name(row), {}};
+            for (const FinishedRun& other : runs) {
+                const auto& list = other.summary.*rows;
+                const auto same = std::find_if(list.begin(), list.end(),
+                                               [&](const Row& r) { return name(r) == name(row); });
+                d.values.push_back(same == list.end() ? std::string{none} : value(*same));
+            }
+            if (std::adjacent_find(d.values.begin(), d.values.end(), std::not_equal_to<>{}) !=
+                d.values.end()) {
+                found.push_back(std::move(d));
+            }
+        }
+    }
+    return found;
+}
+
+template <std::size_t n>
+const char* question_of(const std::array<Question, n>& questions, const std::string& name) {
+    const auto found = std::find_if(questions.begin(), questions.end(),
+                                    [&](const Question& q) { return name.starts_with(q.begin); });
+    return found == questions.end() ? nullptr : found->what;
+}
+
+void judge(SideBySide& comparison, std::span<const FinishedRun> runs) {
+    for (const Disagreement& d : comparison.inputs) {
+        if (const char* what = question_of(question_inputs, d.what)) {
+            comparison.not_comparable.push_back(
+                joined("the ", what, " differ (", d.what, ": ", pair(comparison, d), ")"));
+        }
+    }
+    for (const Disagreement& d : comparison.settings) {
+        const char* what = question_of(question_settings, d.what);
+        const bool is_count = std::find(counts.begin(), counts.end(), d.what) != counts.end();
+        if (what != nullptr && !is_count) {
+            comparison.not_comparable.push_back(
+                joined("the ", what, " differ (", d.what, ": ", pair(comparison, d), ")"));
+        }
+        if (d.what == "run.years") {
+            comparison.not_comparable.push_back(
+                joined("means and worst years are taken over different years (", pair(comparison, d), ")"));
+        }
+    }
+    const auto differs = [&](auto value) {
+        return std::any_of(runs.begin(), runs.end(),
+                           [&](const FinishedRun& run) { return value(run) != value(runs.front()); });
+    };
+    if (differs([](const FinishedRun& run) { return run.summary.version; })) {
+        comparison.notes.emplace_back("the runs come from different versions of the program");
+    }
+}
+
+const Figure* find(const FinishedRun& run, const FigureKey& key) {
+    const auto found =
+        std::find_if(run.figures.begin(), run.figures.end(), [&](const Figure& f) { return f.key == key; });
+    return found == run.figures.end() ? nullptr : &*found;
+}
+
+/// The order of the first run, then what only later ones know.
+std::vector<Line> lines_of(std::span<const FinishedRun> runs, bool paired) {
+    std::vector<Line> lines;
+    for (const FinishedRun& run : runs) {
+        for (const Figure& figure : run.figures) {
+            const bool known = std::any_of(lines.begin(), lines.end(),
+                                           [&](const Line& line) { return line.key == figure.key; });
+            if (known) {
+                continue;
+            }
+            Line line{figure.key, {}, {}};
+            for (const FinishedRun& other : runs) {
+                const Figure* here = find(other, figure.key);
+                const Figure* first = find(runs.front(), figure.key);
+                line.figures.push_back(here == nullptr ? std::nullopt : std::optional{*here});
+                line.differences.push_back(here == nullptr || first == nullptr || &other == &runs.front()
+                                               ? std::nullopt
+                                               : difference(*here, *first, paired));
+            }
+            lines.push_back(std::move(line));
+        }
+    }
+    // Figures of a target and regime stand together.
+    std::vector<std::pair<std::string, std::string>> groups;
+    const auto place = [&](const Line& line) {
+        const std::pair group{line.key.target, line.key.regime};
+        const auto at = std::find(groups.begin(), groups.end(), group);
+        if (at == groups.end()) {
+            groups.push_back(group);
+            return static_cast<std::ptrdiff_t>(groups.size()) - 1;
+        }
+        return at - groups.begin();
+    };
+    for (const Line& line : lines) {
+        place(line);
+    }
+    std::stable_sort(lines.begin(), lines.end(),
+                     [&](const Line& a, const Line& b) { return place(a) < place(b); });
+    return lines;
+}
+
+}  // namespace
+
+std::optional<Difference> difference(const Figure& figure, const Figure& first, bool paired) {
+    if (std::isnan(figure.value) || std::isnan(first.value)) {
+        return std::nullopt;
+    }
+    Difference d;
+    d.value = figure.value - first.value;
+    const std::size_t pairs = figure.by_replicate.size();
+    if (paired && pairs > 1 && first.by_replicate.size() == pairs) {
+        std::vector<double> differences;
+        for (std::size_t i = 0; i < pairs; ++i) {
+            differences.push_back(figure.by_replicate[i] - first.by_replicate[i]);
+        }
+        const Figure mean = over_replicates({}, std::move(differences));
+        d.low = mean.low;
+        d.high = mean.high;
+    } else if (figure.is_interval && first.is_interval) {
+        const auto square = [](double x) { return x * x; };
+        d.low = d.value - std::sqrt(square(figure.value - figure.low) + square(first.high - first.value));
+        d.high = d.value + std::sqrt(square(figure.high - figure.value) + square(first.value - first.low));
+    }
+    return d;
+}
+
+SideBySide side_by_side(std::span<const FinishedRun> runs) {
+    constexpr std::size_t most = 26;
+    if (runs.size() > most) {
+        config::fail(config::ExitCode::settings, {}, joined(std::to_string(runs.size()), " runs"),
+                     "at most 26");
+    }
+    for (const FinishedRun& run : runs) {
+        if (run.summary.kind != runs.front().summary.kind) {
+            config::fail(config::ExitCode::settings, {run.folder.string()},
+                         joined("a run of the kind '", run.summary.kind, "'"),
+                         joined("one of the kind '", runs.front().summary.kind, "' as in ",
+                                runs.front().folder.string()));
+        }
+    }
+    SideBySide comparison;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        comparison.letters.emplace_back(1, static_cast<char>('A' + i));
+    }
+    comparison.inputs = disagreements(
+        runs, &SummaryOfRun::inputs, [](const SummaryOfRun::Input& row) { return row.role; },
+        [](const SummaryOfRun::Input& row) { return joined(row.file, " ", row.hash.substr(0, 8)); });
+    comparison.settings = disagreements(
+        runs, &SummaryOfRun::settings, [](const SummaryOfRun::Setting& row) { return row.key; },
+        [](const SummaryOfRun::Setting& row) { return row.value; });
+    judge(comparison, runs);
+    const bool same_chance = std::all_of(runs.begin(), runs.end(), [&](const FinishedRun& run) {
+        return run.summary.seed == runs.front().summary.seed &&
+               run.summary.replicates == runs.front().summary.replicates;
+    });
+    comparison.lines = lines_of(runs, same_chance && comparison.not_comparable.empty());
+    return comparison;
+}
+
+}  // namespace coupling::compare

@@ -1,0 +1,82 @@
+# Reads the tables of a finished run and draws its protection, with base R alone.
+#
+#   Rscript read_run.R OUT [protection.png]
+#
+# OUT is the folder of the results. A run over years gives a line for each regime with the band in which nine of
+# ten replicates lie; an assessment of today a bar for each target with its 95 % interval. A name that ends with
+# .pdf gives a PDF.
+
+arguments <- commandArgs(trailingOnly = TRUE)
+if (length(arguments) < 1) stop("usage: Rscript read_run.R OUT [protection.png]")
+out <- arguments[1]
+picture <- if (length(arguments) > 1) arguments[2] else "protection.png"
+
+read_table <- function(name) {
+  read.csv(file.path(out, "tables", name), encoding = "UTF-8")
+}
+
+# What a column means, from the dictionary of the run.
+meaning <- function(table, column) {
+  dictionary <- read_table("data_dictionary.csv")
+  row <- dictionary[dictionary$table == table & dictionary$column == column, ]
+  paste0(row$meaning, " [", row$unit, "]")
+}
+
+open_picture <- function(width, height) {
+  if (grepl("[.]pdf$", picture)) {
+    pdf(picture, width = width, height = height)
+  } else {
+    png(picture, width = width, height = height, units = "in", res = 120, type = "cairo")
+  }
+}
+
+# Okabe and Ito's colours: told apart by colour-blind readers.
+colours <- c("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+
+draw_years <- function() {
+  bands <- read_table("regimes_by_year.csv")
+  bands <- bands[bands$quantity == "protection_percent", ]
+  targets <- unique(bands$target_id)
+  regimes <- unique(bands$regime)
+  open_picture(8, 4.5 * length(targets))
+  par(mfrow = c(length(targets), 1), mar = c(4.5, 4.5, 3, 1))
+  for (target in targets) {
+    here <- bands[bands$target_id == target, ]
+    plot(NA, xlim = range(here$year), ylim = range(here$low_5, here$high_95), xlab = "year",
+         ylab = "protection effect [%]", main = paste("Rocks kept away by the forest:", target))
+    for (i in seq_along(regimes)) {
+      line <- here[here$regime == regimes[i], ]
+      colour <- colours[(i - 1) %% length(colours) + 1]
+      polygon(c(line$year, rev(line$year)), c(line$low_5, rev(line$high_95)),
+              col = adjustcolor(colour, alpha.f = 0.2), border = NA)
+      lines(line$year, line$mean, col = colour, lwd = 2, lty = i)
+    }
+    legend("bottomright", legend = regimes, col = colours[(seq_along(regimes) - 1) %% length(colours) + 1],
+           lty = seq_along(regimes), lwd = 2, bty = "n", title = "mean, 5 to 95 % of the replicates")
+  }
+  invisible(dev.off())
+  worst <- read_table("regimes_worst_year.csv")
+  print(worst[worst$quantity == "protection_percent", c("regime", "target_id", "year", "mean", "low_5", "high_95")],
+        row.names = FALSE)
+}
+
+draw_today <- function() {
+  protection <- read_table("protection.csv")
+  open_picture(6, 4.5)
+  low <- pmax(protection$protection_low_percent, 0)
+  at <- barplot(pmax(protection$protection_percent, 0), names.arg = protection$target_id, ylim = c(0, 100),
+                col = colours[1], xlab = "target", ylab = "protection effect [%]",
+                main = "Rocks kept away by the forest, with 95 % interval")
+  arrows(at, low, at, pmax(protection$protection_high_percent, low + 0.01), angle = 90, code = 3, length = 0.08,
+         lwd = 2)
+  invisible(dev.off())
+  print(protection[, c("target_id", "rocks", "reached_bare", "reached_forest", "protection_percent",
+                       "protection_low_percent", "protection_high_percent")], row.names = FALSE)
+}
+
+if (!file.exists(file.path(out, "tables", "protection.csv"))) {
+  stop(out, " holds no table of protection: no rocks, no targets or no forest")
+}
+cat("protection_percent:", meaning("protection.csv", "protection_percent"), "\n")
+if ("regime" %in% names(read_table("protection.csv"))) draw_years() else draw_today()
+cat("drawn:", picture, "\n")

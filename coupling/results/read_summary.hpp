@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coupling {
+
+/// What a finished run tells of itself in summary.json.
+struct SummaryOfRun {
+    struct Setting {
+        std::string key;
+        std::string value;
+        std::string unit;
+    };
+    struct Input {
+        std::string role;
+        std::string file;
+        std::string hash;
+    };
+    std::string version;
+    std::string kind;  ///< "today", "years" or "profile"
+    std::uint64_t seed = 0;
+    std::uint64_t rocks = 0;  ///< of a year where there are years
+    std::uint32_t years = 0;
+    std::uint32_t replicates = 1;
+    std::vector<Setting> settings;
+    std::vector<Input> inputs;
+};
+
+/// In summary.cpp, where summaries are written. Throws config::InputError (data) naming the file for what no
+/// run of this program wrote.
+SummaryOfRun read_summary(std::string_view text, const std::string& file);
+
+}  // namespace coupling

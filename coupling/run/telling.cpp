@@ -1,0 +1,51 @@
+#include "coupling/run/telling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+#include "config/errors/brief.hpp"
+
+namespace coupling {
+namespace {
+
+/// What people look at first, in all kinds of runs.
+constexpr std::array<std::string_view, 11> worth_opening{"report.html",
+                                                         "results.qlr",
+                                                         "tables/protection.csv",
+                                                         "tables/targets.csv",
+                                                         "tables/stations.csv",
+                                                         "tables/regimes_by_year.csv",
+                                                         "tables/stands.csv",
+                                                         "tables/regime_differences.csv",
+                                                         "tables/data_dictionary.csv",
+                                                         "rasters/forest/E_95.asc",
+                                                         "summary.json"};
+
+}  // namespace
+
+void tell_warnings(const config::Warnings& warnings, bool verbose) {
+    for (const std::string& sentence : verbose ? warnings.sentences() : config::brief(warnings.sentences())) {
+        std::fprintf(stderr, "bannwald: warning: %s\n", sentence.c_str());
+    }
+}
+
+void print_files(const std::filesystem::path& folder, std::span<const WrittenFile> files, bool verbose) {
+    std::printf("Results in %s\n", folder.string().c_str());
+    std::size_t told = 0;
+    for (const WrittenFile& file : files) {
+        const bool wanted = verbose || std::find(worth_opening.begin(), worth_opening.end(), file.path) !=
+                                           worth_opening.end();
+        if (wanted) {
+            std::printf("  %-32s %s\n", file.path.c_str(), file.sentence.c_str());
+            ++told;
+        }
+    }
+    if (told < files.size()) {
+        std::printf("  and %zu more files; --verbose lists all, report.html links them\n",
+                    files.size() - told);
+    }
+}
+
+}  // namespace coupling

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/results/out_file.hpp"
+
+namespace coupling {
+
+/// Warnings to stderr; of many of a kind the first three and their number, all of them if `verbose`.
+void tell_warnings(const config::Warnings& warnings, bool verbose);
+
+/// To stdout: where the results lie and which files are worth opening, or all of them if `verbose`.
+void print_files(const std::filesystem::path& folder, std::span<const WrittenFile> files, bool verbose);
+
+}  // namespace coupling

@@ -1,0 +1,111 @@
+#include "coupling/compare/side_by_side.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "config/errors/input_error.hpp"
+
+namespace coupling::compare {
+namespace {
+
+Figure with_interval(double value, double low, double high) {
+    return {.key = {"road", "", "protection_percent", "today"},
+            .value = value,
+            .low = low,
+            .high = high,
+            .is_interval = true};
+}
+
+FinishedRun run_with(const Figure& figure) {
+    FinishedRun run;
+    run.folder = "out";
+    run.summary.kind = "today";
+    run.summary.inputs = {{"dem", "dem.asc", "0123456789abcdef"}};
+    run.summary.settings = {{"run.seed", "1", ""}, {"release.rocks", "100", ""}};
+    run.figures.push_back(figure);
+    return run;
+}
+
+TEST(OverReplicates, IsStudentsInterval) {
+    // Three values 1, 2, 3: standard error 1 / sqrt(3), t of 2 degrees of freedom at 97.5 % is 4.3027.
+    const Figure figure = over_replicates({}, {1.0, 2.0, 3.0});
+    EXPECT_DOUBLE_EQ(figure.value, 2.0);
+    EXPECT_NEAR(figure.high - 2.0, 4.30265273 / std::sqrt(3.0), 1e-6);
+    EXPECT_NEAR(figure.low + figure.high, 4.0, 1e-12);
+    EXPECT_TRUE(std::isnan(over_replicates({}, {5.0}).low)) << "one replicate tells nothing of the others";
+}
+
+TEST(Difference, AddsIndependentIntervalsInSquares) {
+    // 3, 4, 5: below the value of one and above the value of the other.
+    const auto d = difference(with_interval(60.0, 57.0, 64.0), with_interval(50.0, 47.0, 54.0), false);
+    ASSERT_TRUE(d);
+    EXPECT_DOUBLE_EQ(d->value, 10.0);
+    EXPECT_DOUBLE_EQ(d->low, 5.0);
+    EXPECT_DOUBLE_EQ(d->high, 15.0);
+    EXPECT_TRUE(d->is_more_than_chance());
+    EXPECT_FALSE(difference(with_interval(54.0, 51.0, 58.0), with_interval(50.0, 47.0, 54.0), false)
+                     ->is_more_than_chance());
+}
+
+TEST(Difference, TakesReplicatesOfTheSameSeedAsPairs) {
+    // The replicates differ much, the runs always by 1: as pairs that is certain, on their own it is not.
+    const Figure first = over_replicates({}, {10.0, 20.0, 30.0});
+    const Figure other = over_replicates({}, {11.0, 21.0, 31.0});
+    EXPECT_TRUE(difference(other, first, true)->is_more_than_chance());
+    EXPECT_FALSE(difference(other, first, false)->is_more_than_chance());
+}
+
+TEST(Difference, OfWhatIsNotKnownIsNone) {
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(
+        difference(with_interval(unknown, unknown, unknown), with_interval(50.0, 47.0, 54.0), false));
+    const auto d = difference(with_interval(60.0, 57.0, unknown), with_interval(50.0, 47.0, 54.0), false);
+    ASSERT_TRUE(d);
+    EXPECT_FALSE(d->has_interval());
+}
+
+TEST(SideBySide, TellsWhenRunsCannotBeCompared) {
+    const std::vector<FinishedRun> same{run_with(with_interval(60.0, 57.0, 64.0)),
+                                        run_with(with_interval(50.0, 47.0, 54.0))};
+    EXPECT_TRUE(side_by_side(same).not_comparable.empty());
+
+    std::vector<FinishedRun> more_rocks = same;
+    more_rocks[1].summary.settings[1].value = "200";
+    EXPECT_TRUE(side_by_side(more_rocks).not_comparable.empty()) << "more rocks mean the same";
+    EXPECT_EQ(side_by_side(more_rocks).settings.size(), 1U);
+
+    std::vector<FinishedRun> other_terrain = same;
+    other_terrain[1].summary.inputs[0].hash = "fedcba9876543210";
+    const SideBySide comparison = side_by_side(other_terrain);
+    ASSERT_EQ(comparison.not_comparable.size(), 1U);
+    EXPECT_NE(comparison.not_comparable[0].find("terrain"), std::string::npos);
+    std::ostringstream screen;
+    write_screen(screen, other_terrain, comparison);
+    EXPECT_NE(screen.str().find("NOT COMPARABLE: the terrain differ"), std::string::npos) << screen.str();
+}
+
+TEST(SideBySide, RefusesRunsOfDifferentKinds) {
+    std::vector<FinishedRun> runs{run_with(with_interval(60.0, 57.0, 64.0)),
+                                  run_with(with_interval(50.0, 47.0, 54.0))};
+    runs[1].summary.kind = "years";
+    EXPECT_THROW(side_by_side(runs), config::InputError);
+}
+
+TEST(SideBySide, ShowsFiguresThatOnlyOneRunHas) {
+    std::vector<FinishedRun> runs{run_with(with_interval(60.0, 57.0, 64.0)),
+                                  run_with(with_interval(50.0, 47.0, 54.0))};
+    runs[1].figures[0].key.target = "house";
+    const SideBySide comparison = side_by_side(runs);
+    ASSERT_EQ(comparison.lines.size(), 2U);
+    EXPECT_FALSE(comparison.lines[0].figures[1]);
+    EXPECT_FALSE(comparison.lines[1].differences[1]);
+    std::ostringstream table;
+    write_csv(table, runs, comparison);
+    EXPECT_NE(table.str().find("\nB,out,house,,protection_percent,today,,50.0000,47.0000,54.0000,,,,\n"),
+              std::string::npos)
+        << table.str();
+}
+
+}  // namespace
+}  // namespace coupling::compare

@@ -1,0 +1,132 @@
+// What people do with finished runs: compare them, read them with R and Python, let the shell complete.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/runs/years.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two runs of today, `thin` with fewer trees than `dense`, and one over other terrain.
+void run_today(const SampleProject& project) {
+    std::string dense = "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
+    for (int i = 0; i < 200; ++i) {
+        dense += std::to_string(i + 1) + "," + std::to_string(1040 + i % 20 * 3) + "," +
+                 std::to_string(2020 + i / 20 * 6) + ",PIAB,40,25\n";
+    }
+    project.write("dense.csv", dense);
+    const std::string run = "run scenario.ini --quiet --set release.rocks_per_source=500 ";
+    ASSERT_EQ(call(project, run + "--out thin").code, 0);
+    ASSERT_EQ(call(project, run + "--set trees.file=dense.csv --out dense").code, 0);
+}
+
+TEST(Compare, TellsMoreForestFromLess) {
+    const SampleProject project;
+    run_today(project);
+    const Outcome outcome = call(project, "compare thin dense --out compared.csv");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("NOT COMPARABLE"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("trees.file"), std::string::npos) << outcome.out;
+    const config::Table compared = table(project, "compared.csv");
+    bool found = false;
+    for (std::size_t row = 0; row < compared.rows(); ++row) {
+        if (compared.text(row, "run") == "B" && compared.text(row, "target_id") == "road" &&
+            compared.text(row, "quantity") == "protection_percent") {
+            found = true;
+            EXPECT_EQ(compared.text(row, "more_than_chance"), "yes");
+            EXPECT_GT(number(compared, row, "difference"), 0.0);
+        }
+    }
+    EXPECT_TRUE(found);
+    const Outcome again = call(project, "compare thin dense --out compared.csv");
+    EXPECT_EQ(again.code, 2) << "a table of somebody is not written over";
+    EXPECT_EQ(call(project, "compare thin thin dense --quiet --out compared.csv --overwrite").out, "");
+}
+
+TEST(Compare, SaysWhatFoldersLack) {
+    const SampleProject project;
+    EXPECT_EQ(call(project, "compare thin").code, 2);
+    const Outcome gone = call(project, "compare thin dense");
+    EXPECT_EQ(gone.code, 3);
+    EXPECT_NE(gone.err.find("thin: found no such folder"), std::string::npos) << gone.err;
+    const Outcome no_run = shell(project, "mkdir a && \"$bannwald\" compare a a\n");
+    EXPECT_EQ(no_run.code, 3);
+    EXPECT_NE(no_run.err.find("no results in this folder"), std::string::npos) << no_run.err;
+    project.write("a/summary.json", "{\"program\": \"Other\"}\n");
+    EXPECT_EQ(call(project, "compare a a").code, 4);
+    project.write("a/summary.json", "not json");
+    EXPECT_EQ(call(project, "compare a a").code, 4);
+}
+
+/// Runs a script of coupling/docs on a run of today and one over years.
+void expect_read(const std::string& program, const std::string& script, bool draws) {
+    const ForestProject project;
+    if (shell(project, "command -v " + program + " > /dev/null\n").code != 0) {
+        GTEST_SKIP() << program << " is not installed";
+    }
+    ASSERT_EQ(call(project, std::string{four_members} + "--set run.years=2 --out years").code, 0);
+    ASSERT_EQ(
+        call(project, "run scenario.ini --quiet --set release.rocks=500 --set run.years=0 --out today").code,
+        0);
+    for (const std::string out : {"today", "years"}) {
+        const std::string picture = out + ".pdf";
+        const Outcome read = shell(project, program + " '" BANNWALD_SOURCE_DIR "/coupling/docs/" + script +
+                                                "' " + out + " " + picture + "\n");
+        EXPECT_EQ(read.code, 0) << read.err;
+        EXPECT_NE(read.out.find("protection effect"), std::string::npos) << read.out;
+        EXPECT_NE(read.out.find("road"), std::string::npos) << read.out;
+        const bool drawn = fs::exists(project.file(picture)) && fs::file_size(project.file(picture)) > 1000;
+        EXPECT_TRUE(drawn || (!draws && read.out.find("nothing is drawn") != std::string::npos)) << read.out;
+    }
+    const Outcome nothing =
+        shell(project, program + " '" BANNWALD_SOURCE_DIR "/coupling/docs/" + script + "' no_run\n");
+    EXPECT_NE(nothing.code, 0);
+}
+
+TEST(Scripts, ReadARunWithR) {
+    expect_read("Rscript", "read_run.R", true);
+}
+
+TEST(Scripts, ReadARunWithPython) {
+    expect_read("python3", "read_run.py", false);
+}
+
+/// What the shell offers after some words; the last one is being typed.
+std::string offered(const SampleProject& project, const std::string& words) {
+    project.write(
+        "complete.bash",
+        "source completion.sh\nCOMP_WORDS=(" + words +
+            ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_bannwald\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
+    const Outcome outcome = shell(project, "bash complete.bash\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.out;
+}
+
+TEST(Completion, OffersCommandsOptionsSettingsAndFiles) {
+    const SampleProject project;
+    if (shell(project, "command -v bash > /dev/null\n").code != 0) {
+        GTEST_SKIP() << "bash is not installed";
+    }
+    ASSERT_EQ(shell(project, "\"$bannwald\" completion bash > completion.sh\n").code, 0);
+    EXPECT_EQ(shell(project, "bash -c 'source ./completion.sh; complete -p bannwald'\n").out,
+              "complete -F _bannwald bannwald\n");
+    EXPECT_EQ(offered(project, "bannwald ch"), "check\n");
+    EXPECT_EQ(offered(project, "bannwald comp"), "compare\ncompletion\n");
+    EXPECT_EQ(offered(project, "bannwald init new --example reg"), "regimes-small\nregimes\n");
+    EXPECT_EQ(offered(project, "bannwald run scenario.ini --ov"), "--overwrite\n");
+    EXPECT_EQ(offered(project, "bannwald run scen"), "scenario.ini\n");
+    EXPECT_EQ(offered(project, "bannwald run scenario.ini --set release.rocks_per"),
+              "release.rocks_per_source=\n");
+    EXPECT_EQ(offered(project, "bannwald info tree_res"), "tree_resistance\n");
+    EXPECT_EQ(offered(project, "bannwald validate vauj").find("vaujany"), 0U);
+    EXPECT_EQ(call(project, "completion tcsh").code, 2);
+}
+
+}  // namespace
+}  // namespace coupling
