@@ -5,6 +5,7 @@
 #include "coupling/inputs/reading.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/run/telling.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -49,7 +50,7 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
 }  // namespace
 
 void print_summary(const DecadeResults& results, const fs::path& folder,
-                   const std::vector<WrittenFile>& files) {
+                   const std::vector<WrittenFile>& files, bool verbose) {
     const forest::PatchGrid& grid = results.site.forest->grid;
     std::printf("%s of %.2f ha forest (%zu patches), %s, %s", counted(results.scenario.years, "year").c_str(),
                 grid.area_ha(), grid.size(), counted(results.names.regimes.size(), "regime").c_str(),
@@ -70,13 +71,7 @@ void print_summary(const DecadeResults& results, const fs::path& folder,
     for (std::uint32_t target = 0; results.rocks > 0 && target < results.site.targets.size(); ++target) {
         say_target(results, target);
     }
-    std::printf("Results in %s\n", folder.string().c_str());
-    for (const WrittenFile& file : files) {
-        if (file.path == "report.html" || file.path == "summary.json" || file.path == "tables/stands.csv" ||
-            file.path == "tables/protection.csv") {
-            std::printf("  %-28s %s\n", file.path.c_str(), file.sentence.c_str());
-        }
-    }
+    print_files(folder, files, verbose);
 }
 
 }  // namespace coupling::decades

@@ -9,6 +9,6 @@ namespace coupling::decades {
 
 /// The answer of the run in a few lines, and the files worth opening: results to stdout.
 void print_summary(const DecadeResults& results, const std::filesystem::path& folder,
-                   const std::vector<WrittenFile>& files);
+                   const std::vector<WrittenFile>& files, bool verbose);
 
 }  // namespace coupling::decades

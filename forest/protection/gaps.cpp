@@ -8,6 +8,8 @@
 #include <numeric>
 #include <optional>
 
+#include "config/math/elementary.hpp"
+
 namespace forest {
 
 namespace {
@@ -30,8 +32,10 @@ bool faces_out(const PatchGrid& grid, const Patch& patch) {
 }
 
 double ground_m(const PatchGrid& grid, PatchId from, PatchId to) {
-    return std::hypot(grid.x_centre_m(from) - grid.x_centre_m(to),
-                      grid.y_centre_m(from) - grid.y_centre_m(to), grid[from].ground_m - grid[to].ground_m);
+    const double x_m = grid.x_centre_m(from) - grid.x_centre_m(to);
+    const double y_m = grid.y_centre_m(from) - grid.y_centre_m(to);
+    const double z_m = grid[from].ground_m - grid[to].ground_m;
+    return std::sqrt(x_m * x_m + y_m * y_m + z_m * z_m);
 }
 
 /// Where a rock goes from a patch; nothing in a hollow, on level ground and at the lower edge.
@@ -56,7 +60,8 @@ std::optional<PatchId> next_below(const PatchGrid& grid, PatchId from) {
 
 /// Length of a step out of a patch; of the last one straight down its own slope.
 double step_m(const PatchGrid& grid, PatchId from, const std::optional<PatchId>& to) {
-    return to ? ground_m(grid, from, *to) : patch_side_m / std::cos(grid[from].slope.in_radians());
+    return to ? ground_m(grid, from, *to)
+              : patch_side_m / config::sin_cos_of(grid[from].slope.in_radians()).cos;
 }
 
 double quantile(const std::vector<double>& sorted, double share) {

@@ -50,9 +50,9 @@ TEST(GrowYear, KeepsItsInvariantsOnAnyStand) {
         for (int year = 0; year < 3; ++year) {
             const Stand before = stand;
             const YearReport report = forest.live(stand, seed);
-            const Book& year = stand.book();
-            const double stems_kg = before.stem_mass_standing_kg() + year.stem_in_kg + year.stem_grown_kg -
-                                    year.all_stem_lost_kg();
+            const Book& book = stand.book();
+            const double stems_kg = before.stem_mass_standing_kg() + book.stem_in_kg + book.stem_grown_kg -
+                                    book.all_stem_lost_kg();
             RC_ASSERT(std::abs(stand.stem_mass_standing_kg() - stems_kg) <= 1e-9 * (stems_kg + 1.0));
             expect_invariants(before, stand, forest.species);
             expect_balance(stand);

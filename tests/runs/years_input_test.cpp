@@ -57,7 +57,7 @@ const BadYears bad_years[] = {
      "bannwald: trees.csv:2:18: found dbh_cm '-32.5', expected a number in (0, 500]"},
     {"UnknownSpecies", [](const SampleProject& p) { p.replace("trees.csv", "piab", "piax"); }, 4,
      "bannwald: trees.csv:3:13: found species 'piax', expected a code or Latin name of the species table "
-     "(piab?)"},
+     "(PIAB?)"},
     {"NoLatitude", [](const SampleProject& p) { p.replace("scenario.ini", "latitude_deg = 47\n", ""); }, 2,
      "bannwald: scenario.ini: found run.years above 0 without forest.latitude_deg, expected a number in [0, "
      "75] deg"},
@@ -65,7 +65,9 @@ const BadYears bad_years[] = {
      [](const SampleProject& p) {
          p.replace("scenario.ini", "latitude_deg", "region_species = PIAB, ABAX\nlatitude_deg");
      },
-     2, "bannwald: scenario.ini:16:18: found species 'ABAX', expected a code of the species table (abal?)"},
+     2,
+     "bannwald: scenario.ini:16:18: found species 'ABAX', expected a code or Latin name of the species table "
+     "(ABAL?)"},
     {"BrokenTreesThatFall", as_it_is, 2,
      "found tree_impact.remove_broken beside run.years 4, expected no: trees stand while the rocks of a year "
      "fall",

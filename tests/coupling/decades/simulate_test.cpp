@@ -110,7 +110,7 @@ TEST_F(Members, LoseNoTreeWithoutACause) {
             EXPECT_NEAR(stems[year], stems[year - 1] + in - stems[year + 1000], 1e-6) << year;
         }
     }
-    for (const forest::Cause cause : {forest::Cause::self_thinning, forest::Cause::wind,
+    for (const forest::Cause cause : {forest::Cause::background, forest::Cause::wind,
                                       forest::Cause::beetle, forest::Cause::rock, forest::Cause::felled}) {
         EXPECT_TRUE(causes.contains(cause)) << forest::name_of(cause) << " has not been put to the test";
     }

@@ -117,6 +117,9 @@ TEST(Regenerate, BehindAFenceIsNotBrowsedUntilItIsTakenDown) {
                          ? cohort.stems
                          : 0.0;
         }
+        for (const Tree& tree : stand.trees()) {
+            stems += tree.species == fir && (index_of(tree.patch) < 18) == fenced ? tree.stems : 0.0;
+        }
         return stems;
     };
     const Stand half = years_under(forest, 0.6, 3.0, 20, 20, 18);
