@@ -75,7 +75,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     add(write_comparison(folder, results.names, series));
     add_data_dictionary(folder, {decade_layouts(), together(raster_columns(), patch_raster_columns())},
                         files);
-    add(write_gis_files(folder, results.site, files));
+    add(write_gis_files(folder, results.scenario.gis, results.site, files));
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);
     summary.close();

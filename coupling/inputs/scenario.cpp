@@ -45,8 +45,9 @@ void declare_terrain(config::Options& options, Scenario& s) {
                  {.meaning = "instead: CSV with code, wkt (POLYGON); later rows lie on top"});
     options.text("terrain.surface_types", s.surface_types,
                  {.meaning = "CSV with code, label, r_n, r_t, p_stop; or code, name of a shipped type"});
-    options.text("terrain.soils", s.soils,
-                 {.meaning = "CSV of soils of your own for pir3d, as `bannwald info pir3d_soils` shows them"});
+    options.text(
+        "terrain.soils", s.soils,
+        {.meaning = "CSV of soils of your own for pir3d, as `bannwald info pir3d_soils` shows them"});
     options.text("terrain.stopping", s.stopping,
                  {.meaning = "CSV with code, diameter_m, p_stop; without it p_stop is scaled by size"});
     options.text(
@@ -190,6 +191,14 @@ void declare_output(config::Options& options, Scenario& s) {
                    .high = 1e6,
                    .meaning = "how many rocks keep their path for pictures",
                    .source = "choice"});
+    options.flag(
+        "output.geopackage", s.gis.geopackage,
+        {.meaning = "results.gpkg with layers and tables, results.qlr for QGIS", .source = "choice"});
+    options.flag("output.geotiff", s.gis.geotiff,
+                 {.meaning = "a GeoTIFF (.tif) beside each grid", .source = "choice"});
+    options.flag("output.vtp", s.gis.vtp,
+                 {.meaning = "sampled paths as trajectories.vtp for ParaView; assessment of today",
+                  .source = "choice"});
 }
 
 }  // namespace
@@ -205,8 +214,9 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_profile(options, scenario);
     options.text("trees.file", scenario.trees,
                  {.meaning = "CSV with tree_id, x_m, y_m, species, dbh_cm, height_m; none: bare slope only"});
-    options.text("trees.logs", scenario.logs,
-                 {.meaning = "CSV of lying logs: x1_m, y1_m, x2_m, y2_m, species, dbh_cm, clearance_m, strength"});
+    options.text(
+        "trees.logs", scenario.logs,
+        {.meaning = "CSV of lying logs: x1_m, y1_m, x2_m, y2_m, species, dbh_cm, clearance_m, strength"});
     declare_release(options, scenario);
     declare_diameter(options, scenario);
     declare_start(options, scenario);
@@ -220,7 +230,7 @@ void declare(config::Options& options, Scenario& scenario) {
 }
 
 std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
-                                            const std::vector<std::string>& overrides) {
+                                        const std::vector<std::string>& overrides) {
     auto scenario = std::make_unique<Scenario>();
     scenario->file = file;
     scenario->options = std::make_shared<config::Options>();

@@ -16,42 +16,49 @@ namespace coupling {
 /// Which law rock sizes follow.
 enum class DiameterKind : std::uint8_t { fixed, classes, uniform, lognormal };
 
+/// What GIS programs are given beside tables and ESRI ASCII grids.
+struct GisFiles {
+    bool geopackage = true;  ///< results.gpkg and results.qlr
+    bool geotiff = false;    ///< a .tif beside each grid
+    bool vtp = false;        ///< trajectories.vtp
+};
+
 /// The settings of a run as the user wrote them: texts, numbers and file names, not yet opened.
 struct Scenario {
     // [run]
     std::uint64_t seed = 1;
-    std::uint64_t years = 0;          ///< 0: static assessment of the given stand
-    bool strict_inputs = false;       ///< what is only doubtful becomes an error
+    std::uint64_t years = 0;     ///< 0: static assessment of the given stand
+    bool strict_inputs = false;  ///< what is only doubtful becomes an error
 
     // [terrain]
-    std::string dem;                  ///< ESRI ASCII grid, or
-    std::string points;               ///< XYZ text
-    double longest_edge_m = 0.0;      ///< for points: longer edges are no terrain; 0 keeps all
-    std::string surface;              ///< grid of surface codes, or
-    std::string surface_polygons;     ///< CSV with WKT polygons and codes
-    std::string surface_types;        ///< CSV: code, label, r_n, r_t, p_stop
-    std::string soils;                ///< CSV of soils of PiR3D beside the shipped ones; optional
-    std::string stopping;             ///< CSV: code, diameter_m, p_stop; optional
-    std::string ground;               ///< name of a shipped surface type for all the terrain; instead of a grid
-    std::string profile;              ///< CSV: distance_m, height_m, surface; not empty: a two-dimensional run
+    std::string dem;               ///< ESRI ASCII grid, or
+    std::string points;            ///< XYZ text
+    double longest_edge_m = 0.0;   ///< for points: longer edges are no terrain; 0 keeps all
+    std::string surface;           ///< grid of surface codes, or
+    std::string surface_polygons;  ///< CSV with WKT polygons and codes
+    std::string surface_types;     ///< CSV: code, label, r_n, r_t, p_stop
+    std::string soils;             ///< CSV of soils of PiR3D beside the shipped ones; optional
+    std::string stopping;          ///< CSV: code, diameter_m, p_stop; optional
+    std::string ground;            ///< name of a shipped surface type for all the terrain; instead of a grid
+    std::string profile;           ///< CSV: distance_m, height_m, surface; not empty: a two-dimensional run
 
     // [profile]
-    double profile_start_m = 0.0;     ///< distance of the release; the upper end unless it is set
+    double profile_start_m = 0.0;            ///< distance of the release; the upper end unless it is set
     std::vector<double> profile_stations_m;  ///< distances at which rocks are counted, or
-    std::string profile_stations;     ///< CSV: name, distance_m
-    double profile_segment_m = 10.0;  ///< length along the slope over which jumps are put together
+    std::string profile_stations;            ///< CSV: name, distance_m
+    double profile_segment_m = 10.0;         ///< length along the slope over which jumps are put together
 
     // [trees]
-    std::string trees;                ///< CSV; empty: none
-    std::string logs;                 ///< CSV of lying logs; empty: none; without either bare slope only
+    std::string trees;  ///< CSV; empty: none
+    std::string logs;   ///< CSV of lying logs; empty: none; without either bare slope only
 
     // [release]
-    std::string source;               ///< grid: 0 no source, k > 0 release zone k, or
-    std::string source_shapes;        ///< CSV with WKT points, lines or polygons
-    std::uint64_t rocks = 0;          ///< in all; 0: rocks_per_source times the number of sources
+    std::string source;         ///< grid: 0 no source, k > 0 release zone k, or
+    std::string source_shapes;  ///< CSV with WKT points, lines or polygons
+    std::uint64_t rocks = 0;    ///< in all; 0: rocks_per_source times the number of sources
     std::uint64_t rocks_per_source = 10;
     DiameterKind diameter_kind = DiameterKind::fixed;
-    double diameter_m = 1.0;          ///< fixed, or mean of the log-normal law
+    double diameter_m = 1.0;  ///< fixed, or mean of the log-normal law
     double diameter_deviation_m = 0.0;
     double diameter_low_m = 0.0;
     double diameter_high_m = 0.0;
@@ -62,27 +69,29 @@ struct Scenario {
     double start_speed_mps = 3.0;
     double start_dip_deg = 30.0;
     double start_scatter_deg = 0.0;
-    double fall_height_m = 0.0;       ///< > 0: dropped from this height at rest instead
+    double fall_height_m = 0.0;  ///< > 0: dropped from this height at rest instead
     bool random_place = true;
 
     // [targets]
-    std::string targets;              ///< CSV with WKT lines and polygons: target_id, name, wkt
+    std::string targets;  ///< CSV with WKT lines and polygons: target_id, name, wkt
 
     // [output]
-    double cell_size_m = 0.0;         ///< of the maps; 0: that of the DEM
-    bool percentiles = true;          ///< percentile maps
+    double cell_size_m = 0.0;  ///< of the maps; 0: that of the DEM
+    bool percentiles = true;   ///< percentile maps
     bool rock_table = true;
     bool tree_hit_table = true;
     std::uint64_t sample_paths = 500;
+    GisFiles gis;
 
     // [rockfall], [tree_impact]
     std::string preset = "default";
     rockfall::Parameters rockfall;
 
-    // what a simulation over years asks for: [forest], [stands], [soil], [climate] and parts of [run], [output]
+    // what a simulation over years asks for: [forest], [stands], [soil], [climate] and parts of [run],
+    // [output]
     ForestSettings forest;
 
-    std::filesystem::path file;       ///< the scenario file itself
+    std::filesystem::path file;                ///< the scenario file itself
     std::shared_ptr<config::Options> options;  ///< all of the above as declared, for listings and messages
 
     /// A file name of the scenario, relative to the scenario file.
@@ -93,7 +102,8 @@ struct Scenario {
 void declare(config::Options& options, Scenario& scenario);
 
 /// Reads a scenario file and `section.key=value` overrides. Throws InputError with every problem found.
-std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
+                                        const std::vector<std::string>& overrides);
 
 /// Whether rocks fall: always today, over years unless run.rockfall_every is 0.
 bool has_rocks(const Scenario& scenario);

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "config/grid/ascii_grid.hpp"
+#include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/geopackage/results_package.hpp"
+#include "coupling/results/geotiff.hpp"
 #include "coupling/results/qgis/results_tree.hpp"
+#include "coupling/results/vtp.hpp"
 
 namespace coupling {
 namespace {
@@ -17,9 +21,23 @@ void add_package(const fs::path& folder, const geopackage::Contents& contents,
     added.push_back(qgis::write_results_tree(folder, contents.site.projection, files, layers));
 }
 
+void add_geotiffs(const fs::path& folder, const std::string& projection, std::span<const WrittenFile> files,
+                  std::vector<WrittenFile>& added) {
+    for (const WrittenFile& file : files) {
+        if (!file.path.ends_with(".asc")) {
+            continue;
+        }
+        const fs::path grid = folder / file.path;
+        const FileBytes bytes = open_file(grid, {.file = grid.string()}, "a raster of this run");
+        const std::string path = fs::path{file.path}.replace_extension(".tif").generic_string();
+        write_geotiff(folder / path, config::read_ascii_grid(bytes.text(), grid.string()), projection);
+        added.push_back({path, file.sentence});
+    }
+}
+
 }  // namespace
 
-std::vector<WrittenFile> write_gis_files(const fs::path& folder, const Site& site,
+std::vector<WrittenFile> write_gis_files(const fs::path& folder, const GisFiles& wanted, const Site& site,
                                          std::span<const WrittenFile> files, const StreamedTables& streamed,
                                          std::span<const rockfall::PathRecord> paths) {
     std::vector<WrittenFile> added;
@@ -33,7 +51,18 @@ std::vector<WrittenFile> write_gis_files(const fs::path& folder, const Site& sit
                 file, is_streamed ? streamed.folder / fs::path{file.path}.filename() : folder / file.path);
         }
     }
-    add_package(folder, contents, files, added);
+    if (wanted.geopackage) {
+        add_package(folder, contents, files, added);
+    }
+    if (wanted.geotiff) {
+        add_geotiffs(folder, site.projection, files, added);
+    }
+    if (wanted.vtp && !paths.empty()) {
+        OutFile vtp{folder / "trajectories.vtp"};
+        write_vtp(vtp.stream(), paths, site.origin_m());
+        vtp.close();
+        added.push_back({"trajectories.vtp", "Sampled paths with energy and height for ParaView."});
+    }
     return added;
 }
 

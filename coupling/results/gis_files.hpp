@@ -16,11 +16,11 @@ struct StreamedTables {
     std::filesystem::path folder;  ///< where they lie now
 };
 
-/// Adds what GIS programs take to a folder of results: results.gpkg and results.qlr. `files`: all tables and
-/// rasters, the streamed ones among them; `paths`: the sampled ones. Returns what was added. Throws
-/// config::InputError (file).
-std::vector<WrittenFile> write_gis_files(const std::filesystem::path& folder, const Site& site,
-                                         std::span<const WrittenFile> files,
+/// Adds what GIS programs take to a folder of results, as far as wanted: results.gpkg,
+/// results.qlr, a GeoTIFF beside each grid, trajectories.vtp. `files`: all tables and rasters, the streamed
+/// ones among them; `paths`: the sampled ones. Returns what was added. Throws config::InputError (file).
+std::vector<WrittenFile> write_gis_files(const std::filesystem::path& folder, const GisFiles& wanted,
+                                         const Site& site, std::span<const WrittenFile> files,
                                          const StreamedTables& streamed = {},
                                          std::span<const rockfall::PathRecord> paths = {});
 

@@ -25,7 +25,7 @@ std::vector<WrittenFile> write_results(const RunResults& results, const std::fil
     files.insert(files.end(), rasters.begin(), rasters.end());
     add_data_dictionary(folder, {static_layouts(), raster_columns()}, files);
     const std::vector<WrittenFile> gis =
-        write_gis_files(folder, results.site, files, streamed, results.paths);
+        write_gis_files(folder, results.scenario.gis, results.site, files, streamed, results.paths);
     files.insert(files.end(), gis.begin(), gis.end());
 
     OutFile summary{folder / "summary.json"};

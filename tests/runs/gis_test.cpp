@@ -127,11 +127,13 @@ TEST(GisFiles, HoldEveryTableAndLayerForGdal) {
 TEST(GisFiles, AreWholeAndTheSameBytesOnAnyNumberOfThreads) {
     const SampleProject project;
     project.write("dem.prj", lambert);
-    ASSERT_EQ(call(project, std::string{static_run} + "--threads 1").code, 0);
-    ASSERT_EQ(call(project, std::string{static_run} + "--threads 3 --out three").code, 0);
+    const std::string all = " --set output.geotiff=yes --set output.vtp=yes ";
+    ASSERT_EQ(call(project, static_run + all + "--threads 1").code, 0);
+    ASSERT_EQ(call(project, static_run + all + "--threads 3 --out three").code, 0);
     EXPECT_EQ(answer(project, "out/results.gpkg", "PRAGMA integrity_check"), "ok");
     EXPECT_EQ(answer(project, "out/results.gpkg", "PRAGMA foreign_key_check"), "no row");
-    for (const std::string file : {"results.gpkg", "results.qlr"}) {
+    for (const std::string file :
+         {"results.gpkg", "results.qlr", "trajectories.vtp", "rasters/bare/E_95.tif"}) {
         EXPECT_EQ(project.read("out/" + file), project.read("three/" + file)) << file;
         EXPECT_GT(project.read("out/" + file).size(), 300U) << file;
     }
@@ -156,6 +158,37 @@ TEST(GisFiles, SayThatAPlaceIsUndefinedWithoutAProjection) {
     project.remove("dem.prj");
     ASSERT_EQ(call(project, static_run).code, 0);
     EXPECT_EQ(answer(project, "out/results.gpkg", "SELECT DISTINCT srs_id FROM gpkg_geometry_columns"), "-1");
+}
+
+TEST(GisFiles, AreReadAsRastersByGdal) {
+    const SampleProject project;
+    project.write("dem.prj", lambert);
+    ASSERT_EQ(call(project, std::string{static_run} + "--set output.geotiff=yes").code, 0);
+    if (!has_gdal(project)) {
+        GTEST_SKIP() << "gdal-bin is not installed";
+    }
+    const auto told = [&](const std::string& file) {
+        const Outcome outcome = shell(project, "gdalinfo -stats " + file);
+        EXPECT_EQ(outcome.code, 0) << file;
+        EXPECT_EQ(outcome.err, "") << file;
+        return outcome.out;
+    };
+    for (const auto& entry : std::filesystem::directory_iterator{project.file("out/rasters/bare")}) {
+        if (entry.path().extension() != ".tif") {
+            continue;
+        }
+        const std::string grid = "out/rasters/bare/" + entry.path().stem().string();
+        const std::string tif = told(grid + ".tif");
+        const std::string asc = told(grid + ".asc");
+        EXPECT_NE(tif.find("MGI_Austria_Lambert"), std::string::npos) << tif;
+        EXPECT_NE(tif.find("Origin = (1000.000000000000000,2100.000000000000000)"), std::string::npos) << tif;
+        const std::regex mean{"STATISTICS_MEAN=([^\\n]*)"};
+        std::smatch in_tif;
+        std::smatch in_asc;
+        ASSERT_TRUE(std::regex_search(tif, in_tif, mean)) << tif;
+        ASSERT_TRUE(std::regex_search(asc, in_asc, mean)) << asc;
+        EXPECT_NEAR(std::stod(in_tif[1]), std::stod(in_asc[1]), 1e-5 * std::stod(in_asc[1])) << grid;
+    }
 }
 
 TEST(GisFiles, GoOverTheYears) {
