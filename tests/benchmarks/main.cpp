@@ -15,6 +15,7 @@ void register_trajectories();
 void register_pieces();
 void register_light();
 void register_forest_years();
+void register_member_years();
 }  // namespace benchmarks
 
 namespace {
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
     benchmarks::register_pieces();
     benchmarks::register_light();
     benchmarks::register_forest_years();
+    benchmarks::register_member_years();
     benchmarks::MedianKeeper results;
     benchmark::RunSpecifiedBenchmarks(&results);
     benchmarks::print_goals(std::cout, results);

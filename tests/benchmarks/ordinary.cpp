@@ -540,7 +540,7 @@ struct Program::World {
     World(std::span<const Vector3d> points, std::span<const rockfall::Stem> stems,
           const config::GridFrame& maps, const rockfall::FallLaw& law_in, const rockfall::SurfaceType& ground)
         : terrain{points},
-          rebound{law_in.ground, ground},
+          rebound{law_in.motion.picus, ground},
           forest{stems, terrain, law_in.tree},
           statistics{maps},
           law{law_in} {}
