@@ -240,10 +240,19 @@ Figure over_replicates(FigureKey key, std::vector<double> by_replicate) {
         for (const double value : by_replicate) {
             squares += (value - mean) * (value - mean);
         }
-        const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
-        const double half = t * std::sqrt(squares / (n - 1.0) / n);
-        figure.low = mean - half;
-        figure.high = mean + half;
+        const double error = std::sqrt(squares / (n - 1.0) / n);
+        // Equal values (no rock arrives, say) tell nothing of chance: no interval rather than one of no
+        // width.
+        if (error > 1e-9 * std::abs(mean) && error > 0.0) {
+            const double half = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975) * error;
+            const std::string& quantity = figure.key.quantity;
+            const bool is_share = quantity.ends_with("_percent");
+            const bool may_be_negative =
+                quantity.empty() || quantity.starts_with("protection");  // empty: a difference
+            // What cannot be is left out of the interval.
+            figure.low = may_be_negative ? mean - half : std::max(0.0, mean - half);
+            figure.high = is_share ? std::min(100.0, mean + half) : mean + half;
+        }
     }
     figure.by_replicate = std::move(by_replicate);
     return figure;

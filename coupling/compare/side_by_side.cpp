@@ -85,9 +85,16 @@ void judge(SideBySide& comparison, std::span<const FinishedRun> runs) {
             comparison.not_comparable.push_back(
                 joined("the ", what, " differ (", d.what, ": ", pair(comparison, d), ")"));
         }
-        if (d.what == "run.years") {
+        if (d.what == "run.years" || d.what == "run.rockfall_every") {
             comparison.not_comparable.push_back(
                 joined("means and worst years are taken over different years (", pair(comparison, d), ")"));
+        }
+    }
+    for (const Disagreement& d : comparison.settings) {
+        if (d.what == "rockfall.motion") {
+            comparison.notes.push_back(joined("the motion models differ (", pair(comparison, d),
+                                              "): energies of pir3d are those of translation alone, "
+                                              "rocks of picus also spin"));
         }
     }
     const auto differs = [&](auto value) {

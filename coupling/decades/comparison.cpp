@@ -27,6 +27,9 @@ Series empty_series(const Names& names, std::span<const MemberYears> members, st
     return series;
 }
 
+/// Of fewer rocks the 95th percentile is the largest of them.
+constexpr std::uint64_t least_rocks_for_p95 = 20;
+
 std::map<std::int32_t, double>& of_member(Series& series, const MemberYears& member) {
     return series.values[member.member.regime][member.member.replicate];
 }
@@ -47,7 +50,7 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
                     of_member(protection, member)[row.year] = 100.0 * effect->value;
                 }
                 of_member(reached, member)[row.year] = 100.0 * row.forest.share.value;
-                if (!std::isnan(row.forest.energy_kj.p95)) {
+                if (row.paired.forest() >= least_rocks_for_p95) {
                     of_member(energy, member)[row.year] = row.forest.energy_kj.p95;
                 }
             }
@@ -197,9 +200,13 @@ std::optional<PairedDifference> difference(const Series& series, std::size_t reg
             squares += (d - mean) * (d - mean);
         }
         const double error = std::sqrt(squares / (n - 1.0) / n);
-        const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
-        found.low = mean - t * error;
-        found.high = mean + t * error;
+        // Equal differences (no rock arrives, say) tell nothing of chance: no interval rather than one of no
+        // width.
+        if (error > 1e-9 * std::abs(mean) && error > 0.0) {
+            const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
+            found.low = mean - t * error;
+            found.high = mean + t * error;
+        }
     }
     return found;
 }

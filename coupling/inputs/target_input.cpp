@@ -91,7 +91,11 @@ std::vector<rockfall::Target> on_terrain(std::vector<rockfall::Target> targets,
         }
         target = rockfall::with_bounds(std::move(target));
         const auto [on, all] = vertices_on_terrain(target, terrain);
-        if (on < all) {
+        if (on == 0) {
+            reading.refuse({reading.shown(reading.scenario().targets)},
+                           "target " + config::in_quotes(target.id) + " with no vertex on the terrain",
+                           "coordinates of the DEM: no rock can arrive there");
+        } else if (on < all) {
             reading.doubt({reading.shown(reading.scenario().targets)},
                           "target " + config::in_quotes(target.id) + " with " + std::to_string(all - on) +
                               " of " + std::to_string(all) + " vertices" + " off the terrain",

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "config/errors/input_error.hpp"
 #include "config/random/distributions.hpp"
 #include "config/random/stream.hpp"
+#include "coupling/results/joined.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace coupling::rockyfor3d {
@@ -103,6 +105,15 @@ Forest forest_of(const Folder& folder) {
     Planter planter{folder};
     if (!folder.trees.empty()) {
         plant_listed(folder, planter);
+        Forest forest = planter.done();
+        if (forest.trees.empty()) {
+            config::fail(
+                config::ExitCode::data, {"treefile.txt"},
+                joined("no tree to plant: ", std::to_string(forest.outside), " off the terrain, ",
+                       std::to_string(forest.too_thin), " below 5 cm"),
+                "columns x, y, DBH in cm in the coordinates of dem.asc, or no such file for a bare slope");
+        }
+        return forest;
     } else if (folder.stems_pha) {
         plant_generated(folder, planter);
     }

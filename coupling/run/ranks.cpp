@@ -182,7 +182,16 @@ private:
     bool speaks_ = false;
 };
 
-RankGroup::RankGroup() : joined_{launched_processes() > 1 ? std::make_unique<Joined>() : nullptr} {}
+RankGroup::RankGroup() : joined_{launched_processes() > 1 ? std::make_unique<Joined>() : nullptr} {
+    // A launcher of another MPI starts processes that do not find each other: each would do all the work, in
+    // one folder.
+    if (joined_ && joined_->count() != launched_processes()) {
+        config::fail(config::ExitCode::settings, {},
+                     joined(std::to_string(launched_processes()), " processes started, of which ",
+                            std::to_string(joined_->count()), " found each other"),
+                     joined("a launcher that belongs to ", mpi_in_words()));
+    }
+}
 
 std::string mpi_in_words() {
     char text[MPI_MAX_LIBRARY_VERSION_STRING] = {};

@@ -221,6 +221,7 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     html += joined(fact("Years", years_text(run)), fact("Regimes", list_of(regime_names)));
     html += joined(fact("Replicates", replicates), fact("Species", list_of(species_names)));
     html += content.climate.empty() ? "" : fact("Climate", escaped(content.climate));
+    html += has_rocks(content.scenario) ? fact("Motion", report::motion_in_words(content.scenario)) : "";
     html += fact("Random seed", std::to_string(content.scenario.seed));
     return joined(html, fact("Program", joined("Bannwald ", escaped(content.version))), "</dl>\n");
 }

@@ -171,6 +171,12 @@ std::string rock_size(const Scenario& scenario) {
     return joined("log-normal, mean ", config::to_text(scenario.diameter_m), " m");
 }
 
+std::string motion_in_words(const Scenario& scenario) {
+    return scenario.rockfall.fall.motion.model == rockfall::MotionModel::pir3d
+               ? "PiR3D: rocks slide and do not spin, energies are those of translation alone"
+               : "PICUS Rock’n’Roll: rocks jump, roll and spin";
+}
+
 std::string opening(const RunResults& results, const Figures&) {
     const Scenario& scenario = results.scenario;
     const Site& site = results.site;
@@ -196,6 +202,7 @@ std::string opening(const RunResults& results, const Figures&) {
     if (!site.logs.empty()) {
         html += fact("Lying logs", grouped(site.logs.size()));
     }
+    html += fact("Motion", motion_in_words(scenario));
     html += fact("Settings", escaped(scenario.preset));
     html += fact("Random seed", std::to_string(scenario.seed));
     return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");

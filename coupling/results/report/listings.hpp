@@ -18,6 +18,9 @@ namespace coupling::report {
 std::string fact(std::string_view name, const std::string& value);
 /// The law of rock sizes in words.
 std::string rock_size(const Scenario& scenario);
+
+/// The motion model, and what its energies are made of.
+std::string motion_in_words(const Scenario& scenario);
 std::string list_of_warnings(const config::Warnings& warnings);
 /// Settings by section; those that `is_shown` refuses are left out.
 std::string table_of_settings(const Scenario& scenario,

@@ -49,11 +49,21 @@ TEST(Difference, AddsIndependentIntervalsInSquares) {
 }
 
 TEST(Difference, TakesReplicatesOfTheSameSeedAsPairs) {
-    // The replicates differ much, the runs always by 1: as pairs that is certain, on their own it is not.
+    // The replicates differ much, the runs nearly always by 1: as pairs that is certain, on their own it is
+    // not.
     const Figure first = over_replicates({}, {10.0, 20.0, 30.0});
-    const Figure other = over_replicates({}, {11.0, 21.0, 31.0});
+    const Figure other = over_replicates({}, {11.0, 21.1, 31.0});
     EXPECT_TRUE(difference(other, first, true)->is_more_than_chance());
     EXPECT_FALSE(difference(other, first, false)->is_more_than_chance());
+}
+
+TEST(Difference, ThatIsTheSameInAllReplicatesHasNoInterval) {
+    const Figure first = over_replicates({}, {10.0, 20.0, 30.0});
+    const Figure other = over_replicates({}, {11.0, 21.0, 31.0});
+    const auto d = difference(other, first, true);
+    EXPECT_EQ(d->value, 1.0);
+    EXPECT_FALSE(d->has_interval());
+    EXPECT_FALSE(d->is_more_than_chance());
 }
 
 TEST(Difference, OfWhatIsNotKnownIsNone) {

@@ -42,5 +42,15 @@ TEST(Targets, OffTheTerrainAreDoubted) {
                   "targets where rocks can be followed to"});
 }
 
+TEST(Targets, WhollyOffTheTerrainAreRefused) {
+    const SampleProject project;
+    project.write("targets.csv", "target_id,name,wkt\nroad,road,\"LINESTRING (91010 2010, 91090 2010)\"\n");
+    const Opened opened = open(project);
+    EXPECT_FALSE(opened.site);
+    EXPECT_EQ(opened.errors,
+              "targets.csv: found target 'road' with no vertex on the terrain, expected coordinates of the DEM: "
+              "no rock can arrive there");
+}
+
 }  // namespace
 }  // namespace coupling
