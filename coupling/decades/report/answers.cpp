@@ -185,8 +185,10 @@ std::string years_text(const RunView& run) {
         return "0";
     }
     const std::vector<YearView>& years = run.regimes[0].replicates[0];
-    return joined(std::to_string(run.years), ", from ", std::to_string(years.front().row->calendar_year),
-                  " to ", std::to_string(years.back().row->calendar_year));
+    const int start = years.front().row->calendar_year;
+    return joined(std::to_string(run.years), ", ", std::to_string(start + 1), " to ",
+                  std::to_string(years.back().row->calendar_year), "; start: end of ",
+                  std::to_string(start));
 }
 
 std::string list_of(const std::vector<std::string>& items) {

@@ -128,7 +128,8 @@ std::string answer_of(const Names& names, const Series& protection, const Series
         text += std::isnan(bare) ? "." : joined(", over the bare slope ", fixed(bare, 2), "\u00a0%.");
     }
     if (const auto hard = over_replicates(energy, regime, years.back())) {
-        text += joined(" One in twenty of them has more than ", range_text(*hard, 0, "\u00a0kJ"), ".");
+        text += joined(" One in twenty of the rocks that come through the forest has more than ",
+                       range_text(*hard, 0, "\u00a0kJ"), ".");
     }
     return joined(text, "</p>");
 }

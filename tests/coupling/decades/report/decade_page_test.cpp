@@ -159,7 +159,7 @@ TEST(WriteDecadePage, EscapesWhatTheUserWrote) {
     const std::string page = some.page();
     EXPECT_EQ(page.find("<at all>"), std::string::npos);
     for (const char* text : {"none &lt;at all&gt;", "observed &amp; repeated", "forest &amp; were left out",
-                             "0123456789abcdef", "Bannwald 0.1.0", "What stands.", "2020 to 2021"}) {
+                             "0123456789abcdef", "Bannwald 0.1.0", "What stands.", "1, 2021 to 2021; start: end of 2020"}) {
         EXPECT_NE(page.find(text), std::string::npos) << text;
     }
 }
