@@ -25,7 +25,8 @@ TableLayout rocks() {
              {"time_s", "s", "time from release to end", simulated},
              {"max_speed_mps", "m/s", "highest speed", simulated},
              {"mean_speed_mps", "m/s", "path divided by time", simulated},
-             {"max_energy_kj", "kJ", "highest kinetic energy, translation and rotation", simulated},
+             {"max_energy_kj", "kJ",
+              "highest kinetic energy, translation and rotation; PiR3D: translation alone", simulated},
              {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
              {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
              {"jumps", "-", "jumps", simulated},
@@ -66,7 +67,8 @@ TableLayout stations() {
              {"reached_percent", "%", "their share of all rocks", counted},
              {"reached_low_percent", "%", "lower end of its 95 % interval", exact_interval},
              {"reached_high_percent", "%", "upper end of its 95 % interval", exact_interval},
-             {"energy_mean_kj", "kJ", "mean kinetic energy (translation and rotation) at the first passage",
+             {"energy_mean_kj", "kJ",
+              "mean kinetic energy (translation and rotation; PiR3D: translation alone) at the first passage",
               simulated},
              {"energy_sd_kj", "kJ", "its standard deviation", simulated},
              {"energy_50_kj", "kJ", "its median", from_bins},
@@ -107,7 +109,7 @@ TableLayout paths() {
          {"point", "-", "number of the corner along the path, from 0", simulated},
          {"distance_m", "m", "plan distance along the profile", simulated},
          {"height_m", "m", "height of the rock's underside above sea", simulated},
-         {"energy_kj", "kJ", "kinetic energy, translation and rotation", simulated},
+         {"energy_kj", "kJ", "kinetic energy, translation and rotation; PiR3D: translation alone", simulated},
          {"height_above_ground_m", "m", "height of the underside above the ground, vertical", simulated}}};
 }
 

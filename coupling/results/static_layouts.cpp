@@ -120,7 +120,8 @@ TableLayout rocks() {
         {"time_s", "s", "time from release to end", simulated},
         {"max_speed_mps", "m/s", "highest speed", simulated},
         {"mean_speed_mps", "m/s", "path divided by time", simulated},
-        {"max_energy_kj", "kJ", "highest kinetic energy, translation and rotation", simulated},
+        {"max_energy_kj", "kJ", "highest kinetic energy, translation and rotation; PiR3D: translation alone",
+         simulated},
         {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
         {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
         {"jumps", "-", "jumps", simulated},
@@ -143,7 +144,8 @@ TableLayout arrivals() {
              cover_column(),
              {"x_m", "m", "easting of the first arrival", simulated},
              {"y_m", "m", "northing of the first arrival", simulated},
-             {"energy_kj", "kJ", "kinetic energy there, translation and rotation", simulated},
+             {"energy_kj", "kJ", "kinetic energy there, translation and rotation; PiR3D: translation alone",
+              simulated},
              {"translational_kj", "kJ", "the translational part of it", simulated},
              {"speed_mps", "m/s", "speed there", simulated},
              {"height_m", "m", "height of the underside above the ground there, vertical", simulated}}};
@@ -179,7 +181,7 @@ TableLayout trajectories() {
                                     cover_column(),
                                     {"point", "-", "number of the corner along the path, from 0", simulated}};
     const std::vector<Column> rest{
-        {"energy_kj", "kJ", "kinetic energy, translation and rotation", simulated},
+        {"energy_kj", "kJ", "kinetic energy, translation and rotation; PiR3D: translation alone", simulated},
         {"height_m", "m", "height of the underside above the ground, vertical", simulated}};
     return {"trajectories.csv", "a corner of a sampled path",
             together(first, place_columns("", "the rock's underside"), rest)};

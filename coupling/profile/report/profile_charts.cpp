@@ -171,7 +171,7 @@ std::string energy_histogram(const ProfileResults& results, std::size_t station)
     chart.add_mark(mean_kj, apart ? "mean" : "");
     chart.add_mark(p95_kj, apart ? "95 %" : "mean, 95 %");
     chart.add_name("forest", "rocks that pass");
-    return chart.figure(joined("Translation and rotation of the ", report::grouped(energy.moments.count()),
+    return chart.figure(joined("Kinetic energy of the ", report::grouped(energy.moments.count()),
                                " rocks that pass. Dotted: their mean, ", report::three_digits(mean_kj),
                                " kJ, and what 95 % of them stay below, ", report::three_digits(p95_kj),
                                " kJ."));
@@ -192,7 +192,9 @@ std::string charts_along(const ProfileResults& results) {
             "Largest height of each rock in each stretch: of its underside, at right angles to the slope, "
             "so less than the vertical height of the key figures."),
         envelope(results, "Kinetic energy", "Energy, kJ", rockfall::energy_bins, &StretchTally::energy_j,
-                 j_per_kj, "Largest energy of each rock in each stretch: translation and rotation."),
+                 j_per_kj,
+                 "Largest energy of each rock in each stretch: translation and rotation (PiR3D: translation "
+                 "alone)."),
         "</div>\n");
 }
 

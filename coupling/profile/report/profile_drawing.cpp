@@ -244,7 +244,8 @@ std::string drawing(const ProfileResults& results) {
         "</svg><p>",
         (drawn == 0 ? std::string{"No paths were kept (output.sample_paths)."}
                     : joined("Paths of the underside of ", report::grouped(drawn),
-                             " rocks, coloured by their kinetic energy (translation and rotation).")),
+                             " rocks, coloured by their kinetic energy (translation and rotation; PiR3D: "
+                             "translation alone).")),
         "</p></figure>\n");
 }
 

@@ -68,6 +68,7 @@ std::string opening(const ProfileResults& results) {
     html += fact("Release", joined("at ", config::to_text(site.start_m), " m; ", start_in_words(scenario)));
     html += fact("Rock diameter", report::rock_size(scenario));
     html += fact("Rock density", fixed(scenario.density_kgpm3, 0) + " kg/m³");
+    html += fact("Motion", report::motion_in_words(scenario));
     html += fact("Settings", escaped(scenario.preset));
     html += fact("Random seed", std::to_string(scenario.seed));
     return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");
@@ -84,7 +85,8 @@ std::string stations(const ProfileResults& results) {
     }
     using namespace rockfall;
     HtmlTable table{
-        "Energy is translation and rotation; height is that of the underside above ground, vertical.",
+        "Energy is translation and rotation (PiR3D: translation alone); height is that of the underside "
+        "above ground, vertical.",
         {"Station", "at, m", "rocks that pass (95 % interval)", "energy, kJ: mean", "sd", "90 %", "95 %",
          "99 %", "translation alone, kJ: mean", "speed, m/s: mean", "speed 95 %", "height, m: mean",
          "height 95 %"}};
