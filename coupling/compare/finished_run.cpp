@@ -38,9 +38,18 @@ bool has_table(const fs::path& folder, const std::string& name) {
     return fs::exists(folder / "tables" / name, error);
 }
 
-/// NaN for an empty field: not known.
+/// NaN for an empty field: not known. Throws InputError (data) for a field that is no number.
 double number(const config::Table& table, std::size_t row, const std::string& column) {
-    return config::parse_number(table.text(row, column)).value_or(unknown);
+    const std::string& field = table.text(row, column);
+    if (field.empty()) {
+        return unknown;
+    }
+    const auto value = config::parse_number(field);
+    if (!value) {
+        config::fail(config::ExitCode::data, table.place(row, column), config::in_quotes(field),
+                     "a number or nothing");
+    }
+    return *value;
 }
 
 /// A figure whose interval stands beside it.
@@ -121,9 +130,9 @@ public:
     }
     void finish() {
         for (auto& [key, replicates] : sums_) {
-            std::vector<double> means;
+            std::map<long long, double> means;
             for (const auto& [replicate, sum] : replicates) {
-                means.push_back(sum.first / static_cast<double>(sum.second));
+                means[replicate] = sum.first / static_cast<double>(sum.second);
             }
             figures_.push_back(over_replicates(key, std::move(means)));
         }
@@ -228,16 +237,16 @@ void refuse_unfinished(const fs::path& folder) {
 
 }  // namespace
 
-Figure over_replicates(FigureKey key, std::vector<double> by_replicate) {
+Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate) {
     const auto n = static_cast<double>(by_replicate.size());
     double mean = 0.0;
-    for (const double value : by_replicate) {
+    for (const auto& [replicate, value] : by_replicate) {
         mean += value / n;
     }
     Figure figure{.key = std::move(key), .value = mean, .is_interval = true};
     if (by_replicate.size() > 1) {
         double squares = 0.0;
-        for (const double value : by_replicate) {
+        for (const auto& [replicate, value] : by_replicate) {
             squares += (value - mean) * (value - mean);
         }
         const double error = std::sqrt(squares / (n - 1.0) / n);

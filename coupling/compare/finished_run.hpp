@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -28,7 +29,7 @@ struct Figure {
     double high = std::numeric_limits<double>::quiet_NaN();
     bool is_interval = false;  ///< low and high: 95 % interval; otherwise the range of nine replicates in ten
     int year = -1;             ///< the worst one; -1: none
-    std::vector<double> by_replicate{};  ///< means over years
+    std::map<long long, double> by_replicate{};  ///< means over years by the number of the replicate
 };
 
 /// A finished run as its folder holds it.
@@ -43,6 +44,6 @@ struct FinishedRun {
 FinishedRun read_finished_run(const std::filesystem::path& folder);
 
 /// Mean of the replicates with its 95 % interval by Student's t; one replicate has none.
-Figure over_replicates(FigureKey key, std::vector<double> by_replicate);
+Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate);
 
 }  // namespace coupling::compare

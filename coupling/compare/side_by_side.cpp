@@ -161,12 +161,16 @@ std::optional<Difference> difference(const Figure& figure, const Figure& first, 
     }
     Difference d;
     d.value = figure.value - first.value;
-    const std::size_t pairs = figure.by_replicate.size();
-    if (paired && pairs > 1 && first.by_replicate.size() == pairs) {
-        std::vector<double> differences;
-        for (std::size_t i = 0; i < pairs; ++i) {
-            differences.push_back(figure.by_replicate[i] - first.by_replicate[i]);
+    std::map<long long, double> differences;
+    for (const auto& [replicate, value] : figure.by_replicate) {
+        const auto there = first.by_replicate.find(replicate);
+        if (paired && there != first.by_replicate.end()) {
+            differences[replicate] = value - there->second;
         }
+    }
+    const bool all_pairs =
+        differences.size() == figure.by_replicate.size() && differences.size() == first.by_replicate.size();
+    if (differences.size() > 1 && all_pairs) {
         const Figure mean = over_replicates({}, std::move(differences));
         d.low = mean.low;
         d.high = mean.high;

@@ -210,6 +210,11 @@ void check_cells(const Folder& folder, Reader& reader) {
 void read_forest(Folder& folder, Reader& reader) {
     if (reader.has("treefile.txt")) {
         folder.trees = reader.tree_file("treefile.txt");
+        for (const char* raster : {"nrtrees.asc", "dbhmean.asc", "dbhstd.asc"}) {
+            if (reader.has(raster)) {
+                folder.behind_trees.push_back(reader.path_of(raster).filename().string());
+            }
+        }
     } else if (reader.has("nrtrees.asc") || reader.has("dbhmean.asc")) {
         folder.stems_pha = reader.on(folder.dem, "nrtrees.asc", {.low = 0.0, .high = 10'000.0});
         folder.mean_dbh_cm = reader.on(folder.dem, "dbhmean.asc", {.low = 0.0, .high = 250.0});
@@ -250,6 +255,10 @@ Folder read_folder(const fs::path& path) {
     reader.problems().throw_if_any();
     folder.files = reader.files_read();
     folder.not_read = reader.others();
+    std::erase_if(folder.not_read, [&](const std::string& name) {
+        return std::find(folder.behind_trees.begin(), folder.behind_trees.end(), name) !=
+               folder.behind_trees.end();
+    });
     return folder;
 }
 

@@ -27,13 +27,14 @@ struct Folder {
     config::Raster<double> soil_type;         ///< 0 to 7
     config::Raster<double> rg70, rg20, rg10;  ///< m, height of obstacles in 70, 20, 10 % of the contacts
 
-    // Forest: a tree file, or rasters, or neither
-    std::vector<FileTree> trees;
+    // Forest: a tree file, or rasters, or neither. Where there is a tree file, the rasters are not read.
+    std::optional<std::vector<FileTree>> trees;
     std::optional<config::Raster<double>> stems_pha, mean_dbh_cm, dbh_deviation_cm;
     std::optional<config::Raster<double>> conifer_percent;
 
-    std::vector<std::string> files;     ///< names of the files that were read, as they are written there
-    std::vector<std::string> not_read;  ///< the other files in the folder
+    std::vector<std::string> files;         ///< names of the files that were read, as they are written there
+    std::vector<std::string> not_read;      ///< the other files in the folder
+    std::vector<std::string> behind_trees;  ///< rasters of a forest that the tree file goes before
 };
 
 /// Reads a folder. File names are compared without regard to case. Throws InputError with all problems at

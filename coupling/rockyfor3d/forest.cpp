@@ -59,9 +59,9 @@ private:
 };
 
 void plant_listed(const Folder& folder, Planter& planter) {
-    for (std::size_t i = 0; i < folder.trees.size(); ++i) {
+    for (std::size_t i = 0; i < folder.trees->size(); ++i) {
         config::RandomStream stream{{.seed = forest_seed, .id = i}, config::Purpose::stand};
-        const FileTree& tree = folder.trees[i];
+        const FileTree& tree = (*folder.trees)[i];
         planter.plant(tree.x_m, tree.y_m, tree.dbh_cm, stream.uniform());
     }
 }
@@ -103,18 +103,20 @@ void plant_generated(const Folder& folder, Planter& planter) {
 
 Forest forest_of(const Folder& folder) {
     Planter planter{folder};
-    if (!folder.trees.empty()) {
+    if (folder.trees) {
         plant_listed(folder, planter);
         Forest forest = planter.done();
         if (forest.trees.empty()) {
             config::fail(
                 config::ExitCode::data, {"treefile.txt"},
-                joined("no tree to plant: ", std::to_string(forest.outside), " off the terrain, ",
-                       std::to_string(forest.too_thin), " below 5 cm"),
+                joined("no tree to plant: ", std::to_string(folder.trees->size()), " in the file, ",
+                       std::to_string(forest.outside), " off the terrain, ", std::to_string(forest.too_thin),
+                       " below 5 cm"),
                 "columns x, y, DBH in cm in the coordinates of dem.asc, or no such file for a bare slope");
         }
         return forest;
-    } else if (folder.stems_pha) {
+    }
+    if (folder.stems_pha) {
         plant_generated(folder, planter);
     }
     return planter.done();

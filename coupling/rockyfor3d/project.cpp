@@ -154,7 +154,7 @@ void remark_grounds(const Grounds& grounds, double rock_radius_m, std::vector<st
         "makes your own.");
 }
 
-void remark_forest(const Forest& forest, std::vector<std::string>& remarks) {
+void remark_forest(const Folder& folder, const Forest& forest, std::vector<std::string>& remarks) {
     if (forest.trees.empty()) {
         remarks.emplace_back("No trees: only the bare slope is assessed.");
         return;
@@ -167,7 +167,12 @@ void remark_forest(const Forest& forest, std::vector<std::string>& remarks) {
                    std::to_string(forest_seed),
                    "; Rockyfor3D draws them anew in each run. Places and diameters are artificial."));
     } else {
-        remarks.push_back(joined("Trees: ", std::to_string(forest.trees.size()), " from treefile.txt."));
+        remarks.push_back(joined(
+            "Trees: ", std::to_string(forest.trees.size()), " from treefile.txt",
+            folder.behind_trees.empty()
+                ? std::string{}
+                : joined(", which goes before ", list(folder.behind_trees), " as it does in Rockyfor3D"),
+            "."));
     }
     if (forest.too_thin + forest.outside > 0) {
         remarks.push_back(joined("Left out: ", std::to_string(forest.too_thin), " trees below 5 cm and ",
@@ -230,7 +235,7 @@ Project project_of(const std::filesystem::path& path) {
     Project project;
     remark_blocks(blocks, project.remarks);
     remark_grounds(grounds, rock_radius_m, project.remarks);
-    remark_forest(forest, project.remarks);
+    remark_forest(folder, forest, project.remarks);
     remark_rest(folder, project.remarks);
     project.files = {
         {"scenario.ini", scenario(blocks, forest)}, {"dem.asc", text_of(folder.dem)},

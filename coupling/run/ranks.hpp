@@ -24,7 +24,7 @@ public:
     enum class Work : std::uint8_t { bare_slope, members };
 
     /// Joins the other ranks. Throws config::InputError (settings) if there are some and the program was
-    /// built without MPI.
+    /// built without MPI, or with one that does not find them (another launcher's).
     RankGroup();
     struct Alone {};
     /// One process for itself, whatever started it.

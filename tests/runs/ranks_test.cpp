@@ -86,6 +86,14 @@ TEST_F(Ranks, EndAllWithTheCodeOfTheOneThatFailed) {
     EXPECT_EQ(count(outcome.err, "processes of one run with different settings"), 1U) << outcome.err;
 }
 
+/// Started by a launcher that the program's MPI does not speak with, each process would do the whole run.
+TEST_F(Ranks, ThatDoNotFindEachOtherSaySo) {
+    const Outcome outcome = shell(
+        project_, "PMI_SIZE=2 PMI_RANK=0 OMPI_ALLOW_RUN_AS_ROOT=1 \"$bannwald\" run scenario.ini --quiet\n");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(project_.file("out")));
+}
+
 TEST_F(Ranks, DoNotShareARunWithoutYears) {
     const Outcome outcome = with_ranks("ranks 2 run scenario.ini --set run.years=0 --set trees.file=\n");
     EXPECT_EQ(outcome.code, 2) << outcome.err;

@@ -172,6 +172,30 @@ TEST(FromRockyfor3d, DrawsAForestFromRastersTheSameEachTime) {
     EXPECT_NE(project.read("made/README.md").find("artificial"), std::string::npos);
 }
 
+TEST(FromRockyfor3d, TakesTheTreeFileBeforeRastersAndSaysSo) {
+    const RockyFolder project;
+    project.add_tree_file();
+    project.add_forest_rasters();
+    const Outcome made = call(project, "init made --from-rockyfor3d rocky");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("from treefile.txt, which goes before nrtrees.asc, dbhmean.asc"),
+              std::string::npos)
+        << made.err;
+}
+
+/// A user who has a tree file means a forest: never a bare slope, nor the rasters instead, without a word.
+TEST(FromRockyfor3d, RefusesATreeFileThatGivesNoTree) {
+    const RockyFolder project;
+    project.add_forest_rasters();
+    for (const char* text : {"", "x y dbh\n", "0 0 30\n5 5 40\n"}) {
+        project.write("rocky/treefile.txt", text);
+        const Outcome made = call(project, "init made --from-rockyfor3d rocky");
+        EXPECT_EQ(made.code, 4) << text;
+        EXPECT_NE(made.err.find("treefile.txt: no tree to plant"), std::string::npos) << made.err;
+        EXPECT_FALSE(std::filesystem::exists(project.file("made"))) << text;
+    }
+}
+
 TEST(FromRockyfor3d, RefusesRastersThatDoNotLieOnTheDem) {
     const RockyFolder project;
     config::GridFrame shifted = project.frame();

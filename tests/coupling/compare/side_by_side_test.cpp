@@ -29,11 +29,12 @@ FinishedRun run_with(const Figure& figure) {
 
 TEST(OverReplicates, IsStudentsInterval) {
     // Three values 1, 2, 3: standard error 1 / sqrt(3), t of 2 degrees of freedom at 97.5 % is 4.3027.
-    const Figure figure = over_replicates({}, {1.0, 2.0, 3.0});
+    const Figure figure = over_replicates({}, {{0, 1.0}, {1, 2.0}, {2, 3.0}});
     EXPECT_DOUBLE_EQ(figure.value, 2.0);
     EXPECT_NEAR(figure.high - 2.0, 4.30265273 / std::sqrt(3.0), 1e-6);
     EXPECT_NEAR(figure.low + figure.high, 4.0, 1e-12);
-    EXPECT_TRUE(std::isnan(over_replicates({}, {5.0}).low)) << "one replicate tells nothing of the others";
+    EXPECT_TRUE(std::isnan(over_replicates({}, {{0, 5.0}}).low))
+        << "one replicate tells nothing of the others";
 }
 
 TEST(Difference, AddsIndependentIntervalsInSquares) {
@@ -51,15 +52,22 @@ TEST(Difference, AddsIndependentIntervalsInSquares) {
 TEST(Difference, TakesReplicatesOfTheSameSeedAsPairs) {
     // The replicates differ much, the runs nearly always by 1: as pairs that is certain, on their own it is
     // not.
-    const Figure first = over_replicates({}, {10.0, 20.0, 30.0});
-    const Figure other = over_replicates({}, {11.0, 21.1, 31.0});
+    const Figure first = over_replicates({}, {{0, 10.0}, {1, 20.0}, {2, 30.0}});
+    const Figure other = over_replicates({}, {{0, 11.0}, {1, 21.1}, {2, 31.0}});
     EXPECT_TRUE(difference(other, first, true)->is_more_than_chance());
     EXPECT_FALSE(difference(other, first, false)->is_more_than_chance());
 }
 
+TEST(Difference, OfOtherReplicatesIsThatOfIndependentRuns) {
+    // The same values, but of replicates that are not the same: no pairs.
+    const Figure first = over_replicates({}, {{0, 10.0}, {1, 20.0}, {2, 30.0}});
+    const Figure other = over_replicates({}, {{0, 11.0}, {1, 21.1}, {3, 31.0}});
+    EXPECT_FALSE(difference(other, first, true)->is_more_than_chance());
+}
+
 TEST(Difference, ThatIsTheSameInAllReplicatesHasNoInterval) {
-    const Figure first = over_replicates({}, {10.0, 20.0, 30.0});
-    const Figure other = over_replicates({}, {11.0, 21.0, 31.0});
+    const Figure first = over_replicates({}, {{0, 10.0}, {1, 20.0}, {2, 30.0}});
+    const Figure other = over_replicates({}, {{0, 11.0}, {1, 21.0}, {2, 31.0}});
     const auto d = difference(other, first, true);
     EXPECT_EQ(d->value, 1.0);
     EXPECT_FALSE(d->has_interval());
@@ -93,6 +101,22 @@ TEST(SideBySide, TellsWhenRunsCannotBeCompared) {
     std::ostringstream screen;
     write_screen(screen, other_terrain, comparison);
     EXPECT_NE(screen.str().find("NOT COMPARABLE: the terrain differ"), std::string::npos) << screen.str();
+}
+
+TEST(SideBySide, TellsOfOtherYearsWithRocksAndOfOtherMotionModels) {
+    std::vector<FinishedRun> runs{run_with(with_interval(60.0, 57.0, 64.0)),
+                                  run_with(with_interval(50.0, 47.0, 54.0))};
+    runs[0].summary.settings.push_back({"run.rockfall_every", "1", ""});
+    runs[1].summary.settings.push_back({"run.rockfall_every", "5", ""});
+    ASSERT_EQ(side_by_side(runs).not_comparable.size(), 1U);
+    EXPECT_NE(side_by_side(runs).not_comparable[0].find("different years"), std::string::npos);
+
+    runs[1].summary.settings.back().value = "1";
+    runs[0].summary.settings.push_back({"rockfall.motion", "picus", ""});
+    runs[1].summary.settings.push_back({"rockfall.motion", "pir3d", ""});
+    EXPECT_TRUE(side_by_side(runs).not_comparable.empty());
+    ASSERT_EQ(side_by_side(runs).notes.size(), 1U);
+    EXPECT_NE(side_by_side(runs).notes[0].find("the motion models differ"), std::string::npos);
 }
 
 TEST(SideBySide, RefusesRunsOfDifferentKinds) {

@@ -48,6 +48,16 @@ TEST(Comparison, KnowsNoIntervalOfASinglePair) {
     EXPECT_TRUE(std::isnan(found->high));
 }
 
+TEST(Comparison, KnowsNoIntervalOfEqualDifferences) {
+    Series series = some_series();
+    series.values[1] = {{{0, 81.0}}, {{0, 83.0}}, {{0, 85.0}}};
+    const auto found = difference(series, 1, 0, 0);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->pairs, 3U);
+    EXPECT_DOUBLE_EQ(found->mean, 1.0);
+    EXPECT_TRUE(std::isnan(found->low)) << "three equal differences are not certainty";
+}
+
 TEST(Comparison, FindsTheWorstYearOnTheBadSide) {
     Series series = some_series();
     EXPECT_EQ(worst_year(series, 0)->year, 1);

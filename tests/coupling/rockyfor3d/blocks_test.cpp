@@ -29,6 +29,7 @@ Folder folder_with(const std::vector<config::Cell>& sources) {
                   {},
                   {},
                   {},
+                  {},
                   {}};
     for (const config::Cell& cell : sources) {
         folder.rock_density.at(cell) = 2500.0;
