@@ -191,7 +191,7 @@ TEST(FromRockyfor3d, RefusesATreeFileThatGivesNoTree) {
         project.write("rocky/treefile.txt", text);
         const Outcome made = call(project, "init made --from-rockyfor3d rocky");
         EXPECT_EQ(made.code, 4) << text;
-        EXPECT_NE(made.err.find("treefile.txt: no tree to plant"), std::string::npos) << made.err;
+        EXPECT_NE(made.err.find("treefile.txt: found no tree to plant"), std::string::npos) << made.err;
         EXPECT_FALSE(std::filesystem::exists(project.file("made"))) << text;
     }
 }
