@@ -53,10 +53,12 @@ void declare_ground(config::Options& options, GroundLaw& ground) {
 }
 
 void declare_motion(config::Options& options, MotionLaws& motion) {
-    options.choice("rockfall.motion", motion.model,
-                   {{"picus", MotionModel::picus}, {"pir3d", MotionModel::pir3d}},
-                   {.meaning = "motion model: jump-angle law and rolling, or sliding and PiR3D's soils",
-                    .source = "Rammer et al. 2010; Cottaz et al. 2010"});
+    options.choice(
+        "rockfall.motion", motion.model,
+        {{"picus", MotionModel::picus}, {"pir3d", MotionModel::pir3d}, {"classical", MotionModel::classical}},
+        {.meaning = "motion model: jump-angle law and rolling; sliding and PiR3D's soils; or "
+                    "constant restitution",
+         .source = "Rammer et al. 2010; Cottaz et al. 2010; Stevens 1998"});
     pir3d::Law& law = motion.pir3d;
     options.choice("pir3d.spread", law.spread,
                    {{"uniform", pir3d::Spread::uniform}, {"normal", pir3d::Spread::normal}},
@@ -75,6 +77,37 @@ void declare_motion(config::Options& options, MotionLaws& motion) {
                     .meaning = "largest error of a step of sliding; larger ones are made again, shorter",
                     .source = "Cottaz et al. 2010, 2.3.1.2"});
     options.number("pir3d.least_hop", law.least_hop,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 10.0,
+                    .meaning = "hops shorter than this times the rock's radius are sliding",
+                    .source = "choice"});
+}
+
+void declare_classical(config::Options& options, classical::Law& law, WrittenLaw& written) {
+    options.number("classical.restitution_deviation", law.restitution_deviation,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.5,
+                    .meaning = "standard deviation of r_n and r_t at each impact, cut at 3 deviations",
+                    .source = "choice, of the size that users of lumped-mass programs give"});
+    options.number("classical.lateral_deg", written.classical_lateral_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 90.0,
+                    .meaning = "largest turn of a rock at an impact, either way, at every speed",
+                    .source = "choice: that of fast rocks under picus"});
+    options.choice("classical.friction", law.friction,
+                   {{"from_rt", classical::Friction::from_rt}, {"angle", classical::Friction::angle}},
+                   {.meaning = "friction of sliding: (1 - r_t) / r_t of the ground, or one angle",
+                    .source = "choice; both are in use (help of RocFall, analysis method)"});
+    options.number("classical.friction_angle_deg", written.classical_friction_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 89.0,
+                    .meaning = "friction angle of sliding where classical.friction is angle",
+                    .source = "choice"});
+    options.number("classical.least_hop", law.least_hop,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 10.0,
@@ -314,6 +347,7 @@ Parameters::Parameters() {
 void declare(config::Options& options, Parameters& parameters) {
     PicusLaw& law = parameters.fall.motion.picus;
     declare_motion(options, parameters.fall.motion);
+    declare_classical(options, parameters.fall.motion.classical, parameters.written);
     declare_ground(options, parameters.ground);
     declare_restitution(options, law);
     declare_rebound(options, law, parameters.written);
@@ -336,6 +370,13 @@ void take_over(Parameters& parameters, const config::Options& options) {
     law.rolling.edge_angle_tangent = edge.sin / edge.cos;
     law.stopping.most_impacts = static_cast<std::uint32_t>(written.most_impacts);
     parameters.fall.motion.pir3d.most_impacts = law.stopping.most_impacts;
+    classical::Law& classical = parameters.fall.motion.classical;
+    classical.lateral = config::Angle::from_degrees(written.classical_lateral_deg);
+    const config::SinCos friction =
+        config::sin_cos_of(config::Angle::from_degrees(written.classical_friction_deg).in_radians());
+    classical.friction_angle_tangent = friction.sin / friction.cos;
+    classical.edge_angle_tangent = law.rolling.edge_angle_tangent;
+    classical.most_impacts = law.stopping.most_impacts;
     parameters.fall.log.stop_share = parameters.fall.tree.stop_share;
 
     config::Problems problems;

@@ -23,6 +23,8 @@ struct WrittenLaw {
     double lateral_slow_deg = 16.0;
     double lateral_fast_deg = 11.0;
     double rolling_edge_deg = 4.0;
+    double classical_lateral_deg = 11.0;
+    double classical_friction_deg = 30.0;
     std::uint64_t most_impacts = 20'000;
 };
 
@@ -34,8 +36,8 @@ struct Parameters {
     WrittenLaw written;
 };
 
-/// Declares the settings [rockfall], [pir3d], [tree_impact] and [log_impact]; each carries its presets `strict`,
-/// `paper_rebound`, `paper_initial`. After reading, `take_over` brings the laws up to date.
+/// Declares the settings [rockfall], [pir3d], [classical], [tree_impact] and [log_impact]; each carries its
+/// presets `strict`, `paper_rebound`, `paper_initial`. After reading, `take_over` brings the laws up to date.
 void declare(config::Options& options, Parameters& parameters);
 
 /// Turns what users wrote into what the laws use. Throws InputError (settings) where settings contradict each

@@ -71,8 +71,7 @@ void describe_site(const Scenario& scenario, const Site& site, std::ostream& out
 }
 
 void describe_falls(const Scenario& scenario, const Site& site, std::ostream& out) {
-    const bool slides = scenario.rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
-    say(out, "motion", slides ? "pir3d" : "picus");
+    say(out, "motion", rockfall::name_of(scenario.rockfall.fall.motion.model));
     say(out, "ground", ground_in_words(site));
     say(out, "sources", std::to_string(site.sources.size()) + " in " + counted(zones_of(site), "zone"));
     std::string targets;

@@ -93,8 +93,8 @@ void judge(SideBySide& comparison, std::span<const FinishedRun> runs) {
     for (const Disagreement& d : comparison.settings) {
         if (d.what == "rockfall.motion") {
             comparison.notes.push_back(joined("the motion models differ (", pair(comparison, d),
-                                              "): energies of pir3d are those of translation alone, "
-                                              "rocks of picus also spin"));
+                                              "): rocks of picus also spin, energies of the others "
+                                              "are those of translation alone"));
         }
     }
     const auto differs = [&](auto value) {

@@ -101,20 +101,35 @@ void tell_idle_output(const Scenario& scenario, Reading& reading) {
 
 /// Settings that the user made for another motion model than the chosen one.
 void tell_idle_motion(const Scenario& scenario, Reading& reading) {
-    const bool slides = scenario.rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
-    const std::set<std::string> of_both{
+    using rockfall::MotionModel;
+    const MotionModel model = scenario.rockfall.fall.motion.model;
+    const std::set<std::string> of_all{
         "rockfall.motion",          "rockfall.vertical_tolerance_m", "rockfall.contact_support_m",
         "rockfall.contact_shift_m", "rockfall.most_impacts",         "rockfall.preset"};
+    const auto belongs_to = [&](const std::string& key, MotionModel to) {
+        switch (to) {
+            case MotionModel::pir3d:
+                return key.starts_with("pir3d.");
+            case MotionModel::classical:
+                return key.starts_with("classical.") || key == "rockfall.rolling_edge_deg";
+            case MotionModel::picus:
+                break;
+        }
+        return key.starts_with("rockfall.");
+    };
     std::string names;
     for (const config::ParameterRow& row : scenario.options->rows()) {
-        const bool of_other = slides ? row.key.starts_with("rockfall.") && !of_both.contains(row.key)
-                                     : row.key.starts_with("pir3d.");
+        bool of_any = false;
+        for (const MotionModel other : {MotionModel::picus, MotionModel::pir3d, MotionModel::classical}) {
+            of_any = of_any || belongs_to(row.key, other);
+        }
+        const bool of_other = of_any && !of_all.contains(row.key) && !belongs_to(row.key, model);
         if (of_other && scenario.options->was_set(row.key)) {
             names += (names.empty() ? "" : ", ") + row.key;
         }
     }
     if (!names.empty()) {
-        reading.note(joined("rockfall.motion is ", slides ? "pir3d" : "picus", ": ", names,
+        reading.note(joined("rockfall.motion is ", rockfall::name_of(model), ": ", names,
                             names.find(',') == std::string::npos ? " has" : " have", " no effect"));
     }
 }

@@ -85,6 +85,7 @@ void check_settings(const Scenario& scenario, config::Problems& problems) {
 void turn_deviation_off(Scenario& scenario) {
     scenario.rockfall.written.lateral_slow_deg = 0.0;
     scenario.rockfall.written.lateral_fast_deg = 0.0;
+    scenario.rockfall.written.classical_lateral_deg = 0.0;
     scenario.rockfall.fall.motion.pir3d.turns_sideways = false;
 }
 

@@ -26,14 +26,14 @@ struct Quantity {
 
 const Quantity arrival_energy{
     "energy", "kj", "kJ",
-    "kinetic energy (translation and rotation; PiR3D: translation alone) at the first arrival"};
+    "kinetic energy (translation and rotation; pir3d, classical: translation alone) at the first arrival"};
 const Quantity arrival_speed{"speed", "mps", "m/s", "speed at the first arrival"};
 const Quantity arrival_height{"height", "m", "m",
                               "height of the underside above the ground, vertical, at the first arrival"};
 const Quantity top_speed{"max_speed", "mps", "m/s", "each rock's highest speed"};
 const Quantity top_energy{
     "max_energy", "kj", "kJ",
-    "each rock's highest kinetic energy (translation and rotation; PiR3D: translation alone)"};
+    "each rock's highest kinetic energy (translation and rotation; pir3d, classical: translation alone)"};
 const Quantity top_height{"max_height", "m", "m", "each rock's largest height above the ground, vertical"};
 
 /// energy_mean_kj, energy_50_kj, ...: the columns of a distribution.

@@ -120,8 +120,8 @@ TableLayout rocks() {
         {"time_s", "s", "time from release to end", simulated},
         {"max_speed_mps", "m/s", "highest speed", simulated},
         {"mean_speed_mps", "m/s", "path divided by time", simulated},
-        {"max_energy_kj", "kJ", "highest kinetic energy, translation and rotation; PiR3D: translation alone",
-         simulated},
+        {"max_energy_kj", "kJ",
+         "highest kinetic energy, translation and rotation; pir3d, classical: translation alone", simulated},
         {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
         {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
         {"jumps", "-", "jumps", simulated},
@@ -137,18 +137,19 @@ TableLayout rocks() {
 }
 
 TableLayout arrivals() {
-    return {"arrivals.csv",
-            "a rock that reached a target on one slope",
-            {rock_column(),
-             target_columns().front(),
-             cover_column(),
-             {"x_m", "m", "easting of the first arrival", simulated},
-             {"y_m", "m", "northing of the first arrival", simulated},
-             {"energy_kj", "kJ", "kinetic energy there, translation and rotation; PiR3D: translation alone",
-              simulated},
-             {"translational_kj", "kJ", "the translational part of it", simulated},
-             {"speed_mps", "m/s", "speed there", simulated},
-             {"height_m", "m", "height of the underside above the ground there, vertical", simulated}}};
+    return {
+        "arrivals.csv",
+        "a rock that reached a target on one slope",
+        {rock_column(),
+         target_columns().front(),
+         cover_column(),
+         {"x_m", "m", "easting of the first arrival", simulated},
+         {"y_m", "m", "northing of the first arrival", simulated},
+         {"energy_kj", "kJ",
+          "kinetic energy there, translation and rotation; pir3d, classical: translation alone", simulated},
+         {"translational_kj", "kJ", "the translational part of it", simulated},
+         {"speed_mps", "m/s", "speed there", simulated},
+         {"height_m", "m", "height of the underside above the ground there, vertical", simulated}}};
 }
 
 TableLayout tree_hits() {
@@ -181,7 +182,8 @@ TableLayout trajectories() {
                                     cover_column(),
                                     {"point", "-", "number of the corner along the path, from 0", simulated}};
     const std::vector<Column> rest{
-        {"energy_kj", "kJ", "kinetic energy, translation and rotation; PiR3D: translation alone", simulated},
+        {"energy_kj", "kJ", "kinetic energy, translation and rotation; pir3d, classical: translation alone",
+         simulated},
         {"height_m", "m", "height of the underside above the ground, vertical", simulated}};
     return {"trajectories.csv", "a corner of a sampled path",
             together(first, place_columns("", "the rock's underside"), rest)};

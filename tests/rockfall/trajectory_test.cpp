@@ -29,7 +29,7 @@ FallLaw lively_law(MotionModel model = MotionModel::picus) {
 
 /// Rules that hold for falls hold under every motion model.
 rc::Gen<MotionModel> any_model() {
-    return rc::gen::element(MotionModel::picus, MotionModel::pir3d);
+    return rc::gen::element(MotionModel::picus, MotionModel::pir3d, MotionModel::classical);
 }
 
 /// A rough slope: a plane with waves, steps and noise, different for each seed.
@@ -162,7 +162,7 @@ TEST(Fall, RestsInAPitWithSteepWalls) {
     const Slope pit =
         slope_over(heights_of(frame, [](double x, double y) { return 1.2 * std::hypot(x - 50.0, y - 50.0); }),
                    {0.35, 0.85});
-    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d}) {
+    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d, MotionModel::classical}) {
         const auto [end, log] =
             logged_fall(pit, lively_law(model), start_at(pit, 30.0, 40.0, 1.5, {3.0, 0.0, -1.0}));
         EXPECT_EQ(end.reason, StopReason::at_rest);
@@ -177,7 +177,7 @@ TEST(Fall, FollowsAGullyDownhill) {
     const Slope gully = slope_over(
         heights_of(frame, [](double x, double y) { return 400.0 - 0.8 * x + 1.0 * std::abs(y - 47.5); }),
         {0.30, 0.65});
-    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d}) {
+    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d, MotionModel::classical}) {
         FallLaw law = lively_law(model);
         law.motion.picus.stopping.by_chance = false;
         int left = 0;

@@ -52,7 +52,7 @@ TEST(Interruption, LeavesNoResults) {
 }
 
 class InterruptionUnderModel : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Motion, InterruptionUnderModel, ::testing::Values("picus", "pir3d"),
+INSTANTIATE_TEST_SUITE_P(Motion, InterruptionUnderModel, ::testing::Values("picus", "pir3d", "classical"),
                          [](const auto& model) { return model.param; });
 
 TEST_P(InterruptionUnderModel, KeepsFinishedPartsForTheSameSettingsOnly) {

@@ -20,7 +20,7 @@ class ResultsOfModel : public ::testing::TestWithParam<std::string> {
 protected:
     [[nodiscard]] static std::string motion() { return "--set rockfall.motion=" + GetParam() + " "; }
 };
-INSTANTIATE_TEST_SUITE_P(Motion, ResultsOfModel, ::testing::Values("picus", "pir3d"),
+INSTANTIATE_TEST_SUITE_P(Motion, ResultsOfModel, ::testing::Values("picus", "pir3d", "classical"),
                          [](const auto& model) { return model.param; });
 
 TEST_P(ResultsOfModel, AreTheSameBytesOnAnyNumberOfThreads) {

@@ -54,7 +54,8 @@ std::string dense_list(bool with_thin_trees) {
 }
 
 class FirstRocksOfYearsUnderModel : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Motion, FirstRocksOfYearsUnderModel, ::testing::Values("picus", "pir3d"),
+INSTANTIATE_TEST_SUITE_P(Motion, FirstRocksOfYearsUnderModel,
+                         ::testing::Values("picus", "pir3d", "classical"),
                          [](const auto& model) { return model.param; });
 
 TEST_P(FirstRocksOfYearsUnderModel, AreThoseOfToday) {

@@ -70,7 +70,8 @@ constexpr std::array quantities{
              "powers of ten.",
              ""},
     Quantity{"E_mean", "Energy, mean",
-             "Of the largest kinetic energy (translation and rotation; PiR3D: translation alone) of each "
+             "Of the largest kinetic energy (translation and rotation; pir3d, classical: translation alone) "
+             "of each "
              "rock in a cell. For the "
              "forest effect, "
              "no rock counts as no energy.",

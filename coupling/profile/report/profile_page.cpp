@@ -85,7 +85,8 @@ std::string stations(const ProfileResults& results) {
     }
     using namespace rockfall;
     HtmlTable table{
-        "Energy is translation and rotation (PiR3D: translation alone); height is that of the underside "
+        "Energy is translation and rotation (pir3d, classical: translation alone); height is that of the "
+        "underside "
         "above ground, vertical.",
         {"Station", "at, m", "rocks that pass (95 % interval)", "energy, kJ: mean", "sd", "90 %", "95 %",
          "99 %", "translation alone, kJ: mean", "speed, m/s: mean", "speed 95 %", "height, m: mean",

@@ -177,7 +177,8 @@ std::string answers(const RunResults& results, const Figures& figures) {
     }
     return joined(
         html,
-        "<p class=\"soft\">Energy is translation and rotation (PiR3D: translation alone) of a rock where it "
+        "<p class=\"soft\">Energy is translation and rotation (pir3d, classical: translation alone) of a "
+        "rock where it "
         "first meets the target; "
         "height is that of "
         "its underside, vertically above the ground. Intervals cover the chance in the simulated rocks, "

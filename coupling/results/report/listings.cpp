@@ -172,9 +172,17 @@ std::string rock_size(const Scenario& scenario) {
 }
 
 std::string motion_in_words(const Scenario& scenario) {
-    return scenario.rockfall.fall.motion.model == rockfall::MotionModel::pir3d
-               ? "PiR3D: rocks slide and do not spin, energies are those of translation alone"
-               : "PICUS Rock’n’Roll: rocks jump, roll and spin";
+    switch (scenario.rockfall.fall.motion.model) {
+        case rockfall::MotionModel::pir3d:
+            return "PiR3D: rocks slide and do not spin, energies are those of translation alone";
+        case rockfall::MotionModel::classical:
+            return "Classical, constant restitution: rocks are points that do not spin, energies are those "
+                   "of "
+                   "translation alone";
+        case rockfall::MotionModel::picus:
+            break;
+    }
+    return "PICUS Rock’n’Roll: rocks jump, roll and spin";
 }
 
 std::string opening(const RunResults& results, const Figures&) {

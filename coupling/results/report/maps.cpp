@@ -195,7 +195,8 @@ std::string maps(const RunResults& results) {
              "powers of ten.",
              " For the forest effect both are shares of the same rocks.");
     page.row("E_95", "Energy, 95th percentile", "kJ",
-             "Of the largest kinetic energy (translation and rotation; PiR3D: translation alone) of each "
+             "Of the largest kinetic energy (translation and rotation; pir3d, classical: translation alone) "
+             "of each "
              "rock in a cell: one rock in "
              "twenty has more.",
              " For the forest effect, no rock counts as no energy.");
