@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <set>
@@ -73,7 +74,16 @@ void describe_site(const Scenario& scenario, const Site& site, std::ostream& out
 void describe_falls(const Scenario& scenario, const Site& site, std::ostream& out) {
     say(out, "motion", rockfall::name_of(scenario.rockfall.fall.motion.model));
     say(out, "ground", ground_in_words(site));
-    say(out, "sources", std::to_string(site.sources.size()) + " in " + counted(zones_of(site), "zone"));
+    const auto own = static_cast<std::size_t>(
+        std::count_if(site.sources.begin(), site.sources.end(),
+                      [](const auto& source) { return source.own_start != nullptr; }));
+    say(out, "sources",
+        std::to_string(site.sources.size()) + " in " + counted(zones_of(site), "zone") +
+            (own > 0 ? ", " + std::to_string(own) + " with rocks of their own" : ""));
+    const rockfall::DiameterRange sizes = rockfall::diameter_range(start_law(scenario), site.sources);
+    say(out, "diameters",
+        config::to_text(sizes.smallest_m) +
+            (sizes.largest_m > sizes.smallest_m ? " to " + config::to_text(sizes.largest_m) : "") + " m");
     std::string targets;
     for (const rockfall::Target& target : site.targets) {
         targets += (targets.empty() ? "" : ", ") + target.id;

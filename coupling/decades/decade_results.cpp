@@ -40,8 +40,10 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
     }
     if (results.rocks > 0) {
         sections.push_back(
-            {"Stands against rocks", stands_against_rocks(results.names, series, profile,
-                                                          start_law(results.scenario).diameter.mean_m())});
+            {"Stands against rocks",
+             stands_against_rocks(
+                 results.names, series, profile,
+                 rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m)});
     }
     return sections;
 }
@@ -69,7 +71,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
         add(write_fall_maps(folder, results.names, results.site, results.members));
     }
     const std::optional<forest::TargetProfile> profile =
-        results.rocks > 0 ? profile_for(results.scenario) : std::nullopt;
+        results.rocks > 0 ? profile_for(results.scenario, results.site) : std::nullopt;
     add(write_profile_tables(folder, results.names, results.members, profile));
     const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);
     add(write_comparison(folder, results.names, series));

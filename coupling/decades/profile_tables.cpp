@@ -53,8 +53,8 @@ void write_checks(std::ostream& out, const Names& names, std::span<const MemberY
 
 }  // namespace
 
-std::optional<forest::TargetProfile> profile_for(const Scenario& scenario) {
-    return forest::target_profile(start_law(scenario).diameter.mean_m());
+std::optional<forest::TargetProfile> profile_for(const Scenario& scenario, const Site& site) {
+    return forest::target_profile(rockfall::diameter_range(start_law(scenario), site.sources).mean_m);
 }
 
 std::vector<StandCheck> checks_of(const MemberYears& member, const forest::TargetProfile& profile) {

@@ -10,6 +10,7 @@
 #include "coupling/decades/decade_tables.hpp"
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
 #include "coupling/results/out_file.hpp"
 #include "forest/protection/target_profile.hpp"
 
@@ -17,7 +18,7 @@ namespace coupling::decades {
 
 /// The target profile for the scenario's rocks: for a block of their mean diameter [choice]. Nothing if that
 /// is larger than any that NaiS speaks of.
-std::optional<forest::TargetProfile> profile_for(const Scenario& scenario);
+std::optional<forest::TargetProfile> profile_for(const Scenario& scenario, const Site& site);
 
 /// A stand (a management unit, or the whole forest as `all`) at the end of a year.
 struct StandCheck {

@@ -121,7 +121,7 @@ BareYear RockSeason::fall_bare(std::uint32_t replicate, std::int32_t year, bool 
 FallsOfYear RockSeason::fall(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
                              int threads) const {
     const Obstacles obstacles = obstacles_of(stand);
-    const double largest_radius_m = 0.5 * start_.diameter.largest_m();
+    const double largest_radius_m = 0.5 * rockfall::diameter_range(start_, site_.sources).largest_m;
     const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
                                     scenario_.rockfall.fall.tree.taper};
     const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,

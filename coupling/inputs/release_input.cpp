@@ -16,8 +16,7 @@ using config::Shape;
 using rockfall::ReleaseSource;
 using Sources = std::vector<ReleaseSource>;
 
-constexpr double most_zones = 4e9;  // zones and rocks of a source are counted in 32 bits
-constexpr std::uint64_t most_rocks = 4'000'000'000ULL;
+constexpr double most_zones = 4e9;  // zones are counted in 32 bits
 
 SourceInput read_shapes(Reading& reading) {
     const std::string& name = reading.scenario().source_shapes;
@@ -25,13 +24,15 @@ SourceInput read_shapes(Reading& reading) {
     config::Problems problems;
     table.require({"wkt"}, problems);
     problems.throw_if_any();
-    SourceInput input{.grid = {}, .shapes = {}, .file = table.file()};
+    doubt_columns(table, reading);
+    SourceInput input{.grid = {}, .shapes = {}, .starts = {}, .file = table.file()};
     for (std::size_t row = 0; row < table.rows(); ++row) {
         auto shape =
             shape_of(table, row, {Shape::Kind::point, Shape::Kind::line, Shape::Kind::polygon}, problems);
         const auto zone = table.has("zone")
                               ? table.whole(row, "zone", {.low = 1.0, .high = most_zones}, problems)
                               : std::optional{static_cast<long long>(row + 1)};
+        SourceStart start = read_source_start(table, row, reading.scenario(), problems);
         if (!shape || !zone) {
             continue;
         }
@@ -41,7 +42,9 @@ SourceInput read_shapes(Reading& reading) {
                 "one kind in a file: points share the rocks evenly, lines by length, polygons by area");
             continue;
         }
-        input.shapes.push_back({static_cast<std::uint32_t>(*zone), std::move(*shape)});
+        input.shapes.push_back(
+            {static_cast<std::uint32_t>(*zone), std::move(*shape), table.place(row, "wkt")});
+        input.starts.push_back(std::move(start));
     }
     config::Problems shown;
     add_first(shown, problems, table.file());
@@ -55,8 +58,10 @@ bool is_zone(double value) {
 
 SourceInput read_grid(Reading& reading) {
     const std::string& name = reading.scenario().source;
-    SourceInput input{
-        .grid = reading.grid("release.source", "source", name), .shapes = {}, .file = reading.shown(name)};
+    SourceInput input{.grid = reading.grid("release.source", "source", name),
+                      .shapes = {},
+                      .starts = std::vector<SourceStart>(1),
+                      .file = reading.shown(name)};
     const auto& values = input.grid->values;
     const auto bad = std::find_if_not(values.begin(), values.end(), is_zone);
     if (bad != values.end()) {
@@ -70,14 +75,14 @@ SourceInput read_grid(Reading& reading) {
     return input;
 }
 
-/// Release zone by cell: 0 or NaN none.
-config::Raster<double> zones_on(const config::GridFrame& frame, const SourceInput& input) {
+/// By cell the release zone of a grid, or the number of the shape from 1: 0 or NaN none.
+config::Raster<double> sources_on(const config::GridFrame& frame, const SourceInput& input) {
     if (input.grid) {
         return *input.grid;
     }
     std::vector<config::CodedPolygon> areas;
     for (const SourceShape& source : input.shapes) {
-        areas.push_back({source.shape, static_cast<double>(source.zone)});
+        areas.push_back({source.shape, static_cast<double>(areas.size() + 1)});
     }
     return config::rasterise_polygons(frame, areas, 0.0);
 }
@@ -145,18 +150,32 @@ void tell(const CellCounts& counts, const config::GridFrame& frame, const Source
     }
 }
 
-Sources place_cells(const SourceInput& input, const HeightInput& heights, const rockfall::Terrain& terrain,
-                    Reading& reading) {
-    const config::Raster<double> zones = zones_on(heights.frame(), input);
-    const config::GridFrame& frame = zones.frame;
+/// Sources and, for each, which of the starts of the input is its own.
+struct Placed {
     Sources sources;
+    std::vector<std::size_t> rows;
+
+    void add(ReleaseSource source, std::size_t row, const SourceInput& input) {
+        source.own_start = input.starts[row].law;
+        sources.push_back(std::move(source));
+        rows.push_back(row);
+    }
+};
+
+Placed place_cells(const SourceInput& input, const HeightInput& heights, const rockfall::Terrain& terrain,
+                   Reading& reading) {
+    const config::Raster<double> cells = sources_on(heights.frame(), input);
+    const config::GridFrame& frame = cells.frame;
+    Placed placed;
     CellCounts counts;
-    for (std::size_t index = 0; index < zones.values.size(); ++index) {
-        const double zone = zones.values[index];
-        if (std::isnan(zone) || zone == 0.0) {
+    for (std::size_t index = 0; index < cells.values.size(); ++index) {
+        const double number = cells.values[index];
+        if (std::isnan(number) || number == 0.0) {
             continue;
         }
         ++counts.all;
+        const std::size_t row = input.grid ? 0 : static_cast<std::size_t>(number) - 1;
+        const double zone = input.grid ? number : static_cast<double>(input.shapes[row].zone);
         const config::Cell cell = frame.cell_of(index);
         const bool in_ring = cell.column == 0 || cell.row == 0 || cell.column == frame.columns - 1 ||
                              cell.row == frame.rows - 1;
@@ -165,15 +184,14 @@ Sources place_cells(const SourceInput& input, const HeightInput& heights, const 
         } else if (heights.grid && std::isnan(heights.grid->values[index])) {
             counts.first_on_nodata = counts.on_nodata == 0 ? index : counts.first_on_nodata;
             ++counts.on_nodata;
-        } else if (const ReleaseSource source = cell_source(frame, index, zone, terrain);
-                   source.weight > 0.0) {
-            sources.push_back(source);
+        } else if (ReleaseSource source = cell_source(frame, index, zone, terrain); source.weight > 0.0) {
+            placed.add(std::move(source), row, input);
         } else {
             ++counts.off_terrain;
         }
     }
     tell(counts, frame, input, heights, reading);
-    return sources;
+    return placed;
 }
 
 ReleaseSource line_source(const config::Point2& from, const config::Point2& to, std::uint32_t zone,
@@ -188,38 +206,79 @@ ReleaseSource line_source(const config::Point2& from, const config::Point2& to, 
     return source;
 }
 
-/// Points alone, lines piece by piece.
-Sources pieces_of(const SourceInput& input, const rockfall::Terrain& terrain) {
-    Sources sources;
-    for (const auto& [zone, shape] : input.shapes) {
-        for (const auto& part : shape.parts) {
-            if (shape.kind == Shape::Kind::point) {
-                sources.push_back(line_source(part.front(), part.front(), zone, terrain));
+/// Where a line first leaves the terrain, looked at in steps of half a metre; nothing if it stays on it.
+std::optional<config::Point2> leaves_terrain_at(const std::vector<config::Point2>& line,
+                                                const rockfall::Terrain& terrain) {
+    constexpr double step_m = 0.5;
+    std::uint32_t hint = rockfall::no_triangle;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const config::Point2& to = line[i];
+        const config::Point2& from = i > 0 ? line[i - 1] : to;
+        const double length_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+        const int steps = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
+        for (int k = 1; k <= steps; ++k) {
+            const double share = static_cast<double>(k) / steps;
+            const config::Point2 place{from.x_m + share * (to.x_m - from.x_m),
+                                       from.y_m + share * (to.y_m - from.y_m)};
+            const auto triangle =
+                terrain.locate(place.x_m - terrain.origin_m().x(), place.y_m - terrain.origin_m().y(), hint);
+            if (!triangle) {
+                return place;
             }
-            for (std::size_t i = 1; shape.kind == Shape::Kind::line && i < part.size(); ++i) {
-                if (part[i] != part[i - 1]) {
-                    sources.push_back(line_source(part[i - 1], part[i], zone, terrain));
-                }
+            hint = *triangle;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string to_dm(double value_m) {
+    return config::to_text(std::round(10.0 * value_m) / 10.0);
+}
+
+/// The pieces of a line, or a problem where it leaves the terrain.
+void place_line(const SourceInput& input, std::size_t row, const std::vector<config::Point2>& line,
+                const rockfall::Terrain& terrain, Reading& reading, Placed& placed) {
+    const SourceShape& shape = input.shapes[row];
+    if (const auto place = leaves_terrain_at(line, terrain)) {
+        reading.refuse(shape.place,
+                       "a line that leaves the terrain at " + to_dm(place->x_m) + ", " + to_dm(place->y_m),
+                       "lines of sources on the terrain");
+        return;
+    }
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        if (line[i] != line[i - 1]) {
+            ReleaseSource piece = line_source(line[i - 1], line[i], shape.zone, terrain);
+            piece.evenly = input.starts[row].blocks.has_value();
+            placed.add(std::move(piece), row, input);
+        }
+    }
+}
+
+/// Points alone, lines piece by piece.
+Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, Reading& reading) {
+    Placed placed;
+    std::size_t points = 0;
+    for (std::size_t row = 0; row < input.shapes.size(); ++row) {
+        const SourceShape& source = input.shapes[row];
+        for (const auto& part : source.shape.parts) {
+            if (source.shape.kind == Shape::Kind::line) {
+                place_line(input, row, part, terrain, reading, placed);
+                continue;
+            }
+            ++points;
+            ReleaseSource point = line_source(part.front(), part.front(), source.zone, terrain);
+            if (terrain.locate(point.first_m.x(), point.first_m.y())) {
+                placed.add(std::move(point), row, input);
             }
         }
     }
-    return sources;
-}
-
-Sources place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, Reading& reading) {
-    Sources sources = pieces_of(input, terrain);
-    const std::size_t all = sources.size();
-    std::erase_if(sources, [&](const ReleaseSource& source) {
-        const Eigen::Vector2d middle_m = 0.5 * (source.first_m + source.last_m);
-        return !terrain.locate(middle_m.x(), middle_m.y());
-    });
-    if (sources.size() < all) {
+    if (points > 0 && placed.sources.size() < points) {
         reading.doubt({input.file},
-                      std::to_string(all - sources.size()) + " of " + counted(all, "source") +
+                      std::to_string(points - placed.sources.size()) + " of " + counted(points, "source") +
                           " off the terrain; left out",
                       "sources on the terrain");
     }
-    return sources;
+    return placed;
 }
 
 }  // namespace
@@ -237,28 +296,31 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
     const bool in_cells =
         input.grid || (!input.shapes.empty() && input.shapes.front().shape.kind == Shape::Kind::polygon);
     const std::size_t problems_before = reading.problems().list().size();
-    Sources sources =
+    Placed placed =
         in_cells ? place_cells(input, heights, terrain, reading) : place_pieces(input, terrain, reading);
     if (reading.problems().list().size() > problems_before) {
         return std::nullopt;
     }
-    if (sources.empty()) {
+    if (placed.sources.empty()) {
         reading.refuse(
             {input.file}, "no source of rocks that lies on the terrain",
             input.grid ? "at least one cell above 0 inside the outer ring" : "at least one on the terrain");
         return std::nullopt;
     }
-    const Scenario& scenario = reading.scenario();
-    const std::uint64_t rocks =
-        scenario.rocks > 0 ? scenario.rocks : scenario.rocks_per_source * sources.size();
-    if (rocks > most_rocks) {
-        reading.refuse(scenario.options->place_of("release.rocks_per_source"),
-                       counted(rocks, "rock") + " from " + counted(sources.size(), "source"),
-                       "at most " + std::to_string(most_rocks) + " in one run");
-        return std::nullopt;
+    share_rocks(placed.sources, placed.rows, input.starts, reading);
+    return reading.problems().list().size() > problems_before ? std::nullopt
+                                                              : std::optional{std::move(placed.sources)};
+}
+
+rockfall::DiameterRange diameters_of(const std::optional<SourceInput>& input, const Scenario& scenario) {
+    const rockfall::StartLaw common = start_law(scenario);
+    std::vector<ReleaseSource> sources;
+    for (std::size_t row = 0; input && row < input->starts.size(); ++row) {
+        ReleaseSource& source = sources.emplace_back();
+        source.own_start = input->starts[row].law;
+        source.rocks = 1;
     }
-    rockfall::allot(sources, rocks);
-    return sources;
+    return rockfall::diameter_range(common, sources);
 }
 
 }  // namespace coupling

@@ -7,6 +7,7 @@
 
 #include "config/geometry/shape.hpp"
 #include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/source_start.hpp"
 #include "coupling/inputs/terrain_input.hpp"
 #include "rockfall/release/release.hpp"
 
@@ -16,22 +17,28 @@ namespace coupling {
 struct SourceShape {
     std::uint32_t zone = 0;
     config::Shape shape;
+    config::Place place{};  ///< in the file
 };
 
 /// Where rocks break off, as read: a grid of zones, or shapes all of one kind.
 struct SourceInput {
     std::optional<config::Raster<double>> grid;
     std::vector<SourceShape> shapes;
-    std::string file;  ///< name in messages
+    std::vector<SourceStart> starts;  ///< of each shape; of a grid one that says nothing
+    std::string file;                 ///< name in messages
 };
 
 std::optional<SourceInput> read_sources(Reading& reading);
 
+/// Smallest and largest diameter of the rocks before they are shared out.
+rockfall::DiameterRange diameters_of(const std::optional<SourceInput>& input, const Scenario& scenario);
+
 /// The sources on the terrain, in its coordinates, with their rocks allotted.
 ///
 /// A cell weighs its true surface, plan area / cos(slope); a piece of a line its length; a point 1. Cells of
-/// the outer ring, where the terrain ends halfway, and shapes off the terrain are left out and told. Refuses
-/// sources on NODATA, a grid on another frame and sources of which none is left.
+/// the outer ring, where the terrain ends halfway, and points off the terrain are left out and told. Refuses
+/// sources on NODATA, lines that leave the terrain, a grid on another frame and sources of which none is
+/// left.
 std::optional<std::vector<rockfall::ReleaseSource>> place_sources(const SourceInput& input,
                                                                   const HeightInput& heights,
                                                                   const rockfall::Terrain& terrain,

@@ -147,9 +147,9 @@ Files read_files(Reading& reading) {
     }
     if (has_rocks(scenario)) {
         tell_idle_motion(scenario, reading);
-        files.types = read_surface_types(reading);
-        files.cover = read_ground_cover(reading);
         files.sources = read_sources(reading);
+        files.types = read_surface_types(diameters_of(files.sources, scenario), reading);
+        files.cover = read_ground_cover(reading);
         files.logs = read_logs(reading);
         files.targets = read_targets(reading);
     }

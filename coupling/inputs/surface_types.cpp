@@ -167,10 +167,9 @@ private:
 };
 
 /// Beyond its first and last diameter a stopping table holds its end values, which may be far off.
-void doubt_sizes_beyond(const std::map<std::string, StoppingCurves>& stopping, Reading& reading) {
-    const rockfall::DiameterLaw diameter = start_law(reading.scenario()).diameter;
-    const double smallest_m = diameter.at(0.0);
-    const double largest_m = diameter.largest_m();
+void doubt_sizes_beyond(const std::map<std::string, StoppingCurves>& stopping,
+                        const rockfall::DiameterRange& rocks, Reading& reading) {
+    const auto [smallest_m, largest_m, mean_m] = rocks;
     for (const auto& [code, curves] : stopping) {
         if (smallest_m < curves.smallest_m || largest_m > curves.largest_m) {
             reading.doubt({reading.shown(reading.scenario().stopping)},
@@ -183,7 +182,7 @@ void doubt_sizes_beyond(const std::map<std::string, StoppingCurves>& stopping, R
     }
 }
 
-std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
+std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange& rocks, Reading& reading) {
     config::Problems problems;
     std::map<std::string, StoppingCurves> stopping;
     if (const std::string& file = reading.scenario().stopping; !file.empty()) {
@@ -213,7 +212,7 @@ std::vector<rockfall::SurfaceType> read_type_table(Reading& reading) {
         reading.doubt({reading.shown(reading.scenario().stopping)}, "code " + code,
                       "codes of " + table.file());
     }
-    doubt_sizes_beyond(stopping_kept, reading);
+    doubt_sizes_beyond(stopping_kept, rocks, reading);
     return types;
 }
 
@@ -259,11 +258,12 @@ std::vector<ShippedSurface> shipped_surfaces() {
     return surfaces;
 }
 
-std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(Reading& reading) {
+std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(const rockfall::DiameterRange& rocks,
+                                                                     Reading& reading) {
     if (reading.scenario().surface_types.empty()) {
         return std::vector<rockfall::SurfaceType>{};
     }
-    return reading.attempt([&] { return read_type_table(reading); });
+    return reading.attempt([&] { return read_type_table(rocks, reading); });
 }
 
 std::optional<rockfall::SurfaceType> uniform_ground(const Scenario& scenario) {

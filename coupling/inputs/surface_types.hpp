@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/inputs/reading.hpp"
+#include "rockfall/release/release.hpp"
 #include "rockfall/slope.hpp"
 
 namespace coupling {
@@ -27,9 +28,11 @@ rockfall::StopCurve stop_curve(double stop_probability);
 ///
 /// A row of terrain.surface_types takes r_n, r_t, p_stop from its own columns, else from the shipped type in
 /// its column `like`. Stopping comes from terrain.stopping where that has the code, else from p_stop, else
-/// from the curve of the shipped type. Its soil for PiR3D is named in its column `soil`, else that of the shipped
-/// type; where rockfall.motion asks for soils, a row without one is refused.
-std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(Reading& reading);
+/// from the curve of the shipped type. Its soil for PiR3D is named in its column `soil`, else that of the
+/// shipped type; where rockfall.motion asks for soils, a row without one is refused. Stopping tables that do
+/// not reach over all sizes of `rocks` are doubtful.
+std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(const rockfall::DiameterRange& rocks,
+                                                                     Reading& reading);
 
 /// The shipped type that terrain.ground names; nothing without that setting. Throws InputError (settings)
 /// with the nearest name for an unknown one.

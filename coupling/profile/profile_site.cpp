@@ -226,7 +226,7 @@ struct Files {
 };
 
 std::optional<Files> read_files(Reading& reading) {
-    auto own = read_surface_types(reading);
+    auto own = read_surface_types(rockfall::diameter_range(start_law(reading.scenario()), {}), reading);
     auto elsewhere = reading.attempt([&] { return uniform_ground(reading.scenario()); });
     if (!own || !elsewhere) {
         return std::nullopt;  // every type of the profile would be called unknown

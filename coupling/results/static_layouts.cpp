@@ -111,7 +111,8 @@ TableLayout rocks() {
         cover_column(),
         {"zone", "-", "release zone", "input release"},
         {"source", "-", "number of the release source, from 0", "input release"},
-        {"diameter_m", "m", "diameter of the rock", "drawn as release.diameter_kind says"},
+        {"diameter_m", "m", "diameter of the rock",
+         "that of its source, else drawn as release.diameter_kind says"},
         {"stop_reason", "text",
          "at_rest, caught (by the roughness of the ground), tree, log, left_terrain or gave_up", simulated}};
     const std::vector<Column> rest{

@@ -77,9 +77,9 @@ public:
           warnings_{warnings},
           frame_{site.map_frame_on_terrain()},
           start_{start_law(scenario)},
-          stems_{site.stems(), site.slope.terrain, 0.5 * start_.diameter.largest_m(),
-                 scenario.rockfall.fall.tree.taper},
-          logs_{site.lying_logs(), site.slope.terrain, 0.5 * start_.diameter.largest_m(),
+          largest_radius_m_{0.5 * rockfall::diameter_range(start_, site.sources).largest_m},
+          stems_{site.stems(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.tree.taper},
+          logs_{site.lying_logs(), site.slope.terrain, largest_radius_m_,
                 scenario.rockfall.fall.log.loose_share},
           rocks_{rocks_of(site)},
           assessment_{site.slope, stems_,       site.sources, site.targets, start_, scenario.rockfall.fall,
@@ -105,6 +105,7 @@ private:
     config::Warnings& warnings_;
     config::GridFrame frame_;
     rockfall::StartLaw start_;
+    double largest_radius_m_;
     rockfall::StemIndex stems_;
     rockfall::LogIndex logs_;
     std::uint64_t rocks_;

@@ -28,6 +28,27 @@ void allot(std::vector<ReleaseSource>& sources, std::uint64_t total) {
     for (std::size_t k = 0; given < total && k < remainders.size(); ++k, ++given) {
         ++sources[remainders[k].second].rocks;
     }
+    number_rocks(sources);
+}
+
+void spread(std::span<ReleaseSource> sources, std::uint32_t total) {
+    const double weights = std::accumulate(sources.begin(), sources.end(), 0.0,
+                                           [](double sum, const ReleaseSource& s) { return sum + s.weight; });
+    double end = 0.0;
+    std::uint32_t given = 0;
+    for (ReleaseSource& source : sources) {
+        end += source.weight / weights;
+        // Middles (k + 1/2) / total below the end of this source; all of them below that of the last.
+        const bool last = &source == &sources.back();
+        const double middles_below = std::ceil(end * total - 0.5);
+        const std::uint32_t until =
+            last ? total : static_cast<std::uint32_t>(std::clamp(middles_below, 1.0 * given, 1.0 * total));
+        source.rocks = until - given;
+        given = until;
+    }
+}
+
+void number_rocks(std::span<ReleaseSource> sources) {
     std::uint64_t first = 0;
     for (ReleaseSource& source : sources) {
         source.first_rock = first;
@@ -101,6 +122,36 @@ double DiameterLaw::mean_m() const {
     return sum;
 }
 
+DiameterRange diameter_range(const StartLaw& common, std::span<const ReleaseSource> sources) {
+    DiameterRange range{common.diameter.at(0.0), common.diameter.largest_m(), common.diameter.mean_m()};
+    // Laws of many knots are asked once for all neighbours that share them.
+    std::vector<std::pair<const StartLaw*, std::uint64_t>> laws;
+    for (const ReleaseSource& source : sources) {
+        const StartLaw* law = source.own_start ? source.own_start.get() : &common;
+        if (laws.empty() || laws.back().first != law) {
+            laws.emplace_back(law, 0);
+        }
+        laws.back().second += source.rocks;
+    }
+    std::uint64_t rocks = 0;
+    double sum_m = 0.0;
+    for (const auto& [law, of_law] : laws) {
+        if (of_law > 0) {
+            const double largest_m = law->diameter.largest_m();
+            const double smallest_m = law->diameter.at(0.0);
+            range.smallest_m = rocks == 0 ? smallest_m : std::min(range.smallest_m, smallest_m);
+            range.largest_m = rocks == 0 ? largest_m : std::max(range.largest_m, largest_m);
+            rocks += of_law;
+            sum_m += static_cast<double>(of_law) * law->diameter.mean_m();
+        }
+    }
+    // A single law gives its own mean to the last bit.
+    range.mean_m = laws.size() == 1 ? laws.front().first->diameter.mean_m()
+                   : rocks > 0      ? sum_m / static_cast<double>(rocks)
+                                    : range.mean_m;
+    return range;
+}
+
 namespace {
 
 /// Unit vector in plan at a share of the full circle.
@@ -113,19 +164,44 @@ Eigen::Vector2d any_direction(double share) {
     return (quarter >= 2 ? -1.0 : 1.0) * (quarter % 2 == 0 ? first : next);
 }
 
-/// A place in a source: anywhere, or its middle.
-Eigen::Vector2d place_in(const ReleaseSource& source, bool anywhere, const config::FourUniforms& draws) {
-    const double u = anywhere ? draws[0] : 0.5;
+/// A place in a source: anywhere, or its middle; in the rock's own stretch where rocks are spread evenly.
+Eigen::Vector2d place_in(const ReleaseSource& source, std::uint64_t rock, bool anywhere,
+                         const config::FourUniforms& draws) {
+    const double drawn = anywhere ? draws[0] : 0.5;
+    const double u =
+        source.evenly && source.rocks > 0
+            ? (static_cast<double>(rock - source.first_rock) + drawn) / static_cast<double>(source.rocks)
+            : drawn;
     const double v = anywhere ? draws[1] : 0.5;
     const Eigen::Vector2d span_m = source.last_m - source.first_m;
     const bool cell = source.kind == ReleaseSource::Kind::cell;
     return source.first_m + Eigen::Vector2d{u * span_m.x(), (cell ? v : u) * span_m.y()};
 }
 
+/// The heading in plan before it is scattered. `any` is a uniform draw, for flat ground, which has no fall
+/// line.
+Eigen::Vector2d heading_on(const Plane& plane, const StartLaw& law, double any) {
+    if (law.azimuth) {
+        // Clockwise from north instead of counter-clockwise from east: x and y change places.
+        const double turns = law.azimuth->in_radians() / (2.0 * std::numbers::pi);
+        const Eigen::Vector2d mirrored = any_direction(turns - std::floor(turns));
+        return {mirrored.y(), mirrored.x()};
+    }
+    const double steepness = plane.gradient.norm();
+    // The contact zone leaves rounding errors of a gradient on flat ground.
+    constexpr double flat = 1e-9;
+    if (steepness > (law.along_x_on_flat ? flat : 0.0)) {
+        return -plane.gradient / steepness;
+    }
+    return law.along_x_on_flat ? Eigen::Vector2d{Eigen::Vector2d::UnitX()} : any_direction(any);
+}
+
 }  // namespace
 
 std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
-                                  std::uint32_t source_number, const StartLaw& law, config::StreamKey key) {
+                                  std::uint32_t source_number, const StartLaw& common,
+                                  config::StreamKey key) {
+    const StartLaw& law = source.own_start ? *source.own_start : common;
     const config::RandomStream stream{key, config::Purpose::release};
     const config::FourUniforms rest = stream.uniforms_of(1);
     // A source may reach over the border of the terrain: places beyond it are drawn anew.
@@ -133,7 +209,7 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     std::optional<std::uint32_t> triangle;
     for (std::uint32_t k = 0; k < most_places && !triangle; ++k) {
-        place = place_in(source, law.random_place, stream.uniforms_of(k == 0 ? 0 : k + 1));
+        place = place_in(source, key.id, law.random_place, stream.uniforms_of(k == 0 ? 0 : k + 1));
         triangle = slope.terrain.locate(place.x(), place.y());
     }
     if (!triangle) {
@@ -142,15 +218,7 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
     const double x_m = place.x();
     const double y_m = place.y();
     const Plane plane = slope.terrain.plane_of(*triangle);
-    const double steepness = plane.gradient.norm();
-    Eigen::Vector2d heading = Eigen::Vector2d::UnitX();
-    // The contact zone leaves rounding errors of a gradient on flat ground.
-    constexpr double flat = 1e-9;
-    if (steepness > (law.along_x_on_flat ? flat : 0.0)) {
-        heading = -plane.gradient / steepness;
-    } else if (!law.along_x_on_flat) {
-        heading = any_direction(rest[2]);  // flat ground has no fall line
-    }
+    const Eigen::Vector2d heading = heading_on(plane, law, rest[2]);
     const config::SinCos turn = config::sin_cos_of((2.0 * rest[1] - 1.0) * law.heading_scatter.in_radians());
     const Eigen::Vector2d direction{turn.cos * heading.x() - turn.sin * heading.y(),
                                     turn.sin * heading.x() + turn.cos * heading.y()};

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -14,6 +15,8 @@
 
 namespace rockfall {
 
+struct StartLaw;
+
 /// Where rocks break off: a grid cell, a point or a piece of a line, in coordinates of the terrain.
 struct ReleaseSource {
     enum class Kind : std::uint8_t { cell, line };  ///< a point is a line without length
@@ -24,11 +27,22 @@ struct ReleaseSource {
     double weight = 1.0;           ///< share of the rocks: true surface area, length or 1
     std::uint64_t first_rock = 0;  ///< number of its first rock; set by `allot`
     std::uint32_t rocks = 0;       ///< set by `allot`
+    bool evenly = false;           ///< along a line: rock k of n starts in the k-th of n equal stretches
+    std::shared_ptr<const StartLaw> own_start;  ///< how its rocks begin; null: as those of all others
 };
 
 /// Shares `total` rocks among the sources by weight (largest remainder) and numbers the rocks in order of the
 /// sources. Requires weights > 0.
 void allot(std::vector<ReleaseSource>& sources, std::uint64_t total);
+
+/// Shares `total` rocks among sources that follow one another, such as the pieces of a line: the weights laid
+/// end to end are cut into `total` equal stretches, and the source in which the middle of a stretch lies gets
+/// its rock. So few rocks on many pieces are spread over all of the line. Numbers nothing. Requires weights
+/// > 0.
+void spread(std::span<ReleaseSource> sources, std::uint32_t total);
+
+/// Numbers the rocks in order of the sources, each of which knows how many it has.
+void number_rocks(std::span<ReleaseSource> sources);
 
 /// How large the rocks are.
 class DiameterLaw {
@@ -58,16 +72,28 @@ struct StartLaw {
     double height_m = 1.5;   ///< of the underside above ground; 0 starts rolling
     double speed_mps = 3.0;  ///< 0 lets the rock drop
     config::Angle dip = config::Angle::from_degrees(30.0);  ///< of the velocity below the horizon
-    config::Angle heading_scatter;  ///< largest turn away from the fall line, uniform both ways
-    bool random_place = true;       ///< anywhere in the source cell; off: at its centre
-    bool along_x_on_flat = false;   ///< ground without a fall line: towards +x instead of anywhere (profiles)
+    std::optional<config::Angle> azimuth;  ///< heading, clockwise from north (+y); none: the fall line
+    config::Angle heading_scatter;         ///< largest turn away from the heading, uniform both ways
+    bool random_place = true;              ///< anywhere in the source cell; off: at its centre
+    bool along_x_on_flat = false;  ///< ground without a fall line: towards +x instead of anywhere (profiles)
 };
+
+/// Diameters over all rocks of the sources, each by the start that holds for it.
+struct DiameterRange {
+    double smallest_m = 0.0;
+    double largest_m = 0.0;
+    double mean_m = 0.0;  ///< over the rocks
+};
+
+/// Without sources that of the common start.
+DiameterRange diameter_range(const StartLaw& common, std::span<const ReleaseSource> sources);
 
 /// The start of a rock of a source; nothing if its place lies outside the terrain.
 ///
-/// Direction: down the fall line of the ground there, turned by the scatter; on flat ground any. Drawn from
-/// the rock's own stream.
+/// Direction: the azimuth, or down the fall line of the ground there (on flat ground any), turned by the
+/// scatter. Drawn from the rock's own stream. `common` holds unless the source has a start of
+/// its own.
 std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
-                                  std::uint32_t source_number, const StartLaw& law, config::StreamKey key);
+                                  std::uint32_t source_number, const StartLaw& common, config::StreamKey key);
 
 }  // namespace rockfall

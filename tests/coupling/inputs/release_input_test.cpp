@@ -140,5 +140,144 @@ TEST(SourceShapes, OfDifferentKindsAreRefused) {
         << opened.errors;
 }
 
+/// A project whose rocks come from shapes.
+Opened open_shapes(const std::string& table, std::vector<std::string> overrides = {}) {
+    const SampleProject project;
+    project.write("cliffs.csv", table);
+    overrides.insert(overrides.end(), {"release.source=", "release.source_shapes=cliffs.csv"});
+    return open(project, overrides);
+}
+
+/// The same with one line of these columns beside its WKT.
+Opened open_line(const std::string& columns, const std::string& fields,
+                 const std::vector<std::string>& overrides = {}) {
+    return open_shapes("wkt," + columns + "\n\"LINESTRING (1020 2030, 1020 2060)\"," + fields + "\n",
+                       overrides);
+}
+
+TEST(SourceStart, IsThatOfTheScenarioWhereTheRowSaysNothing) {
+    const Opened opened = open_line("blocks,speed_mps,mass_t", ",,");
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->sources[0].own_start, nullptr);
+    EXPECT_EQ(opened.site->sources[0].rocks, 5U);
+    EXPECT_FALSE(opened.site->sources[0].evenly);
+}
+
+TEST(SourceStart, GivesALineItsBlocksAndSharesOutTheRest) {
+    const Opened opened = open_shapes(
+        "wkt,blocks\n\"LINESTRING (1020 2030, 1020 2050, 1020 2060)\",30\n"
+        "\"LINESTRING (1030 2030, 1030 2040)\",\n",
+        {"release.rocks=7"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const auto& sources = opened.site->sources;
+    ASSERT_EQ(sources.size(), 3U);
+    EXPECT_EQ(sources[0].rocks, 20U);
+    EXPECT_EQ(sources[1].rocks, 10U);
+    EXPECT_EQ(sources[2].rocks, 7U);
+    EXPECT_EQ(sources[2].first_rock, 30U);
+    EXPECT_TRUE(sources[0].evenly);
+    EXPECT_FALSE(sources[2].evenly);
+}
+
+TEST(SourceStart, GivesPointsAndCellsTheirBlocks) {
+    const Opened points = open_shapes("wkt,blocks\nPOINT (1020 2050),3\nPOINT (1030 2050),400\n");
+    ASSERT_TRUE(points.site) << points.errors;
+    EXPECT_EQ(points.site->sources[0].rocks, 3U);
+    EXPECT_EQ(points.site->sources[1].rocks, 400U);
+
+    const Opened cells = open_shapes(
+        "zone,wkt,blocks,diameter_m\n3,\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 "
+        "2030))\",9,1.5\n");
+    ASSERT_TRUE(cells.site) << cells.errors;
+    EXPECT_EQ(rocks_of(*cells.site), 9U);
+    for (const rockfall::ReleaseSource& cell : cells.site->sources) {
+        EXPECT_EQ(cell.zone, 3U);
+        ASSERT_TRUE(cell.own_start);
+        EXPECT_EQ(cell.own_start->diameter.mean_m(), 1.5);
+    }
+}
+
+TEST(SourceStart, TakesSpeedAndAzimuth) {
+    const Opened opened = open_line("speed_mps,azimuth_deg", "6,80");
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const rockfall::StartLaw& law = *opened.site->sources[0].own_start;
+    EXPECT_EQ(law.speed_mps, 6.0);
+    EXPECT_EQ(law.height_m, 1.5);
+    ASSERT_TRUE(law.azimuth);
+    EXPECT_DOUBLE_EQ(law.azimuth->in_degrees(), 80.0);
+    EXPECT_EQ(law.diameter.mean_m(), 0.5);  // of the scenario
+}
+
+TEST(SourceStart, TakesAFallHeightInsteadOfASpeed) {
+    const Opened opened = open_line("fall_height_m", "12");
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->sources[0].own_start->height_m, 12.0);
+    EXPECT_EQ(opened.site->sources[0].own_start->speed_mps, 0.0);
+
+    const Opened speed = open_line("speed_mps", "2", {"release.fall_height_m=30"});
+    ASSERT_TRUE(speed.site) << speed.errors;
+    EXPECT_EQ(speed.site->sources[0].own_start->height_m, 1.5);
+    EXPECT_EQ(speed.site->sources[0].own_start->speed_mps, 2.0);
+}
+
+TEST(SourceStart, TakesSizeAsDiameterMassOrVolume) {
+    const double one_cubic_metre_m = std::cbrt(6.0 / M_PI);
+    for (const auto& [columns, fields, diameter_m] :
+         {std::tuple{"diameter_m", "0.8", 0.8}, std::tuple{"volume_m3", "1", one_cubic_metre_m},
+          std::tuple{"mass_t,density_kgpm3", "2.5,2500", one_cubic_metre_m},
+          std::tuple{"mass_t", "2.7", one_cubic_metre_m}}) {
+        const Opened opened = open_line(columns, fields);
+        ASSERT_TRUE(opened.site) << opened.errors;
+        const rockfall::StartLaw& law = *opened.site->sources[0].own_start;
+        EXPECT_NEAR(law.diameter.mean_m(), diameter_m, 1e-12) << columns;
+    }
+    EXPECT_EQ(open_line("density_kgpm3", "2500").site->sources[0].own_start->density_kgpm3, 2500.0);
+}
+
+TEST(SourceStart, RefusesWhatContradictsItself) {
+    const std::string one = ", expected only one of them for a source";
+    for (const auto& [columns, fields, message] :
+         std::vector<std::tuple<std::string, std::string, std::string>>{
+             {"blocks", "0", "37: found blocks '0', expected a whole number in [1, 1e+09]"},
+             {"speed_mps,fall_height_m", "3,5", "39: found fall_height_m beside speed_mps" + one},
+             {"azimuth_deg,fall_height_m", "30,5", "40: found fall_height_m beside azimuth_deg" + one},
+             {"diameter_m,mass_t", "1,2", "39: found mass_t beside diameter_m" + one},
+             {"mass_t,volume_m3", "1,2", "39: found volume_m3 beside mass_t" + one},
+             {"speed_mps,azimuth_deg", "0,30",
+              "39: found azimuth_deg for a rock without speed, expected speed_mps above 0, or no "
+              "azimuth_deg"},
+             {"mass_t", "20999",
+              "37: found a rock of 24.581709143515457 m in diameter, expected a size of 0.01 to 20 m"}}) {
+        const Opened opened = open_line(columns, fields);
+        EXPECT_EQ(opened.code, ExitCode::data);
+        EXPECT_EQ(opened.errors, "cliffs.csv:2:" + message) << columns;
+    }
+}
+
+TEST(SourceStart, SaysWhereALineLeavesTheTerrain) {
+    const Opened opened =
+        open_shapes("wkt\n\"LINESTRING (1020 2030, 1020 2060)\"\n\"LINESTRING (1020 2060, 1020 2140)\"\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "cliffs.csv:3:1: found a line that leaves the terrain at 1020, 2095.5, expected lines of "
+              "sources on the terrain");
+}
+
+TEST(SourceStart, DoubtsColumnsThatAreNearlyItsOwn) {
+    const Opened opened = open_line("block,note", "3,x");
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.warnings,
+              std::vector<std::string>{"cliffs.csv: found column 'block', which is passed over, expected "
+                                       "blocks, if that is what is meant"});
+}
+
+TEST(SourceStart, SaysThatTheNumberOfRocksHasNoEffect) {
+    const Opened opened = open_line("blocks", "3", {"release.rocks=50"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(rocks_of(*opened.site), 3U);
+    EXPECT_EQ(opened.warnings.front(),
+              "release.rocks has no effect: each source says how many blocks it has");
+}
+
 }  // namespace
 }  // namespace coupling
