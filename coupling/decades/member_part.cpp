@@ -3,7 +3,7 @@
 namespace coupling::decades {
 namespace {
 
-constexpr std::uint64_t magic = 0x32304D45'4D4E4142ULL;  // "BANMEM02", least byte first
+constexpr std::uint64_t magic = 0x33304D45'4D4E4142ULL;  // "BANMEM03", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
@@ -13,6 +13,8 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.gaps);
     visit(years.losses);
     visit(years.trees);
+    visit(years.dead_wood);
+    visit(years.paths);
     visit(years.patches);
     visit(years.removed);
     visit(years.harvest);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "coupling/decades/year_falls.hpp"
 #include "forest/allometry.hpp"
 #include "forest/deadwood/deadwood.hpp"
 #include "forest/patch.hpp"
@@ -161,6 +162,27 @@ void record_trees(const forest::Stand& stand, std::int32_t year, MemberYears& ke
                               .light_ratio = static_cast<float>(tree.light_ratio),
                               .vitality = static_cast<float>(tree.vitality),
                               .stems = tree.stems});
+    }
+}
+
+void record_dead_wood(const forest::Stand& stand, std::int32_t year, MemberYears& kept) {
+    for (const forest::Snag& snag : stand.dead_wood().snags) {
+        kept.dead_wood.push_back({.year = year,
+                                  .species = static_cast<std::uint32_t>(forest::index_of(snag.species)),
+                                  .x_m = snag.x_m,
+                                  .y_m = snag.y_m,
+                                  .thick_cm = static_cast<float>(snag.dbh_cm),
+                                  .height_m = static_cast<float>(snag.height_m),
+                                  .broken = snag.height_m < snag.tree_height_m ? 1U : 0U});
+    }
+    for (const forest::Log& log : stand.dead_wood().logs) {
+        kept.dead_wood.push_back({.year = year,
+                                  .species = static_cast<std::uint32_t>(forest::index_of(log.species)),
+                                  .x_m = log.x_m,
+                                  .y_m = log.y_m,
+                                  .thick_cm = static_cast<float>(log.thick_end_cm),
+                                  .plan_m = static_cast<float>(plan_length_m(log, stand.grid())),
+                                  .direction_rad = static_cast<float>(log.direction_rad)});
     }
 }
 

@@ -24,6 +24,8 @@ void record_losses(const forest::Stand& stand, const forest::SpeciesTable& speci
 
 /// Every tree as it stands now.
 void record_trees(const forest::Stand& stand, std::int32_t year, MemberYears& kept);
+/// Its dead wood, standing and lying.
+void record_dead_wood(const forest::Stand& stand, std::int32_t year, MemberYears& kept);
 
 /// Every patch as it is now.
 void record_patches(const forest::Stand& stand, const forest::SpeciesTable& species, std::int32_t year,

@@ -97,6 +97,31 @@ struct TreeRow {
     float rock_energy_kj = 0.0F;  ///< taken from rocks in that year
 };
 
+/// A piece of dead wood in a chosen year, of the first replicate: what stands of a dead tree, or a log.
+struct DeadWoodRow {
+    std::int32_t year = 0;
+    std::uint32_t species = 0;
+    double x_m = 0.0;  ///< of a log: its thick end
+    double y_m = 0.0;
+    float thick_cm = 0.0F;       ///< DBH of what stands while it lived; thick end of a log
+    float height_m = 0.0F;       ///< of what stands; 0: a log
+    float plan_m = 0.0F;         ///< length of a log on the map
+    float direction_rad = 0.0F;  ///< of a log, from its thick end, counter-clockwise from east
+    std::uint32_t broken = 0;    ///< stands shorter than the tree was
+    std::uint32_t reserved = 0;
+};
+
+/// A corner of the path of a rock in a chosen year, of the first replicate; corners of a path follow each
+/// other. In coordinates of the terrain.
+struct PathCornerRow {
+    std::int32_t year = 0;
+    float energy_kj = 0.0F;
+    std::uint64_t rock = 0;
+    double x_m = 0.0;
+    double y_m = 0.0;
+    double z_m = 0.0;
+};
+
 /// A tree of at least 7 cm that left the stand: for a rock or its wounds, or for any cause where all are
 /// asked for.
 struct RemovedRow {
@@ -182,6 +207,8 @@ struct MemberYears {
     std::vector<GapRow> gaps;
     std::vector<LossRow> losses;
     std::vector<TreeRow> trees;
+    std::vector<DeadWoodRow> dead_wood;
+    std::vector<PathCornerRow> paths;
     std::vector<PatchRow> patches;
     std::vector<RemovedRow> removed;
     std::vector<HarvestRow> harvest;

@@ -87,14 +87,22 @@ private:
         return decades_.rocks != nullptr && year % static_cast<std::int32_t>(settings_.rockfall_every) == 0;
     }
 
+    /// Whether the page shows the slope of this member in this year.
+    [[nodiscard]] bool is_shown(std::int32_t year) const {
+        return member_.replicate == 0 && contains(tree_list_years_, year);
+    }
+
     /// Without rocks in a year nothing fell.
     FallsOfYear let_rocks_fall(std::int32_t year) {
         if (!has_rocks(year)) {
             return {};
         }
-        FallsOfYear falls = bare_ ? decades_.rocks->fall(stand_, bare_->at(year), member_.replicate, threads_)
-                                  : decades_.rocks->fall(stand_, member_.replicate, year, threads_);
+        const bool with_paths = is_shown(year);
+        FallsOfYear falls =
+            bare_ ? decades_.rocks->fall(stand_, bare_->at(year), member_.replicate, with_paths, threads_)
+                  : decades_.rocks->fall(stand_, member_.replicate, year, with_paths, threads_);
         record_falls(falls, year, kept_);
+        record_paths(falls, year, kept_);
         if (contains(map_years_, year)) {
             record_cells(falls, year, kept_);
         }
@@ -127,6 +135,9 @@ private:
             }
             const std::size_t first = kept_.trees.size();
             record_trees(stand_, year, kept_);
+            if (is_shown(year)) {
+                record_dead_wood(stand_, year, kept_);
+            }
             for (std::size_t i = first; i < kept_.trees.size(); ++i) {
                 const auto take = takes.find(kept_.trees[i].tree);
                 if (take != takes.end()) {

@@ -13,16 +13,20 @@ namespace {
 /// A log ends in a point; rocks want a thickness.
 constexpr double least_log_end_cm = 1.0;
 
-/// Length on the map of a length of 1 that lies on a patch in a direction.
-double plan_share(const forest::Patch& patch, double direction_rad) {
+}  // namespace
+
+double plan_length_m(const forest::Log& log, const forest::PatchGrid& grid) {
+    const auto place = grid.at(log.x_m, log.y_m);
+    if (!place) {
+        return log.length_m;
+    }
+    const forest::Patch& patch = grid[*place];
     const double east = std::sin(patch.aspect.in_radians());  // of the fall line
     const double north = std::cos(patch.aspect.in_radians());
     const double drop = std::tan(patch.slope.in_radians()) *
-                        (east * std::cos(direction_rad) + north * std::sin(direction_rad));
-    return 1.0 / std::sqrt(1.0 + drop * drop);
+                        (east * std::cos(log.direction_rad) + north * std::sin(log.direction_rad));
+    return log.length_m / std::sqrt(1.0 + drop * drop);
 }
-
-}  // namespace
 
 RockSeason::RockSeason(const Scenario& scenario, const Site& site, std::vector<double> fracture_energy,
                        std::vector<rockfall::Stem> standing)
@@ -56,10 +60,7 @@ RockSeason::Obstacles RockSeason::obstacles_of(const forest::Stand& stand) const
     obstacles.stems.insert(obstacles.stems.end(), standing_.begin(), standing_.end());
     obstacles.trees.resize(obstacles.stems.size(), nullptr);
     for (const forest::Log& log : stand.dead_wood().logs) {
-        // The length lies along the ground: in plan it is shorter by the slope along the log.
-        const auto patch = stand.grid().at(log.x_m, log.y_m);
-        const double plan_m =
-            log.length_m * (patch ? plan_share(stand.grid()[*patch], log.direction_rad) : 1.0);
+        const double plan_m = plan_length_m(log, stand.grid());
         rockfall::Log lying;
         lying.x1_m = log.x_m;
         lying.y1_m = log.y_m;
@@ -119,7 +120,7 @@ BareYear RockSeason::fall_bare(std::uint32_t replicate, std::int32_t year, bool 
 }
 
 FallsOfYear RockSeason::fall(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
-                             int threads) const {
+                             bool with_paths, int threads) const {
     const Obstacles obstacles = obstacles_of(stand);
     const double largest_radius_m = 0.5 * rockfall::diameter_range(start_, site_.sources).largest_m;
     const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
@@ -128,12 +129,15 @@ FallsOfYear RockSeason::fall(const forest::Stand& stand, const BareYear& bare, s
                                   scenario_.rockfall.fall.log.loose_share};
     rockfall::Assessment through_forest = assessment(stems, replicate, bare.year);
     through_forest.logs = &logs;
+    through_forest.path_every = with_paths ? (rocks_ + most_paths - 1) / most_paths : 0;
 
     FallsOfYear falls{.tally = {frame_, site_.targets.size(), stems.placed().size(), logs.count()},
                       .takes = {},
-                      .hits = {}};
+                      .hits = {},
+                      .paths = {}};
     falls.with_forest = !through_forest.only_bare();
     const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
+        falls.paths.insert(falls.paths.end(), rows.paths.begin(), rows.paths.end());
         const auto& rocks = rows.rocks[index_of(Cover::forest)];
         auto arrival = rows.arrivals[index_of(Cover::forest)].begin();
         for (const rockfall::RockRecord& fallen : rocks) {
@@ -209,6 +213,15 @@ void record_cells(const FallsOfYear& falls, std::int32_t year, MemberYears& kept
     const std::size_t forest = falls.with_forest ? static_cast<std::size_t>(Cover::forest) : bare;
     kept.maps.push_back({year, Cover::forest, falls.tally.cells[forest].cells});
     kept.maps.push_back({year, Cover::bare, falls.tally.cells[bare].cells});
+}
+
+void record_paths(const FallsOfYear& falls, std::int32_t year, MemberYears& kept) {
+    for (const rockfall::PathRecord& path : falls.paths) {
+        for (const rockfall::PathPoint& point : path.points) {
+            kept.paths.push_back({year, point.energy_j / 1000.0F, path.rock, point.position_m.x(),
+                                  point.position_m.y(), point.position_m.z()});
+        }
+    }
 }
 
 }  // namespace coupling::decades

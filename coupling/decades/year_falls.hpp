@@ -16,8 +16,14 @@ namespace coupling::decades {
 /// Thinner trees are no obstacles: rocks bend them [choice; Rockyfor3D takes the same limit].
 inline constexpr double least_obstacle_cm = 5.0;
 
+/// Paths that the view of a year shows.
+inline constexpr std::uint64_t most_paths = 60;
+
 /// Ends a run from within.
 struct Interrupted {};
+
+/// Length of a log on the map: it lies along the ground of its patch.
+double plan_length_m(const forest::Log& log, const forest::PatchGrid& grid);
 
 /// What a stem took from the rocks of a year.
 struct StemTake {
@@ -55,6 +61,7 @@ struct FallsOfYear {
     rockfall::EnsembleTally tally{config::GridFrame{}, 0, 0};  ///< bare cells in chosen years only
     std::vector<StemTake> takes;                               ///< of stems that were hit
     std::vector<RockHit> hits;                                 ///< in the order of rocks
+    std::vector<rockfall::PathRecord> paths;                   ///< of some rocks, if asked for
     bool with_forest = false;                                  ///< false: no stem stood on the slope
 };
 
@@ -71,14 +78,15 @@ public:
     /// depend on the number of threads. Throws Interrupted.
     [[nodiscard]] BareYear fall_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,
                                      int threads) const;
-    /// The same rocks through the forest. `bare` is what fall_bare gave for them.
+    /// The same rocks through the forest. `bare` is what fall_bare gave for them. `with_paths`: some rocks
+    /// keep their paths, at most most_paths and the same in all years.
     [[nodiscard]] FallsOfYear fall(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
-                                   int threads) const;
+                                   bool with_paths, int threads) const;
 
     /// Both, where nobody else wants what falls over the bare slope.
     [[nodiscard]] FallsOfYear fall(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,
-                                   int threads) const {
-        return fall(stand, fall_bare(replicate, year, true, threads), replicate, threads);
+                                   bool with_paths, int threads) const {
+        return fall(stand, fall_bare(replicate, year, true, threads), replicate, with_paths, threads);
     }
 
     [[nodiscard]] std::uint64_t rocks() const { return rocks_; }
@@ -112,5 +120,6 @@ private:
 void record_falls(const FallsOfYear& falls, std::int32_t year, MemberYears& kept);
 /// What they left in the cells of the map.
 void record_cells(const FallsOfYear& falls, std::int32_t year, MemberYears& kept);
+void record_paths(const FallsOfYear& falls, std::int32_t year, MemberYears& kept);
 
 }  // namespace coupling::decades

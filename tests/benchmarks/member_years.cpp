@@ -89,7 +89,7 @@ void rock_year_forest(State& state) {
     const forest::Stand stand = small().stand();
     const decades::BareYear bare = small().rocks().fall_bare(0, 1, false, 1);
     for (auto _ : state) {
-        DoNotOptimize(small().rocks().fall(stand, bare, 0, 1));
+        DoNotOptimize(small().rocks().fall(stand, bare, 0, false, 1));
     }
     count_rocks(state);
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/species_colours.hpp"
@@ -25,16 +26,43 @@ void add_stands(const RegimeView& regime, const std::string& name, Scene& scene)
                                .crown_radius_m = static_cast<double>(tree.crown_radius_m),
                                .species = static_cast<std::uint8_t>(tree.species)});
     }
+    for (const DeadWoodRow& piece : regime.first->dead_wood) {
+        SceneStand& stand = stands[piece.year];
+        if (piece.height_m > 0.0F) {
+            stand.trees.push_back(
+                {.x_m = piece.x_m,
+                 .y_m = piece.y_m,
+                 .dbh_cm = static_cast<double>(piece.thick_cm),
+                 .height_m = static_cast<double>(piece.height_m),
+                 .species = static_cast<std::uint8_t>(piece.species),
+                 .state = piece.broken != 0 ? report::TreeState::broken : report::TreeState::dead});
+        } else {
+            stand.logs.push_back({piece.x_m, piece.y_m, static_cast<double>(piece.plan_m),
+                                  static_cast<double>(piece.direction_rad)});
+        }
+    }
+    std::optional<std::uint64_t> rock;
+    for (const PathCornerRow& corner : regime.first->paths) {
+        auto& paths = stands[corner.year].paths;
+        if (paths.empty() || rock != corner.rock) {
+            paths.emplace_back();
+        }
+        rock = corner.rock;
+        paths.back().push_back({{corner.x_m, corner.y_m, corner.z_m}, 1000.0F * corner.energy_kj, 0.0F});
+    }
     for (auto& [year, stand] : stands) {
         stand.year = year;
         stand.regime = name;
         const auto same =
             std::find_if(scene.stands.begin(), scene.stands.end(), [&](const SceneStand& other) {
-                return !other.same_as && other.year == stand.year && other.trees == stand.trees;
+                return !other.same_as && other.year == stand.year && other.trees == stand.trees &&
+                       other.logs == stand.logs;
             });
         if (same != scene.stands.end()) {
             stand.same_as = static_cast<std::size_t>(same - scene.stands.begin());
             stand.trees.clear();
+            stand.logs.clear();
+            stand.paths.clear();
         }
         scene.stands.push_back(std::move(stand));
     }

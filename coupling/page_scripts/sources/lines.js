@@ -15,6 +15,7 @@ export const classLooks = [
 ];
 export const targetColour = 0x111111;
 export const restColour = 0xffd400;
+export const logColour = 0x4a2f1b;
 
 function segments(positions, colour, width, extra = {}) {
     const geometry = new LineSegmentsGeometry();
@@ -24,11 +25,11 @@ function segments(positions, colour, width, extra = {}) {
     return lines;
 }
 
-/** The sampled paths on one slope, with a mark where each ends. */
-export function pathsOf(scene, ground, cover) {
+/** Paths, with a mark where each ends. */
+export function pathsOf(scene, ground, paths) {
     const positions = classLooks.map(() => []);
     const rests = [];
-    for (const path of scene.paths.filter((each) => each.cover === cover)) {
+    for (const path of paths) {
         const points = shorts(path.points);
         const classes = bytes(path.classes);
         let last = null;
@@ -55,6 +56,31 @@ export function pathsOf(scene, ground, cover) {
     rests.forEach(([x, y, z], i) => marks.setMatrixAt(i, new Matrix4().setPosition(x, y + 0.5, z)));
     marks.frustumCulled = false;
     return { lines: group, rests: marks };
+}
+
+/** Lying stems as lines on the ground; null without any. */
+export function logsOf(scene, ground, stand) {
+    const ends = shorts(stand.logs);
+    const positions = [];
+    for (let i = 0; i + 3 < ends.length; i += 4) {
+        const place = (k) => {
+            const [x, y] = [ends[k] * scene.x.step, ends[k + 1] * scene.y.step];
+            return ground.place(x, y, ground.height(x, y) + 0.4);
+        };
+        const both = [...place(i), ...place(i + 2)];
+        if (!both.some(Number.isNaN)) {
+            positions.push(...both);
+        }
+    }
+    return positions.length > 0 ? segments(positions, logColour, 2.2) : null;
+}
+
+/** Frees what lines and marks took on the graphics card. */
+export function drop(...groups) {
+    groups.filter((group) => group).forEach((group) => group.traverse((part) => {
+        part.geometry?.dispose();
+        part.material?.dispose();
+    }));
 }
 
 /** Targets as lines on the ground, with a white rim. */

@@ -5,7 +5,7 @@ import { AmbientLight, DirectionalLight, Scene, WebGLRenderer } from "three";
 import { Eye } from "./camera.js";
 import { button, checkbox, choice, element, layerChoice, sample } from "./controls.js";
 import { Ground } from "./ground.js";
-import { classLooks, pathsOf, restColour, targetColour, targetsOf } from "./lines.js";
+import { classLooks, drop, logColour, logsOf, pathsOf, restColour, targetColour, targetsOf } from "./lines.js";
 import { fell, grow } from "./trees.js";
 
 const coverNames = { forest: "Paths with forest", bare: "Paths over the bare slope" };
@@ -20,6 +20,8 @@ class SlopeView {
         this.lights();
         this.scene.add(this.ground.mesh());
         this.paths = {};
+        this.ofYear = [];
+        this.logs = [];
         this.eye = new Eye(this.canvas, this.ground, () => this.ask());
         this.legend = element("ul", { class: "names" });
         this.note = element("p", { class: "soft", "aria-live": "polite" });
@@ -58,7 +60,7 @@ class SlopeView {
         bar.append(...[layers, ...this.standSwitches()].filter((part) => part !== null));
         for (const cover of Object.keys(coverNames)) {
             if (this.numbers.paths.some((path) => path.cover === cover)) {
-                const { lines, rests } = pathsOf(this.numbers, this.ground, cover);
+                const { lines, rests } = pathsOf(this.numbers, this.ground, this.numbers.paths.filter((path) => path.cover === cover));
                 const shown = cover === "forest" || !this.numbers.paths.some((path) => path.cover === "forest");
                 this.paths[cover] = lines;
                 this.scene.add(lines, rests);
@@ -98,12 +100,20 @@ class SlopeView {
         const parts = [checkbox("Trees", true, (on) => {
             this.treesHidden = !on;
             this.trees && (this.trees.visible = on);
+            this.logs.forEach((part) => (part.visible = on));
             this.ask();
         })];
         if (regimes.length > 1) {
             parts.push(choice("Regime", new Map([["", regimes.map((name) => [name, name])]]), (name) => {
                 regime = name;
                 plant();
+            }));
+        }
+        if (stands.some((stand) => stand.paths?.length > 0)) {
+            parts.push(checkbox("Paths of the year", true, (on) => {
+                this.pathsHidden = !on;
+                this.ofYear.forEach((part) => (part.visible = on));
+                this.ask();
             }));
         }
         if (years.length > 1) {
@@ -124,6 +134,10 @@ class SlopeView {
             fell(this.trees);
             this.trees = null;
         }
+        [...this.ofYear, ...this.logs].forEach((part) => this.scene.remove(part));
+        drop(...this.ofYear, ...this.logs);
+        this.ofYear = [];
+        this.logs = [];
         const chosen = this.numbers.stands[index];
         const stand = chosen?.same_as === undefined ? chosen : this.numbers.stands[chosen.same_as];
         let seen = { species: new Set(), dead: false, broken: false };
@@ -132,7 +146,19 @@ class SlopeView {
             this.trees = grown.group;
             this.trees.visible = !this.treesHidden;
             this.scene.add(this.trees);
-            seen = grown.seen;
+            seen = { ...grown.seen, paths: stand.paths.length > 0 };
+            if (seen.paths) {
+                const { lines, rests } = pathsOf(this.numbers, this.ground, stand.paths);
+                this.ofYear = [lines, rests];
+                this.ofYear.forEach((part) => (part.visible = !this.pathsHidden));
+            }
+            const logs = logsOf(this.numbers, this.ground, stand);
+            if (logs !== null) {
+                logs.visible = !this.treesHidden;
+                this.logs = [logs];
+                seen.logs = true;
+            }
+            [...this.ofYear, ...this.logs].forEach((part) => this.scene.add(part));
             this.note.textContent = stand.left_out > 0
                 ? `${stand.trees.toLocaleString("en")} trees are drawn; ${stand.left_out.toLocaleString("en")} thinner ones are left out.`
                 : `${stand.trees.toLocaleString("en")} trees (a group of equal young trees is one).`;
@@ -152,7 +178,10 @@ class SlopeView {
         if (seen.broken) {
             entries.push(sample("end", 0xf2e2b8, "broken tree"));
         }
-        if (this.numbers.paths.length > 0) {
+        if (seen.logs) {
+            entries.push(sample("line", logColour, "lying stem", 2.2));
+        }
+        if (seen.paths || this.numbers.paths.length > 0) {
             this.numbers.classes.forEach((name, k) =>
                 entries.push(sample("line", classLooks[k].colour, `path, ${name}`, 1.4 * classLooks[k].width)));
             entries.push(sample("dot", restColour, "where a path ends"));

@@ -90,7 +90,46 @@ std::string ground_json(const config::Raster<double>& heights, const Box& box) {
         .json();
 }
 
-std::string stand_json(const SceneStand& stand, const Box& box, std::size_t most) {
+template <class Items, class Write>
+std::string list_of(const Items& items, const Write& write) {
+    std::vector<std::string> texts;
+    for (const auto& item : items) {
+        texts.push_back(write(item));
+    }
+    return json_array(texts);
+}
+
+/// Both ends of each log, thick one first.
+std::vector<std::uint16_t> log_ends(const SceneStand& stand, const Box& box) {
+    std::vector<std::uint16_t> ends;
+    for (const SceneLog& log : stand.logs) {
+        for (const double along_m : {0.0, log.length_m}) {
+            ends.push_back(box.x.of(log.x_m + along_m * std::cos(log.direction_rad) - box.frame.x_west_m));
+            ends.push_back(box.y.of(log.y_m + along_m * std::sin(log.direction_rad) - box.frame.y_south_m));
+        }
+    }
+    return ends;
+}
+
+/// Corners and the energy class at each.
+JsonObject path_object(std::span<const rockfall::PathPoint> path, const Box& box,
+                       const Eigen::Vector2d& origin_m) {
+    std::vector<std::uint16_t> points;
+    std::vector<std::uint8_t> classes;
+    for (const rockfall::PathPoint& point : path) {
+        points.push_back(box.x.of(point.position_m.x() + origin_m.x() - box.frame.x_west_m));
+        points.push_back(box.y.of(point.position_m.y() + origin_m.y() - box.frame.y_south_m));
+        points.push_back(box.z.of(point.position_m.z() - box.low_m));
+        classes.push_back(
+            static_cast<std::uint8_t>(energy_class(static_cast<double>(point.energy_j) / 1000.0)));
+    }
+    JsonObject object;
+    object.add("points", json_packed(points)).add("classes", json_packed(classes));
+    return object;
+}
+
+std::string stand_json(const SceneStand& stand, const Box& box, const Eigen::Vector2d& origin_m,
+                       std::size_t most) {
     if (stand.same_as) {
         return JsonObject{}
             .text("regime", stand.regime)
@@ -138,23 +177,12 @@ std::string stand_json(const SceneStand& stand, const Box& box, std::size_t most
         .add("base_cm", json_packed(base_cm))
         .add("radius_cm", json_packed(radius_cm))
         .add("kind", json_packed(kind))
-        .json();
-}
-
-std::string path_json(const rockfall::PathRecord& path, const Box& box, const Eigen::Vector2d& origin_m) {
-    std::vector<std::uint16_t> points;
-    std::vector<std::uint8_t> classes;
-    for (const rockfall::PathPoint& point : path.points) {
-        points.push_back(box.x.of(point.position_m.x() + origin_m.x() - box.frame.x_west_m));
-        points.push_back(box.y.of(point.position_m.y() + origin_m.y() - box.frame.y_south_m));
-        points.push_back(box.z.of(point.position_m.z() - box.low_m));
-        classes.push_back(
-            static_cast<std::uint8_t>(energy_class(static_cast<double>(point.energy_j) / 1000.0)));
-    }
-    return JsonObject{}
-        .text("cover", name_of(path.cover))
-        .add("points", json_packed(points))
-        .add("classes", json_packed(classes))
+        .add("logs", json_packed(log_ends(stand, box)))
+        .add("paths",
+             list_of(stand.paths,
+                     [&](const ScenePath& path) {
+                         return path_object(path, box, origin_m).text("cover", name_of(Cover::forest)).json();
+                     }))
         .json();
 }
 
@@ -173,15 +201,6 @@ std::string target_json(const rockfall::Target& target, const Box& box, const Ei
         .flag("area", target.is_area)
         .add("parts", json_array(parts))
         .json();
-}
-
-template <class Items, class Write>
-std::string list_of(const Items& items, const Write& write) {
-    std::vector<std::string> texts;
-    for (const auto& item : items) {
-        texts.push_back(write(item));
-    }
-    return json_array(texts);
 }
 
 std::string json_of(const Scene& scene) {
@@ -205,10 +224,14 @@ std::string json_of(const Scene& scene) {
                                 }))
         .add("classes", list_of(classes, [](const char* name) { return page_scripts::json_string(name); }))
         .add("stands",
-             list_of(scene.stands, [&](const SceneStand& stand) { return stand_json(stand, box, most); }))
-        .add("paths",
-             list_of(scene.paths,
-                     [&](const rockfall::PathRecord* path) { return path_json(*path, box, scene.origin_m); }))
+             list_of(scene.stands,
+                     [&](const SceneStand& stand) { return stand_json(stand, box, scene.origin_m, most); }))
+        .add("paths", list_of(scene.paths,
+                              [&](const rockfall::PathRecord* path) {
+                                  return path_object(path->points, box, scene.origin_m)
+                                      .text("cover", name_of(path->cover))
+                                      .json();
+                              }))
         .add("targets", list_of(scene.targets,
                                 [&](const rockfall::Target& target) {
                                     return target_json(target, box, scene.origin_m);

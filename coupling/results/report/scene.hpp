@@ -29,11 +29,25 @@ struct SceneTree {
     friend bool operator==(const SceneTree&, const SceneTree&) = default;
 };
 
-/// What stands in one year under one regime.
+/// A lying stem.
+struct SceneLog {
+    double x_m = 0.0;  ///< absolute, of one end
+    double y_m = 0.0;
+    double length_m = 0.0;
+    double direction_rad = 0.0;  ///< counter-clockwise from east
+    friend bool operator==(const SceneLog&, const SceneLog&) = default;
+};
+
+/// A path of a rock among the trees of a stand.
+using ScenePath = std::vector<rockfall::PathPoint>;
+
+/// What stands in one year under one regime, and where rocks fell then.
 struct SceneStand {
     std::string regime;  ///< empty where there is one
     std::int32_t year = 0;
     std::vector<SceneTree> trees;
+    std::vector<SceneLog> logs{};
+    std::vector<ScenePath> paths{};  ///< in coordinates of the terrain
     /// Place of an earlier stand with the same trees, which are then not repeated here.
     std::optional<std::size_t> same_as{};
 };

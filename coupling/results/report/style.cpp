@@ -33,7 +33,8 @@ dl.facts{margin-bottom:0}
 .halves>*,.thirds>*{margin:0;min-width:0}
 svg{display:block;width:100%;height:auto}
 svg.definitions{position:absolute;width:0;height:0}
-svg text{font-family:inherit;fill:var(--ink)}
+svg text{font-family:inherit}
+svg text:where(:not([fill])){fill:var(--ink)}
 .chart svg text,.bars text{font-size:13px}
 .chart svg text.small{font-size:11px;fill:var(--soft)}
 .chart .grid{stroke:var(--line);stroke-width:1;fill:none}
@@ -89,7 +90,6 @@ fieldset.switches{border:0;margin:0 0 1em;padding:0}
 main:has(#show-sources:not(:checked)) use.sources,main:has(#show-targets:not(:checked)) .targets,
 main:has(#show-hillshade:not(:checked)) use.shade{display:none}
 .live .drawn{height:310px;width:100%;outline-offset:2px}
-.live .drawn svg text{fill:unset}
 .live ul.names button{all:unset;display:flex;align-items:center;gap:.45em;cursor:pointer;border-radius:3px}
 .live ul.names span{display:flex;align-items:center;gap:.45em}
 .live ul.names button:focus-visible{outline:2px solid var(--blue,#2458ad);outline-offset:2px}

@@ -62,7 +62,7 @@ public:
     /// What the rocks of a replicate leave in the tables.
     [[nodiscard]] MemberYears rocks_through(const forest::Stand& stand, std::uint32_t replicate) const {
         MemberYears kept;
-        record_falls(season_->fall(stand, replicate, 1, 1), 1, kept);
+        record_falls(season_->fall(stand, replicate, 1, false, 1), 1, kept);
         return kept;
     }
     [[nodiscard]] double protection_percent(const forest::Stand& stand, std::uint32_t replicate) const {

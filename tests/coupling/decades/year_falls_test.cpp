@@ -16,7 +16,9 @@ struct RockySlope {
           season{*opened.scenario, *opened.site, forest().species.fracture_energy, {}} {}
 
     [[nodiscard]] const ForestSite& forest() const { return *opened.site->forest; }
-    [[nodiscard]] FallsOfYear fall(const forest::Stand& stand) const { return season.fall(stand, 0, 1, 1); }
+    [[nodiscard]] FallsOfYear fall(const forest::Stand& stand) const {
+        return season.fall(stand, 0, 1, true, 1);
+    }
     [[nodiscard]] forest::Stand without_trees() const {
         return {forest().grid, forest().species.table.size(), {}, forest().first_year() - 1};
     }
@@ -55,6 +57,27 @@ TEST(RocksOfAYear, TellHitsByWhatASoundStemTakes) {
         EXPECT_EQ(rotten.at(rock).tree, hit.tree);
         EXPECT_DOUBLE_EQ(rotten.at(rock).energy_share, hit.energy_share);
     }
+}
+
+TEST(RocksOfAYear, KeepSomePathsThatChangeNothing) {
+    const RockySlope slope;
+    const forest::Stand stand = slope.forest().start(1, 0);
+    const FallsOfYear with = slope.fall(stand);
+    const FallsOfYear without = slope.season.fall(stand, 0, 1, false, 1);
+    EXPECT_TRUE(without.paths.empty());
+    ASSERT_FALSE(with.paths.empty());
+    EXPECT_LE(with.paths.size(), most_paths);
+    EXPECT_EQ(with.hits.size(), without.hits.size());
+    MemberYears kept;
+    record_paths(with, 1, kept);
+    std::size_t corners = 0;
+    for (const rockfall::PathRecord& path : with.paths) {
+        EXPECT_EQ(path.cover, Cover::forest);
+        EXPECT_GE(path.points.size(), 2U);
+        corners += path.points.size();
+    }
+    EXPECT_EQ(kept.paths.size(), corners);
+    EXPECT_DOUBLE_EQ(kept.paths.front().z_m, with.paths.front().points.front().position_m.z());
 }
 
 TEST(RocksOfAYear, SeeNoForestWhereNothingStandsOrLies) {

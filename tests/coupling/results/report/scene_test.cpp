@@ -41,12 +41,29 @@ TEST(SceneFigure, ThinsTheGroundAndCountsFromItsSouthWesternCorner) {
     EXPECT_TRUE(has(figure, "\"trees\":1,\"left_out\":0"));
 }
 
+TEST(SceneFigure, WritesLyingStemsAndPathsOfAYear) {
+    const config::Raster<double> heights = some_ground();
+    const config::GridFrame& frame = heights.frame;
+    Scene scene{.heights = heights};
+    const double x_m = frame.x_west_m;
+    const double y_m = frame.y_south_m;
+    SceneStand stand;
+    stand.logs = {{.x_m = x_m, .y_m = y_m, .length_m = 0.0, .direction_rad = 0.0}};
+    stand.paths = {{{{x_m, y_m, 0.0}, 400'000.0F, 0.0F}, {{x_m, y_m, 0.0}, 10'000.0F, 0.0F}}};
+    scene.stands = {stand};
+    const std::string figure = scene_figure(scene, "");
+    // Both ends of the log in the corner: four numbers 0.
+    EXPECT_TRUE(has(figure, "\"logs\":\"AAAAAAAAAAA=\""));
+    // Energy classes 2 (above 300 kJ) and 0.
+    EXPECT_TRUE(has(figure, "\"classes\":\"AgA=\",\"cover\":\"forest\"")) << figure;
+}
+
 TEST(SceneFigure, WritesTreesOfACommonStartOnce) {
     const config::Raster<double> heights = some_ground();
     Scene scene{.heights = heights};
     scene.species = {{"spruce", "#117733", true}};
     scene.stands = {{"A", 0, {{.x_m = 1010.0, .y_m = 2010.0, .dbh_cm = 30.0, .height_m = 10.0}}},
-                    {"B", 0, {}, 0}};
+                    {.regime = "B", .year = 0, .trees = {}, .same_as = 0}};
     const std::string figure = scene_figure(scene, "");
     EXPECT_TRUE(has(figure, "{\"regime\":\"B\",\"year\":0,\"same_as\":0}"));
 }
