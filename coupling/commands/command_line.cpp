@@ -28,7 +28,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"validate", {"set", "seed", "threads", "out", "overwrite", "cases", "profile", "rocks", "list"}},
         {"stopping-table",
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
-        {"compare", {"out", "overwrite"}},
+        {"compare", {"out", "page", "overwrite"}},
         {"info", {}},
         {"completion", {}},
     };
@@ -212,6 +212,9 @@ void add_compare(CommandLine& line, const po::variables_map& values) {
     }
     const auto& words = values["argument"].as<std::vector<std::string>>();
     line.folders.assign(words.begin(), words.end());
+    if (values.count("page") > 0) {
+        line.page = values["page"].as<std::string>();
+    }
 }
 
 /// The scenario and the folders after it.

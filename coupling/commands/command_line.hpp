@@ -33,6 +33,7 @@ struct CommandLine {
 
     // merge, where the argument is the scenario; compare
     std::vector<std::filesystem::path> folders;
+    std::filesystem::path page;  ///< compare: HTML file; empty: none
 
     // validate
     std::vector<std::string> cases;  ///< names; none: all

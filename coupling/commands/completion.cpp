@@ -14,7 +14,8 @@
 namespace coupling {
 namespace {
 
-constexpr std::string_view opening = R"script(# Completion of bannwald for bash:  eval "$(bannwald completion bash)"
+constexpr std::string_view opening =
+    R"script(# Completion of bannwald for bash:  eval "$(bannwald completion bash)"
 _bannwald_words() {
     mapfile -t COMPREPLY < <(compgen -W "$1" -- "$word")
 }
@@ -36,6 +37,7 @@ constexpr std::string_view middle = R"script(    esac
     case $before in
         --example) _bannwald_words "$_bannwald_examples"; return ;;
         --set) compopt -o nospace 2>/dev/null; _bannwald_words "$_bannwald_settings"; return ;;
+        --page) _bannwald_files -f; return ;;
         --out) if [ "$command" = compare ]; then _bannwald_files -f; else _bannwald_files -d; fi; return ;;
         --cases) _bannwald_files -d; return ;;
         --profile) _bannwald_files -f; return ;;
@@ -61,45 +63,45 @@ constexpr std::string_view middle = R"script(    esac
 complete -F _bannwald bannwald
 )script";
 
-void write_words(std::ostream & out, const char* variable, const std::vector<std::string>& words) {
-        out << variable << "=\"";
-        const char* separator = "";
-        for (const std::string& word : words) {
-            out << separator << word;
-            separator = " ";
-        }
-        out << "\"\n";
+void write_words(std::ostream& out, const char* variable, const std::vector<std::string>& words) {
+    out << variable << "=\"";
+    const char* separator = "";
+    for (const std::string& word : words) {
+        out << separator << word;
+        separator = " ";
     }
+    out << "\"\n";
+}
 
-    /// As --set takes them, up to the value.
-    std::vector<std::string> settings() {
-        Scenario scenario;
-        config::Options options;
-        declare(options, scenario);
-        std::vector<std::string> keys;
-        for (const config::ParameterRow& row : options.rows()) {
-            keys.push_back(row.key + '=');
-        }
-        return keys;
+/// As --set takes them, up to the value.
+std::vector<std::string> settings() {
+    Scenario scenario;
+    config::Options options;
+    declare(options, scenario);
+    std::vector<std::string> keys;
+    for (const config::ParameterRow& row : options.rows()) {
+        keys.push_back(row.key + '=');
     }
+    return keys;
+}
 
-    std::vector<std::string> tables() {
-        std::vector<std::string> names;
-        for (const std::string& table : config::shipped_table_names()) {
-            names.push_back(table.substr(0, table.rfind('.')));
-        }
-        const std::vector<std::string> regimes = shipped_regime_names();
-        names.insert(names.end(), regimes.begin(), regimes.end());
-        return names;
+std::vector<std::string> tables() {
+    std::vector<std::string> names;
+    for (const std::string& table : config::shipped_table_names()) {
+        names.push_back(table.substr(0, table.rfind('.')));
     }
+    const std::vector<std::string> regimes = shipped_regime_names();
+    names.insert(names.end(), regimes.begin(), regimes.end());
+    return names;
+}
 
-    std::vector<std::string> cases() {
-        std::vector<std::string> names;
-        for (const validation::CaseFiles& files : validation::shipped_cases()) {
-            names.push_back(files.name);
-        }
-        return names;
+std::vector<std::string> cases() {
+    std::vector<std::string> names;
+    for (const validation::CaseFiles& files : validation::shipped_cases()) {
+        names.push_back(files.name);
     }
+    return names;
+}
 
 }  // namespace
 

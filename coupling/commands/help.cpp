@@ -105,7 +105,8 @@ over years the means over the years and the worst year of each regime. Tells whi
 whether a difference to the first run is more than chance, and when runs cannot be compared because their terrain,
 targets or rocks differ.
   --out FILE                writes the comparison as a table (CSV) too
-  --overwrite               replaces that file if it is there
+  --page FILE               writes it as a page (HTML) too, with distributions and maps of the runs side by side
+  --overwrite               replaces these files if they are there
   -q, --quiet               nothing on the screen
 )";
 

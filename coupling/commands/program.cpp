@@ -117,9 +117,12 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
         return stopping_table(line);
     }
     if (line.command == "compare") {
-        compare::compare_runs(
-            {.folders = line.folders, .out = line.out, .overwrite = line.overwrite, .quiet = line.quiet},
-            std::cout);
+        compare::compare_runs({.folders = line.folders,
+                               .out = line.out,
+                               .page = line.page,
+                               .overwrite = line.overwrite,
+                               .quiet = line.quiet},
+                              std::cout);
         return code(ExitCode::done);
     }
     if (line.command == "completion") {

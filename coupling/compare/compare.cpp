@@ -1,26 +1,47 @@
 #include "coupling/compare/compare.hpp"
 
+#include <sstream>
+
 #include "config/errors/input_error.hpp"
 #include "coupling/compare/finished_run.hpp"
+#include "coupling/compare/page/page.hpp"
 #include "coupling/compare/side_by_side.hpp"
+#include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 
 namespace coupling::compare {
+namespace {
+
+void refuse_existing(const std::filesystem::path& file, const char* option, bool overwrite) {
+    if (!file.empty() && !overwrite && std::filesystem::exists(file)) {
+        config::fail(config::ExitCode::settings, {file.string()}, "a file of this name is there already",
+                     joined("another name by ", option, ", or --overwrite to replace it"));
+    }
+}
+
+}  // namespace
 
 void compare_runs(const CompareRequest& request, std::ostream& screen) {
-    if (!request.out.empty() && !request.overwrite && std::filesystem::exists(request.out)) {
-        config::fail(config::ExitCode::settings, {request.out.string()},
-                     "a file of this name is there already",
-                     "another name by --out, or --overwrite to replace it");
-    }
+    refuse_existing(request.out, "--out", request.overwrite);
+    refuse_existing(request.page, "--page", request.overwrite);
     std::vector<FinishedRun> runs;
     for (const std::filesystem::path& folder : request.folders) {
         runs.push_back(read_finished_run(folder));
     }
     const SideBySide comparison = side_by_side(runs);
+    // Made before any file is: a table that is missing leaves nothing half-written.
+    std::ostringstream page;
+    if (!request.page.empty()) {
+        write_page(page, runs, comparison);
+    }
     if (!request.out.empty()) {
         OutFile file{request.out};
         write_csv(file.stream(), runs, comparison);
+        file.close();
+    }
+    if (!request.page.empty()) {
+        OutFile file{request.page};
+        file.stream() << page.str();
         file.close();
     }
     if (!request.quiet) {

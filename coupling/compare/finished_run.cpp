@@ -11,6 +11,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/table/table.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/compare/run_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/joined.hpp"
 
@@ -20,37 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-config::Table read_table(const fs::path& folder, const std::string& name,
-                         const std::vector<std::string>& wanted) {
-    const fs::path path = folder / "tables" / name;
-    const FileBytes bytes = open_file(path, {}, "a table of the results");
-    std::istringstream in{std::string{bytes.text()}};
-    config::Table table = config::Table::read(in, path.string());
-    config::Problems problems;
-    table.require(wanted, problems);
-    problems.throw_if_any();
-    return table;
-}
-
-bool has_table(const fs::path& folder, const std::string& name) {
-    std::error_code error;
-    return fs::exists(folder / "tables" / name, error);
-}
-
-/// NaN for an empty field: not known. Throws InputError (data) for a field that is no number.
-double number(const config::Table& table, std::size_t row, const std::string& column) {
-    const std::string& field = table.text(row, column);
-    if (field.empty()) {
-        return unknown;
-    }
-    const auto value = config::parse_number(field);
-    if (!value) {
-        config::fail(config::ExitCode::data, table.place(row, column), config::in_quotes(field),
-                     "a number or nothing");
-    }
-    return *value;
-}
 
 /// A figure whose interval stands beside it.
 Figure with_interval(FigureKey key, const config::Table& table, std::size_t row, const std::string& value,

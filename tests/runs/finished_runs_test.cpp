@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling {
@@ -46,6 +47,37 @@ TEST(Compare, TellsMoreForestFromLess) {
     const Outcome again = call(project, "compare thin dense --out compared.csv");
     EXPECT_EQ(again.code, 2) << "a table of somebody is not written over";
     EXPECT_EQ(call(project, "compare thin thin dense --quiet --out compared.csv --overwrite").out, "");
+}
+
+TEST(Compare, DrawsRunsOfTodayOnOnePage) {
+    const SampleProject project;
+    run_today(project);
+    ASSERT_EQ(call(project, "compare thin dense --quiet --page compared.html").code, 0);
+    const std::string page = project.read("compared.html");
+    EXPECT_EQ(testing::markup_fault(page), "");
+    for (const char* part : {"<h2>Main figures</h2>", "Energy exceeded at road, with forest",
+                             "Run-out exceeded, bare slope", "B: Reach probability", "B − A"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+    EXPECT_EQ(call(project, "compare thin dense --quiet --page compared.html").code, 2)
+        << "a page of somebody is not written over";
+    project.remove("dense/tables/run_out.csv");
+    const Outcome broken = call(project, "compare thin dense --quiet --page other.html");
+    EXPECT_EQ(broken.code, 3) << broken.err;
+    EXPECT_NE(broken.err.find("run_out.csv"), std::string::npos) << broken.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("other.html")));
+}
+
+TEST(Compare, DrawsRunsOverYearsOnOnePage) {
+    const ForestProject project;
+    const std::string run = "run scenario.ini --quiet --set run.years=2 --set run.replicates=2 ";
+    ASSERT_EQ(call(project, run + "--out a").code, 0);
+    ASSERT_EQ(call(project, run + "--seed 7 --out b").code, 0);
+    ASSERT_EQ(call(project, "compare a b --quiet --page compared.html").code, 0);
+    const std::string page = project.read("compared.html");
+    EXPECT_EQ(testing::markup_fault(page), "");
+    EXPECT_NE(page.find("<h2>Over the years</h2>"), std::string::npos);
+    EXPECT_EQ(page.find("<h2>Distributions</h2>"), std::string::npos);
 }
 
 TEST(Compare, SaysWhatFoldersLack) {

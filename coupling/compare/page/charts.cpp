@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "coupling/compare/page/parts.hpp"
+#include "coupling/compare/run_tables.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::compare {
+namespace {
+
+using report::Axis;
+using report::Chart;
+using report::ChartPoint;
+using report::ChartRange;
+using report::escaped;
+
+/// Quantities worth a picture, with the title of their axis.
+struct Shown {
+    const char* quantity;
+    const char* title;
+    const char* axis;
+};
+constexpr std::array shown_figures{
+    Shown{"protection_percent", "Protection", "Rocks kept away, %"},
+    Shown{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
+    Shown{"reached_bare_percent", "Rocks that arrive over the bare slope", "Rocks that arrive, %"},
+    Shown{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"}};
+constexpr std::array shown_series{Shown{"protection_percent", "Protection", "Rocks kept away, %"},
+                                  Shown{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
+                                  Shown{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
+                                  Shown{"volume_m3pha", "Volume", "Volume, m³/ha"}};
+
+double highest_of(const Line& line) {
+    double highest = 0.0;
+    for (const auto& figure : line.figures) {
+        if (figure && !std::isnan(figure->value)) {
+            highest = std::max({highest, figure->value, std::isnan(figure->high) ? 0.0 : figure->high});
+        }
+    }
+    return highest;
+}
+
+std::string interval_chart(const Line& line, const Shown& shown, const SideBySide& comparison) {
+    const auto runs = static_cast<double>(line.figures.size());
+    Axis y = Axis::from_zero(shown.axis, std::max(1e-3, highest_of(line)));
+    Chart chart{
+        joined(shown.title, ": ", line.key.target, line.key.regime.empty() ? "" : ", ", line.key.regime),
+        Axis{.title = "Run (A, B, …)", .low = 0.0, .high = runs + 1.0, .whole_numbers = true}, y};
+    for (std::size_t i = 0; i < line.figures.size(); ++i) {
+        const auto& figure = line.figures[i];
+        if (!figure || std::isnan(figure->value)) {
+            continue;
+        }
+        const double x = static_cast<double>(i) + 1.0;
+        if (!std::isnan(figure->low) && !std::isnan(figure->high)) {
+            const std::array<ChartRange, 1> range{ChartRange{x, std::max(0.0, figure->low), figure->high}};
+            chart.add_whiskers(look_of(i), range);
+        }
+        const std::array<ChartPoint, 1> point{ChartPoint{x, std::max(0.0, figure->value)}};
+        chart.add_dots(look_of(i), point);
+        chart.add_dot_name(look_of(i), comparison.letters[i]);
+    }
+    return chart.figure(line.key.when == "today" ? "With the 95 % interval of the chance in the rocks."
+                                                 : "Mean over the years, with its 95 % interval.");
+}
+
+/// Year -> mean and range of a series of a run.
+struct YearBand {
+    double mean = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+};
+using SeriesKey = std::array<std::string, 3>;  ///< quantity, target, regime (and climate)
+using BandsOfRun = std::map<SeriesKey, std::map<int, YearBand>>;
+
+BandsOfRun read_bands(const FinishedRun& run) {
+    const config::Table table =
+        read_table(run.folder, "regimes_by_year.csv",
+                   {"regime", "target_id", "quantity", "year", "mean", "low_5", "high_95"});
+    BandsOfRun bands;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto year = static_cast<int>(number(table, row, "year"));
+        bands[{table.text(row, "quantity"), table.text(row, "target_id"), table.text(row, "regime")}][year] =
+            {number(table, row, "mean"), number(table, row, "low_5"), number(table, row, "high_95")};
+    }
+    return bands;
+}
+
+std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std::vector<BandsOfRun>& bands,
+                             const SideBySide& comparison) {
+    double highest = 1e-3;
+    int last_year = 1;
+    for (const BandsOfRun& of_run : bands) {
+        const auto found = of_run.find(key);
+        if (found == of_run.end()) {
+            continue;
+        }
+        for (const auto& [year, band] : found->second) {
+            highest = std::max(highest, band.high);
+            last_year = std::max(last_year, year);
+        }
+    }
+    const auto& [quantity, target, regime] = key;
+    Chart chart{joined(shown.title, ": ", target.empty() ? "forest" : target, ", ", regime),
+                Axis::from_zero("Years since the start", last_year), Axis::from_zero(shown.axis, highest)};
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        const auto found = bands[i].find(key);
+        if (found == bands[i].end()) {
+            continue;
+        }
+        std::vector<ChartPoint> points;
+        std::vector<ChartRange> ranges;
+        for (const auto& [year, band] : found->second) {
+            const double x = year;
+            points.push_back({x, std::max(0.0, band.mean)});
+            ranges.push_back({x, std::max(0.0, band.low), std::max(0.0, band.high)});
+        }
+        chart.add_band(look_of(i), ranges);
+        chart.add_line(look_of(i), points);
+        chart.add_name(look_of(i), comparison.letters[i]);
+        chart.add_end_letter(points.back().y, comparison.letters[i]);
+    }
+    return chart.figure("Mean of the replicates; bands hold nine in ten of them.");
+}
+
+}  // namespace
+
+std::string look_of(std::size_t run) {
+    constexpr std::size_t looks = 8;
+    return joined("run", std::to_string(run % looks));
+}
+
+std::string_view run_style() {
+    // Colours of Tol's bright scheme that hold on light and dark, each with dashes of its own.
+    return R"css(
+.run0,.run1,.run2,.run3,.run4,.run5,.run6,.run7{fill:none;stroke-width:2.2}
+.run0{stroke:#4477aa}.run1{stroke:#ee6677;stroke-dasharray:7 3}.run2{stroke:#228833;stroke-dasharray:2 3}
+.run3{stroke:#aa3377;stroke-dasharray:9 3 2 3}.run4{stroke:#b8860b;stroke-dasharray:12 4}.run5{stroke:#2aa5b8;stroke-dasharray:4 2 1 2}
+.run6{stroke:#888;stroke-dasharray:6 2 2 2 2 2}.run7{stroke:#cc5500;stroke-dasharray:1 2}
+.band.run0{fill:#4477aa}.band.run1{fill:#ee6677}.band.run2{fill:#228833}.band.run3{fill:#aa3377}.band.run4{fill:#b8860b}
+.band.run5{fill:#2aa5b8}.band.run6{fill:#888}.band.run7{fill:#cc5500}
+.band.run0,.band.run1,.band.run2,.band.run3,.band.run4,.band.run5,.band.run6,.band.run7{fill-opacity:.14;stroke-width:.6;stroke-dasharray:none}
+.dot.run0{fill:#4477aa}.dot.run1{fill:#ee6677}.dot.run2{fill:#228833}.dot.run3{fill:#aa3377}.dot.run4{fill:#b8860b}
+.dot.run5{fill:#2aa5b8}.dot.run6{fill:#888}.dot.run7{fill:#cc5500}
+.whisker{stroke-dasharray:none}
+p.warning{background:var(--note);border-left:4px solid #b04a00;padding:8px 12px}
+)css";
+}
+
+std::string interval_charts(const SideBySide& comparison) {
+    std::string html;
+    for (const Shown& shown : shown_figures) {
+        for (const Line& line : comparison.lines) {
+            if (line.key.quantity == shown.quantity && line.key.when != "worst year" &&
+                highest_of(line) > 0.0) {
+                html += interval_chart(line, shown, comparison);
+            }
+        }
+    }
+    return html.empty() ? "" : joined("<h2>Main figures</h2>\n<div class=\"thirds\">", html, "</div>\n");
+}
+
+std::string over_years(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    if (runs.front().summary.kind != "years") {
+        return "";
+    }
+    std::vector<BandsOfRun> bands;
+    std::set<SeriesKey> keys;
+    for (const FinishedRun& run : runs) {
+        bands.push_back(read_bands(run));
+        for (const auto& [key, series] : bands.back()) {
+            keys.insert(key);
+        }
+    }
+    std::string html;
+    for (const Shown& shown : shown_series) {
+        for (const SeriesKey& key : keys) {
+            if (key[0] == shown.quantity) {
+                html += chart_over_years(key, shown, bands, comparison);
+            }
+        }
+    }
+    return html.empty() ? "" : joined("<h2>Over the years</h2>\n<div class=\"halves\">", html, "</div>\n");
+}
+
+}  // namespace coupling::compare

@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "coupling/compare/page/parts.hpp"
+#include "coupling/compare/run_tables.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::compare {
+namespace {
+
+using report::Axis;
+using report::Chart;
+using report::ChartPoint;
+
+/// Rocks by the lower end of their bin.
+struct Bins {
+    std::vector<std::array<double, 3>> bins;  ///< low, high, rocks
+};
+
+struct Key {
+    std::string target;  ///< empty for run-outs
+    std::string cover;
+    std::string quantity;
+    friend auto operator<=>(const Key&, const Key&) = default;
+};
+
+/// What a run tells of its distributions, and how many rocks it let fall over each slope.
+struct Distributions {
+    std::map<Key, Bins> of;
+    std::map<std::string, double> rocks;  ///< by cover
+};
+
+Distributions read_distributions(const FinishedRun& run) {
+    Distributions read;
+    const config::Table runs = read_table(run.folder, "runs.csv", {"cover", "rocks"});
+    for (std::size_t row = 0; row < runs.rows(); ++row) {
+        read.rocks[runs.text(row, "cover")] = number(runs, row, "rocks");
+    }
+    const config::Table run_out =
+        read_table(run.folder, "run_out.csv", {"cover", "run_out_low_m", "run_out_high_m", "rocks"});
+    for (std::size_t row = 0; row < run_out.rows(); ++row) {
+        read.of[{"", run_out.text(row, "cover"), "run_out"}].bins.push_back(
+            {number(run_out, row, "run_out_low_m"), number(run_out, row, "run_out_high_m"),
+             number(run_out, row, "rocks")});
+    }
+    if (has_table(run.folder, "target_distributions.csv")) {
+        const config::Table table =
+            read_table(run.folder, "target_distributions.csv",
+                       {"target_id", "cover", "quantity", "bin_low", "bin_high", "rocks"});
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            read.of[{table.text(row, "target_id"), table.text(row, "cover"), table.text(row, "quantity")}]
+                .bins.push_back({number(table, row, "bin_low"), number(table, row, "bin_high"),
+                                 number(table, row, "rocks")});
+        }
+    }
+    return read;
+}
+
+struct Quantity {
+    const char* name;
+    const char* title;
+    const char* axis;
+    bool logarithmic;
+};
+constexpr std::array at_targets{Quantity{"energy", "Energy exceeded", "Energy E, kJ", true},
+                                Quantity{"speed", "Speed exceeded", "Speed v, m/s", false},
+                                Quantity{"height", "Height exceeded", "Height above ground h, m", false}};
+constexpr Quantity run_outs{"run_out", "Run-out exceeded", "Run-out in plan, m", false};
+/// Where axes of energy begin: a rock of less is as good as at rest.
+constexpr double least_kj = 0.1;
+
+/// Share of all rocks [%] above each limit of the bins.
+std::vector<ChartPoint> exceeded(const Bins& bins, double rocks, double least_x) {
+    double above = 0.0;
+    for (const auto& bin : bins.bins) {
+        above += bin[2];
+    }
+    std::vector<ChartPoint> points;
+    for (const auto& [low, high, count] : bins.bins) {
+        if (count <= 0.0) {
+            continue;
+        }
+        if (points.empty()) {
+            points.push_back({std::max(least_x, low), 100.0 * above / rocks});
+        }
+        above -= count;
+        points.push_back({std::max(least_x, high), 100.0 * std::max(0.0, above) / rocks});
+    }
+    return points;
+}
+
+std::string chart_of(const Key& key, const Quantity& quantity, const std::vector<Distributions>& runs,
+                     const SideBySide& comparison, const std::string& where) {
+    double most_x = quantity.logarithmic ? 1.0 : 1e-6;
+    double most_percent = 0.0;
+    double least_percent = 100.0;
+    std::vector<std::pair<std::size_t, std::vector<ChartPoint>>> lines;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto found = runs[i].of.find(key);
+        const auto rocks = runs[i].rocks.find(key.cover);
+        if (found == runs[i].of.end() || rocks == runs[i].rocks.end() || rocks->second <= 0.0) {
+            continue;
+        }
+        std::vector<ChartPoint> points =
+            exceeded(found->second, rocks->second, quantity.logarithmic ? least_kj : 0.0);
+        if (points.empty()) {
+            continue;
+        }
+        points.pop_back();  // above the largest value lies none: a logarithm has no place for it
+        if (points.empty()) {
+            continue;
+        }
+        most_x = std::max(most_x, points.back().x);
+        most_percent = std::max(most_percent, points.front().y);
+        least_percent = std::min(least_percent, points.back().y);
+        lines.emplace_back(i, std::move(points));
+    }
+    if (lines.empty()) {
+        return "";
+    }
+    const Axis x = quantity.logarithmic ? Axis::powers_of_ten(quantity.axis, least_kj, most_x)
+                                        : Axis::from_zero(quantity.axis, most_x);
+    Chart chart{joined(quantity.title, where), x,
+                Axis::powers_of_ten("% of all rocks with more", least_percent,
+                                    std::max(most_percent, 10.0 * least_percent))};
+    for (const auto& [run, points] : lines) {
+        chart.add_line(look_of(run), points);
+        chart.add_name(look_of(run), comparison.letters[run]);
+    }
+    if (quantity.logarithmic) {
+        chart.add_mark(30.0, "30 kJ");
+        chart.add_mark(300.0, "300 kJ");
+    }
+    return chart.figure("");
+}
+
+const char* words_of(const std::string& cover) {
+    return cover == "bare" ? "bare slope" : "with forest";
+}
+
+}  // namespace
+
+std::string distributions(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    if (runs.front().summary.kind != "today") {
+        return "";
+    }
+    std::vector<Distributions> read;
+    std::vector<std::string> targets;
+    for (const FinishedRun& run : runs) {
+        read.push_back(read_distributions(run));
+        for (const auto& [key, bins] : read.back().of) {
+            if (!key.target.empty() &&
+                std::find(targets.begin(), targets.end(), key.target) == targets.end()) {
+                targets.push_back(key.target);
+            }
+        }
+    }
+    std::string html;
+    for (const char* cover : {"forest", "bare"}) {
+        std::string charts =
+            chart_of({"", cover, "run_out"}, run_outs, read, comparison, joined(", ", words_of(cover)));
+        for (const std::string& target : targets) {
+            for (const Quantity& quantity : at_targets) {
+                charts += chart_of({target, cover, quantity.name}, quantity, read, comparison,
+                                   joined(" at ", target, ", ", words_of(cover)));
+            }
+        }
+        if (!charts.empty()) {
+            html += joined("<h3>", std::string{cover} == "bare" ? "Bare slope" : "With forest",
+                           "</h3>\n<div class=\"thirds\">", charts, "</div>\n");
+        }
+    }
+    return html.empty() ? ""
+                        : joined(
+                              "<h2>Distributions</h2>\n<p class=\"soft\">Percent of all rocks of a run that "
+                              "arrive with more than the value below, by powers of ten. A curve ends where "
+                              "the last rocks of a run lie; the fewer, the more chance in it.</p>\n",
+                              html);
+}
+
+}  // namespace coupling::compare

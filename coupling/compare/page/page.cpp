@@ -1,0 +1,142 @@
+#include "coupling/compare/page/page.hpp"
+
+#include <cmath>
+
+#include "coupling/compare/page/parts.hpp"
+#include "coupling/page_scripts/page_scripts.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/sections.hpp"
+#include "coupling/version.hpp"
+
+namespace coupling::compare {
+namespace {
+
+using report::escaped;
+using report::HtmlTable;
+
+std::string opening(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    std::string html = "<h1>Runs side by side</h1>\n<dl class=\"facts\">";
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const SummaryOfRun& run = runs[i].summary;
+        html += joined(
+            "<div><dt>", comparison.letters[i], "</dt><dd>", escaped(runs[i].folder.string()),
+            "<br/><span class=\"soft\">", report::grouped(run.rocks), " rocks",
+            run.years > 0
+                ? joined(" a year, ", std::to_string(run.years), " years, ", std::to_string(run.replicates),
+                         run.replicates == 1 ? " replicate" : " replicates")
+                : std::string{},
+            ", seed ", std::to_string(run.seed), ", version ", escaped(run.version), "</span></dd></div>");
+    }
+    html += "</dl>\n";
+    for (const std::string& why : comparison.not_comparable) {
+        html += joined("<p class=\"warning\"><b>Not comparable:</b> ", escaped(why), ".</p>\n");
+    }
+    for (const std::string& note : comparison.notes) {
+        html += joined("<p class=\"lead\">Note: ", escaped(note), ".</p>\n");
+    }
+    return html;
+}
+
+void add_rows(const std::vector<Disagreement>& list, HtmlTable& table) {
+    for (const Disagreement& d : list) {
+        std::vector<std::string> cells{escaped(d.what)};
+        for (const std::string& value : d.values) {
+            cells.push_back(value.empty() ? "–" : escaped(value));
+        }
+        table.row(cells);
+    }
+}
+
+std::string disagreements(const SideBySide& comparison) {
+    if (comparison.inputs.empty() && comparison.settings.empty()) {
+        return "<h2>What differs</h2>\n<p>Settings and inputs are the same.</p>\n";
+    }
+    std::vector<std::string> head{"Setting or input"};
+    head.insert(head.end(), comparison.letters.begin(), comparison.letters.end());
+    HtmlTable table{"Only what is not the same in all runs; inputs with the beginning of their hash.", head};
+    add_rows(comparison.settings, table);
+    add_rows(comparison.inputs, table);
+    return joined("<h2>What differs</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+}
+
+std::string in_words(const std::optional<Figure>& figure) {
+    if (!figure || std::isnan(figure->value)) {
+        return "–";
+    }
+    const int decimals = std::abs(figure->value) < 10.0 ? 2 : 1;
+    std::string text = report::fixed(figure->value, decimals);
+    if (!std::isnan(figure->low) && !std::isnan(figure->high)) {
+        text += joined(" <small>(", report::fixed(figure->low, decimals), " – ",
+                       report::fixed(figure->high, decimals), ")</small>");
+    }
+    return figure->year < 0 ? text : joined(text, " in year ", std::to_string(figure->year));
+}
+
+std::string in_words(const std::optional<Difference>& difference) {
+    if (!difference) {
+        return "–";
+    }
+    const int decimals = std::abs(difference->value) < 10.0 ? 2 : 1;
+    const std::string value =
+        joined(difference->value > 0.0 ? "+" : "", report::fixed(difference->value, decimals));
+    return !difference->has_interval()         ? value
+           : difference->is_more_than_chance() ? joined("<b>", value, "</b> *")
+                                               : joined(value, " <small>within chance</small>");
+}
+
+std::string title_of(const FigureKey& key) {
+    return escaped(joined(key.target.empty() ? "forest" : key.target, key.regime.empty() ? "" : ", regime ",
+                          key.regime));
+}
+
+std::string figures(const SideBySide& comparison, bool over_years) {
+    std::vector<std::string> head{"Figure"};
+    head.insert(head.end(), comparison.letters.begin(), comparison.letters.end());
+    for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
+        head.push_back(joined(comparison.letters[i], " − A"));
+    }
+    HtmlTable table{
+        joined("In brackets: 95 % interval of the chance in the simulated rocks",
+               over_years ? " and years, over the replicates; at worst years where nine of ten replicates lie"
+                          : "",
+               ". *: the difference is more than chance; within chance: it may be none. Of many figures one "
+               "in twenty differs so by chance."),
+        head};
+    std::string title;
+    for (const Line& line : comparison.lines) {
+        if (title != title_of(line.key)) {
+            title = title_of(line.key);
+            table.group(title);
+        }
+        std::vector<std::string> cells{
+            joined(escaped(line.key.quantity), line.key.when == "today" ? "" : ", ",
+                   line.key.when == "today" ? std::string{} : escaped(line.key.when))};
+        for (const auto& figure : line.figures) {
+            cells.push_back(in_words(figure));
+        }
+        for (std::size_t i = 1; i < line.differences.size(); ++i) {
+            cells.push_back(in_words(line.differences[i]));
+        }
+        table.row(cells);
+    }
+    return joined("<h2>Figures</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
+    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        << page_scripts::policy(scripts)
+        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+           "<meta name=\"generator\" content=\"Bannwald "
+        << escaped(version()) << "\"/>\n<title>Runs side by side</title>\n<style>" << report::style()
+        << run_style() << "</style>\n</head>\n<body>\n<main>\n"
+        << opening(runs, comparison) << disagreements(comparison) << interval_charts(comparison)
+        << over_years(runs, comparison) << distributions(runs, comparison) << maps(runs, comparison)
+        << figures(comparison, runs.front().summary.years > 0) << "</main>\n"
+        << page_scripts::elements(scripts) << "</body>\n</html>\n";
+}
+
+}  // namespace coupling::compare

@@ -1,0 +1,42 @@
+#include "coupling/compare/run_tables.hpp"
+
+#include <limits>
+#include <sstream>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+
+namespace coupling::compare {
+
+config::Table read_table(const std::filesystem::path& folder, const std::string& name,
+                         const std::vector<std::string>& wanted) {
+    const std::filesystem::path path = folder / "tables" / name;
+    const FileBytes bytes = open_file(path, {}, "a table of the results");
+    std::istringstream in{std::string{bytes.text()}};
+    config::Table table = config::Table::read(in, path.string());
+    config::Problems problems;
+    table.require(wanted, problems);
+    problems.throw_if_any();
+    return table;
+}
+
+bool has_table(const std::filesystem::path& folder, const std::string& name) {
+    std::error_code error;
+    return std::filesystem::exists(folder / "tables" / name, error);
+}
+
+double number(const config::Table& table, std::size_t row, const std::string& column) {
+    const std::string& field = table.text(row, column);
+    if (field.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto value = config::parse_number(field);
+    if (!value) {
+        config::fail(config::ExitCode::data, table.place(row, column), config::in_quotes(field),
+                     "a number or nothing");
+    }
+    return *value;
+}
+
+}  // namespace coupling::compare

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "config/table/table.hpp"
+
+namespace coupling::compare {
+
+// Tables of a finished run.
+
+/// Throws config::InputError: (file) for a table that is missing, (data) for one without a wanted column.
+config::Table read_table(const std::filesystem::path& folder, const std::string& name,
+                         const std::vector<std::string>& wanted);
+bool has_table(const std::filesystem::path& folder, const std::string& name);
+/// NaN for an empty field: not known. Throws config::InputError (data) for a field that is no number.
+double number(const config::Table& table, std::size_t row, const std::string& column);
+
+}  // namespace coupling::compare
