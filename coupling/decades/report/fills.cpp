@@ -71,14 +71,18 @@ template <std::size_t Count>
 std::string rules(const std::string& kind, const std::array<Fill, Count>& fills) {
     std::string plain;
     std::string dark;
+    std::string print;
     for (std::size_t i = 0; i < Count; ++i) {
         const std::string name = joined(kind, std::to_string(i));
         plain +=
             joined(".", name, "{fill:url(#", name, ");stroke:var(--ink);stroke-width:.6}\n.", name,
                    "-colour{fill:", fills[i].on_light, "}.", name, "-line{stroke:", fills[i].on_light, "}\n");
         dark += joined(".", name, "-colour{fill:", fills[i].on_dark, "}");
+        // Browsers print a pattern as a picture of its own for each shape: thousands of crowns make a file of
+        // 50 MB.
+        print += joined(".stand .crown.", name, ",.stand .crown .", name, "{fill:", fills[i].on_light, "}");
     }
-    return joined(plain, "@media (prefers-color-scheme:dark){", dark, "}\n");
+    return joined(plain, "@media (prefers-color-scheme:dark){", dark, "}\n@media print{", print, "}\n");
 }
 
 }  // namespace

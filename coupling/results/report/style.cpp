@@ -113,7 +113,7 @@ main:has(#show-hillshade:not(:checked)) use.shade{display:none}
 details{margin:0 0 .8em}summary{cursor:pointer;font-weight:600;padding:.2em 0}
 .map-choice svg.sheet{max-width:820px}.map-choice .switches{display:flex;flex-wrap:wrap;gap:.4em 1.2em;margin-bottom:.6em}
 @media screen{.is-live>svg,.is-live>ul.names,.is-live>.paper{display:none}}
-@media print{.chart .live,.only-live,.scene .switches,.scene:not(.is-live){display:none!important}}
+@media print{.chart .live,.only-live,.scene .switches,.scene:not(.is-live),h2:has(+.scene:not(.is-live)){display:none!important}}
 @media (max-width:700px){main{padding:14px 10px 40px}.two{grid-template-columns:1fr}}
 @media print{
 @page{size:A4;margin:12mm}
