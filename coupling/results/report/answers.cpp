@@ -97,6 +97,26 @@ std::string with_interval(const Distribution& d) {
                   (open ? " or more" : joined(" to ", three_digits(d.p95_interval.high))), ")</span>");
 }
 
+/// A percentile above which fewer than one rock lies is the largest value: not shown.
+std::string percentile(double value, double percent, std::uint64_t rocks) {
+    return static_cast<double>(rocks) * (100.0 - percent) < 100.0 - 1e-9 ? "–" : three_digits(value);
+}
+
+/// What happens beyond the rim of the terrain nobody knows.
+std::string leaving(const RunResults& results, const Figures& figures) {
+    constexpr auto left = static_cast<std::size_t>(rockfall::StopReason::left_terrain);
+    const Share& bare = figures.at(Cover::bare).by_reason[left];
+    const Share& forest = figures.at(Cover::forest).by_reason[left];
+    if (bare.part + forest.part == 0) {
+        return "";
+    }
+    return joined("<p class=\"soft\">", percent(bare.value),
+                  " of the rocks leave the terrain over the bare slope",
+                  results.with_forest ? joined(", ", percent(forest.value), " with forest") : std::string{},
+                  ", over its rim or into a hole without heights: where they end is not known, and a target "
+                  "beyond counts none of them.</p>\n");
+}
+
 std::string figures_at(const TargetFigures& target, const std::vector<Cover>& covers) {
     HtmlTable table{"",
                     {"at this target", "mean", "50 %", "90 %", "95 % (interval)", "98 %", "99 %", "largest"}};
@@ -111,9 +131,12 @@ std::string figures_at(const TargetFigures& target, const std::vector<Cover>& co
         table.group(quantity.name);
         for (const Cover cover : covers) {
             const Distribution& d = target.at(cover).*quantity.values;
-            table.row({cover == Cover::forest ? "with forest" : "bare slope", three_digits(d.mean),
-                       three_digits(d.p50), three_digits(d.p90), with_interval(d), three_digits(d.p98),
-                       three_digits(d.p99), three_digits(d.max)});
+            const std::uint64_t rocks = target.at(cover).share.part;
+            table.row({joined(cover == Cover::forest ? "with forest" : "bare slope", " <small>(",
+                              grouped(rocks), rocks == 1 ? " rock" : " rocks", ")</small>"),
+                       three_digits(d.mean), three_digits(d.p50), percentile(d.p90, 90.0, rocks),
+                       rocks < 20 ? "–" : with_interval(d), percentile(d.p98, 98.0, rocks),
+                       percentile(d.p99, 99.0, rocks), three_digits(d.max)});
         }
     }
     return table.html();
@@ -176,7 +199,7 @@ std::string answers(const RunResults& results, const Figures& figures) {
         html += "</section>\n";
     }
     return joined(
-        html,
+        html, leaving(results, figures),
         "<p class=\"soft\">Energy is translation and rotation (pir3d, classical: translation alone) of a "
         "rock where it "
         "first meets the target; "
