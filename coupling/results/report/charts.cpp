@@ -26,6 +26,15 @@ std::vector<double> in_percent_of(std::vector<double> counts, std::uint64_t whol
     return counts;
 }
 
+/// Thirty bars of one width from 0 on.
+std::vector<double> even_edges(double high) {
+    std::vector<double> edges(31);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        edges[i] = high * static_cast<double>(i) / 30.0;
+    }
+    return edges;
+}
+
 /// The bare slope first: the forest is drawn over it.
 std::vector<Cover> drawing_order(const RunResults& results) {
     std::vector<Cover> covers = covers_of(results);
@@ -79,10 +88,7 @@ std::string speed_histogram(const RunResults& results, std::size_t target) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
     const double most_mps = std::max(tally.by_cover[0].speed_max_mps, tally.by_cover[1].speed_max_mps);
     Axis x = Axis::from_zero("Speed at the target, m/s", most_mps);
-    std::vector<double> edges(31);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        edges[i] = x.high * static_cast<double>(i) / 30.0;
-    }
+    const std::vector<double> edges = even_edges(x.high);
     const auto counts = [&](Cover cover) {
         return rebinned(rockfall::fine_speed_bins, tally.by_cover[index_of(cover)].speed, 1.0, edges);
     };
@@ -94,10 +100,7 @@ std::string height_histogram(const RunResults& results, std::size_t target) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
     const double most_m = std::max(tally.by_cover[0].height_max_m, tally.by_cover[1].height_max_m);
     Axis x = Axis::from_zero("Height above ground at the target, m", most_m);
-    std::vector<double> edges(31);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        edges[i] = x.high * static_cast<double>(i) / 30.0;
-    }
+    const std::vector<double> edges = even_edges(x.high);
     const auto counts = [&](Cover cover) {
         return rebinned(rockfall::fine_height_bins, tally.by_cover[index_of(cover)].height, 1.0, edges);
     };

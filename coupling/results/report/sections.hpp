@@ -19,6 +19,8 @@ std::string answers(const RunResults& results, const Figures& figures);
 std::string slope_view(const RunResults& results);
 std::string maps(const RunResults& results);
 std::string charts(const RunResults& results, const Figures& figures);
+/// Energy and height along some of the sampled paths.
+std::string along_paths(const RunResults& results);
 /// All rocks on both slopes, and the trees by diameter.
 std::string key_figures(const RunResults& results, const Figures& figures);
 std::string warnings(const RunResults& results);

@@ -49,6 +49,9 @@ ul.names svg{width:30px;height:14px;flex:none}
 .bare{stroke:var(--bare);stroke-width:2;stroke-dasharray:6 4;fill:none}
 .area.forest{fill:var(--forest-fill)}
 .area.bare{fill:var(--bare-fill)}
+.path0{stroke:var(--forest);stroke-width:1.8;fill:none}
+.path1{stroke:var(--bare);stroke-width:1.8;stroke-dasharray:6 3;fill:none}
+.path2{stroke:var(--soft);stroke-width:1.8;stroke-dasharray:2 3;fill:none}
 .bars rect.forest{fill:var(--forest);stroke:none}
 .bars rect.bare{fill:var(--bare-fill);stroke:var(--bare);stroke-width:1.5;stroke-dasharray:none}
 .bars .whisker{stroke:var(--ink);stroke-width:1.6;fill:none}

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "coupling/results/colours.hpp"
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/sections.hpp"
+
+namespace coupling::report {
+namespace {
+
+using rockfall::PathRecord;
+
+/// A path that is worth a drawing, and why.
+struct ChosenPath {
+    const PathRecord* path;
+    std::string why;
+};
+
+float largest_energy_j(const PathRecord& path) {
+    float most_j = 0.0F;
+    for (const rockfall::PathPoint& point : path.points) {
+        most_j = std::max(most_j, point.energy_j);
+    }
+    return most_j;
+}
+
+double run_out_m(const PathRecord& path) {
+    return (path.points.back().position_m - path.points.front().position_m).head<2>().norm();
+}
+
+/// Of the sampled paths on a slope: the one with the most energy, the one that goes farthest, and the one in
+/// the middle by run-out.
+std::vector<ChosenPath> choose(const RunResults& results, Cover cover) {
+    std::vector<const PathRecord*> paths;
+    for (const PathRecord& path : results.paths) {
+        if (path.cover == cover && path.points.size() > 1) {
+            paths.push_back(&path);
+        }
+    }
+    if (paths.empty()) {
+        return {};
+    }
+    std::stable_sort(paths.begin(), paths.end(),
+                     [](const PathRecord* a, const PathRecord* b) { return run_out_m(*a) < run_out_m(*b); });
+    const auto strongest = std::max_element(
+        paths.begin(), paths.end(),
+        [](const PathRecord* a, const PathRecord* b) { return largest_energy_j(*a) < largest_energy_j(*b); });
+    const std::array<std::pair<const PathRecord*, const char*>, 3> wanted{
+        {{*strongest, "most energy"},
+         {paths.back(), "farthest"},
+         {paths[paths.size() / 2], "median run-out"}}};
+    std::vector<ChosenPath> chosen;
+    for (const auto& [path, why] : wanted) {
+        const auto same = std::find_if(chosen.begin(), chosen.end(),
+                                       [path = path](const ChosenPath& c) { return c.path == path; });
+        if (same == chosen.end()) {
+            chosen.push_back({path, why});
+        } else {
+            same->why += joined(", ", why);
+        }
+    }
+    return chosen;
+}
+
+/// Plan distance along a path at each of its corners.
+std::vector<double> distances_m(const PathRecord& path) {
+    std::vector<double> distances{0.0};
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        distances.push_back(distances.back() +
+                            (path.points[i].position_m - path.points[i - 1].position_m).head<2>().norm());
+    }
+    return distances;
+}
+
+/// A quantity along chosen paths; energy in kJ, heights in m.
+std::string chart(const std::vector<ChosenPath>& chosen, const std::string& title, const std::string& y_title,
+                  double (*value)(const rockfall::PathPoint&), bool energy_marks,
+                  const std::string& caption) {
+    double longest_m = 1.0;
+    double highest = 1e-3;
+    for (const ChosenPath& c : chosen) {
+        longest_m = std::max(longest_m, distances_m(*c.path).back());
+        for (const rockfall::PathPoint& point : c.path->points) {
+            highest = std::max(highest, value(point));
+        }
+    }
+    Chart drawn{title, Axis::from_zero("Distance in plan along the path, m", longest_m),
+                Axis::from_zero(y_title, highest)};
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const std::vector<double> distances = distances_m(*chosen[i].path);
+        std::vector<ChartPoint> points;
+        for (std::size_t k = 0; k < distances.size(); ++k) {
+            points.push_back({distances[k], value(chosen[i].path->points[k])});
+        }
+        const std::string series = joined("path", std::to_string(i));
+        drawn.add_line(series, points);
+        drawn.add_name(series, joined("rock ", std::to_string(chosen[i].path->rock), ": ", chosen[i].why));
+    }
+    if (energy_marks) {
+        for (const double limit_kj : energy_class_limits_kj) {
+            if (limit_kj < highest && limit_kj > 0.1 * highest) {  // else it covers the lines
+                drawn.add_label(0.0, limit_kj, joined(tick_text(limit_kj), " kJ"));
+            }
+        }
+    }
+    return drawn.figure(caption);
+}
+
+}  // namespace
+
+std::string along_paths(const RunResults& results) {
+    std::string html;
+    for (const Cover cover : covers_of(results)) {
+        const std::vector<ChosenPath> chosen = choose(results, cover);
+        if (chosen.empty()) {
+            continue;
+        }
+        const char* where = cover == Cover::forest ? ", with forest" : ", bare slope";
+        html += chart(
+            chosen, joined("Energy along paths", where), "Kinetic energy, kJ",
+            [](const rockfall::PathPoint& point) { return static_cast<double>(point.energy_j) / 1000.0; },
+            true, "Drops are contacts with the ground and hits on trees.");
+        html += chart(
+            chosen, joined("Height along paths", where), "Height above ground, m",
+            [](const rockfall::PathPoint& point) { return static_cast<double>(point.height_m); }, false,
+            "Underside of the rock, vertically above the ground.");
+    }
+    return html.empty() ? ""
+                        : joined(
+                              "<h2>Along single paths</h2>\n<p class=\"soft\">Of the sampled paths (all in "
+                              "tables/trajectories.csv, by the number of the rock): the one with the most "
+                              "energy, the one that ends farthest from its release and the one in the "
+                              "middle by run-out.</p>\n<div class=\"halves\">",
+                              html, "</div>\n");
+}
+
+}  // namespace coupling::report
