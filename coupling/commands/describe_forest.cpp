@@ -76,8 +76,8 @@ const char* in_words(ClimateOrder order) {
     return "its own years";
 }
 
-void say_climate(const ForestSite& forest, std::ostream& out) {
-    const ClimateSource& climate = forest.climate;
+void say_climate(const ForestSite& forest, const SiteClimate& named, std::ostream& out) {
+    const ClimateSource& climate = named.source;
     const double height_m = heights_of(forest.grid).mean;
     const forest::ClimateSeries here =
         at_elevation(climate.series, height_m - *climate.series.elevation_m, climate.lapse_rates);
@@ -89,13 +89,11 @@ void say_climate(const ForestSite& forest, std::ostream& out) {
         precipitation_mm += summary.prec_mm / static_cast<double>(here.years.size());
     }
     std::ostringstream text;
-    text << here.first_year() << " to " << here.last_year() << ", " << in_words(climate.order) << "; "
-         << std::fixed << std::setprecision(1) << temperature_degc << " degC and " << std::setprecision(0)
-         << precipitation_mm << " mm a year at " << height_m << " m";
-    const auto& change_k = climate.change.temperature_k;
-    const auto& factor = climate.change.precipitation;
-    if (std::any_of(change_k.begin(), change_k.end(), [](double k) { return k != 0.0; }) ||
-        std::any_of(factor.begin(), factor.end(), [](double f) { return f != 1.0; })) {
+    text << (forest.climates.size() > 1 ? named.name + ": " : "") << here.first_year() << " to "
+         << here.last_year() << ", " << in_words(climate.order) << "; " << std::fixed << std::setprecision(1)
+         << temperature_degc << " degC and " << std::setprecision(0) << precipitation_mm << " mm a year at "
+         << height_m << " m";
+    if (climate.changes()) {
         text << ", before the change";
     }
     say(out, "climate", text.str());
@@ -131,7 +129,9 @@ void describe_forest(const Scenario& scenario, const Site& site, const decades::
                      std::ostream& out) {
     const ForestSite& forest = *site.forest;
     say_ground(forest.grid, out);
-    say_climate(forest, out);
+    for (const SiteClimate& climate : forest.climates) {
+        say_climate(forest, climate, out);
+    }
     say_start(scenario, forest, out);
     std::string regimes;
     for (const Regime& regime : management.regimes) {
@@ -141,8 +141,8 @@ void describe_forest(const Scenario& scenario, const Site& site, const decades::
     say(out, "regimes", regimes);
     const std::size_t replicates = scenario.forest.replicates;
     say(out, "members",
-        counted(management.regimes.size(), "regime") + " x " + counted(replicates, "replicate") + ", " +
-            std::to_string(forest.first_year()) + " to " +
+        counted(management.regimes.size(), "regime") + " x " + counted(forest.climates.size(), "climate") +
+            " x " + counted(replicates, "replicate") + ", " + std::to_string(forest.first_year()) + " to " +
             std::to_string(forest.first_year() + static_cast<int>(scenario.years) - 1));
 }
 

@@ -110,7 +110,7 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
 Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads) {
     const ForestSettings& settings = scenario.forest;
     const std::size_t patches = site.forest->grid.size();
-    const std::size_t members = regimes * settings.replicates;
+    const std::size_t members = regimes * site.forest->climates.size() * settings.replicates;
     // As the members are lived through: several at a time, or one with its rocks on all threads.
     const std::size_t at_once = std::min(static_cast<std::size_t>(threads), members);
     const std::size_t threads_each = at_once > 1 ? 1 : static_cast<std::size_t>(threads);

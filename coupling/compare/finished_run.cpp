@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "config/errors/input_error.hpp"
@@ -122,7 +123,7 @@ void add_targets_over_years(const fs::path& folder, std::vector<Figure>& figures
         read_table(folder, "protection.csv", {"regime", "replicate", "target_id", "protection_percent"});
     for (std::size_t row = 0; row < protection.rows(); ++row) {
         means.add({protection.text(row, "target_id"), protection.text(row, "regime"), "protection_percent",
-                   over_years},
+                   over_years, climate_of(protection, row)},
                   protection.text(row, "replicate"), number(protection, row, "protection_percent"));
     }
     const config::Table targets = read_table(folder, "targets.csv",
@@ -131,7 +132,8 @@ void add_targets_over_years(const fs::path& folder, std::vector<Figure>& figures
     for (std::size_t row = 0; row < targets.rows(); ++row) {
         const bool bare = targets.text(row, "cover") == "bare";
         const auto add = [&](const char* quantity, const char* column) {
-            means.add({targets.text(row, "target_id"), targets.text(row, "regime"), quantity, over_years},
+            means.add({targets.text(row, "target_id"), targets.text(row, "regime"), quantity, over_years,
+                       climate_of(targets, row)},
                       targets.text(row, "replicate"), number(targets, row, column));
         };
         add(bare ? "reached_bare_percent" : "reached_percent", "share_percent");
@@ -151,11 +153,11 @@ void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vec
                    {"regime", "replicate", "year", "stand", "species", "basal_area_m2pha", "volume_m3pha"});
     const config::Table losses =
         read_table(folder, "mortality.csv", {"regime", "replicate", "cause", "volume_m3pha"});
-    std::map<std::pair<std::string, std::string>, double> felled_m3pha;
+    std::map<std::tuple<std::string, std::string, std::string>, double> felled_m3pha;
     for (std::size_t row = 0; row < losses.rows(); ++row) {
         if (losses.text(row, "cause") == "felled") {
-            felled_m3pha[{losses.text(row, "regime"), losses.text(row, "replicate")}] +=
-                number(losses, row, "volume_m3pha");
+            felled_m3pha[{losses.text(row, "regime"), climate_of(losses, row),
+                          losses.text(row, "replicate")}] += number(losses, row, "volume_m3pha");
         }
     }
     for (std::size_t row = 0; row < stands.rows(); ++row) {
@@ -163,13 +165,15 @@ void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vec
             continue;
         }
         const std::string& regime = stands.text(row, "regime");
+        const std::string climate = climate_of(stands, row);
         const std::string& replicate = stands.text(row, "replicate");
-        means.add({"", regime, "basal_area_m2pha", over_years}, replicate,
+        means.add({"", regime, "basal_area_m2pha", over_years, climate}, replicate,
                   number(stands, row, "basal_area_m2pha"));
-        means.add({"", regime, "volume_m3pha", over_years}, replicate, number(stands, row, "volume_m3pha"));
+        means.add({"", regime, "volume_m3pha", over_years, climate}, replicate,
+                  number(stands, row, "volume_m3pha"));
         if (stands.text(row, "year") == "0") {
-            means.add({"", regime, "felled_m3pha", over_years}, replicate,
-                      felled_m3pha[{regime, replicate}] / static_cast<double>(years));
+            means.add({"", regime, "felled_m3pha", over_years, climate}, replicate,
+                      felled_m3pha[{regime, climate, replicate}] / static_cast<double>(years));
         }
     }
     means.finish();
@@ -182,7 +186,7 @@ void add_worst_years(const fs::path& folder, std::vector<Figure>& figures) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         figures.push_back(
             {.key = {table.text(row, "target_id"), table.text(row, "regime"), table.text(row, "quantity"),
-                     "worst year"},
+                     "worst year", climate_of(table, row)},
              .value = number(table, row, "mean"),
              .low = number(table, row, "low_5"),
              .high = number(table, row, "high_95"),

@@ -13,10 +13,11 @@ namespace coupling::compare {
 
 /// Which figure of a run: the same key in two runs means the same thing.
 struct FigureKey {
-    std::string target;    ///< id, empty for figures of the forest
-    std::string regime;    ///< empty in runs of today
-    std::string quantity;  ///< unit at the end, as columns of tables
-    std::string when;      ///< "today", "mean over years" or "worst year"
+    std::string target;     ///< id, empty for figures of the forest
+    std::string regime;     ///< empty in runs of today
+    std::string quantity;   ///< unit at the end, as columns of tables
+    std::string when;       ///< "today", "mean over years" or "worst year"
+    std::string climate{};  ///< empty in runs of today
 
     friend bool operator==(const FigureKey&, const FigureKey&) = default;
 };

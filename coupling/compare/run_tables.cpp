@@ -5,7 +5,9 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/climate_input.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/results/joined.hpp"
 
 namespace coupling::compare {
 
@@ -37,6 +39,14 @@ double number(const config::Table& table, std::size_t row, const std::string& co
                      "a number or nothing");
     }
     return *value;
+}
+
+std::string climate_of(const config::Table& table, std::size_t row) {
+    return table.has("climate") ? table.text(row, "climate") : only_climate;
+}
+
+std::string course_name(const std::string& regime, const std::string& climate) {
+    return climate.empty() || climate == only_climate ? regime : joined(regime, ", climate ", climate);
 }
 
 }  // namespace coupling::compare

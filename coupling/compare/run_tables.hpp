@@ -16,5 +16,9 @@ config::Table read_table(const std::filesystem::path& folder, const std::string&
 bool has_table(const std::filesystem::path& folder, const std::string& name);
 /// NaN for an empty field: not known. Throws config::InputError (data) for a field that is no number.
 double number(const config::Table& table, std::size_t row, const std::string& column);
+/// The climate of a row of a run over years; runs of earlier versions had but one.
+std::string climate_of(const config::Table& table, std::size_t row);
+/// "pfm1", in a climate with a name of its own "pfm1, climate warm".
+std::string course_name(const std::string& regime, const std::string& climate);
 
 }  // namespace coupling::compare

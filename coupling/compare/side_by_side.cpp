@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "config/errors/input_error.hpp"
@@ -134,10 +135,10 @@ std::vector<Line> lines_of(std::span<const FinishedRun> runs, bool paired) {
             lines.push_back(std::move(line));
         }
     }
-    // Figures of a target and regime stand together.
-    std::vector<std::pair<std::string, std::string>> groups;
+    // Figures of a target, regime and climate stand together.
+    std::vector<std::tuple<std::string, std::string, std::string>> groups;
     const auto place = [&](const Line& line) {
-        const std::pair group{line.key.target, line.key.regime};
+        const std::tuple group{line.key.target, line.key.regime, line.key.climate};
         const auto at = std::find(groups.begin(), groups.end(), group);
         if (at == groups.end()) {
             groups.push_back(group);

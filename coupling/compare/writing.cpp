@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "coupling/compare/run_tables.hpp"
 #include "coupling/compare/side_by_side.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/joined.hpp"
@@ -56,7 +57,7 @@ std::string in_words(const std::optional<Difference>& difference) {
 
 std::string title_of(const FigureKey& key) {
     return joined(key.target.empty() ? "forest" : key.target, key.regime.empty() ? "" : ", regime ",
-                  key.regime);
+                  course_name(key.regime, key.climate));
 }
 
 void write_runs(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
@@ -157,6 +158,7 @@ const std::vector<TableLayout>& compare_layouts() {
           {"folder", "text", "folder of the run", "order of the call"},
           {"target_id", "text", "target; empty for figures of the forest", from_runs},
           {"regime", "text", "regime; empty in runs of today", from_runs},
+          {"climate", "text", "climate; empty in runs of today", from_runs},
           {"quantity", "text", "the figure, its unit at the end", from_runs},
           {"when", "text", "today, mean over years or worst year", from_runs},
           {"year", "-", "the worst year, empty elsewhere", from_runs},
@@ -183,7 +185,7 @@ void write_csv(std::ostream& out, std::span<const FinishedRun> runs, const SideB
             }
             const Figure& f = *line.figures[i];
             row.text(comparison.letters[i]).text(runs[i].folder.string()).text(line.key.target);
-            row.text(line.key.regime).text(line.key.quantity).text(line.key.when);
+            row.text(line.key.regime).text(line.key.climate).text(line.key.quantity).text(line.key.when);
             f.year < 0 ? row.empty() : row.whole(static_cast<std::uint32_t>(f.year));
             row.number<4>(f.value).number<4>(f.low).number<4>(f.high);
             const auto& d = line.differences[i];

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void say_target(const DecadeResults& results, std::uint32_t target) {
-    for (std::uint32_t regime = 0; regime < results.names.regimes.size(); ++regime) {
+    for (std::size_t course = 0; course < results.names.courses(); ++course) {
         PairedCounts first;
         PairedCounts last;
         std::int32_t last_year = 0;
@@ -24,7 +24,7 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
         };
         for (const MemberYears& member : results.members) {
             for (const TargetRow& row : member.targets) {
-                if (member.member.regime != regime || row.target != target) {
+                if (results.names.course_of(member.member) != course || row.target != target) {
                     continue;
                 }
                 if (row.year == member.targets.front().year) {
@@ -42,7 +42,7 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
                           : std::string{"– (no rock arrives)"};
         };
         std::printf("  %s, %s: kept away by the forest: %s in year 0, %s in year %d\n",
-                    results.site.targets[target].name.c_str(), results.names.regimes[regime].c_str(),
+                    results.site.targets[target].name.c_str(), results.names.course_name(course).c_str(),
                     percent(first).c_str(), percent(last).c_str(), last_year);
     }
 }
@@ -52,8 +52,12 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
 void print_summary(const DecadeResults& results, const fs::path& folder,
                    const std::vector<WrittenFile>& files, bool verbose) {
     const forest::PatchGrid& grid = results.site.forest->grid;
-    std::printf("%s of %.2f ha forest (%zu patches), %s, %s", counted(results.scenario.years, "year").c_str(),
-                grid.area_ha(), grid.size(), counted(results.names.regimes.size(), "regime").c_str(),
+    std::printf("%s of %.2f ha forest (%zu patches), %s, %s%s",
+                counted(results.scenario.years, "year").c_str(), grid.area_ha(), grid.size(),
+                counted(results.names.regimes.size(), "regime").c_str(),
+                results.names.climates.size() > 1
+                    ? joined(counted(results.names.climates.size(), "climate"), ", ").c_str()
+                    : "",
                 counted(results.scenario.forest.replicates, "replicate").c_str());
     results.rocks > 0 ? std::printf(", %llu rocks a year\n", static_cast<unsigned long long>(results.rocks))
                       : std::printf(", no rockfall\n");
@@ -64,8 +68,9 @@ void print_summary(const DecadeResults& results, const fs::path& folder,
             std::printf(
                 "  year %d (%s, replicate 1): %.0f stems/ha, %.1f m2/ha, %.0f m3/ha, dominant height %.1f "
                 "m\n",
-                row.year, results.names.regimes[member.member.regime].c_str(), row.figures.stems_pha,
-                row.figures.basal_area_m2pha, row.figures.volume_m3pha, row.figures.dominant_height_m);
+                row.year, results.names.course_name(results.names.course_of(member.member)).c_str(),
+                row.figures.stems_pha, row.figures.basal_area_m2pha, row.figures.volume_m3pha,
+                row.figures.dominant_height_m);
         }
     }
     for (std::uint32_t target = 0; results.rocks > 0 && target < results.site.targets.size(); ++target) {

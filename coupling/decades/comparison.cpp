@@ -19,9 +19,9 @@ namespace {
 Series empty_series(const Names& names, std::span<const MemberYears> members, std::string quantity,
                     std::string target, bool low_is_bad) {
     Series series{std::move(quantity), std::move(target), low_is_bad, false, {}};
-    series.values.resize(names.regimes.size());
+    series.values.resize(names.courses());
     for (const MemberYears& member : members) {
-        auto& replicates = series.values[member.member.regime];
+        auto& replicates = series.values[names.course_of(member.member)];
         replicates.resize(std::max<std::size_t>(replicates.size(), member.member.replicate + 1));
     }
     return series;
@@ -30,12 +30,21 @@ Series empty_series(const Names& names, std::span<const MemberYears> members, st
 /// Of fewer rocks the 95th percentile is the largest of them.
 constexpr std::uint64_t least_rocks_for_p95 = 20;
 
-std::map<std::int32_t, double>& of_member(Series& series, const MemberYears& member) {
-    return series.values[member.member.regime][member.member.replicate];
-}
+/// Where the figures of a member belong.
+class PlaceOf {
+public:
+    explicit PlaceOf(const Names& names) : names_{names} {}
+    std::map<std::int32_t, double>& operator()(Series& series, const MemberYears& member) const {
+        return series.values[names_.course_of(member.member)][member.member.replicate];
+    }
+
+private:
+    const Names& names_;
+};
 
 void add_targets(std::vector<Series>& all_series, const Names& names, const Site& site,
                  std::span<const MemberYears> members) {
+    const PlaceOf of_member{names};
     for (std::uint32_t t = 0; t < site.targets.size(); ++t) {
         const std::string& id = site.targets[t].id;
         Series protection = empty_series(names, members, "protection_percent", id, true);
@@ -63,6 +72,7 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
 }
 
 void add_causes(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members) {
+    const PlaceOf of_member{names};
     for (std::size_t cause = 0; cause < stop_causes; ++cause) {
         const auto kind = static_cast<StopCause>(cause);
         const bool stops = kind < StopCause::left_terrain;
@@ -84,6 +94,7 @@ void add_causes(std::vector<Series>& all_series, const Names& names, std::span<c
 
 void add_profile(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members,
                  const std::optional<forest::TargetProfile>& profile) {
+    const PlaceOf of_member{names};
     Series gap_95 = empty_series(names, members, "gap_95_m", "", false);
     Series gap_max = empty_series(names, members, "gap_max_m", "", false);
     Series met = empty_series(names, members, "target_profile_met_percent", "", true);
@@ -109,6 +120,7 @@ void add_profile(std::vector<Series>& all_series, const Names& names, std::span<
 }
 
 void add_forest(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members) {
+    const PlaceOf of_member{names};
     Series basal_area = empty_series(names, members, "basal_area_m2pha", "", true);
     Series volume = empty_series(names, members, "volume_m3pha", "", true);
     Series stems = empty_series(names, members, "stems_pha", "", true);
@@ -158,9 +170,9 @@ std::vector<std::int32_t> years_of(const Series& series) {
     return {years.begin(), years.end()};
 }
 
-std::optional<OverReplicates> over_replicates(const Series& series, std::size_t regime, std::int32_t year) {
+std::optional<OverReplicates> over_replicates(const Series& series, std::size_t course, std::int32_t year) {
     std::vector<double> values;
-    for (const auto& replicate : series.values[regime]) {
+    for (const auto& replicate : series.values[course]) {
         const auto found = replicate.find(year);
         if (found != replicate.end()) {
             values.push_back(found->second);
@@ -173,14 +185,14 @@ std::optional<OverReplicates> over_replicates(const Series& series, std::size_t 
     return OverReplicates{count, band_of(std::move(values))};
 }
 
-std::optional<PairedDifference> difference(const Series& series, std::size_t regime, std::size_t reference,
+std::optional<PairedDifference> difference(const Series& series, std::size_t course, std::size_t reference,
                                            std::int32_t year) {
     std::vector<double> differences;
-    const std::size_t replicates = std::min(series.values[regime].size(), series.values[reference].size());
+    const std::size_t replicates = std::min(series.values[course].size(), series.values[reference].size());
     for (std::size_t r = 0; r < replicates; ++r) {
-        const auto here = series.values[regime][r].find(year);
+        const auto here = series.values[course][r].find(year);
         const auto there = series.values[reference][r].find(year);
-        if (here != series.values[regime][r].end() && there != series.values[reference][r].end()) {
+        if (here != series.values[course][r].end() && there != series.values[reference][r].end()) {
             differences.push_back(here->second - there->second);
         }
     }
@@ -211,10 +223,10 @@ std::optional<PairedDifference> difference(const Series& series, std::size_t reg
     return found;
 }
 
-std::optional<Extreme> worst_year(const Series& series, std::size_t regime) {
+std::optional<Extreme> worst_year(const Series& series, std::size_t course) {
     std::optional<Extreme> worst;
     for (const std::int32_t year : years_of(series)) {
-        const auto here = over_replicates(series, regime, year);
+        const auto here = over_replicates(series, course, year);
         if (!here) {
             continue;
         }
@@ -227,70 +239,115 @@ std::optional<Extreme> worst_year(const Series& series, std::size_t regime) {
     return worst;
 }
 
+namespace {
+
+/// Regime and climate, as tables begin a row of a course.
+CsvRow& begin_course(CsvRow& row, const Names& names, std::size_t course) {
+    return row.text(names.regimes[names.regime_of(course)]).text(names.climates[names.climate_of(course)]);
+}
+
+void write_by_year(std::ostream& out, const Names& names, std::span<const Series> all_series) {
+    write_header(out, decade_layouts(), "regimes_by_year.csv");
+    CsvRow row{out};
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        for (const Series& series : all_series) {
+            for (const std::int32_t year : years_of(series)) {
+                if (const auto v = over_replicates(series, course, year)) {
+                    begin_course(row, names, course).text(series.target).text(series.quantity);
+                    row.whole(static_cast<std::uint32_t>(year)).whole(v->replicates);
+                    row.number<3>(v->band.mean).number<3>(v->band.low).number<3>(v->band.high);
+                    row.end();
+                }
+            }
+        }
+    }
+}
+
+void write_worst_year(std::ostream& out, const Names& names, std::span<const Series> all_series) {
+    write_header(out, decade_layouts(), "regimes_worst_year.csv");
+    CsvRow row{out};
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        for (const Series& series : all_series) {
+            const auto worst = series.has_worst ? worst_year(series, course) : std::nullopt;
+            if (worst) {
+                begin_course(row, names, course).text(series.target).text(series.quantity);
+                row.text(series.low_is_bad ? "lowest" : "highest");
+                row.whole(static_cast<std::uint32_t>(worst->year)).whole(worst->value.replicates);
+                const Band& band = worst->value.band;
+                row.number<3>(band.mean).number<3>(band.low).number<3>(band.high);
+                row.end();
+            }
+        }
+    }
+}
+
+/// A course and what it is held against, by the name of that.
+struct Pair {
+    std::size_t course;
+    std::size_t reference;
+    const std::string& reference_name;
+};
+
+void write_differences(std::ostream& out, const std::string& table, const Names& names,
+                       std::span<const Pair> pairs, std::span<const Series> all_series) {
+    write_header(out, decade_layouts(), table);
+    CsvRow row{out};
+    for (const Pair& pair : pairs) {
+        for (const Series& series : all_series) {
+            for (const std::int32_t year : years_of(series)) {
+                if (const auto d = difference(series, pair.course, pair.reference, year)) {
+                    begin_course(row, names, pair.course).text(pair.reference_name).text(series.target);
+                    row.text(series.quantity).whole(static_cast<std::uint32_t>(year)).whole(d->pairs);
+                    row.number<3>(d->mean).number<3>(d->low).number<3>(d->high);
+                    row.end();
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
 std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, const Names& names,
                                           std::span<const Series> all_series) {
     make_folder(folder / "tables");
     std::vector<WrittenFile> written;
-    written.push_back(write_table(
-        folder, "regimes_by_year.csv",
-        "Each regime in each year: mean of the replicates and where nine in ten lie.",
-        [&](std::ostream& out) {
-            write_header(out, decade_layouts(), "regimes_by_year.csv");
-            CsvRow row{out};
-            for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-                for (const Series& series : all_series) {
-                    for (const std::int32_t year : years_of(series)) {
-                        if (const auto v = over_replicates(series, regime, year)) {
-                            row.text(names.regimes[regime]).text(series.target).text(series.quantity);
-                            row.whole(static_cast<std::uint32_t>(year)).whole(v->replicates);
-                            row.number<3>(v->band.mean).number<3>(v->band.low).number<3>(v->band.high);
-                            row.end();
-                        }
-                    }
-                }
-            }
-        }));
-    written.push_back(write_table(
-        folder, "regimes_worst_year.csv",
-        "The year in which each regime is worst, by the mean of its replicates.", [&](std::ostream& out) {
-            write_header(out, decade_layouts(), "regimes_worst_year.csv");
-            CsvRow row{out};
-            for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-                for (const Series& series : all_series) {
-                    const auto worst = series.has_worst ? worst_year(series, regime) : std::nullopt;
-                    if (worst) {
-                        row.text(names.regimes[regime]).text(series.target).text(series.quantity);
-                        row.text(series.low_is_bad ? "lowest" : "highest");
-                        row.whole(static_cast<std::uint32_t>(worst->year)).whole(worst->value.replicates);
-                        const Band& band = worst->value.band;
-                        row.number<3>(band.mean).number<3>(band.low).number<3>(band.high);
-                        row.end();
-                    }
-                }
-            }
-        }));
-    if (names.regimes.size() < 2) {
-        return written;
+    written.push_back(
+        write_table(folder, "regimes_by_year.csv",
+                    "Each regime in each year: mean of the replicates and where nine in ten lie.",
+                    [&](std::ostream& out) { write_by_year(out, names, all_series); }));
+    written.push_back(write_table(folder, "regimes_worst_year.csv",
+                                  "The year in which each regime is worst, by the mean of its replicates.",
+                                  [&](std::ostream& out) { write_worst_year(out, names, all_series); }));
+    std::vector<Pair> regimes;
+    std::vector<Pair> climates;
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        const std::size_t regime = names.regime_of(course);
+        const std::size_t climate = names.climate_of(course);
+        if (regime > 0) {
+            regimes.push_back({course, names.course(0, climate), names.regimes.front()});
+        }
+        if (climate > 0) {
+            climates.push_back({course, names.course(regime, 0), names.climates.front()});
+        }
     }
-    written.push_back(write_table(
-        folder, "regime_differences.csv",
-        "Each regime minus the first one, replicate by replicate: mean and 95 % interval.",
-        [&](std::ostream& out) {
-            write_header(out, decade_layouts(), "regime_differences.csv");
-            CsvRow row{out};
-            for (std::size_t regime = 1; regime < names.regimes.size(); ++regime) {
-                for (const Series& series : all_series) {
-                    for (const std::int32_t year : years_of(series)) {
-                        if (const auto d = difference(series, regime, 0, year)) {
-                            row.text(names.regimes[regime]).text(names.regimes[0]).text(series.target);
-                            row.text(series.quantity).whole(static_cast<std::uint32_t>(year)).whole(d->pairs);
-                            row.number<3>(d->mean).number<3>(d->low).number<3>(d->high);
-                            row.end();
-                        }
-                    }
-                }
-            }
-        }));
+    if (!regimes.empty()) {
+        written.push_back(
+            write_table(folder, "regime_differences.csv",
+                        "Each regime minus the first one, replicate by replicate: mean and 95 % interval.",
+                        [&](std::ostream& out) {
+                            write_differences(out, "regime_differences.csv", names, regimes, all_series);
+                        }));
+    }
+    if (!climates.empty()) {
+        written.push_back(write_table(
+            folder, "climate_differences.csv",
+            "Each climate minus the first one under the same regime, replicate by replicate: mean and 95 % "
+            "interval.",
+            [&](std::ostream& out) {
+                write_differences(out, "climate_differences.csv", names, climates, all_series);
+            }));
+    }
     return written;
 }
 

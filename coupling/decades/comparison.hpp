@@ -17,14 +17,14 @@
 
 namespace coupling::decades {
 
-/// A figure of every member and year in which it is known: regimes see the same climate and rocks, so their
-/// replicates are pairs.
+/// A figure of every member and year in which it is known. Courses (Names) see the same rocks and the same
+/// chance, so their replicates are pairs.
 struct Series {
     std::string quantity;    ///< with its unit, such as "protection_percent"
     std::string target;      ///< id, empty for figures of the forest
     bool low_is_bad = true;  ///< which extreme over the years is told
     bool has_worst = false;  ///< whether its extreme means anything
-    std::vector<std::vector<std::map<std::int32_t, double>>> values;  ///< [regime][replicate][year]
+    std::vector<std::vector<std::map<std::int32_t, double>>> values;  ///< [course][replicate][year]
 };
 
 /// Protection, reaching rocks and their energy at each target; share of the rocks through the forest that
@@ -33,13 +33,13 @@ struct Series {
 std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members,
                               const std::optional<forest::TargetProfile>& profile);
 
-/// A figure over the replicates of a regime in a year.
+/// A figure over the replicates of a course in a year.
 struct OverReplicates {
     std::size_t replicates = 0;
     Band band;
 };
 /// Nothing where no replicate knows the figure.
-std::optional<OverReplicates> over_replicates(const Series& series, std::size_t regime, std::int32_t year);
+std::optional<OverReplicates> over_replicates(const Series& series, std::size_t course, std::int32_t year);
 
 /// Mean difference of pairs with its 95 % interval (Student's t). Unknown for fewer than two pairs: NaN.
 struct PairedDifference {
@@ -48,7 +48,7 @@ struct PairedDifference {
     double low = 0.0;
     double high = 0.0;
 };
-std::optional<PairedDifference> difference(const Series& series, std::size_t regime, std::size_t reference,
+std::optional<PairedDifference> difference(const Series& series, std::size_t course, std::size_t reference,
                                            std::int32_t year);
 
 /// The year in which the mean over replicates is lowest (highest where high is bad); the first of several.
@@ -56,13 +56,15 @@ struct Extreme {
     std::int32_t year = 0;
     OverReplicates value;
 };
-std::optional<Extreme> worst_year(const Series& series, std::size_t regime);
+std::optional<Extreme> worst_year(const Series& series, std::size_t course);
 
 /// Years in which any member knows the figure, rising.
 std::vector<std::int32_t> years_of(const Series& series);
 
 /// Writes tables/regimes_by_year.csv, regimes_worst_year.csv and, for two regimes and more,
-/// regime_differences.csv (each against the first regime). Throws config::InputError (file).
+/// regime_differences.csv (each against the first regime in the same climate), for two climates and more
+/// climate_differences.csv (each against the first climate under the same regime). Throws config::InputError
+/// (file).
 std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, const Names& names,
                                           std::span<const Series> series);
 

@@ -9,13 +9,20 @@ namespace {
 constexpr const char* simulated = "simulated";
 constexpr const char* prices = "simulated work, prices of regimes.timber_prices and regimes.work_costs";
 
+Column climate_column() {
+    return {"climate", "text", "name of the climate; as_given: the only one, that of the settings",
+            "input climate.variants"};
+}
+
 /// Which member and year a row speaks of.
 std::vector<Column> member_columns() {
-    return {
-        {"regime", "text", "name of the regime", "input regimes.list"},
-        {"replicate", "-", "number of the replicate, from 1; regimes share climate and rocks of a replicate",
-         "run.replicates"},
-        {"year", "-", "simulated years since the start; 0 is the start", simulated}};
+    return {{"regime", "text", "name of the regime", "input regimes.list"},
+            climate_column(),
+            {"replicate", "-",
+             "number of the replicate, from 1; regimes share weather and rocks of a replicate, climates its "
+             "rocks and chance",
+             "run.replicates"},
+            {"year", "-", "simulated years since the start; 0 is the start", simulated}};
 }
 
 Column species_column(const char* meaning) {
@@ -256,7 +263,7 @@ std::vector<Column> band_columns() {
 
 TableLayout regimes_by_year() {
     return {"regimes_by_year.csv", "a figure of a regime in a year",
-            together(std::vector<Column>{regime_column()}, figure_columns(),
+            together(std::vector<Column>{regime_column(), climate_column()}, figure_columns(),
                      std::vector<Column>{member_columns().back()}, band_columns())};
 }
 
@@ -266,21 +273,40 @@ TableLayout regimes_worst_year() {
         {"year", "-", "the year in which the mean of the replicates is worst; the first of several",
          simulated}};
     return {"regimes_worst_year.csv", "a figure of a regime in its worst year",
-            together(std::vector<Column>{regime_column()}, figure_columns(), which, band_columns())};
+            together(std::vector<Column>{regime_column(), climate_column()}, figure_columns(), which,
+                     band_columns())};
+}
+
+std::vector<Column> difference_columns(const char* known_in_both, const char* of_what) {
+    constexpr const char* paired = "pairs of replicates, Student's t";
+    return {
+        {"pairs", "-", known_in_both, paired},
+        {"mean_difference", "as the quantity says", of_what, paired},
+        {"low_95", "as the quantity says", "lower end of its 95 % interval; empty for one pair", paired},
+        {"high_95", "as the quantity says", "upper end of its 95 % interval; empty for one pair", paired}};
 }
 
 TableLayout regime_differences() {
-    constexpr const char* paired = "pairs of replicates, Student's t";
     const std::vector<Column> reference{
         {"reference", "text", "the regime it is compared with: the first of the list", "input regimes.list"}};
-    const std::vector<Column> rest{
-        {"pairs", "-", "replicates that know the figure in both regimes", paired},
-        {"mean_difference", "as the quantity says", "mean over the pairs of regime minus reference", paired},
-        {"low_95", "as the quantity says", "lower end of its 95 % interval; empty for one pair", paired},
-        {"high_95", "as the quantity says", "upper end of its 95 % interval; empty for one pair", paired}};
-    return {"regime_differences.csv", "a figure of a regime in a year, minus that of the first regime",
-            together(std::vector<Column>{regime_column()}, reference, figure_columns(),
-                     std::vector<Column>{member_columns().back()}, rest)};
+    return {"regime_differences.csv",
+            "a figure of a regime in a year, minus that of the first regime in the same climate",
+            together(std::vector<Column>{regime_column(), climate_column()}, reference, figure_columns(),
+                     std::vector<Column>{member_columns().back()},
+                     difference_columns("replicates that know the figure in both regimes",
+                                        "mean over the pairs of regime minus reference"))};
+}
+
+TableLayout climate_differences() {
+    const std::vector<Column> reference{{"reference", "text",
+                                         "the climate it is compared with: the first of the table",
+                                         "input climate.variants"}};
+    return {"climate_differences.csv",
+            "a figure of a regime in a climate and year, minus that of the same regime in the first climate",
+            together(std::vector<Column>{regime_column(), climate_column()}, reference, figure_columns(),
+                     std::vector<Column>{member_columns().back()},
+                     difference_columns("replicates that know the figure in both climates",
+                                        "mean over the pairs of climate minus reference"))};
 }
 
 }  // namespace
@@ -303,7 +329,8 @@ const std::vector<TableLayout>& decade_layouts() {
                                                   target_profile(),
                                                   regimes_by_year(),
                                                   regimes_worst_year(),
-                                                  regime_differences()};
+                                                  regime_differences(),
+                                                  climate_differences()};
     return layouts;
 }
 

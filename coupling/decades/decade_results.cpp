@@ -1,5 +1,8 @@
 #include "coupling/decades/decade_results.hpp"
 
+#include <array>
+#include <numeric>
+
 #include "coupling/decades/comparison.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/fall_tables.hpp"
@@ -12,23 +15,44 @@
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/gis_files.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/results/report/markup.hpp"
 
 namespace coupling::decades {
 
 namespace {
 
-/// Which years of which series the forest lived in.
-std::string climate_in_words(const DecadeResults& results) {
-    const ClimateSource& climate = results.site.forest->climate;
-    const char* order = climate.order == ClimateOrder::once     ? " in their order"
-                        : climate.order == ClimateOrder::repeat ? ", over and over"
-                                                                : ", drawn anew for each replicate";
-    const bool changes = climate.change_years > 0 || results.scenario.forest.temperature_change_k != 0.0 ||
-                         results.scenario.forest.precipitation_change != 1.0 ||
-                         !results.scenario.forest.climate_change.empty();
+std::string years_in_words(const ClimateSource& climate) {
     return joined("years ", std::to_string(climate.series.first_year()), " to ",
-                  std::to_string(climate.series.last_year()), order,
-                  changes ? ", with a change of climate" : "");
+                  std::to_string(climate.series.last_year()));
+}
+
+std::string change_in_words(const ClimateSource& climate) {
+    const auto mean = [](const std::array<double, 12>& months) {
+        return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
+    };
+    return joined(", changed by ", report::fixed(mean(climate.change.temperature_k), 1),
+                  " K and precipitation × ", report::fixed(mean(climate.change.precipitation), 2),
+                  climate.change_years > 0
+                      ? joined(" within ", counted(static_cast<std::size_t>(climate.change_years), "year"))
+                      : "");
+}
+
+/// Which years of which series the forest lived in; of several climates each with its name.
+std::string climates_in_words(const ForestSite& forest) {
+    const ClimateSource& first = forest.climates.front().source;
+    const char* order = first.order == ClimateOrder::once     ? "in their order"
+                        : first.order == ClimateOrder::repeat ? "over and over"
+                                                              : "drawn anew for each replicate";
+    if (forest.climates.size() == 1) {
+        return joined(years_in_words(first), first.order == ClimateOrder::once ? " " : ", ", order,
+                      first.changes() ? ", with a change of climate" : "");
+    }
+    std::string text;
+    for (const SiteClimate& climate : forest.climates) {
+        text += joined(climate.name, ": ", years_in_words(climate.source),
+                       climate.source.changes() ? change_in_words(climate.source) : "", "; ");
+    }
+    return joined(text, "all ", order);
 }
 
 std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series,
@@ -90,7 +114,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                                       .inputs = results.site.inputs,
                                       .files = files,
                                       .version = results.version,
-                                      .climate = climate_in_words(results),
+                                      .climate = climates_in_words(*results.site.forest),
                                       .first = first_sections(results, series, profile),
                                       .site = &results.site});
     page.close();

@@ -22,7 +22,7 @@ struct DecadeResults {
     const Scenario& scenario;
     const Site& site;  ///< with its forest
     Names names;
-    std::span<const MemberYears> members;  ///< by regime, then replicate
+    std::span<const MemberYears> members;  ///< by regime, climate, replicate
     std::uint64_t rocks = 0;               ///< of a year; 0: no rockfall
     const config::Warnings& warnings;
     std::string version;

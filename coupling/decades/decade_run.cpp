@@ -21,11 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Member> members_of(const Scenario& scenario, std::size_t regimes) {
+std::vector<Member> members_of(const Scenario& scenario, const Names& names) {
     std::vector<Member> members;
-    for (std::uint32_t regime = 0; regime < regimes; ++regime) {
-        for (std::uint32_t replicate = 0; replicate < scenario.forest.replicates; ++replicate) {
-            members.push_back({regime, replicate});
+    for (std::uint32_t regime = 0; regime < names.regimes.size(); ++regime) {
+        for (std::uint32_t climate = 0; climate < names.climates.size(); ++climate) {
+            for (std::uint32_t replicate = 0; replicate < scenario.forest.replicates; ++replicate) {
+                members.push_back({.regime = regime, .replicate = replicate, .climate = climate});
+            }
         }
     }
     return members;
@@ -98,7 +100,7 @@ void refuse_gaps(std::span<const Member> missing, const Names& names) {
     if (!missing.empty()) {
         config::fail(config::ExitCode::file, {},
                      joined(std::to_string(missing.size()), " members without a part, such as ",
-                            names.regimes[missing.front().regime], ", replicate ",
+                            names.course_name(names.course_of(missing.front())), ", replicate ",
                             std::to_string(missing.front().replicate + 1)),
                      "the folders of all shards; `bannwald run` simulates what is missing");
     }
@@ -114,8 +116,11 @@ void refuse_too_many_rocks(const Scenario& scenario, const std::optional<RockSea
     }
 }
 
-Names names_of(const Management& management, const forest::SpeciesTable& species) {
-    Names names{{}, {}, species};
+Names names_of(const Management& management, const ForestSite& forest) {
+    Names names{{}, {}, forest.species.table, {}};
+    for (const SiteClimate& climate : forest.climates) {
+        names.climates.push_back(climate.name);
+    }
     for (const Regime& regime : management.regimes) {
         names.regimes.push_back(regime.name());
         names.interventions.emplace_back();
@@ -178,8 +183,8 @@ public:
           out_{request.out.empty() ? scenario.file.parent_path() / "out" : request.out},
           hash_{settings_hash(scenario, site.inputs)},
           parts_{OutputFolder::parts_of(out_), hash_},
-          names_{names_of(management, site.forest->species.table)},
-          members_{members_of(scenario, management.regimes.size())},
+          names_{names_of(management, *site.forest)},
+          members_{members_of(scenario, names_)},
           blocks_{scenario},
           decades_{scenario, *site.forest, management, nullptr, &blocks_, &parts_} {
         if (scenario.forest.rockfall_every > 0) {

@@ -119,8 +119,19 @@ void write_trees(std::ostream& out, const Names& names, std::span<const MemberYe
 
 }  // namespace
 
+std::string Names::course_name(std::size_t course) const {
+    const std::string& regime = regimes[regime_of(course)];
+    return climates.size() > 1 ? joined(regime, ", ", climates[climate_of(course)]) : regime;
+}
+
+std::string Names::course_folder(std::size_t course) const {
+    const std::string& regime = regimes[regime_of(course)];
+    return climates.size() > 1 ? joined(regime, "/", climates[climate_of(course)]) : regime;
+}
+
 void begin_row(CsvRow& row, const Names& names, const Member& member, std::int32_t year) {
     row.text(names.regimes[member.regime])
+        .text(names.climates[member.climate])
         .whole(member.replicate + 1)
         .whole(static_cast<std::uint32_t>(year));
 }

@@ -81,17 +81,18 @@ void write_causes(std::ostream& out, const Names& names, std::span<const MemberY
 
 using Cells = std::vector<rockfall::CellSums>;
 
-/// The cells of a year, summed over replicates; of the bare slope those of the first regime, for all have the
-/// same.
+/// The cells of a year, summed over replicates; of the bare slope those of the first course, for all have the
+/// same. By name of the bare slope or folder of the course, and year.
 std::map<std::pair<std::string, std::int32_t>, Cells> summed(const Names& names,
                                                              std::span<const MemberYears> members) {
     std::map<std::pair<std::string, std::int32_t>, Cells> sums;
     for (const MemberYears& member : members) {
         for (const CellMap& map : member.maps) {
-            if (map.cover == Cover::bare && member.member.regime > 0) {
+            if (map.cover == Cover::bare && names.course_of(member.member) > 0) {
                 continue;
             }
-            const std::string part = map.cover == Cover::bare ? "bare" : names.regimes[member.member.regime];
+            const std::string part =
+                map.cover == Cover::bare ? "bare" : names.course_folder(names.course_of(member.member));
             Cells& sum = sums[{part, map.year}];
             sum.resize(map.cells.size());
             for (std::size_t i = 0; i < sum.size(); ++i) {

@@ -10,7 +10,8 @@ namespace coupling::decades {
 
 std::filesystem::path Parts::of(const Member& member) const {
     return folder_ / joined("member_", std::to_string(member.regime + 1), "_",
-                            std::to_string(member.replicate + 1), ".part");
+                            std::to_string(member.climate + 1), "_", std::to_string(member.replicate + 1),
+                            ".part");
 }
 
 std::filesystem::path Parts::of_bare(std::uint32_t replicate, std::size_t block) const {

@@ -34,9 +34,9 @@ struct YearSum {
     std::vector<double> values;
     std::size_t members = 0;
 };
-using Sums = std::map<std::pair<std::uint32_t, std::int32_t>, YearSum>;  ///< by regime and year
+using Sums = std::map<std::pair<std::size_t, std::int32_t>, YearSum>;  ///< by course and year
 
-/// Of all patches, regimes and years: all maps of a quantity share their colours.
+/// Of all patches, courses and years: all maps of a quantity share their colours.
 float highest_mean(const Sums& sums) {
     double highest = 0.0;
     for (const auto& [key, sum] : sums) {
@@ -73,7 +73,7 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
         Sums sums;
         for (const MemberYears& member : members) {
             for (const PatchRow& row : member.patches) {
-                YearSum& sum = sums[{member.member.regime, row.year}];
+                YearSum& sum = sums[{names.course_of(member.member), row.year}];
                 sum.values.resize(grid.size());
                 sum.values[row.patch] += row.*quantity.value;
                 sum.members += row.patch == 0 ? 1 : 0;
@@ -86,7 +86,8 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
                     static_cast<float>(sum.values[p] / static_cast<double>(sum.members));
             }
             const std::string year = std::to_string(key.second);
-            const std::string path = joined("rasters/forest/", names.regimes[key.first], "/year_", year);
+            const std::string path =
+                joined("rasters/forest/", names.course_folder(key.first), "/year_", year);
             make_folder(folder / path);
             const std::string sentence =
                 joined(quantity.meaning, " [", quantity.unit, "], by patch in year ", year, ".");

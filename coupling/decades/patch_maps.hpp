@@ -16,7 +16,7 @@ namespace coupling::decades {
 /// The rasters of patches: name, unit and meaning.
 std::vector<Column> patch_raster_columns();
 
-/// Writes rasters/forest/REGIME/yearN/{stems,basal_area,volume,top_height,leaf_area_index,ground_light}.asc:
+/// Writes rasters/forest/REGIME/year_N/{stems,basal_area,volume,top_height,leaf_area_index,ground_light}.asc:
 /// means over the replicates, on the frame of the patches; cells without forest are NODATA. `projection` is
 /// the text for the .prj files, empty for none.
 std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, const Names& names,

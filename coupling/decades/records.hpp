@@ -15,10 +15,11 @@ namespace coupling::decades {
 
 // What a member of a run keeps of its years: plain rows, so that they go into part files as they are.
 
-/// A run of one regime and one replicate.
+/// A run of one regime and one replicate in one climate.
 struct Member {
     std::uint32_t regime = 0;     ///< place in the scenario's list
     std::uint32_t replicate = 0;  ///< counted from 0
+    std::uint32_t climate = 0;    ///< place among the climates of the site
     friend bool operator==(const Member&, const Member&) = default;
 };
 

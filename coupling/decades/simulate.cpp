@@ -58,7 +58,7 @@ public:
 
     void pass(std::int32_t year) {
         const ForestSite& forest = decades_.forest;
-        const YearWeather weather = forest.weather(stand_.year() + 1, member_.replicate);
+        const YearWeather weather = forest.weather(member_.climate, stand_.year() + 1, member_.replicate);
         const forest::YearReport report =
             forest::grow_year(stand_, forest.place, species(), weather.view(), forest.parameters,
                               {decades_.scenario.seed, member_.replicate});

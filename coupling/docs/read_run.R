@@ -2,9 +2,9 @@
 #
 #   Rscript read_run.R OUT [protection.png]
 #
-# OUT is the folder of the results. A run over years gives a line for each regime with the band in which nine of
-# ten replicates lie; an assessment of today a bar for each target with its 95 % interval. A name that ends with
-# .pdf gives a PDF.
+# OUT is the folder of the results. A run over years gives a line for each regime (in each climate) with the band
+# in which nine of ten replicates lie; an assessment of today a bar for each target with its 95 % interval. A name
+# that ends with .pdf gives a PDF.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 if (length(arguments) < 1) stop("usage: Rscript read_run.R OUT [protection.png]")
@@ -36,6 +36,7 @@ colours <- c("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "
 draw_years <- function() {
   bands <- read_table("regimes_by_year.csv")
   bands <- bands[bands$quantity == "protection_percent", ]
+  if (length(unique(bands$climate)) > 1) bands$regime <- paste(bands$regime, bands$climate, sep = ", ")
   targets <- unique(bands$target_id)
   regimes <- unique(bands$regime)
   open_picture(8, 4.5 * length(targets))
@@ -56,8 +57,8 @@ draw_years <- function() {
   }
   invisible(dev.off())
   worst <- read_table("regimes_worst_year.csv")
-  print(worst[worst$quantity == "protection_percent", c("regime", "target_id", "year", "mean", "low_5", "high_95")],
-        row.names = FALSE)
+  print(worst[worst$quantity == "protection_percent",
+              c("regime", "climate", "target_id", "year", "mean", "low_5", "high_95")], row.names = FALSE)
 }
 
 draw_today <- function() {

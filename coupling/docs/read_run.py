@@ -3,8 +3,8 @@
     python3 read_run.py OUT [protection.png]
 
 OUT is the folder of the results. Needs the standard library alone; with matplotlib it also draws: of a run over
-years a line for each regime with the band in which nine of ten replicates lie, of an assessment of today a bar for
-each target with its 95 % interval.
+years a line for each regime (in each climate) with the band in which nine of ten replicates lie, of an assessment
+of today a bar for each target with its 95 % interval.
 """
 
 import csv
@@ -39,8 +39,11 @@ def names(rows, column):
 
 
 def protection_over_years(out):
-    """{target: {regime: [(year, mean, low, high), ...]}} in percent."""
+    """{target: {regime: [(year, mean, low, high), ...]}} in percent; of several climates "regime, climate"."""
     rows = [row for row in read_table(out, "regimes_by_year.csv") if row["quantity"] == "protection_percent"]
+    if len(names(rows, "climate")) > 1:
+        for row in rows:
+            row["regime"] = f"{row['regime']}, {row['climate']}"
     return {
         target: {
             regime: [

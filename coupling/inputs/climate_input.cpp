@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/climate_variants.hpp"
 #include "coupling/results/joined.hpp"
 #include "forest/climate/summary.hpp"
 
@@ -18,28 +21,27 @@ std::string years_of(const forest::ClimateSeries& series) {
 }
 
 /// The elevation of the place, from the table or the setting; NaN never comes back.
-double elevation_of(const forest::ClimateSeries& series, Reading& reading) {
-    const config::Options& options = *reading.scenario().options;
-    const double set_m = reading.scenario().forest.climate_elevation_m;
-    const bool was_set = options.was_set("climate.elevation_m");
+double elevation_of(const forest::ClimateSeries& series, const ClimateAsked& asked, Reading& reading) {
+    const double set_m = asked.settings.climate_elevation_m;
+    const bool was_set = asked.was_set("climate.elevation_m");
     if (!was_set && !series.elevation_m) {
-        config::fail(ExitCode::settings, options.place_of("climate.file"),
+        config::fail(ExitCode::settings, asked.place_of("climate.file"),
                      joined("neither climate.elevation_m nor a column elev_m in ",
-                            reading.shown(reading.scenario().forest.climate)),
+                            reading.shown(asked.settings.climate)),
                      "the height of the place that the series is of");
     }
     if (was_set && series.elevation_m && *series.elevation_m != set_m) {
-        config::fail(ExitCode::settings, options.place_of("climate.elevation_m"),
-                     joined("climate.elevation_m ", config::to_text(set_m)),
+        config::fail(ExitCode::settings, asked.place_of("climate.elevation_m"),
+                     joined(asked.prefix(), "climate.elevation_m ", config::to_text(set_m)),
                      joined("the elev_m of the series, ", config::to_text(*series.elevation_m),
                             ", or no climate.elevation_m"));
     }
     return series.elevation_m.value_or(set_m);
 }
 
-/// Only the years of the window, of which there is one at least (check of the settings).
-forest::ClimateSeries cut(forest::ClimateSeries series, Reading& reading) {
-    const ForestSettings& s = reading.scenario().forest;
+/// Only the years of the window, of which there is one at least.
+forest::ClimateSeries cut(forest::ClimateSeries series, const ClimateAsked& asked, Reading& reading) {
+    const ForestSettings& s = asked.settings;
     config::Problems problems;
     const auto bound = [&](const std::string& key, std::uint64_t asked_for, int otherwise) {
         if (asked_for == 0) {
@@ -47,14 +49,19 @@ forest::ClimateSeries cut(forest::ClimateSeries series, Reading& reading) {
         }
         const int year = static_cast<int>(asked_for);
         if (series.find(year) == nullptr) {
-            problems.add(ExitCode::settings, reading.scenario().options->place_of(key),
-                         joined(key, " ", std::to_string(year)),
+            problems.add(ExitCode::settings, asked.place_of(key),
+                         joined(asked.prefix(), key, " ", std::to_string(year)),
                          joined("a year of ", reading.shown(s.climate), ", ", years_of(series)));
         }
         return year;
     };
     const int first = bound("climate.window_first_year", s.window_first_year, series.first_year());
     const int last = bound("climate.window_last_year", s.window_last_year, series.last_year());
+    if (problems.empty() && last < first) {
+        problems.add(ExitCode::settings, asked.place_of("climate.window_last_year"),
+                     joined(asked.prefix(), "climate.window_last_year ", std::to_string(last)),
+                     joined("no year before climate.window_first_year ", std::to_string(first)));
+    }
     problems.throw_if_any();
     std::vector<forest::ClimateYear> kept;
     std::copy_if(series.years.begin(), series.years.end(), std::back_inserter(kept),
@@ -63,29 +70,32 @@ forest::ClimateSeries cut(forest::ClimateSeries series, Reading& reading) {
     return series;
 }
 
-void check_reach(const ClimateSource& climate, Reading& reading) {
+void check_reach(const ClimateSource& climate, const ClimateAsked& asked, Reading& reading) {
     if (climate.order != ClimateOrder::once) {
         return;
     }
     const int last = climate.first_year + static_cast<int>(reading.scenario().years) - 1;
+    const std::string file = reading.shown(asked.settings.climate);
     for (int year = climate.first_year; year <= last; ++year) {
         if (climate.series.find(year) == nullptr) {
-            reading.refuse(
-                {reading.shown(reading.scenario().forest.climate)},
-                joined("years ", years_of(climate.series), ", but none for ", std::to_string(year)),
-                joined("all years of the run, ", std::to_string(climate.first_year), " to ",
-                       std::to_string(last), ", or climate.sequence = repeat or random"));
+            const bool own_file = asked.given.contains("climate.file");
+            reading.refuse(own_file ? asked.place_of("climate.file") : config::Place{file},
+                           joined(asked.prefix(), own_file ? joined(file, " has ") : "", "years ",
+                                  years_of(climate.series), ", but none for ", std::to_string(year)),
+                           joined("all years of the run, ", std::to_string(climate.first_year), " to ",
+                                  std::to_string(last), ", or climate.sequence = repeat or random"));
             return;
         }
     }
 }
 
-forest::ClimateChange read_change(Reading& reading) {
-    const ForestSettings& s = reading.scenario().forest;
+forest::ClimateChange read_change(const ClimateAsked& asked, Reading& reading) {
+    const ForestSettings& s = asked.settings;
     if (s.climate_change.empty()) {
         return forest::ClimateChange::of(s.temperature_change_k, s.precipitation_change);
     }
-    const config::Table table = reading.table("climate.change", "climate_change", s.climate_change);
+    const config::Table table = reading.table_at(
+        asked.place_of("climate.change"), asked.role("climate.change", "climate_change"), s.climate_change);
     config::Problems problems;
     table.require({"month", "temperature_k", "precipitation"}, problems);
     problems.throw_if_any();
@@ -117,15 +127,64 @@ forest::ClimateChange read_change(Reading& reading) {
     return change;
 }
 
-forest::ClimateSeries read_series(Reading& reading) {
-    const config::Table table = reading.table("climate.file", "climate", reading.scenario().forest.climate);
+/// Series by file: climates that differ in their change alone share one, which is read once. Nothing for one
+/// that cannot be read.
+using SeriesOfFiles = std::map<std::string, std::optional<forest::ClimateSeries>>;
+
+forest::ClimateSeries read_file(const ClimateAsked& asked, Reading& reading) {
+    const config::Table table = reading.table_at(
+        asked.place_of("climate.file"), asked.role("climate.file", "climate"), asked.settings.climate);
     config::Warnings told;
     forest::ClimateSeries series = forest::read_climate_of_one_place(table, told);
     for (const std::string& sentence : told.sentences()) {
         reading.note(sentence);
     }
-    series.elevation_m = elevation_of(series, reading);
-    return cut(std::move(series), reading);
+    return series;
+}
+
+std::optional<forest::ClimateSeries> read_series(const ClimateAsked& asked, SeriesOfFiles& files,
+                                                 Reading& reading) {
+    auto found = files.find(asked.settings.climate);
+    if (found == files.end()) {
+        found =
+            files.emplace(asked.settings.climate, reading.attempt([&] { return read_file(asked, reading); }))
+                .first;
+    }
+    if (!found->second) {
+        return std::nullopt;
+    }
+    return reading.attempt([&] {
+        forest::ClimateSeries series = *found->second;
+        series.elevation_m = elevation_of(series, asked, reading);
+        return cut(std::move(series), asked, reading);
+    });
+}
+
+/// `first_year`: of all climates; 0 for the first one, which says it.
+std::optional<ClimateSource> read_source(const ClimateAsked& asked, int first_year, SeriesOfFiles& files,
+                                         Reading& reading) {
+    const Scenario& scenario = reading.scenario();
+    auto series = read_series(asked, files, reading);
+    const auto change = reading.attempt([&] { return read_change(asked, reading); });
+    if (!series || !change) {
+        return std::nullopt;
+    }
+    const ForestSettings& s = asked.settings;
+    ClimateSource climate;
+    climate.series = std::move(*series);
+    climate.order = s.order;
+    climate.seed = scenario.seed;
+    climate.change = *change;
+    climate.change_years = static_cast<int>(s.change_years);
+    climate.first_year = first_year > 0     ? first_year
+                         : s.first_year > 0 ? static_cast<int>(s.first_year)
+                                            : climate.series.first_year();
+    if (s.co2_ppm > 0.0) {
+        climate.co2 = forest::Co2Series::constant(s.co2_ppm);
+    }
+    climate.co2_response = s.parameters.processes.co2_response;
+    check_reach(climate, asked, reading);
+    return climate;
 }
 
 }  // namespace
@@ -141,6 +200,13 @@ int ClimateSource::source_of(int year, std::uint32_t replicate) const {
             break;
     }
     return forest::YearSequence::repeating(series, window).source_of(year);
+}
+
+bool ClimateSource::changes() const {
+    return std::any_of(change.temperature_k.begin(), change.temperature_k.end(),
+                       [](double k) { return k != 0.0; }) ||
+           std::any_of(change.precipitation.begin(), change.precipitation.end(),
+                       [](double factor) { return factor != 1.0; });
 }
 
 double ClimateSource::share_of_change(int year) const {
@@ -202,27 +268,20 @@ std::array<double, 12> ClimateSource::mean_radiation_mjpm2() const {
     return mean;
 }
 
-std::optional<ClimateSource> read_climate_source(Reading& reading) {
-    const Scenario& scenario = reading.scenario();
-    auto series = reading.attempt([&] { return read_series(reading); });
-    const auto change = reading.attempt([&] { return read_change(reading); });
-    if (!series || !change) {
-        return std::nullopt;
+std::vector<NamedClimate> read_climates(Reading& reading) {
+    const auto all_asked = reading.attempt([&] { return asked_climates(reading); });
+    if (!all_asked) {
+        return {};
     }
-    ClimateSource climate;
-    climate.series = std::move(*series);
-    climate.order = scenario.forest.order;
-    climate.seed = scenario.seed;
-    climate.change = *change;
-    climate.change_years = static_cast<int>(scenario.forest.change_years);
-    climate.first_year = scenario.forest.first_year > 0 ? static_cast<int>(scenario.forest.first_year)
-                                                        : climate.series.first_year();
-    if (scenario.forest.co2_ppm > 0.0) {
-        climate.co2 = forest::Co2Series::constant(scenario.forest.co2_ppm);
+    std::vector<NamedClimate> climates;
+    SeriesOfFiles files;
+    for (const ClimateAsked& asked : *all_asked) {
+        const int first_year = climates.empty() ? 0 : climates.front().source.first_year;
+        if (auto source = read_source(asked, first_year, files, reading)) {
+            climates.push_back({asked.name, std::move(*source)});
+        }
     }
-    climate.co2_response = scenario.forest.parameters.processes.co2_response;
-    check_reach(climate, reading);
-    return climate;
+    return climates.size() == all_asked->size() ? std::move(climates) : std::vector<NamedClimate>{};
 }
 
 }  // namespace coupling

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "coupling/inputs/reading.hpp"
@@ -39,6 +40,8 @@ struct ClimateSource {
 
     /// Year of the series that stands for a calendar year. With order `once` it has to be one of the series.
     [[nodiscard]] int source_of(int year, std::uint32_t replicate) const;
+    /// Whether there is a change in any month.
+    [[nodiscard]] bool changes() const;
     /// Share of the change that a calendar year has, 0 before the first simulated one.
     [[nodiscard]] double share_of_change(int year) const;
     /// The weather of a calendar year at some elevations. The same years of the series for all runs with the
@@ -53,7 +56,17 @@ struct ClimateSource {
     [[nodiscard]] std::array<double, 12> mean_radiation_mjpm2() const;
 };
 
-/// Reads and checks the climate of the scenario for its years.
-std::optional<ClimateSource> read_climate_source(Reading& reading);
+/// The name of the climate of a scenario that names none.
+inline constexpr const char* only_climate = "as_given";
+
+struct NamedClimate {
+    std::string name;
+    ClimateSource source;
+};
+
+/// Reads and checks the climates of the scenario for its years: the one of its settings, or with
+/// climate.variants one for each row of that table, which takes from the settings what it leaves out. All
+/// begin in the same calendar year. Empty where something is wrong.
+std::vector<NamedClimate> read_climates(Reading& reading);
 
 }  // namespace coupling

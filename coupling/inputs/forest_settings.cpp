@@ -77,7 +77,8 @@ void declare_regimes(config::Options& options, ForestSettings& s) {
     options.text(
         "regimes.timber_prices", s.timber_prices,
         {.meaning = "CSV of prices by species and diameter, with regimes.work_costs; none: shipped"});
-    options.text("regimes.work_costs", s.work_costs, {.meaning = "CSV of the costs of planting and tending"});
+    options.text("regimes.work_costs", s.work_costs,
+                 {.meaning = "CSV of the costs of planting and tending"});
 }
 
 void declare_feedback(config::Options& options, ForestSettings& s) {
@@ -133,6 +134,10 @@ void declare_climate(config::Options& options, ForestSettings& s) {
          .high = 2000.0,
          .meaning = "CO2 of the air in all years; 0: the record, after its end as in the last year",
          .source = "choice"});
+    options.text(
+        "climate.variants", s.climate_variants,
+        {.meaning = "CSV of climates to compare: name and, of the settings above, what differs (file, "
+                    "temperature_change_k, ...); none: one climate"});
 }
 
 void declare_output(config::Options& options, ForestSettings& s) {
@@ -175,7 +180,7 @@ void check_years(const std::string& key, const std::vector<double>& asked_for, s
 }
 
 void check_climate(const ForestSettings& s, Checker& checker) {
-    if (s.climate.empty()) {
+    if (s.climate.empty() && s.climate_variants.empty()) {
         checker.refuse("climate.file", "run.years above 0 without climate.file",
                        "a table of monthly climate");
     }

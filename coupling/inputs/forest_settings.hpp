@@ -53,6 +53,7 @@ struct ForestSettings {
     std::string climate_change;         ///< CSV: month, temperature_k, precipitation
     std::uint64_t change_years = 0;     ///< until the change is complete; 0: from the first year on
     double co2_ppm = 0.0;               ///< 0: the shipped series
+    std::string climate_variants;       ///< CSV: name and what differs from the above; empty: one climate
 
     // [regimes]
     std::string regimes = "none";  ///< names of shipped regimes or CSV files, parted by commas

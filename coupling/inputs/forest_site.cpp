@@ -23,7 +23,7 @@ constexpr double highest_listed_id = 1e12;
 struct Files {
     std::optional<ForestSpecies> species;
     std::optional<forest::Parameters> parameters;
-    std::optional<ClimateSource> climate;
+    std::vector<NamedClimate> climates;  ///< empty: not read
     std::optional<SoilCover> soils;
     std::optional<StandCover> stands;
     std::optional<std::vector<ListedRow>> rows;
@@ -43,7 +43,7 @@ Files read_files(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     Files files;
     files.species = read_forest_species(reading);
-    files.climate = read_climate_source(reading);
+    files.climates = read_climates(reading);
     files.soils = read_soils(reading);
     files.stands = read_stand_cover(reading);
     if (!files.species) {
@@ -158,7 +158,8 @@ void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& readin
                         .height_m = rows[i].height_m,
                         .age_years = rows[i].age_years});
     }
-    const double degree_days = site.climate.degree_days(mean_elevation_m(site.grid, all_patches(site.grid)));
+    const double degree_days =
+        site.climates.front().source.degree_days(mean_elevation_m(site.grid, all_patches(site.grid)));
     config::Warnings told;
     forest::StartingTrees start = forest::trees_from_list(list, site.grid, table, degree_days, told);
     for (const std::string& sentence : told.sentences()) {
@@ -197,13 +198,13 @@ forest::Stand ForestSite::start(std::uint64_t seed, std::uint32_t replicate) con
     return {grid, species.table.size(), std::move(trees), first_year() - 1};
 }
 
-YearWeather ForestSite::weather(int calendar_year, std::uint32_t replicate) const {
+YearWeather ForestSite::weather(std::size_t climate, int calendar_year, std::uint32_t replicate) const {
     std::vector<double> elevations_m;
     for (const forest::SiteUnit& unit : place.units()) {
         elevations_m.push_back(unit.elevation_m);
     }
-    YearWeather weather = climate.weather(calendar_year, replicate, elevations_m);
-    weather.usual_summer_mm = usual_summer_mm;
+    YearWeather weather = climates[climate].source.weather(calendar_year, replicate, elevations_m);
+    weather.usual_summer_mm = climates[climate].usual_summer_mm;
     return weather;
 }
 
@@ -218,25 +219,30 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     if (ground && files.records && !reading.scenario().forest.stand_records.empty()) {
         inventory = place_records(std::move(*files.records), ground->grid, *files.stands, reading);
     }
-    if (!files.species || !files.parameters || !files.climate || !ground || !files.rows || !files.records ||
-        !reading.problems().empty()) {
+    if (!files.species || !files.parameters || files.climates.empty() || !ground || !files.rows ||
+        !files.records || !reading.problems().empty()) {
         return nullptr;
     }
-    forest::Site place = site_on(*ground, *files.climate, reading.scenario().forest);
+    forest::Site place = site_on(*ground, files.climates.front().source, reading.scenario().forest);
     auto site = std::make_shared<ForestSite>(ForestSite{.species = std::move(*files.species),
                                                         .parameters = std::move(*files.parameters),
                                                         .grid = std::move(ground->grid),
                                                         .place = std::move(place),
-                                                        .climate = std::move(*files.climate),
-                                                        .usual_summer_mm = {},
+                                                        .climates = {},
                                                         .listed = {},
                                                         .inventory = std::move(inventory),
                                                         .obstacles = {}});
-    for (const forest::SiteUnit& unit : site->place.units()) {
-        site->usual_summer_mm.push_back(site->climate.usual_summer_mm(unit.elevation_m));
+    for (NamedClimate& climate : files.climates) {
+        std::vector<double> usual_summer_mm;
+        for (const forest::SiteUnit& unit : site->place.units()) {
+            usual_summer_mm.push_back(climate.source.usual_summer_mm(unit.elevation_m));
+        }
+        site->climates.push_back(
+            {std::move(climate.name), std::move(climate.source), std::move(usual_summer_mm)});
     }
+    const ClimateSource& first = site->climates.front().source;
     for (forest::StandRecord& record : site->inventory) {
-        record.degree_days = site->climate.degree_days(mean_elevation_m(site->grid, record.patches));
+        record.degree_days = first.degree_days(mean_elevation_m(site->grid, record.patches));
     }
     plant(*files.rows, *site, reading);
     return site;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,6 +16,13 @@
 
 namespace coupling {
 
+/// One of the climates that a forest may live in.
+struct SiteClimate {
+    std::string name;  ///< of the table of climates; `only_climate` without one
+    ClimateSource source;
+    std::vector<double> usual_summer_mm;  ///< precipitation of June to August in a mean year, by site unit
+};
+
 /// A forest with all that its years need, read, checked and valid. Shared by all replicates; never changes.
 ///
 /// All coordinates are absolute, as in the files. The terrain of the rocks has an origin of its own
@@ -24,21 +32,23 @@ struct ForestSite {
     forest::Parameters parameters;
     forest::PatchGrid grid;  ///< cells of 10 m at multiples of 10 m; management_unit is the stand number
     forest::Site place;
-    ClimateSource climate;
-    std::vector<double> usual_summer_mm;  ///< precipitation of June to August in a mean year, by site unit
-    std::vector<forest::Tree> listed;     ///< trees of the list that grow, or
+    /// One or more. The first is that in which the forest of the start grew up: its warmth gives missing
+    /// heights, its radiation the share of diffuse light in all of them.
+    std::vector<SiteClimate> climates;
+    std::vector<forest::Tree> listed;            ///< trees of the list that grow, or
     std::vector<forest::StandRecord> inventory;  ///< by rising stand number; both empty: bare ground
     std::vector<TreeRecord>
         obstacles;  ///< trees of the list on no patch, which stand as they are; with rocks on the terrain
 
-    /// Calendar year of the first simulated year.
-    [[nodiscard]] int first_year() const { return climate.first_year; }
+    /// Calendar year of the first simulated year, in all climates.
+    [[nodiscard]] int first_year() const { return climates.front().source.first_year; }
     /// The forest at the beginning, in the calendar year before the first simulated one. A list gives the
     /// same trees to all replicates, an inventory other places in each.
     [[nodiscard]] forest::Stand start(std::uint64_t seed, std::uint32_t replicate) const;
-    /// The weather of a calendar year, for Stand::year() + 1. The change of climate is in it. Refers to the
-    /// site.
-    [[nodiscard]] YearWeather weather(int calendar_year, std::uint32_t replicate) const;
+    /// The weather of a calendar year in one of the climates, for Stand::year() + 1. The change of climate is
+    /// in it. Chance is that of the replicate alone: climates with the same years of a series draw the same
+    /// ones. Refers to the site.
+    [[nodiscard]] YearWeather weather(std::size_t climate, int calendar_year, std::uint32_t replicate) const;
 };
 
 /// Opens, reads and checks everything about the forest on heights in absolute coordinates (NaN: no ground;

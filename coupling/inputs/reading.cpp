@@ -18,15 +18,25 @@ void Reading::doubt(config::Place place, std::string found, std::string expected
     }
 }
 
-FileBytes Reading::open(const std::string& key, const std::string& role, const std::string& name,
-                        std::string_view expected) {
-    FileBytes bytes = open_file(scenario_.resolve(name), scenario_.options->place_of(key), expected);
+FileBytes Reading::open_at(const config::Place& place, const std::string& role, const std::string& name,
+                           std::string_view expected) {
+    FileBytes bytes = open_file(scenario_.resolve(name), place, expected);
     inputs_.push_back({role, name, bytes.hash(), bytes.stored_bytes()});
     return bytes;
 }
 
+FileBytes Reading::open(const std::string& key, const std::string& role, const std::string& name,
+                        std::string_view expected) {
+    return open_at(scenario_.options->place_of(key), role, name, expected);
+}
+
 config::Table Reading::table(const std::string& key, const std::string& role, const std::string& name) {
-    const FileBytes bytes = open(key, role, name, "a CSV table");
+    return table_at(scenario_.options->place_of(key), role, name);
+}
+
+config::Table Reading::table_at(const config::Place& place, const std::string& role,
+                                const std::string& name) {
+    const FileBytes bytes = open_at(place, role, name, "a CSV table");
     std::istringstream in{std::string{bytes.text()}};
     return config::Table::read(in, shown(name));
 }

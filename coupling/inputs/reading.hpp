@@ -54,6 +54,8 @@ public:
     FileBytes open(const std::string& key, const std::string& role, const std::string& name,
                    std::string_view expected);
     config::Table table(const std::string& key, const std::string& role, const std::string& name);
+    /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
+    config::Table table_at(const config::Place& place, const std::string& role, const std::string& name);
     config::Raster<double> grid(const std::string& key, const std::string& role, const std::string& name);
     /// A file that may be missing: its text, or "".
     std::string text_beside(const std::string& role, const std::string& name);
@@ -61,6 +63,9 @@ public:
 private:
     const Scenario& scenario_;
     config::Warnings& warnings_;
+    FileBytes open_at(const config::Place& place, const std::string& role, const std::string& name,
+                      std::string_view expected);
+
     config::Problems problems_;
     std::vector<InputFile> inputs_;
 };

@@ -1,6 +1,8 @@
 #include "coupling/results/data_dictionary.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -87,7 +89,7 @@ const std::vector<TableLayout>& dictionary_layouts() {
           {"source", "text", "where the value comes from", "definition"}}},
         {"raster_dictionary.csv",
          "a raster in a folder",
-         {{"folder", "text", "folder of the raster; REGIME and year_N stand for those of the run",
+         {{"folder", "text", "folder of the raster; REGIME, CLIMATE and year_N stand for those of the run",
            "definition"},
           {"raster", "text", "file name without ending", "definition"},
           {"unit", "text", "unit of the cells; NODATA is -9999", "definition"},
@@ -110,9 +112,13 @@ std::string folder_pattern(const std::string& path) {
     if (!folder.filename().string().starts_with("year_")) {
         return folder.generic_string();
     }
-    const std::filesystem::path slope = folder.parent_path();
-    const bool is_bare = slope.filename() == "bare" && slope.parent_path().filename() == "rockfall";
-    return (slope.parent_path() / (is_bare ? "bare" : "REGIME") / "year_N").generic_string();
+    const std::filesystem::path slope = folder.parent_path();  // rasters/KIND/REGIME, perhaps with /CLIMATE
+    if (slope == "rasters/rockfall/bare") {
+        return (slope / "year_N").generic_string();
+    }
+    const bool has_climate = std::distance(slope.begin(), slope.end()) > 3;
+    const std::filesystem::path kind = has_climate ? slope.parent_path().parent_path() : slope.parent_path();
+    return (kind / (has_climate ? "REGIME/CLIMATE" : "REGIME") / "year_N").generic_string();
 }
 
 void add_data_dictionary(const std::filesystem::path& folder, const DictionaryOfRun& declared,

@@ -28,7 +28,8 @@ const std::vector<TableLayout>& dictionary_layouts();
 /// Rasters of rocks, of all kinds of runs, as raster_kinds() declares them.
 std::vector<Column> raster_columns();
 
-/// Folder of a raster with its regime and year replaced: "rasters/rockfall/REGIME/year_N".
+/// Folder of a raster with its regime, climate and year replaced: "rasters/rockfall/REGIME/year_N" or, of
+/// several climates, "rasters/rockfall/REGIME/CLIMATE/year_N".
 std::string folder_pattern(const std::string& path);
 
 }  // namespace coupling

@@ -286,6 +286,7 @@ Json stand(const decades::StandRow& row) {
 /// The whole forest at the start and at the end, and the targets in the first and last year with rocks.
 Json member(const decades::DecadeResults& results, const decades::MemberYears& years) {
     Json json{{"regime", results.names.regimes[years.member.regime]},
+              {"climate", results.names.climates[years.member.climate]},
               {"replicate", years.member.replicate + 1}};
     const auto last_year = static_cast<std::int32_t>(results.scenario.years);
     for (const decades::StandRow& row : years.stands) {
@@ -322,6 +323,7 @@ void decades::write_summary(std::ostream& out, const DecadeResults& results,
                       {"years", results.scenario.years},
                       {"first_calendar_year", results.site.forest->first_year()},
                       {"regimes", results.names.regimes},
+                      {"climates", results.names.climates},
                       {"replicates", results.scenario.forest.replicates},
                       {"rocks_a_year", results.rocks},
                       {"patches", grid.size()},

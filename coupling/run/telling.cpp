@@ -11,7 +11,7 @@ namespace coupling {
 namespace {
 
 /// What people look at first, in all kinds of runs.
-constexpr std::array<std::string_view, 11> worth_opening{"report.html",
+constexpr std::array<std::string_view, 12> worth_opening{"report.html",
                                                          "results.qlr",
                                                          "tables/protection.csv",
                                                          "tables/targets.csv",
@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 11> worth_opening{"report.html",
                                                          "tables/regimes_by_year.csv",
                                                          "tables/stands.csv",
                                                          "tables/regime_differences.csv",
+                                                         "tables/climate_differences.csv",
                                                          "tables/data_dictionary.csv",
                                                          "rasters/forest/E_95.asc",
                                                          "summary.json"};

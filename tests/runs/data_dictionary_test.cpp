@@ -120,7 +120,8 @@ TEST(DataDictionary, NamesTheColumnsOfTheCoupledExample) {
         call(project,
              "run years/scenario.ini --quiet --out out --set run.years=2 --set run.replicates=1 "
              "--set release.rocks=300 --set \"regimes.list=none, single_tree_selection\" "
-             "--set \"output.map_years=0, 2\" --set feedback.on=yes --set feedback.rocks_per_year=300");
+             "--set \"output.map_years=0, 2\" --set climate.variants=climates.csv --set feedback.on=yes "
+             "--set feedback.rocks_per_year=300");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Columns files = columns_in_files(project, "out");
     EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;

@@ -101,8 +101,8 @@ TEST(ForestExample, WritesTheColumnsThatItsReadersKnow) {
           "light_ratio", "vitality", "stems", "rock_hits", "rock_energy_kj"}}};
     for (const auto& [name, wanted] : columns) {
         const config::Table written = table(project, "example/out/tables/" + name + ".csv");
-        const std::vector<std::string> first{written.columns().begin(), written.columns().begin() + 3};
-        EXPECT_EQ(first, (std::vector<std::string>{"regime", "replicate", "year"})) << name;
+        const std::vector<std::string> first{written.columns().begin(), written.columns().begin() + 4};
+        EXPECT_EQ(first, (std::vector<std::string>{"regime", "climate", "replicate", "year"})) << name;
         for (const std::string& column : wanted) {
             EXPECT_TRUE(written.has(column)) << name << ": " << column;
         }

@@ -46,9 +46,9 @@ double highest_of(const Line& line) {
 std::string interval_chart(const Line& line, const Shown& shown, const SideBySide& comparison) {
     const auto runs = static_cast<double>(line.figures.size());
     Axis y = Axis::from_zero(shown.axis, std::max(1e-3, highest_of(line)));
-    Chart chart{
-        joined(shown.title, ": ", line.key.target, line.key.regime.empty() ? "" : ", ", line.key.regime),
-        Axis{.title = "Run (A, B, …)", .low = 0.0, .high = runs + 1.0, .whole_numbers = true}, y};
+    Chart chart{joined(shown.title, ": ", line.key.target, line.key.regime.empty() ? "" : ", ",
+                       course_name(line.key.regime, line.key.climate)),
+                Axis{.title = "Run (A, B, …)", .low = 0.0, .high = runs + 1.0, .whole_numbers = true}, y};
     for (std::size_t i = 0; i < line.figures.size(); ++i) {
         const auto& figure = line.figures[i];
         if (!figure || std::isnan(figure->value)) {
@@ -73,7 +73,7 @@ struct YearBand {
     double low = 0.0;
     double high = 0.0;
 };
-using SeriesKey = std::array<std::string, 3>;  ///< quantity, target, regime (and climate)
+using SeriesKey = std::array<std::string, 3>;  ///< quantity, target, course_name
 using BandsOfRun = std::map<SeriesKey, std::map<int, YearBand>>;
 
 BandsOfRun read_bands(const FinishedRun& run) {
@@ -83,8 +83,9 @@ BandsOfRun read_bands(const FinishedRun& run) {
     BandsOfRun bands;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const auto year = static_cast<int>(number(table, row, "year"));
-        bands[{table.text(row, "quantity"), table.text(row, "target_id"), table.text(row, "regime")}][year] =
-            {number(table, row, "mean"), number(table, row, "low_5"), number(table, row, "high_95")};
+        const std::string course = course_name(table.text(row, "regime"), climate_of(table, row));
+        bands[{table.text(row, "quantity"), table.text(row, "target_id"), course}][year] = {
+            number(table, row, "mean"), number(table, row, "low_5"), number(table, row, "high_95")};
     }
     return bands;
 }
@@ -103,8 +104,8 @@ std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std
             last_year = std::max(last_year, year);
         }
     }
-    const auto& [quantity, target, regime] = key;
-    Chart chart{joined(shown.title, ": ", target.empty() ? "forest" : target, ", ", regime),
+    const auto& [quantity, target, course] = key;
+    Chart chart{joined(shown.title, ": ", target.empty() ? "forest" : target, ", ", course),
                 Axis::from_zero("Years since the start", last_year), Axis::from_zero(shown.axis, highest)};
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto found = bands[i].find(key);

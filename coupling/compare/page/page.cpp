@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "coupling/compare/page/parts.hpp"
+#include "coupling/compare/run_tables.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -87,7 +88,7 @@ std::string in_words(const std::optional<Difference>& difference) {
 
 std::string title_of(const FigureKey& key) {
     return escaped(joined(key.target.empty() ? "forest" : key.target, key.regime.empty() ? "" : ", regime ",
-                          key.regime));
+                          course_name(key.regime, key.climate)));
 }
 
 std::string figures(const SideBySide& comparison, bool over_years) {

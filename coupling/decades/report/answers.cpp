@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -187,8 +188,7 @@ std::string years_text(const RunView& run) {
     const std::vector<YearView>& years = run.regimes[0].replicates[0];
     const int start = years.front().row->calendar_year;
     return joined(std::to_string(run.years), ", ", std::to_string(start + 1), " to ",
-                  std::to_string(years.back().row->calendar_year), "; start: end of ",
-                  std::to_string(start));
+                  std::to_string(years.back().row->calendar_year), "; start: end of ", std::to_string(start));
 }
 
 std::string list_of(const std::vector<std::string>& items) {
@@ -202,18 +202,26 @@ std::string list_of(const std::vector<std::string>& items) {
 }  // namespace
 
 std::string page_opening(const PageContent& content, const RunView& run) {
-    const std::string regimes = std::to_string(run.regimes.size());
-    const std::string replicates = std::to_string(run.replicates());
-    std::string html =
-        joined("<h1>A forest over ", std::to_string(run.years), " years</h1>\n<p class=\"lead\">Scenario <b>",
-               escaped(content.scenario.file.filename().string()), "</b>: ", regimes,
-               run.regimes.size() == 1 ? " regime, " : " regimes, ", replicates,
-               run.replicates() == 1 ? " replicate" : " replicates each",
-               ". Replicates differ in their random numbers alone.</p>\n");
+    const bool has_climates = run.climates.size() > 1;
+    std::set<std::string> ran;
     std::vector<std::string> regime_names;
     for (const RegimeView& regime : run.regimes) {
-        regime_names.push_back(escaped(regime.title()));
+        const std::string name = has_climates && !run.chart_a_climate ? content.names.regimes.front()
+                                                                      : regime.look.title_in_chart();
+        if (ran.insert(name).second) {
+            regime_names.push_back(escaped(name));
+        }
     }
+    const std::string replicates = std::to_string(run.replicates());
+    std::string html = joined(
+        "<h1>A forest over ", std::to_string(run.years), " years</h1>\n<p class=\"lead\">Scenario <b>",
+        escaped(content.scenario.file.filename().string()), "</b>: ", std::to_string(ran.size()),
+        ran.size() == 1 ? " regime, " : " regimes, ",
+        has_climates ? joined(std::to_string(run.climates.size()), " climates, ") : "", replicates,
+        run.replicates() == 1 ? " replicate" : " replicates each",
+        ". Replicates differ in their random numbers alone",
+        has_climates ? "; all begin with the same forest, and regimes and climates see the same chance" : "",
+        ".</p>\n");
     std::vector<std::string> species_names;
     for (const std::size_t s : run.species) {
         species_names.push_back(escaped(content.names.species.all()[s].latin_name));
@@ -222,7 +230,8 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     html += content.grid.size() > 0 ? fact("Ground", elevation_text(content.grid)) : "";
     html += joined(fact("Years", years_text(run)), fact("Regimes", list_of(regime_names)));
     html += joined(fact("Replicates", replicates), fact("Species", list_of(species_names)));
-    html += content.climate.empty() ? "" : fact("Climate", escaped(content.climate));
+    html +=
+        content.climate.empty() ? "" : fact(has_climates ? "Climates" : "Climate", escaped(content.climate));
     html += has_rocks(content.scenario) ? fact("Motion", report::motion_in_words(content.scenario)) : "";
     html += fact("Random seed", std::to_string(content.scenario.seed));
     return joined(html, fact("Program", joined("Bannwald ", escaped(content.version))), "</dl>\n");
@@ -237,8 +246,9 @@ std::string answers(const RunView& run) {
     if (run.years > 0) {
         html += "<section class=\"card\">";
         for (const RegimeView& regime : run.regimes) {
-            html += answer_of(run, regime);
+            html += run.chart_a_climate && regime.climate > 0 ? "" : answer_of(run, regime);
         }
+        html += run.chart_a_climate ? other_climates() : "";
         html += "</section>\n";
     }
     html += standing_table(run, with_band);

@@ -16,22 +16,23 @@ using report::ColourScale;
 
 /// Years of a map that the page shows: pictures of more would make it heavy.
 constexpr std::size_t most_years = 4;
-/// Stands for the bare slope among the regimes.
-constexpr std::uint32_t bare = all;
+/// Stands for the bare slope among the courses.
+constexpr std::size_t bare = std::numeric_limits<std::size_t>::max();
 
 using Cells = std::vector<rockfall::CellSums>;
-using CellsOfYears = std::map<std::pair<std::uint32_t, std::int32_t>, Cells>;
+using CellsOfYears = std::map<std::pair<std::size_t, std::int32_t>, Cells>;
 
-/// Rocks of all replicates; of the bare slope those of the first regime, for all have the same.
-CellsOfYears summed(const RunView& run, std::span<const MemberYears> members) {
+/// Rocks of all replicates; of the bare slope those of the first course, for all have the same.
+CellsOfYears summed(const Names& names, const RunView& run, std::span<const MemberYears> members) {
     CellsOfYears sums;
     for (const MemberYears& member : members) {
         for (const CellMap& map : member.maps) {
             const bool of_bare = map.cover == Cover::bare;
-            if (of_bare && member.member.regime != run.regimes.front().place) {
+            const std::size_t course = names.course_of(member.member);
+            if (of_bare && course != run.regimes.front().course) {
                 continue;
             }
-            Cells& sum = sums[{of_bare ? bare : member.member.regime, map.year}];
+            Cells& sum = sums[{of_bare ? bare : course, map.year}];
             sum.resize(map.cells.size());
             for (std::size_t i = 0; i < sum.size(); ++i) {
                 sum[i].add(map.cells[i]);
@@ -85,20 +86,25 @@ constexpr std::array quantities{
 
 class FallPictures {
 public:
-    FallPictures(const Site& site, const RunView& run, std::span<const MemberYears> members)
-        : site_{site}, run_{run}, sheet_{site}, sums_{summed(run, members)}, years_{shown_years(sums_)} {}
+    FallPictures(const Site& site, const Names& names, const RunView& run,
+                 std::span<const MemberYears> members)
+        : site_{site},
+          run_{run},
+          sheet_{site},
+          sums_{summed(names, run, members)},
+          years_{shown_years(sums_)} {}
 
     [[nodiscard]] std::string html();
 
 private:
-    [[nodiscard]] config::Raster<float> values(const RasterKind& kind, std::uint32_t slope,
+    [[nodiscard]] config::Raster<float> values(const RasterKind& kind, std::size_t slope,
                                                std::int32_t year) const;
-    [[nodiscard]] config::Raster<float> effect(const RasterKind& kind, std::uint32_t regime,
+    [[nodiscard]] config::Raster<float> effect(const RasterKind& kind, std::size_t course,
                                                std::int32_t year) const;
     std::string block(const Quantity& quantity);
     std::string figure(const Quantity& quantity, const std::string& title,
                        const config::Raster<float>& values, const ColourScale& scale);
-    [[nodiscard]] std::string title(std::uint32_t slope, std::int32_t year) const;
+    [[nodiscard]] std::string title(std::size_t slope, std::int32_t year) const;
 
     const Site& site_;
     const RunView& run_;
@@ -108,7 +114,7 @@ private:
     int legends_ = 0;
 };
 
-config::Raster<float> FallPictures::values(const RasterKind& kind, std::uint32_t slope,
+config::Raster<float> FallPictures::values(const RasterKind& kind, std::size_t slope,
                                            std::int32_t year) const {
     config::Raster<float> raster{site_.map_frame, std::numeric_limits<float>::quiet_NaN()};
     if (const auto found = sums_.find({slope, year}); found != sums_.end()) {
@@ -121,9 +127,9 @@ config::Raster<float> FallPictures::values(const RasterKind& kind, std::uint32_t
     return report::without_zeros(std::move(raster));
 }
 
-config::Raster<float> FallPictures::effect(const RasterKind& kind, std::uint32_t regime,
+config::Raster<float> FallPictures::effect(const RasterKind& kind, std::size_t course,
                                            std::int32_t year) const {
-    config::Raster<float> difference = values(kind, regime, year);
+    config::Raster<float> difference = values(kind, course, year);
     const config::Raster<float> without = values(kind, bare, year);
     for (std::size_t cell = 0; cell < difference.values.size(); ++cell) {
         float& value = difference.values[cell];
@@ -135,9 +141,9 @@ config::Raster<float> FallPictures::effect(const RasterKind& kind, std::uint32_t
     return difference;
 }
 
-std::string FallPictures::title(std::uint32_t slope, std::int32_t year) const {
+std::string FallPictures::title(std::size_t slope, std::int32_t year) const {
     const auto regime = std::find_if(run_.regimes.begin(), run_.regimes.end(),
-                                     [&](const RegimeView& view) { return view.place == slope; });
+                                     [&](const RegimeView& view) { return view.course == slope; });
     const std::string name = regime == run_.regimes.end() ? "bare slope"
                              : run_.regimes.size() > 1    ? regime->title()
                                                           : "with forest";
@@ -155,15 +161,15 @@ std::string FallPictures::block(const Quantity& quantity) {
     const RasterKind& kind = raster_kind(quantity.stem);
     ValueRange range{std::numeric_limits<float>::infinity(), 0.0F};
     double reach = 0.0;
-    std::vector<std::uint32_t> slopes;
+    std::vector<std::size_t> slopes;
     for (const RegimeView& regime : run_.regimes) {
-        slopes.push_back(static_cast<std::uint32_t>(regime.place));
+        slopes.push_back(regime.course);
     }
     if (std::string_view{quantity.stem} != "Nr_tree_impacts") {
         slopes.push_back(bare);
     }
     for (const std::int32_t year : years_) {
-        for (const std::uint32_t slope : slopes) {
+        for (const std::size_t slope : slopes) {
             const ValueRange here = range_of(values(kind, slope, year));
             range = {here.high > 0.0F ? std::min(range.low, here.low) : range.low,
                      std::max(range.high, here.high)};
@@ -179,10 +185,10 @@ std::string FallPictures::block(const Quantity& quantity) {
     const ColourScale effects = ColourScale::difference(reach, quantity.effect_unit);
     std::string figures;
     for (const std::int32_t year : years_) {
-        for (const std::uint32_t slope : slopes) {
+        for (const std::size_t slope : slopes) {
             figures += figure(quantity, title(slope, year), values(kind, slope, year), scale);
         }
-        for (const std::uint32_t slope : slopes) {
+        for (const std::size_t slope : slopes) {
             if (*quantity.effect_unit != '\0' && slope != bare) {
                 figures += figure(quantity, joined("forest effect, ", title(slope, year)),
                                   effect(kind, slope, year), effects);
@@ -216,7 +222,7 @@ std::string maps_of_falls(const PageContent& content, const RunView& run) {
     const bool known = content.site != nullptr && !run.regimes.empty() &&
                        std::any_of(content.members.begin(), content.members.end(),
                                    [](const MemberYears& member) { return !member.maps.empty(); });
-    return known ? FallPictures{*content.site, run, content.members}.html() : "";
+    return known ? FallPictures{*content.site, content.names, run, content.members}.html() : "";
 }
 
 }  // namespace coupling::decades

@@ -15,20 +15,16 @@ namespace {
 
 using report::fixed;
 
-std::string title_of(const Names& names, std::size_t regime) {
-    const std::string letter = letter_of(regime, names.regimes.size());
-    return letter.empty() ? names.regimes[regime] : joined(letter, ": ", names.regimes[regime]);
-}
-
 /// A line cannot leave the chart downwards: below 0 it is drawn at 0.
-std::string chart_of(const Names& names, const Series& series, const std::string& title,
-                     const std::string& axis, const std::string& caption) {
+std::string charts_of(const Names& names, const Series& series, const std::string& title,
+                      const std::string& axis, const std::string& caption) {
     const std::vector<std::int32_t> years = years_of(series);
     std::vector<RegimeCurve> curves;
-    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-        RegimeCurve curve{regime, title_of(names, regime), letter_of(regime, names.regimes.size())};
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        const CourseLook look = look_of(names, course);
+        RegimeCurve curve{look.line, names.climate_of(course), look.title_in_chart(), look.letter};
         for (const std::int32_t year : years) {
-            if (const auto v = over_replicates(series, regime, year)) {
+            if (const auto v = over_replicates(series, course, year)) {
                 const auto x = static_cast<double>(year);
                 curve.means.push_back({x, std::max(0.0, v->band.mean)});
                 if (v->replicates > 1) {
@@ -40,7 +36,11 @@ std::string chart_of(const Names& names, const Series& series, const std::string
             curves.push_back(std::move(curve));
         }
     }
-    return regime_chart(title, axis, static_cast<std::size_t>(years.back()), curves, caption);
+    return regime_charts({.title = title,
+                          .y_title = axis,
+                          .years = static_cast<std::size_t>(years.back()),
+                          .climates = splits_charts(names) ? names.climates : std::vector<std::string>{}},
+                         curves, caption);
 }
 
 std::string in_words(const std::optional<OverReplicates>& v) {
@@ -64,11 +64,11 @@ std::string in_words(const std::optional<PairedDifference>& d) {
 }
 
 /// Mean over all years of the means over replicates.
-double mean_of_years(const Series& series, std::size_t regime) {
+double mean_of_years(const Series& series, std::size_t course) {
     double sum = 0.0;
     double count = 0.0;
     for (const std::int32_t year : years_of(series)) {
-        if (const auto v = over_replicates(series, regime, year)) {
+        if (const auto v = over_replicates(series, course, year)) {
             sum += v->band.mean;
             count += 1.0;
         }
@@ -85,13 +85,13 @@ std::string range_text(const OverReplicates& v, int decimals, const char* unit) 
 
 /// Share of rocks that arrive over the bare slope, from what the forest keeps away and what arrives in each
 /// replicate; NaN where it keeps away all of them.
-double mean_bare_percent(const Series& protection, const Series& reached, std::size_t regime,
+double mean_bare_percent(const Series& protection, const Series& reached, std::size_t course,
                          std::int32_t year) {
     double sum = 0.0;
     double count = 0.0;
-    for (std::size_t replicate = 0; replicate < reached.values[regime].size(); ++replicate) {
-        const auto& arrivals = reached.values[regime][replicate];
-        const auto& effects = protection.values[regime][replicate];
+    for (std::size_t replicate = 0; replicate < reached.values[course].size(); ++replicate) {
+        const auto& arrivals = reached.values[course][replicate];
+        const auto& effects = protection.values[course][replicate];
         if (arrivals.contains(year) && effects.contains(year)) {
             sum += arrivals.at(year) / (1.0 - effects.at(year) / 100.0);
             count += 1.0;
@@ -101,18 +101,18 @@ double mean_bare_percent(const Series& protection, const Series& reached, std::s
     return std::isfinite(mean) ? mean : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The answer for one regime: what the forest keeps away at the start, at worst and at the end, what arrives,
+/// The answer for one course: what the forest keeps away at the start, at worst and at the end, what arrives,
 /// how hard.
 std::string answer_of(const Names& names, const Series& protection, const Series& reached,
-                      const Series& energy, std::size_t regime) {
+                      const Series& energy, std::size_t course) {
     const std::vector<std::int32_t> years = years_of(protection);
-    const auto first = over_replicates(protection, regime, years.front());
-    const auto last = over_replicates(protection, regime, years.back());
-    const auto worst = worst_year(protection, regime);
+    const auto first = over_replicates(protection, course, years.front());
+    const auto last = over_replicates(protection, course, years.back());
+    const auto worst = worst_year(protection, course);
     if (!first || !last || !worst) {
         return "";
     }
-    std::string text = joined("<p class=\"answer\"><b>", report::escaped(title_of(names, regime)),
+    std::string text = joined("<p class=\"answer\"><b>", report::escaped(look_of(names, course).title()),
                               "</b>: the forest keeps away ", range_text(*first, 1, "\u00a0%"),
                               " of the rocks at the start, ", range_text(*last, 1, "\u00a0%"), " in year ",
                               std::to_string(years.back()));
@@ -121,13 +121,13 @@ std::string answer_of(const Names& names, const Series& protection, const Series
                 ? joined("; least in year ", std::to_string(worst->year), ": ",
                          range_text(worst->value, 1, "\u00a0%"), ". ")
                 : ". ";
-    if (const auto share = over_replicates(reached, regime, years.back())) {
+    if (const auto share = over_replicates(reached, course, years.back())) {
         text += joined("In year ", std::to_string(years.back()), " ", range_text(*share, 2, "\u00a0%"),
                        " of all rocks arrive");
-        const double bare = mean_bare_percent(protection, reached, regime, years.back());
+        const double bare = mean_bare_percent(protection, reached, course, years.back());
         text += std::isnan(bare) ? "." : joined(", over the bare slope ", fixed(bare, 2), "\u00a0%.");
     }
-    if (const auto hard = over_replicates(energy, regime, years.back())) {
+    if (const auto hard = over_replicates(energy, course, years.back())) {
         text += joined(" One in twenty of the rocks that come through the forest has more than ",
                        range_text(*hard, 0, "\u00a0kJ"), ".");
     }
@@ -137,6 +137,7 @@ std::string answer_of(const Names& names, const Series& protection, const Series
 std::string table_of(const Names& names, const Series& protection, const std::string& target) {
     const std::vector<std::int32_t> years = years_of(protection);
     const bool compares = names.regimes.size() > 1;
+    const bool has_climates = names.climates.size() > 1;
     const std::string last = std::to_string(years.back());
     std::vector<std::string> head{"Regime",
                                   joined("year ", std::to_string(years.front())),
@@ -145,29 +146,43 @@ std::string table_of(const Names& names, const Series& protection, const std::st
                                   "lowest",
                                   "in year"};
     if (compares) {
-        head.push_back(joined("year ", last, " minus A"));
+        head.push_back(joined("year ", last, " minus A", has_climates ? " in the same climate" : ""));
     }
-    report::HtmlTable table{joined("Rocks that the forest keeps away from ", report::escaped(target),
-                                   ", percent of those that arrive over the bare slope; below 0 more arrive "
-                                   "than without it. In brackets the "
-                                   "5th and 95th percentile of the replicates, of few replicates little less "
-                                   "than all of them. The lowest of many "
-                                   "years is low by chance too.",
-                                   compares ? " Differences are paired by replicate, with their 95 % "
-                                              "interval: where it holds 0, the regimes cannot "
-                                              "be told apart."
-                                            : ""),
-                            head};
-    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-        const auto worst = worst_year(protection, regime);
-        std::vector<std::string> cells{report::escaped(title_of(names, regime)),
-                                       in_words(over_replicates(protection, regime, years.front())),
-                                       in_words(over_replicates(protection, regime, years.back())),
-                                       fixed(mean_of_years(protection, regime), 1),
+    if (has_climates) {
+        head.push_back(joined("year ", last, " minus ", report::escaped(names.climates.front()),
+                              compares ? ", same regime" : ""));
+    }
+    report::HtmlTable table{
+        joined("Rocks that the forest keeps away from ", report::escaped(target),
+               ", percent of those that arrive over the bare slope; below 0 more arrive "
+               "than without it. In brackets the "
+               "5th and 95th percentile of the replicates, of few replicates little less "
+               "than all of them. The lowest of many "
+               "years is low by chance too.",
+               compares || has_climates
+                   ? joined(" Differences are paired by replicate, with their 95 % "
+                            "interval: where it holds 0, the ",
+                            compares ? "regimes" : "", compares && has_climates ? " or " : "",
+                            has_climates ? "climates" : "", " cannot be told apart.")
+                   : ""),
+        head};
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        const auto worst = worst_year(protection, course);
+        std::vector<std::string> cells{report::escaped(look_of(names, course).title()),
+                                       in_words(over_replicates(protection, course, years.front())),
+                                       in_words(over_replicates(protection, course, years.back())),
+                                       fixed(mean_of_years(protection, course), 1),
                                        worst ? in_words(std::optional{worst->value}) : "–",
                                        worst ? std::to_string(worst->year) : "–"};
         if (compares) {
-            cells.push_back(regime == 0 ? "" : in_words(difference(protection, regime, 0, years.back())));
+            const std::size_t first = names.course(0, names.climate_of(course));
+            cells.push_back(course == first ? ""
+                                            : in_words(difference(protection, course, first, years.back())));
+        }
+        if (has_climates) {
+            const std::size_t first = names.course(names.regime_of(course), 0);
+            cells.push_back(course == first ? ""
+                                            : in_words(difference(protection, course, first, years.back())));
         }
         table.row(cells);
     }
@@ -192,17 +207,20 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
         }
         html += joined("<section class=\"card\"><h3>",
                        report::escaped(target.name.empty() ? target.id : target.name), "</h3>");
-        for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-            html += answer_of(names, protection, find("reached_percent"), find("energy_95_kj"), regime);
+        for (std::size_t course = 0; course < names.courses(); ++course) {
+            if (!splits_charts(names) || names.climate_of(course) == 0) {
+                html += answer_of(names, protection, find("reached_percent"), find("energy_95_kj"), course);
+            }
         }
+        html += splits_charts(names) ? other_climates() : "";
         html += joined(
             "<p class=\"soft\">Means of the replicates, in brackets their 5th and 95th percentile.</p>",
             "</section>\n", table_of(names, protection, target.name));
         html += joined("<div class=\"halves\">",
-                       chart_of(names, protection, joined("Protection: ", target.name), "Rocks kept away, %",
-                                "Of the rocks that arrive over the bare slope. Below 0 is drawn as 0."),
-                       chart_of(names, find("reached_percent"), joined("Rocks that arrive: ", target.name),
-                                "Rocks that arrive, %", "Of all rocks released in the year."),
+                       charts_of(names, protection, joined("Protection: ", target.name), "Rocks kept away, %",
+                                 "Of the rocks that arrive over the bare slope. Below 0 is drawn as 0."),
+                       charts_of(names, find("reached_percent"), joined("Rocks that arrive: ", target.name),
+                                 "Rocks that arrive, %", "Of all rocks released in the year."),
                        "</div>\n");
     }
     return html;

@@ -42,9 +42,11 @@ std::vector<Stretch> stretches_of(const RegimeChart& wanted, std::size_t years) 
 }
 
 RegimeCurve curve_of(const RunView& run, const RegimeView& regime, const RegimeChart& wanted) {
-    RegimeCurve curve{.regime = regime.place,
-                      .name = run.regimes.size() == 1 && run.replicates() > 1 ? "mean" : regime.title(),
-                      .letter = regime.letter};
+    RegimeCurve curve{
+        .line = regime.look.line,
+        .climate = regime.climate,
+        .name = run.regimes.size() == 1 && run.replicates() > 1 ? "mean" : regime.look.title_in_chart(),
+        .letter = regime.look.letter};
     for (const Stretch& stretch : stretches_of(wanted, run.years)) {
         const double x = 0.5 * static_cast<double>(stretch.first + stretch.last);
         const Band band = regime.mean_band(stretch.first, stretch.last, wanted.figure);
@@ -61,7 +63,11 @@ std::string chart_of(const RunView& run, const RegimeChart& wanted) {
     for (const RegimeView& regime : run.regimes) {
         curves.push_back(curve_of(run, regime, wanted));
     }
-    return regime_chart(wanted.title, wanted.axis, run.years, curves, wanted.caption);
+    return regime_charts({.title = wanted.title,
+                          .y_title = wanted.axis,
+                          .years = run.years,
+                          .climates = run.chart_a_climate ? run.climates : std::vector<std::string>{}},
+                         curves, wanted.caption);
 }
 
 }  // namespace
@@ -95,7 +101,8 @@ std::string charts_of_regimes(const RunView& run) {
          1, five},
     };
     std::string html;
-    if (run.regimes.size() > most_bands && run.replicates() > 1) {
+    const std::size_t lines = run.regimes.size() / (run.chart_a_climate ? run.climates.size() : 1);
+    if (lines > most_bands && run.replicates() > 1) {
         html += "<p class=\"soft\">Means of the replicates; their ranges stand in tables/.</p>\n";
     }
     html += "<div class=\"halves\">";

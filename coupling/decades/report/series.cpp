@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 #include "coupling/results/joined.hpp"
 
@@ -48,8 +49,30 @@ std::string letter_of(std::size_t place, std::size_t regimes) {
     return regimes <= 26 ? std::string(1, static_cast<char>('A' + place)) : std::to_string(place + 1);
 }
 
-std::string RegimeView::title() const {
+std::string CourseLook::title() const {
     return letter.empty() ? name : joined(letter, ": ", name);
+}
+
+std::string CourseLook::title_in_chart() const {
+    return letter.empty() ? in_chart : joined(letter, ": ", in_chart);
+}
+
+CourseLook look_of(const Names& names, std::size_t course) {
+    const std::size_t regime = names.regime_of(course);
+    const std::size_t climate = names.climate_of(course);
+    const bool by_climate = names.regimes.size() == 1;
+    return {
+        letter_of(by_climate ? climate : regime, by_climate ? names.climates.size() : names.regimes.size()),
+        by_climate ? climate : regime, names.course_name(course),
+        splits_charts(names) ? names.regimes[regime] : names.course_name(course)};
+}
+
+std::string other_climates() {
+    return "<p class=\"soft\">In the first climate; the tables and charts below have all of them.</p>\n";
+}
+
+bool splits_charts(const Names& names) {
+    return names.regimes.size() > 1 && names.climates.size() > 1;
 }
 
 Band RegimeView::band(std::size_t year, const YearFigure& figure) const {
@@ -88,18 +111,17 @@ RunView view_of(const Names& names, std::span<const MemberYears> members) {
         }
     }
     std::sort(order.begin(), order.end(), [](const MemberYears* a, const MemberYears* b) {
-        return std::pair{a->member.regime, a->member.replicate} <
-               std::pair{b->member.regime, b->member.replicate};
+        return std::tuple{a->member.regime, a->member.climate, a->member.replicate} <
+               std::tuple{b->member.regime, b->member.climate, b->member.replicate};
     });
     RunView run;
+    run.climates = names.climates;
+    run.chart_a_climate = splits_charts(names);
     run.species.assign(species.begin(), species.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i == 0 || order[i]->member.regime != order[i - 1]->member.regime) {
-            run.regimes.push_back({order[i]->member.regime,
-                                   names.regimes[order[i]->member.regime],
-                                   letter_of(order[i]->member.regime, names.regimes.size()),
-                                   {},
-                                   order[i]});
+        const std::size_t course = names.course_of(order[i]->member);
+        if (run.regimes.empty() || course != run.regimes.back().course) {
+            run.regimes.push_back({course, order[i]->member.climate, look_of(names, course), {}, order[i]});
         }
         run.regimes.back().replicates.push_back(years_of(*order[i], names.species.size()));
     }

@@ -23,13 +23,12 @@ const Series* find(std::span<const Series> all_series, const std::string& quanti
     return found == all_series.end() ? nullptr : &*found;
 }
 
-std::string title_of(const Names& names, std::size_t regime) {
-    const std::string letter = letter_of(regime, names.regimes.size());
-    return escaped(letter.empty() ? names.regimes[regime] : joined(letter, ": ", names.regimes[regime]));
+std::string title_of(const Names& names, std::size_t course) {
+    return escaped(look_of(names, course).title());
 }
 
-std::string cell_of(const Series& series, std::size_t regime, std::int32_t year, int decimals) {
-    const auto value = over_replicates(series, regime, year);
+std::string cell_of(const Series& series, std::size_t course, std::int32_t year, int decimals) {
+    const auto value = over_replicates(series, course, year);
     if (!value) {
         return "–";
     }
@@ -47,8 +46,8 @@ std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years) {
 }
 
 /// "on the whole area", "on 40 % of the area", "nowhere".
-std::string where_met(const Series& met, std::size_t regime, std::int32_t year) {
-    const auto value = over_replicates(met, regime, year);
+std::string where_met(const Series& met, std::size_t course, std::int32_t year) {
+    const auto value = over_replicates(met, course, year);
     const double percent = value ? value->band.mean : 0.0;
     if (percent >= 99.95) {
         return "on the whole area";
@@ -66,28 +65,31 @@ std::string profile_in_words(const Names& names, const Series& met, const forest
                "), and for no gap along the fall line above ", fixed(profile.longest_gap_m, 0), "\u00a0m. ");
     html += joined("<small>", escaped(profile.source), ".</small></p>\n");
     const std::vector<std::int32_t> years = three_of(years_of(met));
-    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-        html += joined("<p class=\"answer\"><b>", title_of(names, regime), "</b>. Stands meet this ");
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        if (splits_charts(names) && names.climate_of(course) > 0) {
+            continue;
+        }
+        html += joined("<p class=\"answer\"><b>", title_of(names, course), "</b>. Stands meet this ");
         for (std::size_t i = 0; i < years.size(); ++i) {
             html +=
                 joined(i == 0                  ? ""
                        : i + 1 == years.size() ? " and "
                                                : ", ",
-                       "<b>", where_met(met, regime, years[i]), "</b> in year ", std::to_string(years[i]));
+                       "<b>", where_met(met, course, years[i]), "</b> in year ", std::to_string(years[i]));
         }
         html += ".</p>\n";
     }
-    return html;
+    return splits_charts(names) ? joined(html, other_climates()) : html;
 }
 
-/// Rows of a figure, one a regime.
+/// Rows of a figure, one a course.
 void add_rows(report::HtmlTable& table, const Names& names, const Series& series, const std::string& name,
               const std::vector<std::int32_t>& years, int decimals) {
     table.group(name);
-    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-        std::vector<std::string> cells{title_of(names, regime)};
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        std::vector<std::string> cells{title_of(names, course)};
         for (const std::int32_t year : years) {
-            cells.push_back(cell_of(series, regime, year, decimals));
+            cells.push_back(cell_of(series, course, year, decimals));
         }
         table.row(cells);
     }
@@ -137,15 +139,15 @@ std::string table_of_causes(const Names& names, std::span<const Series> all_seri
         const bool stops = kind < StopCause::left_terrain;
         const Series* series =
             find(all_series, joined(stops ? "stopped_by_" : "", name_of(kind), "_percent"));
-        const auto happened = [&](std::size_t regime) {
+        const auto happened = [&](std::size_t course) {
             return std::any_of(years.begin(), years.end(), [&](std::int32_t year) {
-                const auto value = over_replicates(*series, regime, year);
+                const auto value = over_replicates(*series, course, year);
                 return value && value->band.high > 0.0;
             });
         };
         bool any = stops;
-        for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-            any = any || happened(regime);
+        for (std::size_t course = 0; course < names.courses(); ++course) {
+            any = any || happened(course);
         }
         if (any) {
             add_rows(table, names, *series, in_words[cause], years, 1);

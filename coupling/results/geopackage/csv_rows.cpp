@@ -84,7 +84,9 @@ std::string_view CsvRows::read_quoted() {
 
 ColumnTypes::ColumnTypes(const std::vector<std::string>& columns) {
     for (const std::string& name : columns) {
-        seen_.push_back({name, name == "name" || name == "regime" || name.ends_with("_id"), false, false});
+        seen_.push_back({name,
+                         name == "name" || name == "regime" || name == "climate" || name.ends_with("_id"),
+                         false, false});
     }
 }
 

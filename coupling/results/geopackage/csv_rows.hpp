@@ -33,9 +33,9 @@ private:
 
 /// What the columns of a table hold, seen from its rows: whole numbers, numbers or words.
 ///
-/// Names and identifiers (columns `name`, `regime` and those that end in `_id`) are words, whatever they look
-/// like, so that a key has the same type in every table. A column of empty fields counts as numbers that are
-/// not known.
+/// Names and identifiers (columns `name`, `regime`, `climate` and those that end in `_id`) are words,
+/// whatever they look like, so that a key has the same type in every table. A column of empty fields counts
+/// as numbers that are not known.
 class ColumnTypes {
 public:
     explicit ColumnTypes(const std::vector<std::string>& columns);

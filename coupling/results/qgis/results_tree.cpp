@@ -75,19 +75,23 @@ std::string tree_style(const std::string& energy_column) {
     return by_energy(Mark::point, energy_column, 0.8, &unhit);
 }
 
-/// One layer for each regime and year, from the first replicate; the last year of the first regime is shown.
+/// One layer for each regime, climate and year, from the first replicate; the last of them is shown.
 void add_trees_by_year(TreeGroup& group, const fs::path& folder) {
     geopackage::Database database{folder / "results.gpkg", geopackage::Database::Open::to_read};
-    geopackage::Statement years =
-        database.prepare("SELECT regime, year FROM trees GROUP BY regime, year ORDER BY min(fid)");
+    geopackage::Statement years = database.prepare(
+        "SELECT regime, climate, year, (SELECT count(DISTINCT climate) FROM trees) FROM trees "
+        "GROUP BY regime, climate, year ORDER BY min(fid)");
     TreeGroup trees{"Trees, first replicate", {}, {}, true};
     while (years.step()) {
         const std::string regime = years.text(0);
-        const std::string year = years.text(1);
+        const std::string climate = years.text(1);
+        const std::string year = years.text(2);
+        const bool several = years.text(3) != "1";
         trees.layers.push_back(
-            {Kind::point, joined(regime, ", year ", year),
-             source_of("trees", joined("\"regime\" = ", literal(regime), " AND \"year\" = ", year,
-                                       " AND \"replicate\" = 1")),
+            {Kind::point, joined(regime, several ? joined(", ", climate) : "", ", year ", year),
+             source_of("trees", joined("\"regime\" = ", literal(regime),
+                                       several ? joined(" AND \"climate\" = ", literal(climate)) : "",
+                                       " AND \"year\" = ", year, " AND \"replicate\" = 1")),
              tree_style("rock_energy_kj"), "", false});
     }
     if (!trees.layers.empty()) {

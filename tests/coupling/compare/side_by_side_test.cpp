@@ -136,7 +136,7 @@ TEST(SideBySide, ShowsFiguresThatOnlyOneRunHas) {
     EXPECT_FALSE(comparison.lines[1].differences[1]);
     std::ostringstream table;
     write_csv(table, runs, comparison);
-    EXPECT_NE(table.str().find("\nB,out,house,,protection_percent,today,,50.0000,47.0000,54.0000,,,,\n"),
+    EXPECT_NE(table.str().find("\nB,out,house,,,protection_percent,today,,50.0000,47.0000,54.0000,,,,\n"),
               std::string::npos)
         << table.str();
 }

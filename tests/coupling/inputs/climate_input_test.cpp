@@ -24,7 +24,7 @@ double july_degc(const YearWeather& weather) {
 /// The climate of a project at the height of its own series.
 YearWeather weather_of(const Opened& opened, int year, std::uint32_t replicate = 0) {
     const std::array elevation_m{500.0};
-    return opened.site->forest->climate.weather(year, replicate, elevation_m);
+    return opened.site->forest->climates.front().source.weather(year, replicate, elevation_m);
 }
 
 TEST(Climate, ThatEndsBeforeTheRunIsRefusedUnlessItRepeats) {
@@ -87,13 +87,13 @@ TEST(Climate, GetsColderUpTheSlope) {
     const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     const std::array elevations_m{500.0, 1500.0};
-    const YearWeather weather = opened.site->forest->climate.weather(2001, 0, elevations_m);
+    const YearWeather weather = opened.site->forest->climates.front().source.weather(2001, 0, elevations_m);
     // July: -0.61 K and 2.16 mm for each 100 m (lapse_rates.csv).
     EXPECT_NEAR(weather.units[0].months[6].tave_degc, 15.0, 1e-12);
     EXPECT_NEAR(weather.units[1].months[6].tave_degc, 15.0 - 6.1, 1e-9);
     EXPECT_NEAR(weather.units[1].months[6].prec_mm, 110.0 + 21.6, 1e-9);
-    EXPECT_GT(opened.site->forest->climate.degree_days(500.0),
-              opened.site->forest->climate.degree_days(1500.0));
+    EXPECT_GT(opened.site->forest->climates.front().source.degree_days(500.0),
+              opened.site->forest->climates.front().source.degree_days(1500.0));
 }
 
 TEST(Climate, ChangesEvenlyOverTheYearsGiven) {

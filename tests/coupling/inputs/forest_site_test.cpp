@@ -67,7 +67,7 @@ TEST(ForestSite, LivesThroughItsYears) {
     // 0.4 ha with 600 spruces and 5 m2/ha of firs of 20 cm (159), 0.4 ha with 400 beeches, each per hectare.
     EXPECT_EQ(stems, 240U + 64U + 160U);
     for (int year = 0; year < 4; ++year) {
-        const YearWeather weather = site.weather(stand.year() + 1, 0);
+        const YearWeather weather = site.weather(0, stand.year() + 1, 0);
         const forest::YearReport report =
             forest::grow_year(stand, site.place, site.species.table, weather.view(), site.parameters, {1, 0});
         EXPECT_GT(report.production_kg, 0.0);

@@ -70,6 +70,8 @@ TEST(FolderPattern, ReplacesRegimeAndYear) {
     EXPECT_EQ(folder_pattern("rasters/rockfall/pfm1/year_30/E_max.asc"), "rasters/rockfall/REGIME/year_N");
     EXPECT_EQ(folder_pattern("rasters/rockfall/bare/year_0/E_max.asc"), "rasters/rockfall/bare/year_N");
     EXPECT_EQ(folder_pattern("rasters/forest/none/year_7/stems.asc"), "rasters/forest/REGIME/year_N");
+    EXPECT_EQ(folder_pattern("rasters/rockfall/none/warm/year_7/E_max.asc"),
+              "rasters/rockfall/REGIME/CLIMATE/year_N");
 }
 
 }  // namespace
