@@ -208,7 +208,7 @@ TableLayout margins() {
     const std::vector<Column> rest{
         {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", prices},
         {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", prices},
-        {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting and tending", prices},
+        {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting, tending and fencing", prices},
         {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead", prices}};
     return {"margins.csv", "a year with work", together(member_columns(), rest)};
 }

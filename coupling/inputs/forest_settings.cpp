@@ -78,7 +78,7 @@ void declare_regimes(config::Options& options, ForestSettings& s) {
         "regimes.timber_prices", s.timber_prices,
         {.meaning = "CSV of prices by species and diameter, with regimes.work_costs; none: shipped"});
     options.text("regimes.work_costs", s.work_costs,
-                 {.meaning = "CSV of the costs of planting and tending"});
+                 {.meaning = "CSV of the costs of planting, tending and fencing"});
 }
 
 void declare_feedback(config::Options& options, ForestSettings& s) {

@@ -118,6 +118,7 @@ void read_work(const config::Table& table, PriceTable& prices, config::Problems&
     };
     prices.planted_tree_eur = cost_of("planted_tree");
     prices.tended_ha_eur = cost_of("tended_ha");
+    prices.fenced_ha_eur = cost_of("fenced_ha");
 }
 
 config::Table shipped(const std::string& name) {
@@ -176,6 +177,7 @@ Margin contribution_margin(const RegimeReport& report, const PriceTable& prices)
     for (const Entry& entry : report.entries) {
         margin.young_eur += static_cast<double>(entry.plants) * prices.planted_tree_eur;
         margin.young_eur += entry.tended_ha * prices.tended_ha_eur;
+        margin.young_eur += entry.fenced_ha * prices.fenced_ha_eur;
     }
     return margin;
 }

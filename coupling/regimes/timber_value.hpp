@@ -25,6 +25,7 @@ struct PriceTable {
     std::vector<std::array<TimberPrice, forest::dbh_classes>> by_species;
     double planted_tree_eur = 0.0;
     double tended_ha_eur = 0.0;
+    double fenced_ha_eur = 0.0;  ///< of the area inside, posts and wire, to build, keep and take away
 };
 
 /// Reads tables with the columns of config/data/timber_prices.csv and work_costs.csv. A diameter class has
@@ -39,7 +40,7 @@ PriceTable shipped_prices(const forest::SpeciesTable& species);
 struct Margin {
     double revenue_eur = 0.0;
     double harvest_eur = 0.0;  ///< felling and hauling
-    double young_eur = 0.0;    ///< planting and tending
+    double young_eur = 0.0;    ///< planting, tending and fencing
 
     [[nodiscard]] double contribution_eur() const { return revenue_eur - harvest_eur - young_eur; }
     Margin& operator+=(const Margin& other);
@@ -47,7 +48,7 @@ struct Margin {
 
 /// Of timber alone. Requires prices for its species.
 Margin contribution_margin(const forest::Timber& timber, const PriceTable& prices);
-/// Of a year of a regime: timber, plants and tended area.
+/// Of a year of a regime: timber, plants, tended and fenced area.
 Margin contribution_margin(const RegimeReport& report, const PriceTable& prices);
 
 }  // namespace coupling

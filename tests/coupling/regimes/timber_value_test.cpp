@@ -9,7 +9,7 @@ namespace {
 
 const std::string price_head =
     "species,dbh_from_cm,dbh_to_cm,sold_share,revenue_eur_per_m3,felling_eur_per_m3,hauling_eur_per_m3\n";
-const std::string work_table = "work,cost_eur\nplanted_tree,2\ntended_ha,500\n";
+const std::string work_table = "work,cost_eur\nplanted_tree,2\ntended_ha,500\nfenced_ha,3000\n";
 
 PriceTable prices_of(const std::string& rows, const std::string& work = work_table) {
     return read_prices(table_of(price_head + rows), table_of(work), species_table());
@@ -48,7 +48,9 @@ TEST(ContributionMargin, IsRevenueOfWhatIsSoldLessTheCostOfWhatIsFelledAndHauled
                               .tended = 7,
                               .tended_ha = 2.0});
     report.entries.push_back({.intervention = "nothing", .treatment = Treatment::tend, .area_ha = 9.0});
-    EXPECT_NEAR(contribution_margin(report, prices).young_eur, 200.0 + 1000.0, 1e-9);
+    report.entries.push_back(
+        {.intervention = "fence", .treatment = Treatment::fence, .area_ha = 9.0, .fenced_ha = 0.5});
+    EXPECT_NEAR(contribution_margin(report, prices).young_eur, 200.0 + 1000.0 + 1500.0, 1e-9);
     EXPECT_NEAR(contribution_margin(report, prices).revenue_eur, margin.revenue_eur, 1e-9);
 }
 
@@ -65,6 +67,9 @@ TEST(ReadPrices, NamesGapsOverlapsAndWhatIsMissing) {
     EXPECT_NE(
         problems_of_prices("any,0,,1,1,1,1\n", "work,cost_eur\nplanted_tree,2\n").find("no row tended_ha"),
         std::string::npos);
+    EXPECT_NE(problems_of_prices("any,0,,1,1,1,1\n", "work,cost_eur\nplanted_tree,2\ntended_ha,5\n")
+                  .find("no row fenced_ha"),
+              std::string::npos);
 }
 
 TEST(ReadPrices, TakesTheShippedOnes) {
