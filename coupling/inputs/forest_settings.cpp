@@ -173,8 +173,13 @@ void check_years(const std::string& key, const std::vector<double>& asked_for, s
                  Checker& checker) {
     for (const double year : asked_for) {
         if (std::floor(year) != year || year > static_cast<double>(years)) {
-            checker.refuse(key, joined(key, " ", config::to_text(year)),
-                           joined("whole years from 0 to run.years ", std::to_string(years)));
+            const bool is_whole = std::floor(year) == year;
+            const std::string last = std::to_string(years);
+            checker.refuse(key,
+                           joined(key, " with year ", config::to_text(year),
+                                  is_whole ? joined(", but the run ends with year ", last) : ""),
+                           joined("whole years from 0 to ", last,
+                                  is_whole ? joined(", or run.years of ", config::to_text(year)) : ""));
         }
     }
 }
