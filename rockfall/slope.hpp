@@ -31,6 +31,11 @@ struct Slope {
     [[nodiscard]] const SurfaceType& type_at(double x_m, double y_m) const {
         return types[static_cast<std::size_t>(surface.at(x_m, y_m))];
     }
+    /// Ground at a point of a triangle: that of the triangle if it has its own, else that of the map.
+    [[nodiscard]] const SurfaceType& type_at(std::uint32_t triangle, double x_m, double y_m) const {
+        const std::uint32_t own = terrain.triangles()[triangle].surface;
+        return own > 0 ? types[own - 1] : type_at(x_m, y_m);
+    }
 };
 
 }  // namespace rockfall

@@ -180,7 +180,7 @@ private:
     }
 
     [[nodiscard]] const SurfaceType& surface_here() const {
-        return slope_.type_at(position_m_.x(), position_m_.y());
+        return slope_.type_at(triangle_, position_m_.x(), position_m_.y());
     }
 
     void begin_rolling() {

@@ -18,6 +18,7 @@
 #include "config/text/reading.hpp"
 #include "coupling/commands/info_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/meshes/mesh_input.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/regimes/listing.hpp"
 #include "coupling/regimes/shipped.hpp"
@@ -171,7 +172,11 @@ void write_info(const std::string& name, const std::string& table, std::ostream&
             return;
         }
     }
-    const FileBytes bytes = open_file(name, {}, "a grid, a table or the name of a shipped table");
+    const FileBytes bytes = open_file(name, {}, "a grid, a mesh, a table or the name of a shipped table");
+    if (meshes::format_of(bytes.text(), name) != meshes::MeshFormat::points) {
+        meshes::describe(meshes::read_mesh_file(bytes.text(), name), out);
+        return;
+    }
     if (looks_like_grid(bytes.text())) {
         write_grid(config::read_ascii_grid(bytes.text(), name), name, out);
         return;

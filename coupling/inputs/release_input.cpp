@@ -290,7 +290,7 @@ std::optional<SourceInput> read_sources(Reading& reading) {
 
 std::optional<Sources> place_sources(const SourceInput& input, const HeightInput& heights,
                                      const rockfall::Terrain& terrain, Reading& reading) {
-    if (input.grid && !check_frame(input.grid->frame, input.file, heights, reading)) {
+    if (input.grid && heights.grid && !check_frame(input.grid->frame, input.file, heights, reading)) {
         return std::nullopt;
     }
     const bool in_cells =

@@ -32,7 +32,8 @@ struct Scenario {
 
     // [terrain]
     std::string dem;               ///< ESRI ASCII grid, or
-    std::string points;            ///< XYZ text
+    std::string points;            ///< XYZ text, or
+    std::string mesh;              ///< PLY, STL, DXF, contours as CSV, or XYZ text
     double longest_edge_m = 0.0;   ///< for points: longer edges are no terrain; 0 keeps all
     std::string surface;           ///< grid of surface codes, or
     std::string surface_polygons;  ///< CSV with WKT polygons and codes

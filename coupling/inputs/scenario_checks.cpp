@@ -57,7 +57,7 @@ void check_stopping(const Scenario& s, Checker& checker) {
 void check_terrain(const Scenario& s, Checker& checker) {
     checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
     const bool has_codes = !s.surface.empty() || !s.surface_polygons.empty();
-    if (!has_codes && s.ground.empty()) {
+    if (!has_codes && s.ground.empty() && s.mesh.empty()) {  // faces of a mesh may carry codes
         checker.refuse("terrain.surface", "no ground types",
                        "terrain.surface, terrain.surface_polygons or terrain.ground");
     }
@@ -154,7 +154,11 @@ void check(const Scenario& scenario) {
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
     if (scenario.profile.empty()) {
-        checker.one_of("terrain.dem", scenario.dem, "terrain.points", scenario.points);
+        if (scenario.mesh.empty()) {
+            checker.one_of("terrain.dem", scenario.dem, "terrain.points", scenario.points);
+        }
+        checker.not_both("terrain.dem", scenario.dem, "terrain.mesh", scenario.mesh);
+        checker.not_both("terrain.points", scenario.points, "terrain.mesh", scenario.mesh);
     }
     if (scenario.profile.empty() && has_rocks(scenario)) {
         check_terrain(scenario, checker);

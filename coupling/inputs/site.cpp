@@ -7,6 +7,7 @@
 
 #include "coupling/inputs/forest_site.hpp"
 #include "coupling/inputs/log_input.hpp"
+#include "coupling/inputs/meshes/mesh_input.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
@@ -203,6 +204,9 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
         reading.problems().throw_if_any();
     }
     // What lies on the terrain is checked even where another file is wrong: the user sees all of it at once.
+    if (files.heights->has_codes && files.types) {
+        meshes::name_ground(files.heights->faces, *files.types, reading);
+    }
     rockfall::Terrain terrain =
         build_terrain(*files.heights, scenario.rockfall.ground, scenario.longest_edge_m);
     std::optional<GroundMap> ground;

@@ -82,6 +82,47 @@ config::Raster<double> codes_on(const config::GridFrame& frame, const GroundCove
     return config::rasterise_polygons(frame, cover.areas, no_code);
 }
 
+/// Outside its frame a map of ground types goes on as at its border, which nobody asked for.
+bool check_extent(const config::GridFrame& frame, const std::string& file, const rockfall::Terrain& terrain,
+                  Reading& reading) {
+    for (const rockfall::Vertex& vertex : terrain.vertices()) {
+        const double x_m = vertex.x_m + terrain.origin_m().x();
+        const double y_m = vertex.y_m + terrain.origin_m().y();
+        if (x_m < frame.x_west_m || x_m > frame.x_east_m() || y_m < frame.y_south_m ||
+            y_m > frame.y_north_m()) {
+            reading.refuse({file},
+                           to_string(frame) + ", while the terrain reaches to " + config::to_text(x_m) +
+                               ", " + config::to_text(y_m),
+                           "a grid over all of the terrain");
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Ground types of faces that say their own, as cells for maps.
+GroundMap ground_of_faces(const HeightInput& heights, const rockfall::Terrain& terrain,
+                          const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
+                          Reading& reading) {
+    if (cover.grid || !cover.areas.empty() || !reading.scenario().ground.empty()) {
+        reading.note(heights.file +
+                     ": its faces say their ground; other settings of where ground types lie have no effect");
+    }
+    GroundMap map{.types = std::move(types),
+                  .ids = config::Raster<std::uint8_t>{heights.frame(), GroundMap::none}};
+    const config::GridFrame& frame = map.ids.frame;
+    for (std::size_t i = 0; i < map.ids.values.size(); ++i) {
+        const config::Cell cell = frame.cell_of(i);
+        const auto triangle = terrain.locate(frame.x_centre_m(cell.column) - terrain.origin_m().x(),
+                                             frame.y_centre_m(cell.row) - terrain.origin_m().y());
+        const std::uint32_t own = triangle ? terrain.triangles()[*triangle].surface : 0;
+        if (own > 0) {
+            map.ids.values[i] = static_cast<std::uint8_t>(own - 1);
+        }
+    }
+    return map;
+}
+
 }  // namespace
 
 std::optional<GroundCover> read_ground_cover(Reading& reading) {
@@ -101,7 +142,11 @@ bool check_frame(const config::GridFrame& frame, const std::string& file, const 
 std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
                                       const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
                                       Reading& reading) {
-    if (cover.grid && !check_frame(cover.grid->frame, cover.file, heights, reading)) {
+    if (heights.has_codes) {
+        return ground_of_faces(heights, terrain, cover, std::move(types), reading);
+    }
+    if (cover.grid && (heights.grid ? !check_frame(cover.grid->frame, cover.file, heights, reading)
+                                    : !check_extent(cover.grid->frame, cover.file, terrain, reading))) {
         return std::nullopt;
     }
     const config::Raster<double> codes = codes_on(heights.frame(), cover);
@@ -111,28 +156,31 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
         elsewhere = static_cast<std::uint8_t>(types.size());
     }
 
-    GroundMap map{.types = types, .ids = config::Raster<std::uint8_t>{heights.frame(), GroundMap::none}};
+    GroundMap map{.types = types, .ids = config::Raster<std::uint8_t>{codes.frame, GroundMap::none}};
     std::map<double, Faults> unknown;
     Faults without;
     for (std::size_t cell = 0; cell < codes.values.size(); ++cell) {
-        if (!has_ground(heights, terrain, cell)) {
-            continue;
-        }
         const double code = codes.values[cell];
         const auto id = std::isnan(code) ? elsewhere : id_of(code, types);
+        if (!has_ground(heights, codes.frame, terrain, cell)) {
+            // A mesh may reach into a cell whose centre lies beyond its border.
+            map.ids.values[cell] = heights.grid ? GroundMap::none : id.value_or(GroundMap::none);
+            continue;
+        }
         if (id) {
             map.ids.values[cell] = *id;
         } else {
             (std::isnan(code) ? without : unknown[code]).add(cell);
         }
     }
+    const std::string& file = cover.file.empty() ? heights.file : cover.file;
     for (const auto& [code, faults] : unknown) {
         reading.refuse(
-            {cover.file}, "surface code " + config::to_text(code) + " in " + in_words(faults, codes.frame),
+            {file}, "surface code " + config::to_text(code) + " in " + in_words(faults, codes.frame),
             "a code of " + reading.shown(reading.scenario().surface_types) + ": " + codes_in_words(types));
     }
     if (without.count > 0) {
-        reading.refuse({cover.file}, "no surface code in " + in_words(without, codes.frame),
+        reading.refuse({file}, "no surface code in " + in_words(without, codes.frame),
                        "a code wherever the ground is known, or terrain.ground for the rest");
     }
     if (elsewhere) {

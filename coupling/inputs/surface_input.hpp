@@ -25,11 +25,13 @@ std::optional<GroundCover> read_ground_cover(Reading& reading);
 struct GroundMap {
     static constexpr std::uint8_t none = 255;
     std::vector<rockfall::SurfaceType> types;
-    config::Raster<std::uint8_t> ids;  ///< index into types on the frame of the heights; `none`: no ground
+    config::Raster<std::uint8_t> ids;  ///< index into types; `none`: no ground
 };
 
-/// Puts cover, types and heights together. Adds a problem for each code that the table lacks, with the number
-/// of its cells, for ground without any code, and for a grid on another frame.
+/// Puts cover, types and heights together. Heights with codes of their own need no cover. Beside heights that
+/// are no grid, a grid of codes has a frame of its own, which must reach over all of the terrain. Adds a
+/// problem for each code that the table lacks, with the number of its cells, for ground without any code, and
+/// for a grid on another frame.
 std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
                                       const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
                                       Reading& reading);

@@ -8,6 +8,7 @@
 
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/meshes/mesh_input.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
 
@@ -97,6 +98,28 @@ HeightInput read_point_cloud(Reading& reading) {
     return input;
 }
 
+HeightInput read_given_mesh(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
+    HeightInput input;
+    input.file = reading.shown(scenario.mesh);
+    meshes::MeshInput mesh = meshes::read_mesh(reading);
+    input.has_codes = mesh.has_codes;
+    if (mesh.tin) {
+        input.points = std::move(mesh.tin->vertices_m);
+        input.faces = std::move(mesh.tin->faces);
+        for (const char* key : {"rockfall.vertical_tolerance_m", "terrain.longest_edge_m"}) {
+            if (scenario.options->was_set(key)) {
+                reading.note(std::string{key} + " has no effect: the faces of terrain.mesh stay as they are");
+            }
+        }
+    } else {
+        input.points = std::move(mesh.points_m);
+    }
+    input.projection = reading.text_beside("projection", projection_name(scenario.mesh));
+    input.map_frame = frame_over(input.points, scenario.cell_size_m);
+    return input;
+}
+
 /// The next number or word of a line of points; empty at its end.
 std::string_view next_field(std::string_view& line) {
     constexpr std::string_view separators = " \t,;";
@@ -144,8 +167,12 @@ double height_at(const config::Raster<double>& grid, double x_m, double y_m) {
 }  // namespace
 
 std::optional<HeightInput> read_heights(Reading& reading) {
-    return reading.attempt(
-        [&] { return reading.scenario().dem.empty() ? read_point_cloud(reading) : read_dem(reading); });
+    return reading.attempt([&] {
+        const Scenario& scenario = reading.scenario();
+        return !scenario.dem.empty()    ? read_dem(reading)
+               : !scenario.mesh.empty() ? read_given_mesh(reading)
+                                        : read_point_cloud(reading);
+    });
 }
 
 std::vector<Eigen::Vector3d> read_points(std::string_view text, const std::string& file) {
@@ -218,6 +245,10 @@ rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::Ground
             rockfall::contact_zone(*input.grid, law.contact_support_m, law.contact_shift_m),
             law.vertical_tolerance_m);
     }
+    if (!input.faces.empty()) {
+        return rockfall::terrain_of(
+            {rockfall::contact_zone(input.points, law.contact_support_m, law.contact_shift_m), input.faces});
+    }
     return rockfall::triangulate(
         rockfall::contact_zone(input.points, law.contact_support_m, law.contact_shift_m), longest_edge_m);
 }
@@ -239,14 +270,15 @@ config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::
     return heights;
 }
 
-bool has_ground(const HeightInput& input, const rockfall::Terrain& terrain, std::size_t cell) {
+bool has_ground(const HeightInput& input, const config::GridFrame& frame, const rockfall::Terrain& terrain,
+                std::size_t cell) {
     if (input.grid) {
         return !std::isnan(input.grid->values[cell]);
     }
-    const config::Cell place = input.map_frame.cell_of(cell);
+    const config::Cell place = frame.cell_of(cell);
     return terrain
-        .locate(input.map_frame.x_centre_m(place.column) - terrain.origin_m().x(),
-                input.map_frame.y_centre_m(place.row) - terrain.origin_m().y())
+        .locate(frame.x_centre_m(place.column) - terrain.origin_m().x(),
+                frame.y_centre_m(place.row) - terrain.origin_m().y())
         .has_value();
 }
 

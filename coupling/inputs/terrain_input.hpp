@@ -8,13 +8,16 @@
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "rockfall/terrain/terrain.hpp"
+#include "rockfall/terrain/tin/tin.hpp"
 
 namespace coupling {
 
-/// Ground heights as read, not yet a terrain: a grid, or points.
+/// Ground heights as read, not yet a terrain: a grid, or points, or faces between the points.
 struct HeightInput {
     std::optional<config::Raster<double>> grid;  ///< NaN: NODATA
     std::vector<Eigen::Vector3d> points;         ///< absolute coordinates
+    std::vector<rockfall::TinFace> faces;        ///< checked; none: points are triangulated
+    bool has_codes = false;                      ///< faces carry the codes of their ground, plus 1
     std::string file;                            ///< name in messages
     std::string projection;                      ///< text of the .prj beside it
 
@@ -37,14 +40,16 @@ config::GridFrame with_cell_size(const config::GridFrame& frame, double cell_siz
 /// Frame over scattered points; size 0 takes their mean spacing rounded up to 1, 2 or 5 times a power of ten.
 config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double cell_size_m);
 
-/// The terrain that rocks feel: heights through the contact zone, triangulated.
+/// The terrain that rocks feel: heights through the contact zone, triangulated unless they have faces.
 rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
                                 double longest_edge_m);
 
 /// Heights on the map frame for pictures: of the grid as read; for points of the terrain.
 config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain);
 
-/// Whether the ground is known at a cell of `input.frame()`.
-bool has_ground(const HeightInput& input, const rockfall::Terrain& terrain, std::size_t cell);
+/// Whether the ground is known at the centre of a cell of a frame, which is that of the heights if these are
+/// a grid.
+bool has_ground(const HeightInput& input, const config::GridFrame& frame, const rockfall::Terrain& terrain,
+                std::size_t cell);
 
 }  // namespace coupling

@@ -16,6 +16,7 @@ struct Meaningless {
 constexpr std::array meaningless{
     Meaningless{"terrain.dem", "one of the two: the profile is all the terrain there is"},
     Meaningless{"terrain.points", "one of the two: the profile is all the terrain there is"},
+    Meaningless{"terrain.mesh", "one of the two: the profile is all the terrain there is"},
     Meaningless{"terrain.longest_edge_m", "nothing: a profile has no triangles to leave out"},
     Meaningless{"terrain.surface", "ground types in the column surface of the profile"},
     Meaningless{"terrain.surface_polygons", "ground types in the column surface of the profile"},

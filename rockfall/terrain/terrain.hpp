@@ -26,8 +26,8 @@ struct Vertex {
 struct Triangle {
     std::uint32_t corners[3];
     std::uint32_t neighbours[3];
-    float normal_z = 0.0F;  ///< z component of the upward unit normal: cosine of the slope [-], (0, 1]
-    std::uint32_t unused = 0;
+    float normal_z = 0.0F;      ///< z component of the upward unit normal: cosine of the slope [-], (0, 1]
+    std::uint32_t surface = 0;  ///< 0: ground as the map says; k > 0: ground type k - 1 of the list of types
 };
 static_assert(sizeof(Triangle) == 32);
 

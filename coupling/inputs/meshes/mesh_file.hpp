@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coupling::meshes {
+
+/// What a file of a surface holds, as it stands there.
+struct MeshFile {
+    std::string format;                               ///< in words
+    std::vector<Eigen::Vector3d> points_m;            ///< finite
+    std::vector<std::array<std::uint32_t, 3>> faces;  ///< of places in the list of points
+    std::vector<std::uint32_t> codes;                 ///< ground by face; empty: the file says none
+    bool single_precision = false;                    ///< coordinates of 32 bits
+    std::vector<std::string> passed_over;             ///< what else the file holds, by name
+};
+
+/// Largest ground code of a face.
+inline constexpr std::uint32_t largest_code = 1'000'000;
+
+/// The formats that a file may have, told by its first bytes and its name.
+enum class MeshFormat : std::uint8_t { ply, stl, points };
+MeshFormat format_of(std::string_view bytes, const std::string& name);
+
+/// Reads a file of any of these formats. Throws InputError (data).
+MeshFile read_mesh_file(std::string_view bytes, const std::string& file);
+
+/// Reads PLY, ascii or binary: element `vertex` with x, y, z; element `face` with vertex_indices and perhaps
+/// an integer property `surface`. Other properties and elements are passed over and named. Throws InputError
+/// (data) with the line, or in binary files the number of the vertex or face.
+MeshFile read_ply(std::string_view bytes, const std::string& file);
+
+/// Reads STL, ascii or binary. Corners count, normals do not. Each face has points of its own.
+MeshFile read_stl(std::string_view bytes, const std::string& file);
+
+}  // namespace coupling::meshes

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <vector>
+
+#include "coupling/inputs/meshes/mesh_file.hpp"
+#include "coupling/inputs/reading.hpp"
+#include "rockfall/slope.hpp"
+#include "rockfall/terrain/tin/tin.hpp"
+
+namespace coupling::meshes {
+
+/// What terrain.mesh names: faces, or points that are still to be triangulated.
+struct MeshInput {
+    std::optional<rockfall::Tin> tin;  ///< checked; its faces carry ground codes + 1, 0 where there are none
+    std::vector<Eigen::Vector3d> points_m;
+    bool has_codes = false;
+};
+
+/// Reads and checks the file. Throws InputError (data) for what no terrain can be made of; doubts holes,
+/// parts without connection and coordinates of too few digits; notes what was changed and what was passed
+/// over.
+MeshInput read_mesh(Reading& reading);
+
+/// Puts the place of a ground type in the list of types, counted from 1, where faces carry its code. Refuses
+/// codes that the list lacks.
+void name_ground(std::vector<rockfall::TinFace>& faces, const std::vector<rockfall::SurfaceType>& types,
+                 Reading& reading);
+
+/// What a file holds, for `bannwald info`.
+void describe(const MeshFile& mesh, std::ostream& out);
+
+}  // namespace coupling::meshes

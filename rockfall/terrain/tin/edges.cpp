@@ -1,0 +1,86 @@
+#include "rockfall/terrain/tin/edges.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rockfall {
+namespace {
+
+/// A side of a face under the ends of its edge, the smaller one first.
+struct Entry {
+    std::uint32_t low;
+    std::uint32_t high;
+    TinSide side;
+    bool rises;  ///< runs from the smaller end to the larger one
+};
+
+std::vector<Entry> sorted_sides(std::span<const TinFace> faces) {
+    std::vector<Entry> entries;
+    entries.reserve(3 * faces.size());
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+        for (std::uint32_t side = 0; side < 3; ++side) {
+            const std::uint32_t from = faces[f].corners[side];
+            const std::uint32_t to = faces[f].corners[(side + 1) % 3];
+            entries.push_back({std::min(from, to), std::max(from, to), {f, side}, from < to});
+        }
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.low, a.high, a.side.face) < std::tie(b.low, b.high, b.side.face);
+    });
+    return entries;
+}
+
+}  // namespace
+
+TinEdges edges_of(std::span<const TinFace> faces) {
+    TinEdges edges;
+    edges.neighbours.assign(faces.size(), {no_triangle, no_triangle, no_triangle});
+    const std::vector<Entry> entries = sorted_sides(faces);
+    for (std::size_t begin = 0; begin < entries.size();) {
+        std::size_t end = begin + 1;
+        while (end < entries.size() && entries[end].low == entries[begin].low &&
+               entries[end].high == entries[begin].high) {
+            ++end;
+        }
+        const Entry& first = entries[begin];
+        if (end - begin == 1) {
+            edges.borders.push_back(first.side);
+        } else if (end - begin > 2) {
+            edges.crowded.push_back(first.side);
+        } else if (const Entry& second = entries[begin + 1]; first.rises == second.rises) {
+            edges.flipped.push_back(second.side);
+        } else {
+            edges.neighbours[first.side.face][first.side.side] = second.side.face;
+            edges.neighbours[second.side.face][second.side.side] = first.side.face;
+        }
+        begin = end;
+    }
+    return edges;
+}
+
+std::vector<std::uint32_t> parts_of(const TinEdges& edges) {
+    std::vector<std::uint32_t> part(edges.neighbours.size(), no_triangle);
+    std::uint32_t parts = 0;
+    std::vector<std::uint32_t> waiting;
+    for (std::uint32_t seed = 0; seed < part.size(); ++seed) {
+        if (part[seed] != no_triangle) {
+            continue;
+        }
+        part[seed] = parts;
+        waiting.assign(1, seed);
+        while (!waiting.empty()) {
+            const std::uint32_t face = waiting.back();
+            waiting.pop_back();
+            for (const std::uint32_t next : edges.neighbours[face]) {
+                if (next != no_triangle && part[next] == no_triangle) {
+                    part[next] = parts;
+                    waiting.push_back(next);
+                }
+            }
+        }
+        ++parts;
+    }
+    return part;
+}
+
+}  // namespace rockfall

@@ -1,0 +1,247 @@
+#include "coupling/inputs/meshes/mesh_input.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/grid/ascii_grid.hpp"
+#include "rockfall/ensemble.hpp"
+#include "rockfall/terrain/mesh.hpp"
+#include "tests/coupling/inputs/meshes/mesh_texts.hpp"
+#include "tests/coupling/inputs/opened.hpp"
+
+namespace coupling::meshes {
+namespace {
+
+using config::ExitCode;
+
+/// The slope of the sample project as its mesh, with sources that need no grid.
+class MeshProject : public SampleProject {
+public:
+    MeshProject()
+        : terrain_{rockfall::triangulate(config::read_ascii_grid(read("dem.asc"), "dem.asc"), 0.0)} {
+        write("cliffs.csv", "wkt\n\"LINESTRING (1025 2030, 1025 2060)\"\n");
+    }
+    [[nodiscard]] MeshTexts texts() const { return MeshTexts{terrain_}; }
+    [[nodiscard]] const rockfall::Terrain& terrain() const { return terrain_; }
+
+private:
+    rockfall::Terrain terrain_;
+};
+
+Opened open_mesh(const MeshProject& project, const std::string& name, const std::string& bytes,
+                 std::vector<std::string> overrides = {}) {
+    project.write(name, bytes);
+    overrides.insert(overrides.end(), {"terrain.dem=", "terrain.mesh=" + name, "release.source=",
+                                       "release.source_shapes=cliffs.csv", "output.cell_size_m=10"});
+    return open(project, overrides);
+}
+
+const std::vector<std::string> one_ground{"terrain.surface=", "terrain.ground=solid_rock"};
+
+TEST(MeshInput, OfAnyFormatIsTheSameTerrain) {
+    const MeshProject project;
+    for (const auto& [name, bytes] :
+         {std::pair{"m.ply", project.texts().ply()}, std::pair{"b.ply", project.texts().binary_ply()},
+          std::pair{"m.stl", project.texts().stl()}, std::pair{"b.stl", project.texts().binary_stl()},
+          std::pair{"m.xyz", project.texts().points()}}) {
+        const Opened opened = open_mesh(project, name, bytes);
+        ASSERT_TRUE(opened.site) << name << ": " << opened.errors;
+        const rockfall::Terrain& terrain = opened.site->slope.terrain;
+        EXPECT_EQ(terrain.triangles().size(), project.terrain().triangles().size()) << name;
+        for (const Eigen::Vector2d& place : {Eigen::Vector2d{1031.0, 2044.0}, {1101.5, 2090.25}}) {
+            const Eigen::Vector2d mine = place - terrain.origin_m();
+            const Eigen::Vector2d given = place - project.terrain().origin_m();
+            EXPECT_NEAR(*terrain.height_m(mine.x(), mine.y()),
+                        *project.terrain().height_m(given.x(), given.y()), 1e-9)
+                << name;
+        }
+        EXPECT_EQ(opened.site->map_frame.cell_width_m, 10.0);
+        EXPECT_EQ(opened.site->map_frame.x_west_m, 1005.0);
+    }
+}
+
+TEST(MeshInput, TakesTheGroundOfItsFaces) {
+    const MeshProject project;
+    const std::string ply =
+        project.texts().ply_with_codes([](double x, double) { return x < 1030.0 ? 1 : 3; });
+    const Opened opened = open_mesh(project, "m.ply", ply, {"terrain.surface="});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const rockfall::Slope& slope = opened.site->slope;
+    const auto label_at = [&](double x_m, double y_m) {
+        const Eigen::Vector2d p = Eigen::Vector2d{x_m, y_m} - slope.terrain.origin_m();
+        return slope.type_at(*slope.terrain.locate(p.x(), p.y()), p.x(), p.y()).label;
+    };
+    EXPECT_EQ(label_at(1015.0, 2051.0), "rock");
+    EXPECT_EQ(label_at(1085.0, 2051.0), "soil");
+    const config::Cell west = opened.site->map_frame.cell_at(1012.0, 2051.0);
+    EXPECT_EQ(slope.types[opened.site->surface.at(west)].label, "rock");
+}
+
+TEST(MeshInput, RefusesCodesThatTheTableLacks) {
+    const MeshProject project;
+    const Opened opened = open_mesh(
+        project, "m.ply", project.texts().ply_with_codes([](double x, double) { return x < 1030.0 ? 1 : 8; }),
+        {"terrain.surface="});
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_NE(opened.errors.find("m.ply: found surface 8 of "), std::string::npos) << opened.errors;
+    EXPECT_NE(opened.errors.find("expected a code of surface_types.csv: 1, 3"), std::string::npos)
+        << opened.errors;
+}
+
+TEST(MeshInput, TakesTheGroundOfAGridOnAFrameOfItsOwn) {
+    const MeshProject project;
+    const Opened opened = open_mesh(project, "m.ply", project.texts().ply());
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const Eigen::Vector2d origin = opened.site->origin_m();
+    EXPECT_EQ(opened.site->slope.type_at(1021.0 - origin.x(), 2051.0 - origin.y()).label, "rock");
+    EXPECT_EQ(opened.site->slope.type_at(1061.0 - origin.x(), 2051.0 - origin.y()).label, "soil");
+
+    project.replace("surface.asc", "xllcorner 1000", "xllcorner 1020");
+    const Opened beside = open_mesh(project, "m.ply", project.texts().ply());
+    EXPECT_EQ(beside.code, ExitCode::data);
+    EXPECT_NE(beside.errors.find("expected a grid over all of the terrain"), std::string::npos)
+        << beside.errors;
+}
+
+TEST(MeshInput, WithoutAnyGroundIsRefused) {
+    const MeshProject project;
+    const Opened opened = open_mesh(project, "m.ply", project.texts().ply(), {"terrain.surface="});
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_NE(opened.errors.find("m.ply: found no surface code in"), std::string::npos) << opened.errors;
+}
+
+TEST(MeshInput, IsTheOnlyTerrain) {
+    const SampleProject project;
+    const Opened opened = open(project, {"terrain.mesh=m.ply"});
+    EXPECT_EQ(opened.code, ExitCode::settings);
+    EXPECT_NE(opened.errors.find("found terrain.mesh beside terrain.dem, expected only one of them"),
+              std::string::npos)
+        << opened.errors;
+}
+
+/// PLY of these vertices and faces.
+std::string ply_of(const std::string& vertices, int points, const std::string& faces, int count) {
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points) +
+           "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+           std::to_string(count) + "\nproperty list uchar int vertex_indices\nend_header\n" + vertices +
+           faces;
+}
+
+const std::string square = "0 0 10\n20 0 10\n20 20 4\n0 20 4\n";
+
+TEST(MeshInput, RefusesWhatIsNoTerrainAndSaysWhere) {
+    const MeshProject project;
+    for (const auto& [bytes, message] : std::vector<std::pair<std::string, std::string>>{
+             {ply_of(square, 4, "3 0 1 2\n3 0 3 2\n", 2),
+              "m.ply: found 1 flipped face at 6.67, 13.33, 6, expected corners counter-clockwise seen from "
+              "above, as those of the neighbours"},
+             {ply_of(square, 4, "3 0 1 2\n3 0 2 3\n3 1 2 0\n", 3),
+              "m.ply: found 1 doubled face at 13.33, 6.67, 8, expected each face once"},
+             {ply_of(square + "10 10 30\n", 5, "3 0 1 2\n3 0 2 3\n3 0 2 4\n", 3),
+              "m.ply: found 1 edge of more than two faces at 10, 10, 7, expected a surface: two faces at an "
+              "edge, one at a border"},
+             {ply_of(square + "15 5 2\n", 5, "3 0 1 2\n3 0 2 3\n3 1 0 4\n", 3),
+              "m.ply: found 1 overhanging face at 11.67, 1.67, 7.33, expected one height over each place: "
+              "only the side that rocks fall on"}}) {
+        const Opened opened = open_mesh(project, "m.ply", bytes, one_ground);
+        EXPECT_EQ(opened.code, ExitCode::data);
+        EXPECT_NE(opened.errors.find(message), std::string::npos) << opened.errors;
+    }
+}
+
+TEST(MeshInput, DoubtsAHoleAndSaysWhere) {
+    const MeshProject project;
+    std::string ply = project.texts().ply();
+    // A face in the middle goes: what is left has a hole of three edges.
+    const auto triangles = project.terrain().triangles();
+    const Eigen::Vector2d middle = Eigen::Vector2d{1062.0, 2053.0} - project.terrain().origin_m();
+    const std::uint32_t face = *project.terrain().locate(middle.x(), middle.y());
+    const auto& [a, b, c] = triangles[face].corners;
+    const std::string line =
+        "\n3 " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
+    ply.replace(ply.find(line), line.size(), "\n");
+    const std::string count = "element face ";
+    const std::string all = count + std::to_string(triangles.size());
+    ply.replace(ply.find(all), all.size(), count + std::to_string(triangles.size() - 1));
+    const Opened opened = open_mesh(project, "m.ply", ply);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    ASSERT_FALSE(opened.warnings.empty());
+    EXPECT_TRUE(opened.warnings.front().starts_with("m.ply: found 1 hole at 106")) << opened.warnings.front();
+    EXPECT_TRUE(opened.warnings.front().ends_with(
+        " with 3 edges, expected ground without holes: rocks that reach one have left the terrain"));
+    EXPECT_EQ(open_mesh(project, "m.ply", ply, {"run.strict_inputs=yes"}).code, ExitCode::data);
+}
+
+/// Where the rocks of a site end, over the bare slope.
+std::vector<rockfall::RockRecord> falls_of(const Opened& opened) {
+    const Site& site = *opened.site;
+    const rockfall::StemIndex stems{{}, site.slope.terrain, 1.0, true};
+    const rockfall::Assessment assessment{site.slope,
+                                          stems,
+                                          site.sources,
+                                          site.targets,
+                                          start_law(*opened.scenario),
+                                          opened.scenario->rockfall.fall,
+                                          site.map_frame_on_terrain(),
+                                          5};
+    rockfall::Worker worker{assessment, {nullptr, nullptr}};
+    std::vector<rockfall::RockRecord> records;
+    for (const rockfall::Chunk& chunk : rockfall::plan_chunks(site.sources)) {
+        rockfall::ChunkRows rows;
+        worker.run(chunk, rows, nullptr, {});
+        const auto& bare = rows.rocks[static_cast<std::size_t>(rockfall::Cover::bare)];
+        records.insert(records.end(), bare.begin(), bare.end());
+    }
+    return records;
+}
+
+TEST(MeshInput, GivesTheFallsOfTheGridItWasMadeOf) {
+    const MeshProject project;
+    project.write("cliffs.csv", "wkt,blocks\n\"LINESTRING (1025 2030, 1025 2060)\",300\n");
+    for (const std::string motion : {"picus", "pir3d"}) {
+        std::vector<std::string> settings = one_ground;
+        settings.push_back("rockfall.motion=" + motion);
+        std::vector<std::string> shapes = settings;
+        shapes.insert(shapes.end(), {"release.source=", "release.source_shapes=cliffs.csv"});
+        const Opened grid = open(project, shapes);
+        ASSERT_TRUE(grid.site) << grid.errors;
+        const std::vector<rockfall::RockRecord> expected = falls_of(grid);
+        ASSERT_EQ(expected.size(), 300U);
+        for (const auto& [name, bytes] :
+             {std::pair{"m.ply", project.texts().binary_ply()}, std::pair{"m.stl", project.texts().stl()}}) {
+            const Opened mesh = open_mesh(project, name, bytes, settings);
+            ASSERT_TRUE(mesh.site) << mesh.errors;
+            const std::vector<rockfall::RockRecord> found = falls_of(mesh);
+            ASSERT_EQ(found.size(), expected.size());
+            // The origin differs, and so do last bits; a rock here and there may take another way.
+            const Eigen::Vector2d shift_m = grid.site->origin_m() - mesh.site->origin_m();
+            std::size_t others = 0;
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                const double apart_m =
+                    (found[i].end_m.head<2>() - expected[i].end_m.head<2>() - shift_m).norm();
+                others += apart_m < 0.01 && found[i].reason == expected[i].reason ? 0 : 1;
+            }
+            EXPECT_LE(others, 6U) << name << ", " << motion;
+        }
+    }
+}
+
+TEST(MeshInput, DoubtsCoordinatesOfTooFewDigits) {
+    const MeshProject project;
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const Opened opened = open_mesh(
+        project, "m.ply", head + "2600000 1200000 900\n2600050 1200000 880\n2600000 1200050 900\n3 0 1 2\n",
+        one_ground);
+    ASSERT_FALSE(opened.warnings.empty());
+    EXPECT_EQ(
+        opened.warnings.front(),
+        "m.ply: found coordinates of 32 bits in steps of 0.25 m, expected double precision (PLY: property "
+        "double), or coordinates from a nearer origin");
+}
+
+}  // namespace
+}  // namespace coupling::meshes
