@@ -3,16 +3,18 @@
 #include <algorithm>
 
 #include "rockfall/one_slope.hpp"
+#include "rockfall/trajectory.hpp"
 
 namespace rockfall {
 
 Obstacles Assessment::obstacles(Cover cover, std::span<std::uint8_t> gone) const {
+    const NetIndex* standing = nets == nullptr || nets->empty() ? nullptr : nets;
     if (cover == Cover::bare) {
-        return {};
+        return {.nets = standing};
     }
     const std::size_t stems_marked = gone.empty() ? 0 : stems.placed().size();
     return {stems.empty() ? nullptr : &stems, gone.first(stems_marked), log_count() == 0 ? nullptr : logs,
-            gone.subspan(stems_marked)};
+            gone.subspan(stems_marked), standing};
 }
 
 std::vector<Chunk> plan_chunks(std::span<const ReleaseSource> sources, std::uint32_t most_rocks) {
@@ -40,6 +42,7 @@ void ChunkRows::clear() {
     for (std::size_t c = 0; c < covers; ++c) {
         rocks[c].clear();
         arrivals[c].clear();
+        net_crossings[c].clear();
     }
     tree_hits.clear();
     log_hits.clear();

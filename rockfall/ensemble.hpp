@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "rockfall/fall.hpp"
 #include "rockfall/release/release.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 #include "rockfall/tally/footprint.hpp"
-#include "rockfall/trajectory.hpp"
 
 namespace rockfall {
 
@@ -29,6 +29,7 @@ struct Assessment {
     std::uint16_t year = 0;
     std::uint64_t path_every = 0;  ///< each rock whose number this divides keeps its path; 0: none
     const LogIndex* logs = nullptr;
+    const NetIndex* nets = nullptr;  ///< they are works, not forest: they stand on the bare slope too
 
     /// Neither stems nor logs: only the bare slope is assessed.
     [[nodiscard]] bool only_bare() const { return stems.empty() && log_count() == 0; }
@@ -64,6 +65,8 @@ struct ChunkRows {
     std::array<std::vector<Arrival>, covers> arrivals;               ///< rock by rock, target by target
     std::vector<std::pair<std::uint64_t, TreeHitRecord>> tree_hits;  ///< (rock, hit)
     std::vector<std::pair<std::uint64_t, LogHitRecord>> log_hits;    ///< (rock, hit)
+    std::array<std::vector<std::pair<std::uint64_t, NetCrossingRecord>>, covers>
+        net_crossings;  ///< (rock, crossing)
     std::vector<PathRecord> paths;
     std::uint64_t not_started = 0;  ///< rocks whose place lies outside the terrain
 

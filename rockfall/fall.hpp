@@ -8,6 +8,8 @@
 #include "rockfall/motion/models.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/log_impact.hpp"
+#include "rockfall/obstacles/nets/net.hpp"
+#include "rockfall/obstacles/nets/net_watch.hpp"
 #include "rockfall/obstacles/obstacles.hpp"
 #include "rockfall/obstacles/tree_impact.hpp"
 #include "rockfall/rock.hpp"
@@ -38,11 +40,12 @@ enum class StopReason : std::uint8_t {
     caught,        ///< stopped by an obstacle of the surface (stopping probability)
     tree,          ///< stopped by a stem
     log,           ///< rests upslope of a lying log
+    net,           ///< held by a net
     left_terrain,  ///< ran over the border or into a hole: not stopped
     gave_up,       ///< more impacts than the limit: not stopped
 };
 
-inline constexpr std::size_t stop_reasons = 6;
+inline constexpr std::size_t stop_reasons = 7;
 
 /// Whether the rock lies still; otherwise it left or was given up.
 constexpr bool came_to_rest(StopReason reason) {
@@ -62,6 +65,7 @@ struct FallEnd {
 /// Memory that falls reuse.
 struct FallScratch {
     std::vector<Stretch> stretches;
+    NetScratch nets;
 };
 
 /// Watches nothing: for falls of which only the end counts.
@@ -71,6 +75,7 @@ struct NoObserver {
     void impacted(const Eigen::Vector3d&) {}
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
     void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) {}
+    void crossed_net(const Eigen::Vector3d&, const NetCrossing&) {}
 };
 
 }  // namespace rockfall

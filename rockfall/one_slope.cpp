@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "rockfall/trajectory.hpp"
+
 namespace rockfall {
 
 void enter_fall(const Footprint& footprint, Cover cover, const Assessment& assessment, const RockStart& start,
@@ -39,6 +41,9 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
                                  hit.outcome == LogOutcome::stopped ? 1U : 0U,
                                  static_cast<std::uint64_t>(std::lround(hit.loss_j))});
         rows.log_hits.emplace_back(start.id, hit);
+    }
+    for (const NetCrossingRecord& crossing : footprint.net_crossings()) {
+        rows.net_crossings[c].emplace_back(start.id, crossing);
     }
     rows.rocks[c].push_back(footprint.record());
     rows.arrivals[c].insert(rows.arrivals[c].end(), arrivals.begin(), arrivals.end());

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "config/options/options.hpp"
+#include "rockfall/fall.hpp"
 #include "rockfall/release/release.hpp"
-#include "rockfall/trajectory.hpp"
 
 namespace rockfall {
 

@@ -15,6 +15,7 @@
 #include "rockfall/motion/resting_place.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/log_impact.hpp"
+#include "rockfall/obstacles/nets/net_watch.hpp"
 #include "rockfall/obstacles/obstacles.hpp"
 #include "rockfall/obstacles/tree_impact.hpp"
 #include "rockfall/rock.hpp"
@@ -45,7 +46,8 @@ public:
           triangle_{start.triangle},
           rolling_{start.rolling},
           resting_place_{start.rock.radius_m},
-          encounters_{obstacles, start.rock.radius_m} {
+          encounters_{obstacles, start.rock.radius_m},
+          nets_{obstacles.nets, start.rock, scratch.nets} {
         if (rolling_) {
             begin_rolling();
         }
@@ -70,7 +72,15 @@ private:
         const Landing landing = fly(slope_.terrain, flight, triangle_, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
         if (!obstacles_.none() && !scratch_.stretches.empty()) {
-            if (const auto encounter = encounters_.next(flight, landing.time_s)) {
+            const auto encounter = encounters_.next(flight, landing.time_s);
+            const double until_s = encounter ? encounter->time_s : landing.time_s;
+            if (const auto net = nets_.on_flight(flight, until_s, spin_radps_, slope_.terrain,
+                                                 scratch_.stretches, observer_)) {
+                end_flight_at(flight, net->time_s);
+                meet(net->crossing);
+                return;
+            }
+            if (encounter) {
                 end_flight_at(flight, encounter->time_s);
                 meet(*encounter);
                 return;
@@ -86,6 +96,12 @@ private:
         }
         position_m_.z() = scratch_.stretches.back().ground_end_m;
         touch_ground(landing.plane);
+    }
+
+    /// Tells of a piece as far as it came, and of the nets on it.
+    void tell_rolled(const RollingPiece& piece, std::uint32_t triangle) {
+        nets_.tell(piece.duration_s, observer_);
+        observer_.rolled(rock_, piece, triangle);
     }
 
     void end_flight_at(const Flight& flight, double time_s) {
@@ -109,19 +125,26 @@ private:
         if (meets_obstacle_rolling(*run) || is_caught_rolling(*run)) {
             return;
         }
-        observer_.rolled(rock_, *run, triangle_);
+        tell_rolled(*run, triangle_);
         velocity_mps_ = run->velocity_at(run->duration_s);
         // A centimetre on, clear of the vertex: which triangle lies there the walk tells.
-        const RollingPiece step{run->position_m(run->duration_s),
-                                velocity_mps_,
-                                Eigen::Vector3d::Zero(),
-                                0.01 / velocity_mps_.norm(),
-                                RollingEnd::piece,
-                                run->next_triangle,
-                                false,
-                                run->slides};
-        observer_.rolled(rock_, step, run->next_triangle);
+        RollingPiece step{run->position_m(run->duration_s),
+                          velocity_mps_,
+                          Eigen::Vector3d::Zero(),
+                          0.01 / velocity_mps_.norm(),
+                          RollingEnd::piece,
+                          run->next_triangle,
+                          false,
+                          run->slides};
+        const auto net = nets_.cut(step);
+        tell_rolled(step, run->next_triangle);
         position_m_ = step.position_m(step.duration_s);
+        if (net) {
+            meet(*net);
+            if (stopped_) {
+                return;
+            }
+        }
         const auto beyond = slope_.terrain.locate(position_m_.x(), position_m_.y(), run->next_triangle);
         if (!beyond) {
             stop(StopReason::left_terrain);
@@ -209,7 +232,7 @@ private:
         if (meets_obstacle_rolling(piece) || is_caught_rolling(piece)) {
             return;
         }
-        observer_.rolled(rock_, piece, triangle_);
+        tell_rolled(piece, triangle_);
         resting_place_.add_rolling(piece.duration_s);
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
@@ -259,7 +282,7 @@ private:
             return false;
         }
         piece.duration_s = piece.time_along_s(*share);
-        observer_.rolled(rock_, piece, triangle_);
+        tell_rolled(piece, triangle_);
         position_m_ = piece.position_m(piece.duration_s);
         stop(StopReason::caught);
         return true;
@@ -271,19 +294,32 @@ private:
             return false;
         }
         const auto encounter = encounters_.next(piece);
-        if (!encounter) {
+        if (encounter) {
+            piece.duration_s = piece.time_along_s(encounter->time_s / piece.duration_s);
+        }
+        const auto net = nets_.cut(piece);
+        if (!encounter && !net) {
             return false;
         }
-        piece.duration_s = piece.time_along_s(encounter->time_s / piece.duration_s);
         if (is_caught_rolling(piece)) {
             return true;  // caught on the way to the obstacle
         }
-        observer_.rolled(rock_, piece, triangle_);
+        tell_rolled(piece, triangle_);
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
         spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
-        meet(*encounter);
+        net ? meet(*net) : meet(*encounter);
         return true;
+    }
+
+    void meet(const NetCrossing& crossing) {
+        if (crossing.outcome == NetOutcome::held) {
+            rest_at_foot(StopReason::net);
+            return;
+        }
+        const double factor = nets_.break_through(crossing, position_m_);
+        velocity_mps_ *= factor;
+        spin_radps_ *= factor;
     }
 
     void meet(const Encounter& encounter) {
@@ -395,6 +431,7 @@ private:
     Encounters encounters_;
     std::uint32_t turned_at_log_ = no_log;
     Eigen::Vector3d turned_at_m_ = Eigen::Vector3d::Zero();
+    NetWatch nets_;
 };
 
 /// Lets a rock fall under the motion model of the law, which is chosen here, once for the rock.

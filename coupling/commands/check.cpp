@@ -89,6 +89,9 @@ void describe_falls(const Scenario& scenario, const Site& site, std::ostream& ou
         targets += (targets.empty() ? "" : ", ") + target.id;
     }
     say(out, "targets", targets.empty() ? "none" : targets);
+    if (!site.nets.empty()) {
+        say(out, "nets", counted(site.nets.size(), "net"));
+    }
 }
 
 void say_cost(const Estimate& estimate, int threads, std::ostream& out) {

@@ -29,6 +29,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"stopping-table",
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
         {"compare", {"out", "page", "overwrite"}},
+        {"net", {"nets", "distances", "out", "overwrite"}},
         {"info", {}},
         {"completion", {}},
     };
@@ -98,25 +99,29 @@ Whole whole_of(const std::string& option, const std::string& text, long long low
     return static_cast<Whole>(*number);
 }
 
-/// Diameters separated by commas, in rising order, each once.
-std::vector<double> diameters_of(const std::string& text) {
-    constexpr config::NumberRange range{.low = 0.0, .high = 10.0, .low_excluded = true};
-    std::vector<double> diameters_m;
+/// Numbers of metres separated by commas, in rising order, each once.
+std::vector<double> rising_numbers(const std::string& option, const std::string& text,
+                                   const config::NumberRange& range) {
+    std::vector<double> numbers;
     std::istringstream words{text};
     for (std::string word; std::getline(words, word, ',');) {
-        const auto diameter_m = config::parse_number(word);
-        if (!diameter_m || !range.contains(*diameter_m)) {
-            refuse("--diameters " + config::in_quotes(text),
+        const auto number = config::parse_number(word);
+        if (!number || !range.contains(*number)) {
+            refuse("--" + option + ' ' + config::in_quotes(text),
                    config::describe("numbers", range) + " m, separated by commas");
         }
-        diameters_m.push_back(*diameter_m);
+        numbers.push_back(*number);
     }
-    std::sort(diameters_m.begin(), diameters_m.end());
-    if (diameters_m.empty() ||
-        std::adjacent_find(diameters_m.begin(), diameters_m.end()) != diameters_m.end()) {
-        refuse("--diameters " + config::in_quotes(text), "different numbers, separated by commas");
+    std::sort(numbers.begin(), numbers.end());
+    if (numbers.empty() || std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end()) {
+        refuse("--" + option + ' ' + config::in_quotes(text), "different numbers, separated by commas");
     }
-    return diameters_m;
+    return numbers;
+}
+
+std::vector<double> diameters_of(const std::string& text) {
+    constexpr config::NumberRange range{.low = 0.0, .high = 10.0, .low_excluded = true};
+    return rising_numbers("diameters", text, range);
 }
 
 std::string argument_of(const std::string& command, const po::variables_map& values) {
@@ -227,6 +232,31 @@ void add_merge(CommandLine& line, const po::variables_map& values) {
     line.folders.assign(words.begin() + 1, words.end());
 }
 
+/// `net try DIR --nets FILE` and `net place DIR --nets FILE`.
+void add_net(CommandLine& line, const po::variables_map& values) {
+    const std::vector<std::string> words = values.count("argument") == 0
+                                               ? std::vector<std::string>{}
+                                               : values["argument"].as<std::vector<std::string>>();
+    constexpr const char* form = "`bannwald net try DIR --nets FILE`, or place instead of try";
+    if (words.empty() || (words.front() != "try" && words.front() != "place")) {
+        refuse(words.empty() ? "`bannwald net` alone" : "`bannwald net " + words.front() + '`', form);
+    }
+    line.action = words.front();
+    if (words.size() != 2 || values.count("nets") == 0) {
+        refuse("`bannwald net " + line.action + "` without " + (words.size() != 2 ? "one folder" : "--nets"),
+               form);
+    }
+    line.argument = words[1];
+    line.nets = values["nets"].as<std::string>();
+    for (const std::string& distances : texts(values, "distances")) {
+        if (line.action == "try") {
+            refuse("--distances of `bannwald net try`", "it with `bannwald net place`");
+        }
+        constexpr config::NumberRange range{.low = 0.0, .high = 5000.0};
+        line.distances_m = rising_numbers("distances", distances, range);
+    }
+}
+
 CommandLine parse_command(const std::string& command, const std::vector<std::string>& arguments) {
     const po::variables_map values = parse(command, arguments);
     CommandLine line;
@@ -245,6 +275,8 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         add_merge(line, values);
     } else if (command == "info") {
         add_info(line, values);
+    } else if (command == "net") {
+        add_net(line, values);
     } else if (command == "compare") {
         add_compare(line, values);
     } else {
@@ -298,7 +330,7 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty() ? "init, check, run, merge, compare, validate, stopping-table, info or "
+           nearest.empty() ? "init, check, run, merge, compare, net, validate, stopping-table, info or "
                              "completion; see `bannwald --help`"
                            : config::in_quotes(nearest));
 }
@@ -306,8 +338,9 @@ CommandLine parse_general(const std::string& word) {
 }  // namespace
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init",     "check",          "run",  "merge",     "compare",
-                                                "validate", "stopping-table", "info", "completion"};
+    static const std::vector<std::string> names{"init",    "check",     "run",      "merge",
+                                                "compare", "net",       "validate", "stopping-table",
+                                                "info",    "completion"};
     return names;
 }
 

@@ -35,6 +35,11 @@ struct CommandLine {
     std::vector<std::filesystem::path> folders;
     std::filesystem::path page;  ///< compare: HTML file; empty: none
 
+    // net, where the argument is the folder of a run
+    std::string action;  ///< try or place
+    std::filesystem::path nets;
+    std::vector<double> distances_m;  ///< rising; none: the usual ones
+
     // validate
     std::vector<std::string> cases;  ///< names; none: all
     std::filesystem::path cases_folder;

@@ -40,8 +40,8 @@ constexpr std::string_view middle = R"script(    esac
         --page) _bannwald_files -f; return ;;
         --out) if [ "$command" = compare ]; then _bannwald_files -f; else _bannwald_files -d; fi; return ;;
         --cases) _bannwald_files -d; return ;;
-        --profile) _bannwald_files -f; return ;;
-        --seed|--threads|--shard|--rocks|--surface|--surfaces|--diameters|--throws) return ;;
+        --profile|--nets) _bannwald_files -f; return ;;
+        --seed|--threads|--shard|--rocks|--surface|--surfaces|--diameters|--throws|--distances) return ;;
     esac
     if [[ $word == -* ]]; then
         _bannwald_words "$options"
@@ -49,6 +49,7 @@ constexpr std::string_view middle = R"script(    esac
     fi
     case $command in
         init|compare) _bannwald_files -d ;;
+        net) if [ "$COMP_CWORD" -eq 2 ]; then _bannwald_words "try place"; else _bannwald_files -d; fi ;;
         validate) _bannwald_words "all $_bannwald_cases" ;;
         completion) _bannwald_words bash ;;
         info)

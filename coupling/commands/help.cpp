@@ -24,6 +24,8 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald run SCENARIO                lets the rocks fall and writes maps, tables and a report
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
   bannwald compare DIR DIR...          puts finished runs side by side and tells what is more than chance
+  bannwald net try DIR --nets FILE     looks at other nets without letting rocks fall again
+  bannwald net place DIR --nets FILE   looks for the place of a net upslope of a line
   bannwald validate [CASE...|all]      holds the model against published experiments and tables
   bannwald stopping-table [RECIPE]     makes stopping probabilities from virtual surfaces
   bannwald info FILE                   tells what a grid or a table holds; `info tables`: what results hold
@@ -152,6 +154,26 @@ standard errors. A recipe with a column `code` makes a table for terrain.stoppin
   --overwrite               replaces a table and pictures that the folder holds
 )";
 
+constexpr std::string_view net_help = R"(bannwald net try DIR --nets FILE
+
+Looks at the nets of a table (as nets.file of a scenario) with the paths that a run with nets.keep_paths = yes
+has stored in DIR/net_paths.bin, and writes nets.csv, net_needs.csv and net_crossings.csv of them. Paths are
+those of a slope without nets: what nets hold or let pass is that of a run with them, row by row. Behind a net
+that a rock breaks nothing is known; these rocks stand in net_inexact.csv.
+  --nets FILE           table of nets
+  --out DIR             folder of the tables (default: DIR/net_try)
+  --overwrite           replaces tables that the folder holds
+
+bannwald net place DIR --nets FILE [--distances 0,10,20]
+
+Takes each line of the table as what is to be protected, such as a road, and its height and capacity as those
+of a net; moves the net as a whole upslope, and tells for each place which rocks it would keep from the line,
+their energies and heights, and the class and height needed. Writes net_places.csv, and nets.csv with the best
+place of each, ready for nets.file.
+  --distances 0,10,20   in plan, m (default: 10 to 150 in steps of 10)
+  --out DIR             folder of the tables (default: DIR/net_place)
+)";
+
 constexpr std::string_view info_help = R"(bannwald info FILE
 bannwald info tables [TABLE]
 
@@ -160,6 +182,7 @@ holds. The name of a shipped table prints that table:
   bannwald info surfaces           ground types with restitution
   bannwald info stopping           their stopping probabilities by rock diameter
   bannwald info pir3d_soils        soils of the motion model pir3d
+  bannwald info net_classes        energy classes of rockfall nets
   bannwald info tree_resistance    species with the energy they take
   bannwald info timber_prices      what wood brings and costs; also work_costs
   bannwald info regimes            names of the shipped regimes and the columns of a regime
@@ -176,7 +199,7 @@ void write_help(std::ostream& out, const std::string& command) {
         {"run", run_help},           {"merge", merge_help},
         {"compare", compare_help},   {"completion", completion_help},
         {"validate", validate_help}, {"stopping-table", stopping_table_help},
-        {"info", info_help}};
+        {"info", info_help},         {"net", net_help}};
     const auto text = texts.find(command);
     if (text == texts.end()) {
         out << short_help << exit_codes;
@@ -196,8 +219,8 @@ void write_help(std::ostream& out, const std::string& command) {
 void write_help_all(std::ostream& out) {
     out << short_help;
     for (const std::string_view text :
-         {init_help, check_help, run_help, merge_help, scenario_options, compare_help, validate_help,
-          stopping_table_help, info_help, completion_help}) {
+         {init_help, check_help, run_help, merge_help, scenario_options, compare_help, net_help,
+          validate_help, stopping_table_help, info_help, completion_help}) {
         out << text << '\n';
     }
     out << exit_codes << "\nSettings of a scenario file\n\n";

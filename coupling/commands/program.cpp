@@ -17,6 +17,8 @@
 #include "coupling/commands/init.hpp"
 #include "coupling/commands/validate.hpp"
 #include "coupling/compare/compare.hpp"
+#include "coupling/nets/net_place.hpp"
+#include "coupling/nets/net_try.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/run/ranks.hpp"
 #include "coupling/run/run.hpp"
@@ -123,6 +125,25 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
                                .overwrite = line.overwrite,
                                .quiet = line.quiet},
                               std::cout);
+        return code(ExitCode::done);
+    }
+    if (line.command == "net" && line.action == "place") {
+        place_nets({.run = line.argument,
+                    .nets = line.nets,
+                    .out = line.out,
+                    .distances_m = line.distances_m,
+                    .overwrite = line.overwrite,
+                    .quiet = line.quiet},
+                   std::cout);
+        return code(ExitCode::done);
+    }
+    if (line.command == "net") {
+        try_nets({.run = line.argument,
+                  .nets = line.nets,
+                  .out = line.out,
+                  .overwrite = line.overwrite,
+                  .quiet = line.quiet},
+                 std::cout);
         return code(ExitCode::done);
     }
     if (line.command == "completion") {

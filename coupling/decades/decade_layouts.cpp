@@ -169,7 +169,7 @@ TableLayout causes() {
     constexpr const char* exact = "Clopper & Pearson 1934";
     const std::vector<Column> rest{
         cover_column(),
-        {"cause", "text", "what ended the fall: tree, log, ground, left_terrain or gave_up", simulated},
+        {"cause", "text", "what ended the fall: tree, log, net, ground, left_terrain or gave_up", simulated},
         {"rocks", "-", "rocks that fell", counted},
         {"stopped", "-", "rocks whose fall it ended", counted},
         {"share_percent", "%", "of the rocks that fell", counted},

@@ -37,6 +37,7 @@ RockSeason::RockSeason(const Scenario& scenario, const Site& site, std::vector<d
       chunks_{rockfall::plan_chunks(site.sources)},
       fracture_energy_{std::move(fracture_energy)},
       standing_{std::move(standing)},
+      nets_{site.standing_nets()},
       rocks_{site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks} {}
 
 RockSeason::Obstacles RockSeason::obstacles_of(const forest::Stand& stand) const {
@@ -82,6 +83,7 @@ rockfall::Assessment RockSeason::assessment(const rockfall::StemIndex& stems, st
     rockfall::Assessment assessment{site_.slope,   stems,         site_.sources,
                                     site_.targets, start_,        scenario_.rockfall.fall,
                                     frame_,        scenario_.seed};
+    assessment.nets = &nets_;
     assessment.replicate = replicate;
     assessment.year = static_cast<std::uint16_t>(year);
     return assessment;

@@ -113,6 +113,7 @@ private:
     std::vector<rockfall::Chunk> chunks_;
     std::vector<double> fracture_energy_;
     std::vector<rockfall::Stem> standing_;
+    rockfall::NetIndex nets_;
     std::uint64_t rocks_;
 };
 

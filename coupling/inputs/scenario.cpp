@@ -175,6 +175,19 @@ void declare_start(config::Options& options, Scenario& s) {
                     .source = "choice"});
 }
 
+void declare_nets(config::Options& options, NetSettings& nets) {
+    options.text("nets.file", nets.file,
+                 {.meaning = "CSV with name, height_m, capacity_kj or class, gap_m, wkt (LINESTRING)"});
+    options.number("nets.wanted_share", nets.wanted_share,
+                   {.low = 0.5,
+                    .high = 0.9999,
+                    .meaning = "share of the rocks that arrive at a net which it should be able to hold",
+                    .source = "choice"});
+    options.flag("nets.keep_paths", nets.keep_paths,
+                 {.meaning = "net_paths.bin: paths of all rocks without nets, for `bannwald net try`",
+                  .source = "choice"});
+}
+
 void declare_output(config::Options& options, Scenario& s) {
     options.number(
         "output.cell_size_m", s.cell_size_m,
@@ -224,6 +237,7 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_start(options, scenario);
     options.text("targets.file", scenario.targets,
                  {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});
+    declare_nets(options, scenario.nets);
     declare_output(options, scenario);
     options.text("rockfall.preset", scenario.preset,
                  {.meaning = "default, or a named set: strict, paper_rebound, paper_initial"});

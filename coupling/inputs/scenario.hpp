@@ -8,6 +8,7 @@
 
 #include "config/options/options.hpp"
 #include "coupling/inputs/forest_settings.hpp"
+#include "coupling/nets/net_settings.hpp"
 #include "rockfall/parameters.hpp"
 #include "rockfall/release/release.hpp"
 
@@ -75,6 +76,8 @@ struct Scenario {
 
     // [targets]
     std::string targets;  ///< CSV with WKT lines and polygons: target_id, name, wkt
+
+    NetSettings nets;  ///< [nets]
 
     // [output]
     double cell_size_m = 0.0;  ///< of the maps; 0: that of the DEM

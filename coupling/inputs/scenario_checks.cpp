@@ -6,6 +6,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/profile/profile_settings.hpp"
+#include "coupling/results/joined.hpp"
 
 namespace coupling {
 
@@ -150,6 +151,19 @@ void check(const Scenario& scenario) {
     if (scenario.years != 0 && !scenario.logs.empty()) {
         checker.refuse("trees.logs", "trees.logs beside run.years above 0",
                        "no list: the logs of a growing forest are its own");
+    }
+    if (!scenario.profile.empty() && !scenario.nets.file.empty()) {
+        checker.refuse("nets.file", "nets.file beside terrain.profile", "no nets: they stand on maps alone");
+    }
+    if (scenario.nets.keep_paths && (scenario.years != 0 || !scenario.profile.empty())) {
+        checker.refuse(
+            "nets.keep_paths",
+            joined("nets.keep_paths beside ", scenario.years != 0 ? "run.years" : "terrain.profile"),
+            "no paths: those of an assessment of today can be kept");
+    }
+    if (scenario.nets.keep_paths && scenario.rockfall.fall.tree.remove_broken) {
+        checker.refuse("nets.keep_paths", "nets.keep_paths beside tree_impact.remove_broken",
+                       "one of them: a rock that a net holds breaks no trees for the rocks after it");
     }
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);

@@ -15,6 +15,7 @@
 #include "coupling/inputs/target_input.hpp"
 #include "coupling/inputs/terrain_input.hpp"
 #include "coupling/inputs/tree_input.hpp"
+#include "coupling/nets/net_input.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
@@ -62,6 +63,7 @@ struct Files {
     std::optional<std::vector<TreeRecord>> trees;
     std::optional<std::vector<LogRecord>> logs;
     std::optional<std::vector<rockfall::Target>> targets;
+    std::optional<std::vector<NetRecord>> nets;
 };
 
 /// Sections that only a run over years reads.
@@ -153,6 +155,7 @@ Files read_files(Reading& reading) {
         files.cover = read_ground_cover(reading);
         files.logs = read_logs(reading);
         files.targets = read_targets(reading);
+        files.nets = read_nets(reading);
     }
     return files;
 }
@@ -197,6 +200,15 @@ std::vector<rockfall::Log> Site::lying_logs() const {
     return lying;
 }
 
+std::vector<rockfall::Net> Site::standing_nets() const {
+    std::vector<rockfall::Net> standing;
+    standing.reserve(nets.size());
+    for (const NetRecord& record : nets) {
+        standing.push_back(record.net);
+    }
+    return standing;
+}
+
 Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     Reading reading{scenario, warnings};
     Files files = read_files(reading);
@@ -226,6 +238,10 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     if (files.targets) {
         files.targets = on_terrain(std::move(*files.targets), terrain, reading);
     }
+    if (files.nets) {
+        files.nets = on_terrain(std::move(*files.nets), terrain, reading.shown(scenario.nets.file),
+                                reading.problems());
+    }
     std::shared_ptr<ForestSite> forest;
     if (scenario.years > 0) {
         forest = forest_on(*files.heights, terrain, reading);
@@ -250,6 +266,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .logs = std::move(files.logs).value_or(std::vector<LogRecord>{}),
             .sources = std::move(sources).value_or(std::vector<rockfall::ReleaseSource>{}),
             .targets = std::move(files.targets).value_or(std::vector<rockfall::Target>{}),
+            .nets = std::move(files.nets).value_or(std::vector<NetRecord>{}),
             .inputs = reading.inputs(),
             .forest = std::move(forest)};
 }

@@ -9,6 +9,7 @@
 #include "config/errors/warnings.hpp"
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/scenario.hpp"
+#include "coupling/nets/net_record.hpp"
 #include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/release/release.hpp"
@@ -53,6 +54,7 @@ struct Site {
     std::vector<LogRecord> logs;           ///< on the terrain, in file order
     std::vector<rockfall::ReleaseSource> sources;  ///< allotted, coordinates of the terrain
     std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
+    std::vector<NetRecord> nets;                   ///< coordinates of the terrain, in file order
     std::vector<InputFile> inputs;
     std::shared_ptr<const ForestSite> forest;  ///< with run.years > 0
 
@@ -61,6 +63,7 @@ struct Site {
     [[nodiscard]] config::GridFrame map_frame_on_terrain() const;
     [[nodiscard]] std::vector<rockfall::Stem> stems() const;
     [[nodiscard]] std::vector<rockfall::Log> lying_logs() const;
+    [[nodiscard]] std::vector<rockfall::Net> standing_nets() const;
 };
 
 /// Opens, reads and checks every file of a scenario. Throws InputError with all problems that can be found at

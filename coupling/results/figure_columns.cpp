@@ -129,6 +129,7 @@ std::vector<Column> slope_columns() {
         {"caught", "-", "rocks stopped by the roughness of the ground", counted},
         {"stopped_by_tree", "-", "rocks stopped by a tree", counted},
         {"stopped_by_log", "-", "rocks that rest upslope of a lying log", counted},
+        {"stopped_by_net", "-", "rocks held by a net", counted},
         {"left_terrain", "-", "rocks that left the terrain; they do not count as stopped", counted},
         {"gave_up", "-", "rocks that the simulation gave up; they do not count as stopped", counted}};
     const std::vector<Column> run_out{{"run_out_mean_m", "m", joined("mean ", distance), simulated},

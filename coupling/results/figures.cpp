@@ -114,6 +114,8 @@ const char* name_of(rockfall::StopReason reason) {
             return "tree";
         case rockfall::StopReason::log:
             return "log";
+        case rockfall::StopReason::net:
+            return "net";
         case rockfall::StopReason::left_terrain:
             return "left_terrain";
         case rockfall::StopReason::gave_up:

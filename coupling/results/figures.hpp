@@ -23,7 +23,7 @@ const char* name_of(Cover cover);
 /// The slopes that were assessed: both, or the bare one alone.
 std::vector<Cover> covers_of(const RunResults& results);
 
-/// Stop reasons as tables name them: "at_rest", "caught", "tree", "log", "left_terrain", "gave_up".
+/// Stop reasons as tables name them: "at_rest", "caught", "tree", "log", "net", "left_terrain", "gave_up".
 const char* name_of(rockfall::StopReason reason);
 
 /// One quantity over rocks: NaN where there are none.

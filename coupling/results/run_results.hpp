@@ -20,6 +20,7 @@ struct RunResults {
     /// Per-cell distributions by cover; null where no percentiles are wanted (or no forest is given).
     std::array<const rockfall::CellHistograms*, rockfall::covers> histograms;
     const std::vector<rockfall::PathRecord>& paths;  ///< sampled, in rock order
+    const std::vector<NetRow>& net_rows;             ///< crossings of nets, in the order of rocks
     const config::Warnings& warnings;
     std::uint64_t rocks = 0;
     bool with_forest = false;  ///< false: neither trees nor logs, only the bare slope was assessed

@@ -1,5 +1,6 @@
 #include "coupling/results/static_layouts.hpp"
 
+#include "coupling/nets/net_layouts.hpp"
 #include "coupling/results/figure_columns.hpp"
 
 namespace coupling {
@@ -114,7 +115,8 @@ TableLayout rocks() {
         {"diameter_m", "m", "diameter of the rock",
          "that of its source, else drawn as release.diameter_kind says"},
         {"stop_reason", "text",
-         "at_rest, caught (by the roughness of the ground), tree, log, left_terrain or gave_up", simulated}};
+         "at_rest, caught (by the roughness of the ground), tree, log, net, left_terrain or gave_up",
+         simulated}};
     const std::vector<Column> rest{
         {"run_out_m", "m", "plan distance from release to end", simulated},
         {"path_m", "m", "length of the path in space", simulated},
@@ -207,25 +209,31 @@ std::vector<Column> target_columns() {
 }
 
 Column cover_column() {
-    return {"cover", "text", "forest: with trees and lying logs; bare: the same slope without them",
+    return {"cover", "text",
+            "forest: with trees and lying logs; bare: the same slope without them; nets stand on both",
             "definition"};
 }
 
 const std::vector<TableLayout>& static_layouts() {
-    static const std::vector<TableLayout> layouts{targets(),
-                                                  protection(),
-                                                  target_distributions(),
-                                                  runs(),
-                                                  run_out(),
-                                                  tree_hits_per_rock(),
-                                                  stems(),
-                                                  logs(),
-                                                  rocks(),
-                                                  arrivals(),
-                                                  tree_hits(),
-                                                  log_hits(),
-                                                  trajectories(),
-                                                  trajectories_wkt()};
+    static const std::vector<TableLayout> layouts = [] {
+        std::vector<TableLayout> all{targets(),
+                                     protection(),
+                                     target_distributions(),
+                                     runs(),
+                                     run_out(),
+                                     tree_hits_per_rock(),
+                                     stems(),
+                                     logs(),
+                                     rocks(),
+                                     arrivals(),
+                                     tree_hits(),
+                                     log_hits(),
+                                     trajectories(),
+                                     trajectories_wkt()};
+        const std::vector<TableLayout> of_nets = net_layouts();
+        all.insert(all.end(), of_nets.begin(), of_nets.end());
+        return all;
+    }();
     return layouts;
 }
 

@@ -3,7 +3,8 @@
 namespace coupling {
 
 const char* name_of(StopCause cause) {
-    constexpr std::array<const char*, stop_causes> names{"tree", "log", "ground", "left_terrain", "gave_up"};
+    constexpr std::array<const char*, stop_causes> names{"tree",   "log",          "net",
+                                                         "ground", "left_terrain", "gave_up"};
     return names[static_cast<std::size_t>(cause)];
 }
 
@@ -13,6 +14,9 @@ StopCause cause_of(rockfall::StopReason reason) {
     }
     if (reason == rockfall::StopReason::log) {
         return StopCause::log;
+    }
+    if (reason == rockfall::StopReason::net) {
+        return StopCause::net;
     }
     if (rockfall::came_to_rest(reason)) {
         return StopCause::ground;

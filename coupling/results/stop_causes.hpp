@@ -9,8 +9,8 @@
 namespace coupling {
 
 /// What ends a fall, as far as protection asks: all reasons of the ground are one.
-enum class StopCause : std::uint8_t { tree, log, ground, left_terrain, gave_up };
-inline constexpr std::size_t stop_causes = 5;
+enum class StopCause : std::uint8_t { tree, log, net, ground, left_terrain, gave_up };
+inline constexpr std::size_t stop_causes = 6;
 
 /// As tables name them, such as "left_terrain".
 const char* name_of(StopCause cause);

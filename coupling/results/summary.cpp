@@ -174,6 +174,7 @@ Json run(const RunResults& results) {
             {"release_sources", site.sources.size()},
             {"trees", site.trees.size()},
             {"logs", site.logs.size()},
+            {"nets", site.nets.size()},
             {"with_forest", results.with_forest},
             {"map", map_frame(site.map_frame)},
             {"projection", site.projection.empty() ? Json(nullptr) : Json(site.projection)}};

@@ -1,5 +1,6 @@
 #include "coupling/results/write_results.hpp"
 
+#include "coupling/nets/net_tables.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/rasters.hpp"
@@ -20,6 +21,8 @@ std::vector<WrittenFile> write_results(const RunResults& results, const std::fil
         {"summary.json", "All figures, settings, input hashes and warnings for scripts."}};
     const std::vector<WrittenFile> tables = write_tables(results, figures, folder);
     files.insert(files.end(), tables.begin(), tables.end());
+    const std::vector<WrittenFile> of_nets = write_net_tables(results, folder);
+    files.insert(files.end(), of_nets.begin(), of_nets.end());
     files.insert(files.end(), streamed.files.begin(), streamed.files.end());
     const std::vector<WrittenFile> rasters = write_rasters(results, folder);
     files.insert(files.end(), rasters.begin(), rasters.end());

@@ -5,7 +5,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x33305452'41504E42ULL;  // "BNPART03", least byte first
+constexpr std::uint64_t magic = 0x34305452'41504E42ULL;  // "BNPART04", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -34,6 +34,23 @@ void read(ByteReader& in, rockfall::CellHistograms* histograms) {
     }
 }
 
+/// Field by field: what lies between fields differs from run to run.
+void write(ByteWriter& out, const std::vector<NetRow>& rows) {
+    out.value(static_cast<std::uint64_t>(rows.size()));
+    for (const NetRow& row : rows) {
+        const rockfall::NetCrossingRecord& c = row.crossing;
+        out.value(row.rock);
+        out.value(row.cover);
+        out.value(c.net);
+        for (const float v :
+             {c.x_m, c.y_m, c.along_m, c.height_m, c.energy_j, c.translational_j, c.speed_mps}) {
+            out.value(v);
+        }
+        out.value(c.outcome);
+        out.value(static_cast<std::uint8_t>(c.first ? 1 : 0));
+    }
+}
+
 void write(ByteWriter& out, const Checkpoint& checkpoint) {
     out.value(checkpoint.parts_done);
     out.value(checkpoint.not_started);
@@ -52,6 +69,24 @@ void write(ByteWriter& out, const Checkpoint& checkpoint) {
             out.value(point.height_m);
         }
     }
+    write(out, checkpoint.net_rows);
+}
+
+std::vector<NetRow> read_net_rows(ByteReader& in) {
+    std::vector<NetRow> rows(in.count_of(43));
+    for (NetRow& row : rows) {
+        rockfall::NetCrossingRecord& c = row.crossing;
+        row.rock = in.value<std::uint64_t>();
+        row.cover = in.value<rockfall::Cover>();
+        c.net = in.value<std::uint32_t>();
+        for (float* v :
+             {&c.x_m, &c.y_m, &c.along_m, &c.height_m, &c.energy_j, &c.translational_j, &c.speed_mps}) {
+            *v = in.value<float>();
+        }
+        c.outcome = in.value<rockfall::NetOutcome>();
+        c.first = in.value<std::uint8_t>() != 0;
+    }
+    return rows;
 }
 
 std::vector<rockfall::PathRecord> read_paths(ByteReader& in) {
@@ -129,6 +164,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
     checkpoint.table_bytes = in.list<std::uint64_t>();
     checkpoint.gone = in.list<std::uint8_t>();
     checkpoint.paths = read_paths(in);
+    checkpoint.net_rows = read_net_rows(in);
     for (std::size_t c = 0; c < rockfall::covers; ++c) {
         tally.cells[c].cells = in.list<rockfall::CellSums>();
         read(in, tally.runs[c]);

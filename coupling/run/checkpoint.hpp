@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/nets/net_record.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {
@@ -20,6 +21,7 @@ struct Checkpoint {
     std::vector<std::uint64_t> table_bytes;  ///< length of each streamed table
     std::vector<std::uint8_t> gone;          ///< broken stems, where they fall
     std::vector<rockfall::PathRecord> paths;
+    std::vector<NetRow> net_rows;  ///< crossings of nets, in the order of rocks
 };
 
 /// Writes a checkpoint with tallies and distributions, under a temporary name first, renamed when whole.

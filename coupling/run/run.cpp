@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <tuple>
 
 #include "coupling/decades/decade_run.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/nets/net_paths.hpp"
 #include "coupling/profile/profile_run.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/write_results.hpp"
@@ -66,6 +68,15 @@ struct Histograms {
     }
 };
 
+/// Rock by rock, first those of the slope with forest.
+void keep_crossings(const rockfall::ChunkRows& rows, std::vector<NetRow>& kept) {
+    for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+        for (const auto& [rock, crossing] : rows.net_crossings[static_cast<std::size_t>(cover)]) {
+            kept.push_back({rock, cover, crossing});
+        }
+    }
+}
+
 /// Everything that a run holds while its rocks fall.
 class AssessmentRun {
 public:
@@ -81,12 +92,14 @@ public:
           stems_{site.stems(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.tree.taper},
           logs_{site.lying_logs(), site.slope.terrain, largest_radius_m_,
                 scenario.rockfall.fall.log.loose_share},
+          nets_{site.standing_nets()},
           rocks_{rocks_of(site)},
           assessment_{site.slope, stems_,       site.sources, site.targets, start_, scenario.rockfall.fall,
                       frame_,     scenario.seed},
           histograms_{scenario, frame_, !stems_.empty() || !logs_.empty()},
           total_{frame_, site.targets.size(), stems_.placed().size(), logs_.count()} {
         assessment_.logs = &logs_;
+        assessment_.nets = &nets_;
         if (scenario.sample_paths > 0) {
             assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.sample_paths);
         }
@@ -99,6 +112,8 @@ public:
     Ended write(OutputFolder& folder);
 
 private:
+    Ended keep_paths(const std::filesystem::path& file);
+
     const RunRequest& request_;
     const Scenario& scenario_;
     const Site& site_;
@@ -108,6 +123,7 @@ private:
     double largest_radius_m_;
     rockfall::StemIndex stems_;
     rockfall::LogIndex logs_;
+    rockfall::NetIndex nets_;
     std::uint64_t rocks_;
     rockfall::Assessment assessment_;
     Histograms histograms_;
@@ -132,6 +148,7 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
         const auto keep_rows = [&](const rockfall::ChunkRows& rows) {
             tables_->add(rows);
             state_.paths.insert(state_.paths.end(), rows.paths.begin(), rows.paths.end());
+            keep_crossings(rows, state_.net_rows);
             state_.not_started += rows.not_started;
             progress.add(rows.rocks[static_cast<std::size_t>(rockfall::Cover::bare)].size() +
                          rows.not_started);
@@ -151,18 +168,46 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
     return Ended::done;
 }
 
+/// All rocks fall once more, past no nets.
+Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
+    const PathsHead head{.version = version(),
+                         .inputs = site_.inputs,
+                         .seed = scenario_.seed,
+                         .wanted_share = scenario_.nets.wanted_share,
+                         .with_forest = !assessment_.only_bare(),
+                         .rocks = {total_.runs[0].rocks, total_.runs[1].rocks}};
+    return write_net_paths(file, head, assessment_,
+                           request_.threads > 0 ? request_.threads : omp_get_max_threads());
+}
+
 Ended AssessmentRun::write(OutputFolder& folder) {
     if (state_.not_started > 0) {
         warnings_.add(std::to_string(state_.not_started) +
                       " rocks were not released: their place in the source lies outside the terrain");
     }
     make_folder(folder.staging() / "tables");
-    const std::vector<WrittenFile> streamed = tables_->close();
+    // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
+    std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {
+        return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
+    });
+    std::vector<WrittenFile> streamed = tables_->close();
+    if (scenario_.nets.keep_paths) {
+        if (keep_paths(folder.staging() / "net_paths.bin") == Ended::interrupted) {
+            return Ended::interrupted;
+        }
+        streamed.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
+    }
     const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
-    const RunResults results{
-        scenario_,    site_,     total_,   {histograms_.pointers()[0], histograms_.pointers()[1]},
-        state_.paths, warnings_, released, !assessment_.only_bare(),
-        version()};
+    const RunResults results{scenario_,
+                             site_,
+                             total_,
+                             {histograms_.pointers()[0], histograms_.pointers()[1]},
+                             state_.paths,
+                             state_.net_rows,
+                             warnings_,
+                             released,
+                             !assessment_.only_bare(),
+                             version()};
     if (InterruptGuard::requested()) {
         return Ended::interrupted;
     }

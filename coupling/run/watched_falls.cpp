@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "coupling/run/first_error.hpp"
+#include "rockfall/trajectory.hpp"
 
 namespace coupling {
 namespace {

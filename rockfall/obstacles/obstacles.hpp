@@ -7,6 +7,7 @@
 #include "rockfall/motion/flight.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/log_index.hpp"
+#include "rockfall/obstacles/nets/net_index.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
 #include "rockfall/obstacles/touched.hpp"
 
@@ -19,8 +20,9 @@ struct Obstacles {
     std::span<std::uint8_t> gone{};
     const LogIndex* logs = nullptr;  ///< nullptr: no logs
     std::span<std::uint8_t> logs_gone{};
+    const NetIndex* nets = nullptr;  ///< nullptr: no nets
 
-    [[nodiscard]] bool none() const { return stems == nullptr && logs == nullptr; }
+    [[nodiscard]] bool none() const { return stems == nullptr && logs == nullptr && nets == nullptr; }
 };
 
 /// What a rock meets next: a stem or a log.

@@ -10,8 +10,8 @@
 
 #include "config/random/stream.hpp"
 #include "config/units/angle.hpp"
+#include "rockfall/fall.hpp"
 #include "rockfall/slope.hpp"
-#include "rockfall/trajectory.hpp"
 
 namespace rockfall {
 

@@ -78,6 +78,7 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     visits_.clear();
     tree_hits_.clear();
     log_hits_.clear();
+    net_crossings_.clear();
     path_.clear();
     with_path_ = with_path;
     deposit_cell_ = frame_.size();
@@ -301,6 +302,17 @@ void Footprint::met_log(const Eigen::Vector3d& position_m, const LogHit& hit, co
                          impact.outcome});
     record_.log_energy_j += impact.loss_j;
     record_.logs_broken += impact.outcome == LogOutcome::broke ? 1 : 0;
+}
+
+void Footprint::crossed_net(const Eigen::Vector3d& position_m, const NetCrossing& crossing) {
+    const bool first =
+        std::none_of(net_crossings_.begin(), net_crossings_.end(),
+                     [&](const NetCrossingRecord& other) { return other.net == crossing.net; });
+    net_crossings_.push_back({crossing.net, static_cast<float>(position_m.x()),
+                              static_cast<float>(position_m.y()), static_cast<float>(crossing.along_m),
+                              static_cast<float>(crossing.height_m), static_cast<float>(crossing.energy_j),
+                              static_cast<float>(crossing.translational_j),
+                              static_cast<float>(crossing.speed_mps), crossing.outcome, first});
 }
 
 void Footprint::draw(const Flight& flight, double until_s, std::span<const Stretch> stretches,

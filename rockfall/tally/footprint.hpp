@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "config/grid/raster.hpp"
+#include "rockfall/fall.hpp"
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/target.hpp"
-#include "rockfall/trajectory.hpp"
 
 namespace rockfall {
 
@@ -68,6 +68,20 @@ struct LogHitRecord {
     LogOutcome outcome;
 };
 
+/// A rock in the plane of a net as the tables show it.
+struct NetCrossingRecord {
+    std::uint32_t net;
+    float x_m;  ///< in coordinates of the terrain
+    float y_m;
+    float along_m;   ///< along the line of the net, from its first corner
+    float height_m;  ///< of the rock's centre above the ground, vertical
+    float energy_j;  ///< before the net: translation and rotation
+    float translational_j;
+    float speed_mps;
+    NetOutcome outcome;
+    bool first;  ///< the rock has not crossed the line of this net before
+};
+
 /// Watches one rock: the cells it passes with its exact largest values there, its record, its arrivals at
 /// targets, its hits, and its path if wanted. Reused from rock to rock without allocating.
 class Footprint {
@@ -88,11 +102,14 @@ public:
     void met_log(const Eigen::Vector3d& position_m, const LogHit& hit, const LogImpact& impact,
                  double energy_j);
 
+    void crossed_net(const Eigen::Vector3d& position_m, const NetCrossing& crossing);
+
     [[nodiscard]] std::span<const CellVisit> visits() const { return visits_; }
     [[nodiscard]] const RockRecord& record() const { return record_; }
     [[nodiscard]] std::span<const Arrival> arrivals() const { return arrivals_; }
     [[nodiscard]] std::span<const TreeHitRecord> tree_hits() const { return tree_hits_; }
     [[nodiscard]] std::span<const LogHitRecord> log_hits() const { return log_hits_; }
+    [[nodiscard]] std::span<const NetCrossingRecord> net_crossings() const { return net_crossings_; }
     [[nodiscard]] std::span<const PathPoint> path() const { return path_; }
     /// Cell in which the rock came to rest; frame.size() if it did not stop inside the frame.
     [[nodiscard]] std::size_t deposit_cell() const { return deposit_cell_; }
@@ -123,6 +140,7 @@ private:
     std::vector<Arrival> arrivals_;
     std::vector<TreeHitRecord> tree_hits_;
     std::vector<LogHitRecord> log_hits_;
+    std::vector<NetCrossingRecord> net_crossings_;
     std::vector<PathPoint> path_;
     bool with_path_ = false;
     std::size_t deposit_cell_ = 0;

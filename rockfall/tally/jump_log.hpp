@@ -43,6 +43,7 @@ public:
     void impacted(const Eigen::Vector3d&);
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) { in_flight_ = false; }
     void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) { in_flight_ = false; }
+    void crossed_net(const Eigen::Vector3d&, const NetCrossing&) {}
 
     [[nodiscard]] std::span<const Jump> jumps() const { return jumps_; }
 
@@ -80,6 +81,10 @@ struct BothWatch {
                  double energy_j) {
         first.met_log(position_m, hit, impact, energy_j);
         second.met_log(position_m, hit, impact, energy_j);
+    }
+    void crossed_net(const Eigen::Vector3d& position_m, const NetCrossing& crossing) {
+        first.crossed_net(position_m, crossing);
+        second.crossed_net(position_m, crossing);
     }
 };
 

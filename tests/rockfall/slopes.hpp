@@ -126,6 +126,11 @@ struct EventLog {
     std::vector<Hit> hits;
     std::vector<Met> logs;
     std::vector<Eigen::Vector3d> impacts;
+    struct Crossing {
+        Eigen::Vector3d position_m;
+        NetCrossing crossing;
+    };
+    std::vector<Crossing> nets;
 
     void flew(const Rock&, const Flight& flight, double until_s, std::span<const Stretch> stretches,
               double spin) {
@@ -141,6 +146,9 @@ struct EventLog {
     }
     void met_log(const Eigen::Vector3d& position, const LogHit& hit, const LogImpact& impact, double energy) {
         logs.push_back({position, hit, impact, energy});
+    }
+    void crossed_net(const Eigen::Vector3d& position, const NetCrossing& crossing) {
+        nets.push_back({position, crossing});
     }
 };
 

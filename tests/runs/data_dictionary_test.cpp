@@ -104,6 +104,7 @@ TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
                   "log_id,x1_m,y1_m,x2_m,y2_m,species,dbh_cm\nbeam,177700,377500,177712,377510,PIAB,40\n");
     const Outcome outcome = call(project,
                                  "run tyrol/scenario.ini --quiet --out out --set trees.logs=logs.csv "
+                                 "--set nets.file=nets.csv "
                                  "--set release.rocks_per_source=1 --set output.tree_hit_table=yes");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Columns files = columns_in_files(project, "out");

@@ -131,21 +131,24 @@ std::string table_of_causes(const Names& names, std::span<const Series> all_seri
     }
     report::HtmlTable table{"What ended the fall of the rocks through the forest, percent of all rocks.",
                             head_of("Rocks", years)};
-    constexpr std::array<const char*, stop_causes> in_words{"Stopped by a tree, %", "Stopped by a log, %",
-                                                            "Stopped by the ground, %", "Left the terrain, %",
-                                                            "Given up after too many impacts, %"};
+    constexpr std::array<const char*, stop_causes> in_words{
+        "Stopped by a tree, %",     "Stopped by a log, %", "Held by a net, %",
+        "Stopped by the ground, %", "Left the terrain, %", "Given up after too many impacts, %"};
     for (std::size_t cause = 0; cause < stop_causes; ++cause) {
         const auto kind = static_cast<StopCause>(cause);
         const bool stops = kind < StopCause::left_terrain;
         const Series* series =
             find(all_series, joined(stops ? "stopped_by_" : "", name_of(kind), "_percent"));
+        if (series == nullptr) {
+            continue;
+        }
         const auto happened = [&](std::size_t course) {
             return std::any_of(years.begin(), years.end(), [&](std::int32_t year) {
                 const auto value = over_replicates(*series, course, year);
                 return value && value->band.high > 0.0;
             });
         };
-        bool any = stops;
+        bool any = stops && kind != StopCause::net;
         for (std::size_t course = 0; course < names.courses(); ++course) {
             any = any || happened(course);
         }

@@ -31,7 +31,7 @@ std::string layer_of(const std::string& table) {
     if (table == "targets") {
         return "target_arrivals";
     }
-    return table;
+    return table == "nets" ? "net_figures" : table;  // the layer `nets` holds the lines
 }
 
 std::vector<Group> groups_of(const Contents& contents) {
@@ -264,6 +264,31 @@ void add_targets(GeoPackage& package, const Contents& contents) {
     layer.finish();
 }
 
+void add_nets(GeoPackage& package, const Contents& contents) {
+    Layer layer{package,
+                {"nets",
+                 "Rockfall nets and barriers.",
+                 {{"net", ColumnType::text},
+                  {"height_m", ColumnType::number},
+                  {"gap_m", ColumnType::number},
+                  {"capacity_kj", ColumnType::number}},
+                 Form::line,
+                 {}}};
+    const Eigen::Vector2d origin_m = contents.site.origin_m();
+    for (const NetRecord& record : contents.site.nets) {
+        std::vector<Vertex> corners;
+        for (const Eigen::Vector2d& corner : record.net.line_m) {
+            corners.push_back({corner.x() + origin_m.x(), corner.y() + origin_m.y(), 0.0, 0.0});
+        }
+        const Geometry geometry = line(corners, {}, package.srs_id());
+        const std::string height = config::to_text(record.net.height_m);
+        const std::string gap = config::to_text(record.net.gap_m);
+        const std::string capacity = config::to_text(record.net.capacity_j / j_per_kj);
+        layer.add({record.name, height, gap, capacity}, &geometry);
+    }
+    layer.finish();
+}
+
 }  // namespace
 
 std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents) {
@@ -271,6 +296,9 @@ std::vector<Written> write_package(const std::filesystem::path& folder, const Co
     GeoPackage package{folder / "results.gpkg", spatial_reference(contents.site.projection)};
     if (!contents.site.targets.empty()) {
         add_targets(package, contents);
+    }
+    if (!contents.site.nets.empty()) {
+        add_nets(package, contents);
     }
     if (!contents.site.sources.empty()) {
         add_sources(package, contents);

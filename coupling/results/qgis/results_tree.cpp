@@ -135,6 +135,10 @@ void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
         add("Logs", single(mark, {"", brown, 0.8}), true);
     } else if (name == "log_hits") {
         add("Log hits", single(mark, {"", brown, 1.2}), false);
+    } else if (name == "nets") {
+        add("Nets", single(mark, {"", blue, 1.0}), true);
+    } else if (name == "net_crossings") {
+        add_by_cover(group, name, "Rocks at nets", mark, by_energy(mark, "energy_kj", 1.2), false);
     } else if (name == "removed_trees") {
         add("Trees that rocks removed", single(mark, {"", blue, 1.2}), false);
     } else {

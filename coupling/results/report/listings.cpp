@@ -54,6 +54,7 @@ constexpr std::array key_figure_rows{
               [](const SlopeFigures& s) { return stop_share(s, StopReason::caught); }},
     KeyFigure{"Stopped at a tree", [](const SlopeFigures& s) { return stop_share(s, StopReason::tree); }},
     KeyFigure{"Stopped at a lying log", [](const SlopeFigures& s) { return stop_share(s, StopReason::log); }},
+    KeyFigure{"Held by a net", [](const SlopeFigures& s) { return stop_share(s, StopReason::net); }},
     KeyFigure{"Left the terrain (not stopped)",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::left_terrain); }},
     KeyFigure{"Given up (too many impacts, not stopped)",

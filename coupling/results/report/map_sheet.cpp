@@ -190,6 +190,16 @@ std::string MapSheet::target_lines(bool halo) const {
         svg +=
             joined(std::string{"<path class=\""}, (halo ? "halo" : "target"), "\" d=\"", text.text(), "\"/>");
     }
+    for (const NetRecord& record : site_.nets) {
+        PathText text;
+        const std::vector<Eigen::Vector2d>& line = record.net.line_m;
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            const Eigen::Vector2d a = line[i] + origin_m;
+            const Eigen::Vector2d b = line[i + 1] + origin_m;
+            text.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
+        }
+        svg += joined(std::string{"<path class=\""}, (halo ? "halo" : "net"), "\" d=\"", text.text(), "\"/>");
+    }
     return svg;
 }
 

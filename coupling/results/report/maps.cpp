@@ -171,6 +171,7 @@ std::string MapPage::about() const {
                three_digits(results_.site.map_frame.cell_width_m),
                " m. Light of the hillshade from the north-west, 45° high. Thin outlines: release sources. "
                "Thick lines: targets.",
+               results_.site.nets.empty() ? "" : " Blue broken lines: nets.",
                results_.with_forest ? " Colours of a forest effect end at its 99th percentile." : "");
     if (sheet_.block() > 1) {
         const std::string side = std::to_string(sheet_.block());

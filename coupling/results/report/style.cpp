@@ -66,6 +66,8 @@ ul.names svg{width:30px;height:14px;flex:none}
 #sources .source{fill:none;stroke:#222;stroke-width:.5;vector-effect:non-scaling-stroke}
 #targets .halo{fill:none;stroke:#fff;stroke-width:5.5;stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
 #targets .target{fill:none;stroke:#111;stroke-width:2.4;stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
+.net-view .edge,.names .edge{stroke:var(--ink)}
+#targets .net{fill:none;stroke:#2458ad;stroke-width:2.8;stroke-dasharray:5 2;vector-effect:non-scaling-stroke}
 .sheet text.name{font-weight:700;stroke:#fff;stroke-width:6;stroke-linejoin:round;paint-order:stroke}
 .sheet .plate{fill:#fff;fill-opacity:.82}
 .sheet .filled{fill:#1d2528;stroke:#1d2528;stroke-width:1}

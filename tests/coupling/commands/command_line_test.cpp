@@ -78,8 +78,23 @@ TEST(CommandLine, TellsTheNearestWord) {
     EXPECT_EQ(message_of({"run", "a.ini", "--treads", "2"}),
               "found option '--treads' of run, expected '--threads'");
     EXPECT_EQ(message_of({"xyz"}),
-              "found command 'xyz', expected init, check, run, merge, compare, validate, stopping-table, info or completion; see "
+              "found command 'xyz', expected init, check, run, merge, compare, net, validate, "
+              "stopping-table, info or completion; see "
               "`bannwald --help`");
+}
+
+TEST(CommandLine, KnowsWhatToDoWithNets) {
+    const CommandLine line =
+        parse_command_line({"net", "place", "out", "--nets", "n.csv", "--distances", "20,0,10"});
+    EXPECT_EQ(line.action, "place");
+    EXPECT_EQ(line.argument, "out");
+    EXPECT_EQ(line.nets, "n.csv");
+    EXPECT_EQ(line.distances_m, (std::vector<double>{0.0, 10.0, 20.0}));
+    EXPECT_EQ(
+        message_of({"net"}),
+        "found `bannwald net` alone, expected `bannwald net try DIR --nets FILE`, or place instead of try");
+    EXPECT_NE(message_of({"net", "try", "out"}), "");
+    EXPECT_NE(message_of({"net", "try", "out", "--nets", "n.csv", "--distances", "1"}), "");
 }
 
 TEST(CommandLine, RefusesWhatACommandDoesNotTake) {

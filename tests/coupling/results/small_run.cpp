@@ -41,9 +41,18 @@ Site site() {
     config::GridFrame frame = frame_on_terrain;
     frame.x_west_m = west_m;
     frame.y_south_m = south_m;
-    Site made{
-        slope(), heights(frame), config::Raster<std::uint8_t>{frame, 0}, austria_lambert, frame, {}, {}, {}, {},
-        {},      nullptr};
+    Site made{slope(),
+              heights(frame),
+              config::Raster<std::uint8_t>{frame, 0},
+              austria_lambert,
+              frame,
+              {},
+              {},
+              {},
+              {},
+              {},
+              {},
+              nullptr};
     made.trees = {{"17", "PIAB", {west_m + 25.0, south_m + 45.0, 32.5, 24.0, 1.0}},
                   {"18", "ABAL", {west_m + 35.0, south_m + 45.0, 61.0, 31.5, 1.0}},
                   {"a,b", "FASY", {west_m + 45.0, south_m + 45.0, 12.0, 9.0, 1.0}}};
@@ -142,9 +151,10 @@ void SmallRun::fall(std::uint64_t count) {
 }
 
 RunResults SmallRun::results() const {
-    return {*scenario, site,     tally, {with_forest ? histograms[0].get() : nullptr, histograms[1].get()},
-            paths,     warnings, rocks, with_forest,
-            "0.1.0"};
+    return {
+        *scenario,   site,     tally,    {with_forest ? histograms[0].get() : nullptr, histograms[1].get()},
+        paths,       net_rows, warnings, rocks,
+        with_forest, "0.1.0"};
 }
 
 TestFolder::TestFolder() {

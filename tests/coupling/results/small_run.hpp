@@ -19,6 +19,7 @@ struct SmallRun {
     rockfall::EnsembleTally tally;
     std::array<std::unique_ptr<rockfall::CellHistograms>, rockfall::covers> histograms;
     std::vector<rockfall::PathRecord> paths;
+    std::vector<NetRow> net_rows;
     config::Warnings warnings;
     std::uint64_t rocks = 0;
     bool with_forest = true;

@@ -13,13 +13,15 @@ TEST(SharesByCause, AddUpToAllRocksAndTakeTheReasonsOfTheGroundTogether) {
     };
     stopped(rockfall::StopReason::at_rest, 100);
     stopped(rockfall::StopReason::caught, 150);
-    stopped(rockfall::StopReason::tree, 400);
+    stopped(rockfall::StopReason::tree, 370);
+    stopped(rockfall::StopReason::net, 30);
     stopped(rockfall::StopReason::log, 50);
     stopped(rockfall::StopReason::left_terrain, 299);
     stopped(rockfall::StopReason::gave_up, 1);
     const auto shares = shares_by_cause(slope);
     const auto part = [&](StopCause cause) { return shares[static_cast<std::size_t>(cause)].part; };
-    EXPECT_EQ(part(StopCause::tree), 400U);
+    EXPECT_EQ(part(StopCause::tree), 370U);
+    EXPECT_EQ(part(StopCause::net), 30U);
     EXPECT_EQ(part(StopCause::log), 50U);
     EXPECT_EQ(part(StopCause::ground), 250U);
     EXPECT_EQ(part(StopCause::left_terrain), 299U);

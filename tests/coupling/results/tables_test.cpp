@@ -58,6 +58,7 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
                                            "gave_up",
                                            "stopped_by_tree",
                                            "stopped_by_log",
+                                           "stopped_by_net",
                                            "reached_bare",
                                            "reached_forest",
                                            "reached_both",

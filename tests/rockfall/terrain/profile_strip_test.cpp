@@ -113,6 +113,7 @@ struct EnergyWatch {
     void impacted(const Eigen::Vector3d&) {}
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
     void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) {}
+    void crossed_net(const Eigen::Vector3d&, const NetCrossing&) {}
 };
 
 RC_GTEST_PROP(FallAlongAProfile, NeverGainsEnergyWhileItRolls, ()) {

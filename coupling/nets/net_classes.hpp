@@ -1,0 +1,21 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace coupling {
+
+/// An energy class of nets: config/data/net_classes.csv.
+struct NetClass {
+    std::string name;
+    double mel_kj = std::numeric_limits<double>::infinity();  ///< infinite: an open class
+};
+
+/// All classes, weakest first, the open one last.
+const std::vector<NetClass>& net_classes();
+
+/// The weakest class that takes an energy.
+const NetClass& class_for(double energy_kj);
+
+}  // namespace coupling

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "coupling/results/table_layout.hpp"
+
+namespace coupling {
+
+/// nets.csv, net_needs.csv and net_crossings.csv.
+std::vector<TableLayout> net_layouts();
+
+/// net_inexact.csv, which `bannwald net try` writes beside them.
+std::vector<TableLayout> net_try_layouts();
+
+/// net_places.csv, which `bannwald net place` writes.
+std::vector<TableLayout> net_place_layouts();
+
+}  // namespace coupling

@@ -1,0 +1,221 @@
+#include "coupling/nets/net_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/nets/net_drawing.hpp"
+#include "coupling/nets/net_tables.hpp"
+#include "coupling/results/colours.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::report {
+namespace {
+
+constexpr double j_per_kj = 1000.0;
+/// Where the axis of energy begins: a rock of less is as good as at rest.
+constexpr double least_kj = 0.1;
+
+const char* title_of(Cover cover) {
+    return cover == Cover::forest ? "with forest" : "bare slope";
+}
+
+/// Crossings of a net on one slope; each rock once, as it first crosses the line.
+std::vector<const NetRow*> rows_at(const RunResults& results, std::uint32_t net, Cover cover) {
+    std::vector<const NetRow*> rows;
+    for (const NetRow& row : results.net_rows) {
+        if (row.crossing.net == net && row.cover == cover && row.crossing.first) {
+            rows.push_back(&row);
+        }
+    }
+    return rows;
+}
+
+template <class Value>
+std::vector<double> counted_in(const std::vector<double>& edges, const std::vector<const NetRow*>& rows,
+                               const Value& value_of, std::uint64_t rocks) {
+    std::vector<double> shares(edges.size() - 1);
+    for (const NetRow* row : rows) {
+        const auto above = std::upper_bound(edges.begin(), edges.end(), value_of(*row));
+        const auto bin = std::clamp<std::ptrdiff_t>(above - edges.begin() - 1, 0,
+                                                    static_cast<std::ptrdiff_t>(shares.size()) - 1);
+        shares[static_cast<std::size_t>(bin)] +=
+            100.0 / static_cast<double>(std::max<std::uint64_t>(1, rocks));
+    }
+    return shares;
+}
+
+template <class Value>
+std::string histogram(const RunResults& results, std::uint32_t net, const std::string& title, Axis x,
+                      const std::vector<double>& edges, const Value& value_of, bool with_classes) {
+    std::vector<Cover> covers = covers_of(results);
+    std::reverse(covers.begin(), covers.end());  // the forest is drawn over the bare slope
+    std::vector<std::vector<double>> heights;
+    double highest = 0.0;
+    for (const Cover cover : covers) {
+        heights.push_back(counted_in(edges, rows_at(results, net, cover), value_of,
+                                     results.tally.runs[index_of(cover)].rocks));
+        highest = std::max(highest, *std::max_element(heights.back().begin(), heights.back().end()));
+    }
+    Chart chart{title, std::move(x), Axis::from_zero("% of all rocks", std::max(highest, 1e-6))};
+    for (std::size_t i = 0; i < covers.size(); ++i) {
+        chart.add_steps(name_of(covers[i]), edges, heights[i]);
+        chart.add_name(name_of(covers[i]), title_of(covers[i]));
+    }
+    if (with_classes) {
+        chart.add_mark(energy_class_limits_kj[0], "30 kJ");
+        chart.add_mark(energy_class_limits_kj[1], "300 kJ");
+        chart.add_mark(results.site.nets[net].net.capacity_j / j_per_kj, "net");
+    } else {
+        chart.add_mark(results.site.nets[net].net.height_m, "net");
+    }
+    return chart.figure(
+        "Each rock as it first comes to the net; the first and the last bar take all below and above.");
+}
+
+std::string histograms(const RunResults& results, std::uint32_t net) {
+    const rockfall::Net& wall = results.site.nets[net].net;
+    double most_kj = wall.capacity_j / j_per_kj;
+    double most_m = 0.0;
+    for (const Cover cover : covers_of(results)) {
+        most_m = std::max(most_m, drawn_height_m(wall, rows_at(results, net, cover)));
+    }
+    for (const NetRow& row : results.net_rows) {
+        if (row.crossing.net == net) {
+            most_kj = std::max(most_kj, static_cast<double>(row.crossing.energy_j) / j_per_kj);
+        }
+    }
+    Axis energy = Axis::powers_of_ten("Energy in front of the net, kJ", least_kj, std::max(1.0, most_kj));
+    constexpr int bars_a_decade = 8;
+    const int bars = static_cast<int>(std::lround(bars_a_decade * std::log10(energy.high / energy.low)));
+    std::vector<double> energy_edges;
+    for (int i = 0; i <= bars; ++i) {
+        energy_edges.push_back(energy.low * std::pow(10.0, static_cast<double>(i) / bars_a_decade));
+    }
+    Axis height = Axis::from_zero("Centre of the rock above the ground, m", most_m);
+    std::vector<double> height_edges;
+    constexpr int steps = 30;
+    for (int i = 0; i <= steps; ++i) {
+        height_edges.push_back(height.high * static_cast<double>(i) / steps);
+    }
+    return joined(
+        "<div class=\"halves\">",
+        histogram(
+            results, net, "Energy at the net", std::move(energy), energy_edges,
+            [](const NetRow& row) { return static_cast<double>(row.crossing.energy_j) / j_per_kj; }, true),
+        histogram(
+            results, net, "Height at the net", std::move(height), height_edges,
+            [](const NetRow& row) { return static_cast<double>(row.crossing.height_m); }, false),
+        "</div>\n");
+}
+
+std::string with_interval(const Share& share) {
+    return share.whole == 0 ? "–"
+                            : joined(percent(share.value), " (", percent(share.interval.low), " to ",
+                                     percent(share.interval.high), ")");
+}
+
+std::string with_interval(const QuantileEstimate& estimate) {
+    if (std::isnan(estimate.value)) {
+        return "–";
+    }
+    const std::string high =
+        std::isfinite(estimate.interval.high) ? three_digits(estimate.interval.high) : "not known";
+    return joined(three_digits(estimate.value), " (", three_digits(estimate.interval.low), " to ", high, ")");
+}
+
+std::string need_in_words(const NetFigures& figures) {
+    if (figures.needs.empty()) {
+        return "–";
+    }
+    const NetNeed& need = figures.needs[figures.recommended];
+    const std::string level = std::isfinite(need.mel_kj)
+                                  ? joined(grouped(static_cast<std::uint64_t>(need.mel_kj)), " kJ")
+                                  : joined("above 4 500 kJ: ", three_digits(figures.energy_needed_kj), " kJ");
+    return joined("class ", escaped(need.energy_class), " (", level, "), ",
+                  need.height_m ? fixed(*need.height_m, 1) : std::string{"–"}, " m high");
+}
+
+std::string key_figures_of(const RunResults& results, const std::vector<NetFigures>& figures) {
+    std::vector<std::string> head{"Rocks"};
+    for (const NetFigures& of : figures) {
+        head.emplace_back(title_of(of.cover));
+    }
+    HtmlTable table{
+        "Shares with 95 % intervals; held, over, below and broken through are shares of the rocks that "
+        "reach the net.",
+        head};
+    const auto row = [&](const std::string& name, const auto& text_of) {
+        std::vector<std::string> cells{name};
+        for (const NetFigures& of : figures) {
+            cells.push_back(text_of(of));
+        }
+        table.row(cells);
+    };
+    row("Reach the net", [](const NetFigures& of) {
+        return joined(grouped(of.reached.part), ", ", with_interval(of.reached));
+    });
+    const std::array<const char*, rockfall::net_outcomes> words{"Held", "Pass over", "Pass below",
+                                                                "Break through"};
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        row(words[i], [&](const NetFigures& of) { return with_interval(of.outcome[i]); });
+    }
+    const auto number = [](double value) { return std::isnan(value) ? "–" : three_digits(value); };
+    for (const auto& [name, quantity] : {std::pair{"Energy, kJ: ", &NetFigures::energy_kj},
+                                         std::pair{"Height of the centre, m: ", &NetFigures::height_m}}) {
+        row(joined(name, "mean"), [&](const NetFigures& of) { return number((of.*quantity).mean); });
+        row(joined(name, "median"), [&](const NetFigures& of) { return number((of.*quantity).p50); });
+        row(joined(name, "90 %"), [&](const NetFigures& of) { return number((of.*quantity).p90); });
+        row(joined(name, "95 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p95); });
+        row(joined(name, "99 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p99); });
+    }
+    row(joined("To hold ", percent(results.scenario.nets.wanted_share)), need_in_words);
+    return joined("<div class=\"wide\">", table.html(), "</div>\n");
+}
+
+std::string one_net(const RunResults& results, std::uint32_t net, const std::vector<NetFigures>& all) {
+    const NetRecord& record = results.site.nets[net];
+    std::vector<NetFigures> figures;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(figures),
+                 [&](const NetFigures& of) { return of.net == net; });
+    std::string html = joined(
+        "<h3>", escaped(record.name), "</h3>\n<p>", three_digits(length_m(record.net)), " m long, ",
+        three_digits(record.net.height_m), " m high, takes ", three_digits(record.net.capacity_j / j_per_kj),
+        " kJ", record.energy_class.empty() ? "" : joined(" (class ", escaped(record.energy_class), ")"),
+        record.net.gap_m > 0.0 ? joined(", gap of ", three_digits(record.net.gap_m), " m at the ground") : "",
+        ".</p>\n");
+    for (const NetFigures& of : figures) {
+        const std::vector<const NetRow*> rows = rows_at(results, net, of.cover);
+        const std::string caption = rows.size() > most_drawn_rocks
+                                        ? joined(grouped(most_drawn_rocks), " of ", grouped(rows.size()),
+                                                 " rocks, evenly chosen; places of their centres.")
+                                        : joined(grouped(rows.size()), " rocks; places of their centres.");
+        html += developed_view(record, rows, joined(record.name, ", ", title_of(of.cover)), caption);
+    }
+    return joined(html, histograms(results, net), key_figures_of(results, figures));
+}
+
+}  // namespace
+
+std::string nets(const RunResults& results) {
+    if (results.site.nets.empty()) {
+        return "";
+    }
+    const std::vector<NetFigures> figures = net_figures(results);
+    std::string html = joined(
+        "<h2>Nets</h2>\n<p>Nets are works, not forest: they stand on the bare slope too, so that the "
+        "protection "
+        "effect above compares forest and no forest behind the same nets. Each rock meets intact nets. It "
+        "passes over where its centre is above the upper edge, below where all of it fits under the lower "
+        "one; "
+        "more energy than the net takes breaks through and goes on with the rest.</p>\n",
+        developed_view_legend());
+    for (std::uint32_t net = 0; net < results.site.nets.size(); ++net) {
+        html += one_net(results, net, figures);
+    }
+    return html;
+}
+
+}  // namespace coupling::report

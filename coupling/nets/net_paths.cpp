@@ -1,0 +1,229 @@
+#include "coupling/nets/net_paths.hpp"
+
+#include <omp.h>
+
+#include <atomic>
+
+#include "coupling/run/byte_archive.hpp"
+#include "coupling/run/first_error.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "rockfall/one_slope.hpp"
+#include "rockfall/trajectory.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr std::uint64_t magic = 0x31305054'454E4E42ULL;  // "BNNETP01", least byte first
+enum class Mark : std::uint8_t { end, path };
+
+/// Keeps what a rock does, piece by piece.
+struct PathKeeper {
+    std::vector<StoredPiece> pieces;
+
+    void flew(const rockfall::Rock&, const rockfall::Flight& flight, double until_s,
+              std::span<const rockfall::Stretch> stretches, double spin_radps) {
+        if (!stretches.empty()) {
+            pieces.push_back({stretches.back().triangle, true, false, flight.start_m, flight.velocity_mps,
+                              until_s, spin_radps});
+        }
+    }
+    void rolled(const rockfall::Rock&, const rockfall::RollingPiece& piece, std::uint32_t triangle) {
+        const rockfall::StraightWay way = rockfall::StraightWay::of(piece);
+        pieces.push_back({triangle, false, way.slides, way.start_m, way.end_m, way.squared_speed_start,
+                          way.squared_speed_end});
+    }
+    void impacted(const Eigen::Vector3d&) {}
+    void met_stem(const Eigen::Vector3d&, const rockfall::StemHit&, const rockfall::TreeImpact&, double) {}
+    void met_log(const Eigen::Vector3d&, const rockfall::LogHit&, const rockfall::LogImpact&, double) {}
+    void crossed_net(const Eigen::Vector3d&, const rockfall::NetCrossing&) {}
+};
+
+void write(ByteWriter& out, const Eigen::Vector3d& place) {
+    for (const double v : {place.x(), place.y(), place.z()}) {
+        out.value(v);
+    }
+}
+
+Eigen::Vector3d read_place(ByteReader& in) {
+    Eigen::Vector3d place;
+    for (int axis = 0; axis < 3; ++axis) {
+        place[axis] = in.value<double>();
+    }
+    return place;
+}
+
+void write(ByteWriter& out, const StoredPath& path) {
+    out.value(Mark::path);
+    out.value(path.rock);
+    out.value(path.cover);
+    for (const double v :
+         {path.body.diameter_m, path.body.radius_m, path.body.mass_kg, path.body.inertia_kgm2}) {
+        out.value(v);
+    }
+    out.value(static_cast<std::uint64_t>(path.pieces.size()));
+    for (const StoredPiece& piece : path.pieces) {
+        out.value(piece.triangle);
+        out.value(static_cast<std::uint8_t>((piece.flies ? 1 : 0) + (piece.slides ? 2 : 0)));
+        write(out, piece.start_m);
+        write(out, piece.other);
+        out.value(piece.first);
+        out.value(piece.second);
+    }
+}
+
+StoredPath read_path(ByteReader& in) {
+    StoredPath path;
+    path.rock = in.value<std::uint64_t>();
+    path.cover = in.value<rockfall::Cover>();
+    for (double* v :
+         {&path.body.diameter_m, &path.body.radius_m, &path.body.mass_kg, &path.body.inertia_kgm2}) {
+        *v = in.value<double>();
+    }
+    path.pieces.resize(in.count_of(69));
+    for (StoredPiece& piece : path.pieces) {
+        piece.triangle = in.value<std::uint32_t>();
+        const auto kind = in.value<std::uint8_t>();
+        piece.flies = (kind & 1U) != 0;
+        piece.slides = (kind & 2U) != 0;
+        piece.start_m = read_place(in);
+        piece.other = read_place(in);
+        piece.first = in.value<double>();
+        piece.second = in.value<double>();
+    }
+    return path;
+}
+
+void write(ByteWriter& out, const PathsHead& head) {
+    out.value(magic);
+    out.text(head.version);
+    out.value(head.seed);
+    out.value(head.wanted_share);
+    out.value(static_cast<std::uint8_t>(head.with_forest ? 1 : 0));
+    out.value(static_cast<std::uint64_t>(head.inputs.size()));
+    for (const InputFile& input : head.inputs) {
+        out.text(input.role);
+        out.text(input.name);
+        out.text(input.hash);
+        out.value(input.bytes);
+    }
+    for (const std::uint64_t rocks : head.rocks) {
+        out.value(rocks);
+    }
+}
+
+PathsHead read_head(ByteReader& in) {
+    PathsHead head;
+    head.version = in.text();
+    head.seed = in.value<std::uint64_t>();
+    head.wanted_share = in.value<double>();
+    head.with_forest = in.value<std::uint8_t>() != 0;
+    head.inputs.resize(in.count_of(32));
+    for (InputFile& input : head.inputs) {
+        input.role = in.text();
+        input.name = in.text();
+        input.hash = in.text();
+        input.bytes = in.value<std::uint64_t>();
+    }
+    for (std::uint64_t& rocks : head.rocks) {
+        rocks = in.value<std::uint64_t>();
+    }
+    return head;
+}
+
+}  // namespace
+
+Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
+                      const rockfall::Assessment& assessment, int threads) {
+    ByteWriter out{file};
+    write(out, head);
+    out.value(assessment.slope.terrain.origin_m().x());
+    out.value(assessment.slope.terrain.origin_m().y());
+    out.list(assessment.slope.terrain.vertices());
+    out.list(assessment.slope.terrain.triangles());
+    const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(assessment.sources);
+    const auto count = static_cast<std::int64_t>(chunks.size());
+    FirstError error;
+    std::atomic<bool> interrupted = false;
+#pragma omp parallel num_threads(threads)
+    {
+        rockfall::FallScratch scratch;
+        rockfall::ChunkRows rows;
+        PathKeeper keeper;
+        std::vector<StoredPath> paths;
+#pragma omp for ordered schedule(dynamic, 1)
+        for (std::int64_t i = 0; i < count; ++i) {
+            paths.clear();
+            if (InterruptGuard::requested()) {
+                interrupted = true;
+            }
+            if (!interrupted) {
+                error.guard([&] {
+                    rockfall::each_start(
+                        assessment, chunks[static_cast<std::size_t>(i)], rows,
+                        [&](const rockfall::RockStart& start) {
+                            for (const rockfall::Cover cover :
+                                 {rockfall::Cover::forest, rockfall::Cover::bare}) {
+                                if (cover == rockfall::Cover::forest && !head.with_forest) {
+                                    continue;
+                                }
+                                rockfall::Obstacles obstacles = assessment.obstacles(cover, {});
+                                obstacles.nets = nullptr;
+                                const config::StreamKey key{assessment.seed, assessment.replicate,
+                                                            assessment.year, start.id};
+                                keeper.pieces.clear();
+                                rockfall::fall(assessment.slope, obstacles, assessment.law, key, start,
+                                               scratch, keeper);
+                                paths.push_back({start.id, cover, start.rock, keeper.pieces});
+                            }
+                        });
+                });
+            }
+#pragma omp ordered
+            {
+                if (!interrupted) {
+                    error.guard([&] {
+                        for (const StoredPath& path : paths) {
+                            write(out, path);
+                        }
+                    });
+                }
+            }
+        }
+    }
+    error.rethrow();
+    out.value(Mark::end);
+    out.close();
+    return interrupted ? Ended::interrupted : Ended::done;
+}
+
+struct NetPathsReader::Bytes {
+    ByteReader in;
+};
+
+NetPathsReader::NetPathsReader(const std::filesystem::path& file) : bytes_{new Bytes{ByteReader{file}}} {
+    ByteReader& in = bytes_->in;
+    if (in.value<std::uint64_t>() != magic) {
+        config::fail(config::ExitCode::file, {file.string()}, "no stored paths of this version",
+                     "net_paths.bin of a run with nets.keep_paths = yes");
+    }
+    head_ = read_head(in);
+    const auto x_m = in.value<double>();
+    const auto y_m = in.value<double>();
+    auto vertices = in.list<rockfall::Vertex>();
+    auto triangles = in.list<rockfall::Triangle>();
+    terrain_ = std::make_unique<rockfall::Terrain>(Eigen::Vector2d{x_m, y_m}, std::move(vertices),
+                                                   std::move(triangles));
+}
+
+NetPathsReader::NetPathsReader(NetPathsReader&& other) noexcept = default;
+NetPathsReader::~NetPathsReader() = default;
+
+void NetPathsReader::each(const std::function<void(const StoredPath&)>& look) {
+    ByteReader& in = bytes_->in;
+    while (in.value<Mark>() == Mark::path) {
+        look(read_path(in));
+    }
+    in.check_end();
+}
+
+}  // namespace coupling

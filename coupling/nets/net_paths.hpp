@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupling/inputs/site.hpp"
+#include "coupling/run/fall_rocks.hpp"
+#include "rockfall/ensemble.hpp"
+#include "rockfall/rock.hpp"
+#include "rockfall/terrain/terrain.hpp"
+
+namespace coupling {
+
+/// A flight or a piece on the ground of a stored path, in coordinates of the terrain.
+struct StoredPiece {
+    std::uint32_t triangle = 0;  ///< under its end
+    bool flies = false;
+    bool slides = false;  ///< on the ground: without spin
+    Eigen::Vector3d start_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d other = Eigen::Vector3d::Zero();  ///< flight: velocity [m/s]; ground: end [m]
+    double first = 0.0;   ///< flight: duration [s]; ground: square of the speed at the start [m2/s2]
+    double second = 0.0;  ///< flight: spin [rad/s]; ground: square of the speed at the end
+};
+
+/// The path of a rock over a slope without nets.
+struct StoredPath {
+    std::uint64_t rock = 0;
+    rockfall::Cover cover = rockfall::Cover::bare;
+    rockfall::Rock body;
+    std::vector<StoredPiece> pieces;
+};
+
+/// What stands before the paths in the file.
+struct PathsHead {
+    std::string version;            ///< of the program
+    std::vector<InputFile> inputs;  ///< of the run
+    std::uint64_t seed = 0;
+    double wanted_share = 0.95;
+    bool with_forest = false;
+    std::array<std::uint64_t, rockfall::covers> rocks{};  ///< that fell on each slope
+};
+
+/// Lets all rocks of an assessment fall without nets and writes their paths to a file: paths that no net has
+/// changed, from which any set of nets can be looked at. Done or interrupted; an interrupted file is not
+/// whole.
+Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
+                      const rockfall::Assessment& assessment, int threads);
+
+/// Reads the file back, path by path. Throws InputError (file) where it is cut off, damaged or none.
+class NetPathsReader {
+public:
+    explicit NetPathsReader(const std::filesystem::path& file);
+    NetPathsReader(NetPathsReader&& other) noexcept;
+    ~NetPathsReader();
+    [[nodiscard]] const PathsHead& head() const { return head_; }
+    [[nodiscard]] const rockfall::Terrain& terrain() const { return *terrain_; }
+    /// Calls `look` with each path, and makes sure at the end that the file is whole.
+    void each(const std::function<void(const StoredPath&)>& look);
+
+private:
+    struct Bytes;
+    std::unique_ptr<Bytes> bytes_;
+    PathsHead head_;
+    std::unique_ptr<rockfall::Terrain> terrain_;
+};
+
+}  // namespace coupling

@@ -1,0 +1,237 @@
+#include "coupling/nets/net_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "config/table/table.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/nets/net_input.hpp"
+#include "coupling/nets/net_layouts.hpp"
+#include "coupling/nets/net_try.hpp"
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/out_file.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr double j_per_kj = 1000.0;
+constexpr double percent = 100.0;
+/// So far apart lie the places along a line at which the ground is asked which way is uphill.
+constexpr double gradient_step_m = 2.0;
+/// A net so low that every rock passes over: it only tells who crosses.
+constexpr double no_height_m = 1e-9;
+
+std::vector<rockfall::Net> lines_alone(std::span<const NetRecord> lines) {
+    std::vector<rockfall::Net> alone;
+    for (const NetRecord& record : lines) {
+        alone.push_back({record.net.line_m, no_height_m, 0.0, record.net.capacity_j});
+    }
+    return alone;
+}
+
+/// The places of all lines that lie wholly on the terrain; what is left out becomes a remark.
+std::vector<NetPlace> places_of(std::span<const NetRecord> lines, std::span<const double> distances_m,
+                                const rockfall::Terrain& terrain, std::vector<std::string>& remarks) {
+    std::vector<NetPlace> places;
+    for (std::uint32_t line = 0; line < lines.size(); ++line) {
+        const auto uphill = uphill_across(lines[line].net, terrain);
+        if (!uphill) {
+            remarks.push_back(joined(lines[line].name, ": the ground is level there, no way is uphill"));
+            continue;
+        }
+        for (const double distance_m : distances_m) {
+            NetPlace place{line, distance_m, lines[line].net};
+            for (Eigen::Vector2d& corner : place.net.line_m) {
+                corner += distance_m * *uphill;
+            }
+            if (first_place_off_ground(place.net, terrain)) {
+                remarks.push_back(joined(lines[line].name, ": ", config::to_text(distance_m),
+                                         " m upslope it leaves the terrain, left out"));
+            } else {
+                places.push_back(std::move(place));
+            }
+        }
+    }
+    return places;
+}
+
+void write_places(std::ostream& out, std::span<const NetRecord> lines, std::span<const NetPlace> places,
+                  const PlaceTrial& trial, const PathsHead& head, std::span<const bool> is_best) {
+    write_header(out, net_place_layouts(), "net_places.csv");
+    CsvRow row{out};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (const Cover cover : all_covers) {
+            if (cover == Cover::forest && !head.with_forest) {
+                continue;
+            }
+            const PlaceFigures of = trial.figures(i, cover, head);
+            row.text(lines[places[i].line].name).number<1>(places[i].distance_m).text(name_of(cover));
+            row.whole(of.arrive.whole).whole(of.arrive.part).whole(of.kept.part);
+            row.number<4>(percent * of.kept.value).number<4>(of.residual_kj);
+            row.whole(of.at_net.reached.part).number<4>(percent * of.at_net.outcome[0].value);
+            row.number<3>(of.at_net.energy_kj.p95.value).number<3>(of.at_net.energy_kj.p99.value);
+            row.number<3>(of.at_net.height_m.p95.value).number<3>(of.at_net.height_m.p99.value);
+            if (of.at_net.needs.empty()) {
+                row.empty().empty();
+            } else {
+                const NetNeed& need = of.at_net.needs[of.at_net.recommended];
+                row.text(need.energy_class)
+                    .number<1>(need.height_m.value_or(std::numeric_limits<double>::quiet_NaN()));
+            }
+            row.text(is_best[i] ? "yes" : "no");
+            row.end();
+        }
+    }
+}
+
+/// A table of nets as nets.file takes it.
+void write_best(std::ostream& out, std::span<const NetRecord> lines, std::span<const NetPlace> places,
+                std::span<const bool> is_best, const Eigen::Vector2d& origin_m) {
+    out << "name,height_m,capacity_kj,gap_m,wkt\n";
+    CsvRow row{out};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!is_best[i]) {
+            continue;
+        }
+        const rockfall::Net& net = places[i].net;
+        std::string wkt = "LINESTRING (";
+        for (const Eigen::Vector2d& corner : net.line_m) {
+            wkt += joined(wkt.ends_with('(') ? "" : ", ", config::to_text(corner.x() + origin_m.x()), " ",
+                          config::to_text(corner.y() + origin_m.y()));
+        }
+        row.text(lines[places[i].line].name).number<2>(net.height_m);
+        row.number<3>(net.capacity_j / j_per_kj).number<2>(net.gap_m).text(wkt + ')');
+        row.end();
+    }
+}
+
+}  // namespace
+
+std::vector<double> usual_net_distances_m() {
+    std::vector<double> distances_m;
+    for (int i = 1; i <= 15; ++i) {
+        distances_m.push_back(10.0 * i);
+    }
+    return distances_m;
+}
+
+std::optional<Eigen::Vector2d> uphill_across(const rockfall::Net& net, const rockfall::Terrain& terrain) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i + 1 < net.line_m.size(); ++i) {
+        const Eigen::Vector2d way_m = net.line_m[i + 1] - net.line_m[i];
+        const double length_m = way_m.norm();
+        const int steps = static_cast<int>(std::ceil(length_m / gradient_step_m));
+        for (int k = 0; k < steps; ++k) {
+            const Eigen::Vector2d place = net.line_m[i] + (k + 0.5) / steps * way_m;
+            if (const auto triangle = terrain.locate(place.x(), place.y())) {
+                sum += length_m / steps * terrain.plane_of(*triangle).gradient;
+            }
+        }
+    }
+    constexpr double level = 1e-3;  // of the mean gradient
+    return sum.norm() < level * length_m(net) ? std::nullopt : std::optional{sum.normalized()};
+}
+
+PlaceTrial::PlaceTrial(std::span<const NetRecord> lines, std::span<const NetPlace> places,
+                       const rockfall::Terrain& terrain)
+    : places_{places}, terrain_{terrain}, lines_{lines_alone(lines)}, arrive_(lines.size()) {
+    for (const NetPlace& place : places) {
+        at_.push_back({rockfall::NetIndex{std::span{&place.net, 1}}, {}, {}, {}});
+    }
+}
+
+void PlaceTrial::look(const StoredPath& path) {
+    const auto cover = static_cast<std::size_t>(path.cover);
+    TriedNets on_lines;
+    try_nets(lines_, terrain_, path, on_lines);
+    std::vector<const NetRow*> arrival(arrive_.size(), nullptr);
+    for (const NetRow& row : on_lines.rows) {
+        if (row.crossing.first) {
+            arrival[row.crossing.net] = &row;
+            ++arrive_[row.crossing.net][cover];
+        }
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        TriedNets tried;
+        try_nets(at_[i].net, terrain_, path, tried);
+        at_[i].rows.insert(at_[i].rows.end(), tried.rows.begin(), tried.rows.end());
+        const NetRow* const arrives = arrival[places_[i].line];
+        if (arrives == nullptr) {
+            continue;
+        }
+        const bool held =
+            !tried.rows.empty() && tried.rows.back().crossing.outcome == rockfall::NetOutcome::held;
+        if (held) {
+            ++at_[i].kept[cover];
+        } else {
+            at_[i].residual_j[cover] += static_cast<double>(arrives->crossing.energy_j);
+        }
+    }
+}
+
+PlaceFigures PlaceTrial::figures(std::size_t place, rockfall::Cover cover, const PathsHead& head) const {
+    const auto c = static_cast<std::size_t>(cover);
+    const std::vector<NetRecord> one{{"", "", places_[place].net}};
+    PlaceFigures figures;
+    figures.at_net = net_figures(one, at_[place].rows, cover, head.rocks[c], head.wanted_share).front();
+    const std::uint64_t arrive = arrive_[places_[place].line][c];
+    figures.arrive = share_of(arrive, head.rocks[c]);
+    figures.kept = share_of(at_[place].kept[c], arrive);
+    figures.residual_kj =
+        head.rocks[c] == 0 ? 0.0 : at_[place].residual_j[c] / j_per_kj / static_cast<double>(head.rocks[c]);
+    return figures;
+}
+
+void place_nets(const NetPlaceRequest& request, std::ostream& out) {
+    NetPathsReader paths = paths_of_run(request.run);
+    const std::vector<NetRecord> lines = nets_on(request.nets, paths.terrain());
+    std::vector<std::string> remarks;
+    const std::vector<double> distances_m =
+        request.distances_m.empty() ? usual_net_distances_m() : request.distances_m;
+    const std::vector<NetPlace> places = places_of(lines, distances_m, paths.terrain(), remarks);
+    const std::filesystem::path folder = request.out.empty() ? request.run / "net_place" : request.out;
+    refuse_full_folder(folder, request.overwrite);
+
+    PlaceTrial trial{lines, places, paths.terrain()};
+    paths.each([&](const StoredPath& path) { trial.look(path); });
+    const PathsHead& head = paths.head();
+    const Cover judged = head.with_forest ? Cover::forest : Cover::bare;
+    const auto is_best = std::make_unique<bool[]>(places.size());
+    for (std::uint32_t line = 0; line < lines.size(); ++line) {
+        std::optional<std::size_t> best;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (places[i].line == line && (!best || trial.figures(i, judged, head).residual_kj <
+                                                        trial.figures(*best, judged, head).residual_kj)) {
+                best = i;
+            }
+        }
+        if (best) {
+            is_best[*best] = true;
+            const PlaceFigures of = trial.figures(*best, judged, head);
+            remarks.push_back(joined(lines[line].name, ": ", config::to_text(places[*best].distance_m),
+                                     " m upslope, keeps ", std::to_string(of.kept.part), " of ",
+                                     std::to_string(of.kept.whole), " rocks from the line, leaves ",
+                                     report::three_digits(of.residual_kj), " kJ a rock"));
+        }
+    }
+    const std::span<const bool> best_of_all{is_best.get(), places.size()};
+    make_folder(folder);
+    OutFile table{folder / "net_places.csv"};
+    write_places(table.stream(), lines, places, trial, head, best_of_all);
+    table.close();
+    OutFile nets{folder / "nets.csv"};
+    write_best(nets.stream(), lines, places, best_of_all, paths.terrain().origin_m());
+    nets.close();
+    if (!request.quiet) {
+        for (const std::string& remark : remarks) {
+            out << remark << '\n';
+        }
+        out << folder.string() << '\n';
+    }
+}
+
+}  // namespace coupling

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/nets/net_figures.hpp"
+#include "coupling/nets/net_paths.hpp"
+#include "coupling/nets/net_record.hpp"
+
+namespace coupling {
+
+/// Distances upslope of a line at which nets are looked at unless others are asked for [m].
+std::vector<double> usual_net_distances_m();
+
+/// A net somewhere upslope of the line that it is to protect.
+struct NetPlace {
+    std::uint32_t line;  ///< which of the given lines
+    double distance_m;   ///< in plan, upslope of it; 0: on it
+    rockfall::Net net;
+};
+
+/// The unit vector in plan that leads uphill across a line, from the mean gradient of the ground below it;
+/// nothing on level ground.
+std::optional<Eigen::Vector2d> uphill_across(const rockfall::Net& net, const rockfall::Terrain& terrain);
+
+/// What a place is worth on one slope.
+struct PlaceFigures {
+    NetFigures at_net;
+    Share arrive;              ///< rocks that reach the line without any net, of all that fell
+    Share kept;                ///< those of them that the net here holds
+    double residual_kj = 0.0;  ///< energy on the line of those that it does not hold, per rock that fell
+};
+
+/// Follows rocks past the lines and past the net at each place alone, path by path.
+class PlaceTrial {
+public:
+    PlaceTrial(std::span<const NetRecord> lines, std::span<const NetPlace> places,
+               const rockfall::Terrain& terrain);
+    void look(const StoredPath& path);
+    [[nodiscard]] PlaceFigures figures(std::size_t place, rockfall::Cover cover, const PathsHead& head) const;
+
+private:
+    struct AtPlace {
+        rockfall::NetIndex net;
+        std::vector<NetRow> rows;
+        std::array<std::uint64_t, rockfall::covers> kept{};
+        std::array<double, rockfall::covers> residual_j{};
+    };
+    std::span<const NetPlace> places_;
+    const rockfall::Terrain& terrain_;
+    rockfall::NetIndex lines_;  ///< so low that all pass over
+    std::vector<AtPlace> at_;
+    std::vector<std::array<std::uint64_t, rockfall::covers>> arrive_;  ///< by line
+};
+
+/// What is asked of `bannwald net place`.
+struct NetPlaceRequest {
+    std::filesystem::path run;   ///< folder of a finished run with stored paths
+    std::filesystem::path nets;  ///< table of nets: the lines to protect, and what the nets would be
+    std::filesystem::path out;   ///< empty: run/net_place
+    std::vector<double> distances_m;
+    bool overwrite = false;
+    bool quiet = false;
+};
+
+/// Looks for the place upslope of each line at which its net leaves the least energy to the line. Writes
+/// net_places.csv and nets.csv with the best place of each, ready for nets.file. Throws InputError.
+void place_nets(const NetPlaceRequest& request, std::ostream& out);
+
+}  // namespace coupling

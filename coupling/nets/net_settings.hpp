@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace coupling {
+
+/// The settings of section [nets].
+struct NetSettings {
+    std::string file;            ///< CSV of nets; empty: none
+    double wanted_share = 0.95;  ///< share of the rocks that a net should be able to hold [-]
+    bool keep_paths = false;     ///< paths of all rocks without nets go into net_paths.bin
+};
+
+}  // namespace coupling

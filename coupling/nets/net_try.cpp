@@ -1,0 +1,207 @@
+#include "coupling/nets/net_try.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/nets/net_input.hpp"
+#include "coupling/nets/net_layouts.hpp"
+#include "coupling/nets/net_tables.hpp"
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/out_file.hpp"
+#include "coupling/results/read_summary.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/version.hpp"
+#include "rockfall/obstacles/nets/net_passage.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+rockfall::NetCrossingRecord record_of(const rockfall::NetPassage& passage, bool first) {
+    const rockfall::NetCrossing& crossing = passage.crossing;
+    return {crossing.net,
+            static_cast<float>(passage.position_m.x()),
+            static_cast<float>(passage.position_m.y()),
+            static_cast<float>(crossing.along_m),
+            static_cast<float>(crossing.height_m),
+            static_cast<float>(crossing.energy_j),
+            static_cast<float>(crossing.translational_j),
+            static_cast<float>(crossing.speed_mps),
+            crossing.outcome,
+            first};
+}
+
+/// Adds a crossing as the footprint of a fall would keep it. Whether the rock goes on unchanged.
+bool keep(const rockfall::NetPassage& passage, const StoredPath& path, std::size_t first_row,
+          TriedNets& tried) {
+    const rockfall::NetCrossing& crossing = passage.crossing;
+    const bool first =
+        std::none_of(tried.rows.begin() + static_cast<std::ptrdiff_t>(first_row), tried.rows.end(),
+                     [&](const NetRow& row) { return row.crossing.net == crossing.net; });
+    tried.rows.push_back({path.rock, path.cover, record_of(passage, first)});
+    if (crossing.outcome == rockfall::NetOutcome::broke) {
+        tried.broken.push_back({path.rock, path.cover, crossing.net});
+    }
+    return !rockfall::acts(crossing.outcome);
+}
+
+/// Paths, summary and program must be of one kind, or figures of two runs would be mixed.
+void check_same_run(const NetPathsReader& paths, const fs::path& folder, const fs::path& file) {
+    const fs::path summary_file = folder / "summary.json";
+    const FileBytes bytes = open_file(summary_file, {summary_file.string()}, "the summary of a finished run");
+    const SummaryOfRun summary = read_summary(bytes.text(), summary_file.string());
+    const PathsHead& head = paths.head();
+    const bool same_inputs =
+        summary.inputs.size() == head.inputs.size() &&
+        std::equal(head.inputs.begin(), head.inputs.end(), summary.inputs.begin(),
+                   [](const InputFile& a, const auto& b) { return a.role == b.role && a.hash == b.hash; });
+    if (head.seed != summary.seed || head.version != summary.version || !same_inputs) {
+        config::fail(config::ExitCode::data, {file.string()},
+                     "paths of another run than summary.json beside it", "both of one run");
+    }
+    if (head.version != version()) {
+        config::fail(config::ExitCode::data, {file.string()},
+                     joined("paths of version ", head.version, " of the program"),
+                     joined("version ", version(), ": run the scenario again"));
+    }
+}
+
+void write_inexact(std::ostream& out, std::span<const NetRecord> nets,
+                   std::span<const BrokenThrough> broken) {
+    write_header(out, net_try_layouts(), "net_inexact.csv");
+    CsvRow row{out};
+    for (const BrokenThrough& one : broken) {
+        row.whole(one.rock).text(name_of(one.cover)).text(nets[one.net].name);
+        row.end();
+    }
+}
+
+void tell(const std::vector<NetRecord>& nets, const std::vector<NetFigures>& figures, const TriedNets& tried,
+          std::ostream& out) {
+    for (const NetFigures& of : figures) {
+        out << nets[of.net].name << ", " << (of.cover == Cover::forest ? "with forest" : "bare slope") << ": "
+            << of.reached.part << " of " << of.reached.whole << " rocks reach it";
+        if (of.reached.part > 0) {
+            const NetNeed& need = of.needs[of.recommended];
+            out << ", it holds " << report::percent(of.outcome[0].value) << "; 95 % of energies below "
+                << report::three_digits(of.energy_kj.p95.value) << " kJ, of heights below "
+                << report::three_digits(of.height_m.p95.value) << " m; needed: class " << need.energy_class
+                << ", " << (need.height_m ? report::fixed(*need.height_m, 1) : "no height") << " m";
+        }
+        out << '\n';
+    }
+    if (!tried.broken.empty()) {
+        out << tried.broken.size()
+            << " rocks break through a net; what they do behind it is not known here and left out "
+               "(net_inexact.csv): run the scenario with these nets for it\n";
+    }
+}
+
+}  // namespace
+
+void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, const StoredPath& path,
+              TriedNets& tried) {
+    const std::size_t first_row = tried.rows.size();
+    std::vector<rockfall::NetLineCrossing> lines;
+    bool goes_on = true;
+    const auto take = [&](const rockfall::NetPassage& passage) {
+        goes_on = keep(passage, path, first_row, tried);
+        return goes_on;
+    };
+    for (const StoredPiece& piece : path.pieces) {
+        if (!goes_on) {
+            return;
+        }
+        if (piece.flies) {
+            const auto ground_m = [&](double, const Eigen::Vector3d& place_m) {
+                const auto triangle = terrain.locate(place_m.x(), place_m.y(), piece.triangle);
+                return terrain.plane_of(triangle.value_or(piece.triangle)).height_m(place_m.x(), place_m.y());
+            };
+            rockfall::each_passage(nets, path.body, {piece.start_m, piece.other}, piece.first, piece.second,
+                                   lines, ground_m, take);
+        } else {
+            rockfall::each_passage(
+                nets, path.body,
+                rockfall::StraightWay{piece.start_m, piece.other, piece.first, piece.second, piece.slides},
+                lines, take);
+        }
+    }
+}
+
+NetPathsReader paths_of_run(const fs::path& folder) {
+    const fs::path file = folder / "net_paths.bin";
+    if (!fs::exists(file)) {
+        config::fail(config::ExitCode::file, {file.string()}, "no stored paths",
+                     "the folder of a run with nets.keep_paths = yes");
+    }
+    NetPathsReader paths{file};
+    check_same_run(paths, folder, file);
+    return paths;
+}
+
+std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& terrain) {
+    const FileBytes bytes = open_file(file, {file.string()}, "a table of nets");
+    std::istringstream in{std::string{bytes.text()}};
+    config::Problems problems;
+    std::vector<NetRecord> nets =
+        on_terrain(nets_of(config::Table::read(in, file.string())), terrain, file.string(), problems);
+    problems.throw_if_any();
+    return nets;
+}
+
+void refuse_full_folder(const fs::path& folder, bool overwrite) {
+    if (!overwrite && fs::exists(folder) && !fs::is_empty(folder)) {
+        config::fail(config::ExitCode::settings, {folder.string()}, "a folder with files in it",
+                     "a new or empty folder, or --overwrite");
+    }
+}
+
+void try_nets(const NetTryRequest& request, std::ostream& out) {
+    NetPathsReader paths = paths_of_run(request.run);
+    const std::vector<NetRecord> nets = nets_on(request.nets, paths.terrain());
+    const fs::path folder = request.out.empty() ? request.run / "net_try" : request.out;
+    refuse_full_folder(folder, request.overwrite);
+    std::vector<rockfall::Net> walls;
+    for (const NetRecord& record : nets) {
+        walls.push_back(record.net);
+    }
+    const rockfall::NetIndex index{walls};
+    TriedNets tried;
+    paths.each([&](const StoredPath& path) { try_nets(index, paths.terrain(), path, tried); });
+
+    const PathsHead& head = paths.head();
+    std::vector<NetFigures> figures;
+    for (const Cover cover : all_covers) {
+        if (cover == Cover::forest && !head.with_forest) {
+            continue;
+        }
+        const auto of_slope =
+            net_figures(nets, tried.rows, cover, head.rocks[index_of(cover)], head.wanted_share);
+        figures.insert(figures.end(), of_slope.begin(), of_slope.end());
+    }
+    make_folder(folder);
+    const auto write_file = [&](const char* name, const auto& fill) {
+        OutFile table{folder / name};
+        fill(table.stream());
+        table.close();
+    };
+    write_file("nets.csv", [&](std::ostream& table) { write_nets(table, nets, figures, head.wanted_share); });
+    write_file("net_needs.csv", [&](std::ostream& table) { write_net_needs(table, nets, figures); });
+    write_file("net_crossings.csv", [&](std::ostream& table) {
+        write_net_crossings(table, nets, tried.rows, paths.terrain().origin_m());
+    });
+    write_file("net_inexact.csv", [&](std::ostream& table) { write_inexact(table, nets, tried.broken); });
+    if (!request.quiet) {
+        tell(nets, figures, tried, out);
+        out << folder.string() << '\n';
+    }
+}
+
+}  // namespace coupling

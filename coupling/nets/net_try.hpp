@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <span>
+#include <vector>
+
+#include "coupling/nets/net_paths.hpp"
+#include "coupling/nets/net_record.hpp"
+
+namespace coupling {
+
+/// A rock that breaks through a net: what it does behind it is not known from its stored path.
+struct BrokenThrough {
+    std::uint64_t rock = 0;
+    rockfall::Cover cover = rockfall::Cover::bare;
+    std::uint32_t net = 0;
+};
+
+/// What a stored path says of a set of nets.
+struct TriedNets {
+    std::vector<NetRow> rows;  ///< as a run with these nets would list them, but for rocks behind a net
+                               ///< that they broke: there nothing is listed
+    std::vector<BrokenThrough> broken;  ///< one a rock and slope
+};
+
+/// Follows a stored path past nets until one holds the rock or breaks.
+void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, const StoredPath& path,
+              TriedNets& tried);
+
+/// The stored paths of a finished run. Throws InputError where there are none, or of another run or version.
+NetPathsReader paths_of_run(const std::filesystem::path& folder);
+/// A table of nets on a terrain. Throws InputError.
+std::vector<NetRecord> nets_on(const std::filesystem::path& file, const rockfall::Terrain& terrain);
+/// Throws InputError (settings) for a folder that holds files, unless they may be replaced.
+void refuse_full_folder(const std::filesystem::path& folder, bool overwrite);
+
+/// What is asked of `bannwald net try`.
+struct NetTryRequest {
+    std::filesystem::path run;   ///< folder of a finished run
+    std::filesystem::path nets;  ///< table of nets
+    std::filesystem::path out;   ///< empty: run/net_try
+    bool overwrite = false;
+    bool quiet = false;
+};
+
+/// Looks at other nets with the stored paths of a run and writes their tables. Throws InputError.
+void try_nets(const NetTryRequest& request, std::ostream& out);
+
+}  // namespace coupling

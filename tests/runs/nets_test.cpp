@@ -1,0 +1,215 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "tests/runs/years.hpp"
+
+namespace coupling {
+namespace {
+
+void add_nets(const SampleProject& project) {
+    project.write("nets.csv",
+                  "name,height_m,capacity_kj,class,gap_m,wkt\n"
+                  "upper,1.2,5,,0.1,\"LINESTRING (1075 2010, 1078 2050, 1075 2090)\"\n"
+                  "lower,3,,1,,\"LINESTRING (1098 2005, 1098 2095)\"\n");
+    project.replace("scenario.ini", "[targets]", "[nets]\nfile = nets.csv\n[targets]");
+}
+
+class NetsUnderModel : public ::testing::TestWithParam<std::string> {
+protected:
+    [[nodiscard]] static std::string motion() { return "--set rockfall.motion=" + GetParam() + " "; }
+};
+INSTANTIATE_TEST_SUITE_P(Motion, NetsUnderModel, ::testing::Values("picus", "pir3d"),
+                         [](const auto& model) { return model.param; });
+
+TEST_P(NetsUnderModel, GiveTheSameBytesOnAnyNumberOfThreads) {
+    const SampleProject project;
+    add_nets(project);
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=3000 " + motion();
+    ASSERT_EQ(call(project, rocks + "--threads 1 --out first").code, 0);
+    const Outcome outcome =
+        shell(project, "\"$bannwald\" " + rocks + "--threads 5 --out second && diff -r first second\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST_P(NetsUnderModel, AreCountedAlikeInAllTables) {
+    const SampleProject project;
+    add_nets(project);
+    const Outcome outcome =
+        call(project, "run scenario.ini --quiet --set release.rocks=5000 --out out " + motion());
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table nets = table(project, "out/tables/nets.csv");
+    const config::Table crossings = table(project, "out/tables/net_crossings.csv");
+    const config::Table rocks = table(project, "out/tables/rocks.csv");
+    ASSERT_EQ(nets.rows(), 4U);  // two nets, with forest and without
+    for (const std::string cover : {"forest", "bare"}) {
+        std::size_t held = 0;
+        for (std::size_t row = 0; row < crossings.rows(); ++row) {
+            held +=
+                crossings.text(row, "cover") == cover && crossings.text(row, "outcome") == "held" ? 1U : 0U;
+        }
+        std::size_t ended = 0;
+        for (std::size_t row = 0; row < rocks.rows(); ++row) {
+            ended += rocks.text(row, "cover") == cover && rocks.text(row, "stop_reason") == "net" ? 1U : 0U;
+        }
+        EXPECT_EQ(held, ended);
+        EXPECT_GT(held, 100U);
+    }
+    for (std::size_t row = 0; row < nets.rows(); ++row) {
+        const auto whole = [&](const char* column) { return std::stoul(nets.text(row, column)); };
+        EXPECT_EQ(whole("reached"), whole("held") + whole("over") + whole("below") + whole("broke"));
+        EXPECT_FALSE(nets.text(row, "class_needed").empty());
+    }
+    EXPECT_NE(project.read("out/report.html").find("Held by a net"), std::string::npos);
+    EXPECT_NE(project.read("out/report.html").find("<h2>Nets</h2>"), std::string::npos);
+}
+
+TEST(Nets, KeepRocksFromTheTargetBehindThem) {
+    const SampleProject project;
+    add_nets(project);
+    project.replace("nets.csv", "lower,3,,1", "lower,50,1000000,");
+    const Outcome outcome = call(project, "run scenario.ini --quiet --set release.rocks=2000 --out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table targets = table(project, "out/tables/targets.csv");
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        if (targets.text(row, "target_id") == "road") {
+            EXPECT_EQ(targets.text(row, "reached"), "0");
+        }
+    }
+}
+
+TEST(Nets, HoldRocksInRunsOverYearsToo) {
+    const ForestProject project;
+    project.write("nets.csv",
+                  "name,height_m,capacity_kj,wkt\nlower,3,250,\"LINESTRING (1098 2005, 1098 2095)\"\n");
+    const Outcome outcome =
+        call(project, std::string{four_members} + "--set nets.file=nets.csv --set run.years=2 --out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table causes = table(project, "out/tables/causes.csv");
+    double held = 0.0;
+    for (std::size_t row = 0; row < causes.rows(); ++row) {
+        held += causes.text(row, "cause") == "net" && causes.text(row, "cover") == "bare"
+                    ? number(causes, row, "stopped")
+                    : 0.0;
+    }
+    EXPECT_GT(held, 0.0);
+}
+
+/// Rows of a table of crossings as text.
+std::string without_head(const std::string& csv) {
+    return csv.substr(csv.find('\n') + 1);
+}
+
+TEST_P(NetsUnderModel, TriedOnStoredPathsGiveTheRowsOfARunWithThem) {
+    const SampleProject project;
+    add_nets(project);
+    project.replace("nets.csv", "upper,1.2,5,,0.1", "upper,0.8,100000,,0.55");
+    project.replace("nets.csv", "lower,3,,1", "lower,3,100000,");
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=2000 " + motion();
+    ASSERT_EQ(call(project, rocks + "--out with_nets").code, 0);
+    const Outcome kept =
+        call(project, rocks + "--set nets.file= --set nets.keep_paths=yes --threads 3 --out without_nets");
+    ASSERT_EQ(kept.code, 0) << kept.err;
+    const Outcome tried = call(project, "net try without_nets --nets nets.csv --out tried");
+    ASSERT_EQ(tried.code, 0) << tried.err;
+    const std::string crossings = project.read("tried/net_crossings.csv");
+    // Under pir3d no rock is above the upper net.
+    for (const std::string outcome : {",held,", ",below,", GetParam() == "picus" ? ",over," : ",held,"}) {
+        EXPECT_NE(crossings.find(outcome), std::string::npos) << outcome;
+    }
+    EXPECT_EQ(crossings, project.read("with_nets/tables/net_crossings.csv"));
+    EXPECT_EQ(project.read("tried/nets.csv"), project.read("with_nets/tables/nets.csv"));
+    EXPECT_EQ(project.read("tried/net_needs.csv"), project.read("with_nets/tables/net_needs.csv"));
+    EXPECT_EQ(without_head(project.read("tried/net_inexact.csv")), "");
+}
+
+TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
+    const SampleProject project;
+    add_nets(project);
+    const std::string rocks =
+        "run scenario.ini --quiet --set nets.file= --set release.rocks=2000 --set nets.keep_paths=yes ";
+    ASSERT_EQ(call(project, rocks + "--out out").code, 0);
+    project.write("road.csv",
+                  "name,height_m,capacity_kj,wkt\nroad,2,100,\"LINESTRING (1098 2005, 1098 2095)\"\n");
+    const Outcome placed = call(project, "net place out --nets road.csv --distances 0,10,30,500");
+    ASSERT_EQ(placed.code, 0) << placed.err;
+    EXPECT_NE(placed.out.find("500 m upslope it leaves the terrain"), std::string::npos) << placed.out;
+    const config::Table places = table(project, "out/net_place/net_places.csv");
+    ASSERT_EQ(places.rows(), 6U);  // three places, with forest and without
+    double least = 1e9;
+    double of_best = 0.0;
+    for (std::size_t row = 0; row < places.rows(); ++row) {
+        EXPECT_LE(number(places, row, "kept"), number(places, row, "arrive"));
+        if (places.text(row, "cover") == "forest") {
+            least = std::min(least, number(places, row, "residual_kj"));
+            of_best = places.text(row, "best") == "yes" ? number(places, row, "residual_kj") : of_best;
+        }
+    }
+    EXPECT_EQ(of_best, least);
+    // On the line itself the net holds what a run with it there holds.
+    ASSERT_EQ(call(project,
+                   "run scenario.ini --quiet --set nets.file=road.csv --set release.rocks=2000 --out there")
+                  .code,
+              0);
+    const config::Table there = table(project, "there/tables/nets.csv");
+    for (std::size_t row = 0; row < 2; ++row) {
+        EXPECT_EQ(places.text(row, "cover"), there.text(row, "cover"));
+        EXPECT_EQ(places.text(row, "arrive"), there.text(row, "reached"));
+        EXPECT_EQ(places.text(row, "kept"), there.text(row, "held"));
+        EXPECT_EQ(places.text(row, "class_needed"), there.text(row, "class_needed"));
+    }
+    EXPECT_EQ(
+        call(project, "run scenario.ini --quiet --set nets.file=out/net_place/nets.csv --out best").code, 0);
+}
+
+TEST(NetTry, TellsWhichRocksItDoesNotKnow) {
+    const SampleProject project;
+    add_nets(project);
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=2000 --set nets.keep_paths=yes ";
+    ASSERT_EQ(call(project, rocks + "--out out").code, 0);
+    const Outcome tried = call(project, "net try out --nets nets.csv");
+    ASSERT_EQ(tried.code, 0) << tried.err;
+    EXPECT_NE(tried.out.find("break through a net"), std::string::npos) << tried.out;
+    const config::Table inexact = table(project, "out/net_try/net_inexact.csv");
+    const config::Table crossings = table(project, "out/net_try/net_crossings.csv");
+    std::size_t broke = 0;
+    for (std::size_t row = 0; row < crossings.rows(); ++row) {
+        broke += crossings.text(row, "outcome") == "broke" ? 1U : 0U;
+    }
+    EXPECT_EQ(inexact.rows(), broke);
+    EXPECT_GT(broke, 0U);
+}
+
+TEST(NetTry, RefusesPathsThatAreCutOffOrOfAnotherRun) {
+    const SampleProject project;
+    add_nets(project);
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=100 --set nets.keep_paths=yes ";
+    ASSERT_EQ(call(project, rocks + "--out one").code, 0);
+    ASSERT_EQ(call(project, rocks + "--seed 9 --out other").code, 0);
+    EXPECT_EQ(call(project, "net try nowhere --nets nets.csv").code, 3);
+    EXPECT_EQ(call(project, "net try one").code, 2);
+    EXPECT_EQ(shell(project, "cp other/net_paths.bin one/\n\"$bannwald\" net try one --nets nets.csv\n").code,
+              4);
+    EXPECT_EQ(shell(project,
+                    "head -c 100000 other/net_paths.bin > cut && cp cut other/net_paths.bin\n"
+                    "\"$bannwald\" net try other --nets nets.csv\n")
+                  .code,
+              3);
+    EXPECT_FALSE(std::filesystem::exists(project.file("other/net_try")));
+}
+
+TEST(Nets, ThatCannotStandEndTheRunAndLeaveNothing) {
+    const SampleProject project;
+    add_nets(project);
+    project.replace("nets.csv", "1098 2095", "1098 2995");
+    const Outcome outcome = call(project, "run scenario.ini --quiet");
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_NE(outcome.err.find("nets.csv: found net 'lower' leaves the terrain"), std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("out")));
+}
+
+}  // namespace
+}  // namespace coupling
