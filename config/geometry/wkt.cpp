@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string>
 
 #include "config/text/numbers.hpp"
@@ -45,6 +46,9 @@ public:
         }
         return shape;
     }
+
+    /// Of the points read so far, in order.
+    [[nodiscard]] const std::vector<std::optional<double>>& heights() const { return heights_; }
 
 private:
     /// The type in capitals, without the Z and M that tell of further coordinates.
@@ -134,8 +138,10 @@ private:
     Point2 read_point() {
         const double x_m = read_number("x");
         const double y_m = read_number("y");
-        for (int more = 0; more < 2 && next_is_number(); ++more) {
-            read_number("z");
+        const bool has_height = next_is_number();
+        heights_.push_back(has_height ? std::optional{read_number("z")} : std::nullopt);
+        if (has_height && next_is_number()) {
+            read_number("m");
         }
         return {x_m, y_m};
     }
@@ -184,12 +190,31 @@ private:
     std::string_view text_;
     Place start_;
     std::size_t at_ = 0;
+    std::vector<std::optional<double>> heights_;  ///< of all points in order
 };
 
 }  // namespace
 
 Shape read_wkt(std::string_view text, const Place& start) {
     return WktReader{text, start}.read();
+}
+
+std::vector<std::vector<double>> read_wkt_heights(std::string_view text, const Place& start) {
+    WktReader reader{text, start};
+    const Shape shape = reader.read();
+    std::vector<std::vector<double>> heights;
+    auto next = reader.heights().begin();
+    for (const std::vector<Point2>& part : shape.parts) {
+        const auto end = next + static_cast<std::ptrdiff_t>(part.size());
+        const bool all = std::all_of(next, end, [](const auto& height) { return height.has_value(); });
+        std::vector<double>& of_part = heights.emplace_back();
+        for (; next != end; ++next) {
+            if (all) {
+                of_part.push_back(**next);
+            }
+        }
+    }
+    return heights;
 }
 
 }  // namespace config

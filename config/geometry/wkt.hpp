@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "config/errors/input_error.hpp"
 #include "config/geometry/shape.hpp"
@@ -15,5 +16,9 @@ namespace config {
 /// the text for anything else: other types, EMPTY, numbers that are none, lines of one point, rings that are
 /// not closed or have fewer than four points.
 Shape read_wkt(std::string_view text, const Place& start);
+
+/// The third coordinate of each point of each part, in the order of the parts that `read_wkt` gives; a part
+/// in which a point has none is empty. Throws as that does.
+std::vector<std::vector<double>> read_wkt_heights(std::string_view text, const Place& start);
 
 }  // namespace config

@@ -173,7 +173,8 @@ void write_info(const std::string& name, const std::string& table, std::ostream&
         }
     }
     const FileBytes bytes = open_file(name, {}, "a grid, a mesh, a table or the name of a shipped table");
-    if (meshes::format_of(bytes.text(), name) != meshes::MeshFormat::points) {
+    const meshes::MeshFormat format = meshes::format_of(bytes.text(), name);
+    if (format != meshes::MeshFormat::points && format != meshes::MeshFormat::contours) {
         meshes::describe(meshes::read_mesh_file(bytes.text(), name), out);
         return;
     }

@@ -34,7 +34,7 @@ void declare_terrain(config::Options& options, Scenario& s) {
     options.text("terrain.dem", s.dem, {.meaning = "ground heights in m: ESRI ASCII grid, plain or .gz"});
     options.text("terrain.points", s.points, {.meaning = "instead: text of x y z in m, one point a line"});
     options.text("terrain.mesh", s.mesh,
-                 {.meaning = "instead: a mesh whose faces stay as they are (PLY, STL), or points (XYZ)"});
+                 {.meaning = "instead: a mesh whose faces stay as they are (PLY, STL), contours (DXF, CSV)"});
     options.number("terrain.longest_edge_m", s.longest_edge_m,
                    {.unit = "m",
                     .low = 0.0,

@@ -114,6 +114,7 @@ HeightInput read_given_mesh(Reading& reading) {
         }
     } else {
         input.points = std::move(mesh.points_m);
+        input.lines = std::move(mesh.lines);
     }
     input.projection = reading.text_beside("projection", projection_name(scenario.mesh));
     input.map_frame = frame_over(input.points, scenario.cell_size_m);
@@ -249,8 +250,10 @@ rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::Ground
         return rockfall::terrain_of(
             {rockfall::contact_zone(input.points, law.contact_support_m, law.contact_shift_m), input.faces});
     }
-    return rockfall::triangulate(
-        rockfall::contact_zone(input.points, law.contact_support_m, law.contact_shift_m), longest_edge_m);
+    const std::vector<Eigen::Vector3d> felt =
+        rockfall::contact_zone(input.points, law.contact_support_m, law.contact_shift_m);
+    return input.lines.empty() ? rockfall::triangulate(felt, longest_edge_m)
+                               : rockfall::triangulate(felt, input.lines, longest_edge_m);
 }
 
 config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain) {

@@ -7,6 +7,7 @@
 
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/reading.hpp"
+#include "rockfall/terrain/breaklines.hpp"
 #include "rockfall/terrain/terrain.hpp"
 #include "rockfall/terrain/tin/tin.hpp"
 
@@ -17,6 +18,7 @@ struct HeightInput {
     std::optional<config::Raster<double>> grid;  ///< NaN: NODATA
     std::vector<Eigen::Vector3d> points;         ///< absolute coordinates
     std::vector<rockfall::TinFace> faces;        ///< checked; none: points are triangulated
+    std::vector<rockfall::PointPair> lines;      ///< between points, to be edges where these are triangulated
     bool has_codes = false;                      ///< faces carry the codes of their ground, plus 1
     std::string file;                            ///< name in messages
     std::string projection;                      ///< text of the .prj beside it

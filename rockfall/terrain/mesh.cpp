@@ -1,5 +1,6 @@
 #include "rockfall/terrain/mesh.hpp"
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -14,6 +15,7 @@
 #include <queue>
 #include <utility>
 
+#include "rockfall/terrain/breaklines.hpp"
 #include "rockfall/terrain/flatten.hpp"
 #include "rockfall/terrain/grid_ground.hpp"
 #include "rockfall/terrain/vertical_error.hpp"
@@ -35,17 +37,23 @@ using FaceBase = CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>;
 using Delaunay =
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 using Face = Delaunay::Face_handle;
+using ConstrainedFaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, FaceBase>;
+using Constrained = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, ConstrainedFaceBase>,
+    CGAL::No_constraint_intersection_requiring_constructions_tag>;
 using IndexedPoint = std::pair<Kernel::Point_2, std::uint32_t>;
 
-std::array<std::uint32_t, 3> corners_of(Face face) {
+template <class AnyFace>
+std::array<std::uint32_t, 3> corners_of(AnyFace face) {
     return {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
 }
 
 /// The finite triangles that `is_terrain` accepts, with their neighbours.
-template <class IsTerrain>
-std::vector<Triangle> flat_triangles(const Delaunay& mesh, IsTerrain is_terrain) {
-    std::vector<Face> faces;
-    for (const Face face : mesh.finite_face_handles()) {
+template <class Mesh, class IsTerrain>
+std::vector<Triangle> flat_triangles(const Mesh& mesh, IsTerrain is_terrain) {
+    using AnyFace = typename Mesh::Face_handle;
+    std::vector<AnyFace> faces;
+    for (const AnyFace face : mesh.finite_face_handles()) {
         if (is_terrain(corners_of(face))) {
             face->info().triangle = static_cast<std::uint32_t>(faces.size());
             faces.push_back(face);
@@ -182,20 +190,6 @@ std::vector<Vertex> vertices_of(const config::Raster<double>& heights, const Eig
     return vertices;
 }
 
-/// Indices of the finite points, of those with one plan position only the first.
-std::vector<std::uint32_t> distinct_in_plan(std::span<const Eigen::Vector3d> points) {
-    std::vector<std::uint32_t> indices(points.size());
-    std::iota(indices.begin(), indices.end(), 0U);
-    std::erase_if(indices, [&](std::uint32_t i) { return !points[i].allFinite(); });
-    const auto plan = [&](std::uint32_t i) { return std::pair{points[i].x(), points[i].y()}; };
-    std::stable_sort(indices.begin(), indices.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return plan(a) < plan(b); });
-    const auto end = std::unique(indices.begin(), indices.end(),
-                                 [&](std::uint32_t a, std::uint32_t b) { return plan(a) == plan(b); });
-    indices.erase(end, indices.end());
-    return indices;
-}
-
 /// Neither with an edge that is too long nor thinner than a billionth of its longest edge.
 bool is_plausible(const std::array<Vertex, 3>& corners, double longest_edge_m) {
     const auto [a, b, c] = corners;
@@ -207,6 +201,54 @@ bool is_plausible(const std::array<Vertex, 3>& corners, double longest_edge_m) {
     return area2_m2 > 1e-9 * longest_m2 &&
            (longest_edge_m <= 0.0 || longest_m2 <= longest_edge_m * longest_edge_m);
 }
+
+/// Scattered points without those that are not finite; of those at one plan position only the first.
+struct PlacedPoints {
+    Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();
+    std::vector<Vertex> vertices;
+    std::vector<IndexedPoint> plan;
+    std::vector<std::uint32_t> vertex_of;  ///< of each given point; no_triangle: none
+
+    explicit PlacedPoints(std::span<const Eigen::Vector3d> points) : vertex_of(points.size(), no_triangle) {
+        std::vector<std::uint32_t> order(points.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::erase_if(order, [&](std::uint32_t i) { return !points[i].allFinite(); });
+        const auto place = [&](std::uint32_t i) { return std::pair{points[i].x(), points[i].y()}; };
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+        if (order.empty()) {
+            return;
+        }
+        Eigen::Vector2d corner_m = points[order.front()].head<2>();
+        for (const std::uint32_t i : order) {
+            corner_m = corner_m.cwiseMin(points[i].head<2>());
+        }
+        origin_m = whole_metres_below(corner_m);
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            const std::uint32_t i = order[k];
+            if (k == 0 || place(i) != place(order[k - 1])) {
+                const Eigen::Vector2d place_m = points[i].head<2>() - origin_m;
+                plan.emplace_back(Kernel::Point_2{place_m.x(), place_m.y()},
+                                  static_cast<std::uint32_t>(vertices.size()));
+                vertices.push_back({place_m.x(), place_m.y(), points[i].z()});
+            }
+            vertex_of[i] = static_cast<std::uint32_t>(vertices.size() - 1);
+        }
+    }
+
+    template <class Mesh>
+    [[nodiscard]] Terrain terrain(const Mesh& mesh, double longest_edge_m) const {
+        if (vertices.empty()) {
+            return Terrain{Eigen::Vector2d::Zero(), {}, {}};
+        }
+        const std::vector<Triangle> triangles =
+            flat_triangles(mesh, [&](const std::array<std::uint32_t, 3>& corners) {
+                return is_plausible({vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]},
+                                    longest_edge_m);
+            });
+        return along_hilbert_curve(origin_m, vertices, triangles);
+    }
+};
 
 }  // namespace
 
@@ -221,31 +263,28 @@ Terrain triangulate(const config::Raster<double>& heights, double vertical_toler
 }
 
 Terrain triangulate(std::span<const Eigen::Vector3d> points, double longest_edge_m) {
-    const std::vector<std::uint32_t> distinct = distinct_in_plan(points);
-    if (distinct.empty()) {
-        return Terrain{Eigen::Vector2d::Zero(), {}, {}};
-    }
-    Eigen::Vector2d corner_m = points[distinct.front()].head<2>();
-    for (const std::uint32_t i : distinct) {
-        corner_m = corner_m.cwiseMin(points[i].head<2>());
-    }
-    const Eigen::Vector2d origin_m = whole_metres_below(corner_m);
+    const PlacedPoints placed{points};
+    const Delaunay mesh{placed.plan.begin(), placed.plan.end()};
+    return placed.terrain(mesh, longest_edge_m);
+}
 
-    std::vector<Vertex> vertices;
-    std::vector<IndexedPoint> plan;
-    for (const std::uint32_t i : distinct) {
-        const Eigen::Vector2d place_m = points[i].head<2>() - origin_m;
-        plan.emplace_back(Kernel::Point_2{place_m.x(), place_m.y()},
-                          static_cast<std::uint32_t>(vertices.size()));
-        vertices.push_back({place_m.x(), place_m.y(), points[i].z()});
+Terrain triangulate(std::span<const Eigen::Vector3d> points, std::span<const PointPair> lines,
+                    double longest_edge_m) {
+    const PlacedPoints placed{points};
+    Constrained mesh;
+    std::vector<Constrained::Vertex_handle> handles;
+    for (const auto& [place, index] : placed.plan) {
+        handles.push_back(mesh.insert(place));
+        handles.back()->info() = index;
     }
-    const Delaunay mesh{plan.begin(), plan.end()};
-    const std::vector<Triangle> triangles =
-        flat_triangles(mesh, [&](const std::array<std::uint32_t, 3>& corners) {
-            return is_plausible({vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]},
-                                longest_edge_m);
-        });
-    return along_hilbert_curve(origin_m, vertices, triangles);
+    for (const auto& [from, to] : lines) {
+        const std::uint32_t a = placed.vertex_of[from];
+        const std::uint32_t b = placed.vertex_of[to];
+        if (a != b && a != no_triangle && b != no_triangle) {
+            mesh.insert_constraint(handles[a], handles[b]);
+        }
+    }
+    return placed.terrain(mesh, longest_edge_m);
 }
 
 }  // namespace rockfall

@@ -144,7 +144,10 @@ MeshFormat format_of(std::string_view bytes, const std::string& name) {
     if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || ends_with(".ply")) {
         return MeshFormat::ply;
     }
-    return ends_with(".stl") ? MeshFormat::stl : MeshFormat::points;
+    return ends_with(".stl")   ? MeshFormat::stl
+           : ends_with(".dxf") ? MeshFormat::dxf
+           : ends_with(".csv") ? MeshFormat::contours
+                               : MeshFormat::points;
 }
 
 MeshFile read_mesh_file(std::string_view bytes, const std::string& file) {
@@ -153,6 +156,10 @@ MeshFile read_mesh_file(std::string_view bytes, const std::string& file) {
             return read_ply(bytes, file);
         case MeshFormat::stl:
             return read_stl(bytes, file);
+        case MeshFormat::dxf:
+            return read_dxf(bytes, file);
+        case MeshFormat::contours:
+            return read_contours(bytes, file);
         case MeshFormat::points:
             break;
     }
@@ -165,7 +172,8 @@ MeshFile read_mesh_file(std::string_view bytes, const std::string& file) {
 MeshInput read_mesh(Reading& reading) {
     const std::string& name = reading.scenario().mesh;
     const std::string file = reading.shown(name);
-    const FileBytes bytes = reading.open("terrain.mesh", "mesh", name, "a mesh: PLY, STL, or points as text");
+    const FileBytes bytes = reading.open("terrain.mesh", "mesh", name,
+                                         "a mesh (PLY, STL), contours (DXF, CSV) or points as text");
     MeshFile mesh = read_mesh_file(bytes.text(), file);
     if (mesh.points_m.size() < 3) {
         config::fail(config::ExitCode::data, {file}, counted(mesh.points_m.size(), "point"),
@@ -182,6 +190,12 @@ MeshInput read_mesh(Reading& reading) {
     MeshInput input;
     if (mesh.faces.empty()) {
         input.points_m = std::move(mesh.points_m);
+        input.lines = std::move(mesh.lines);
+        if (const auto place_m = rockfall::crossing_of(input.points_m, input.lines)) {
+            config::fail(config::ExitCode::data, {file},
+                         joined("lines that cross at ", to_cm(place_m->x()), ", ", to_cm(place_m->y())),
+                         "one height over each place: lines that meet at common points only");
+        }
         return input;
     }
     input.has_codes = !mesh.codes.empty();
@@ -225,6 +239,9 @@ void describe(const MeshFile& mesh, std::ostream& out) {
     }
     out << mesh.format << "\npoints        " << mesh.points_m.size() << "\nfaces         "
         << mesh.faces.size() << '\n';
+    if (!mesh.lines.empty()) {
+        out << "line pieces   " << mesh.lines.size() << '\n';
+    }
     for (Eigen::Index axis = 0; axis < 3 && !mesh.points_m.empty(); ++axis) {
         out << "xyz"[axis] << "             " << to_cm(low[axis]) << " to " << to_cm(high[axis]) << '\n';
     }

@@ -13,10 +13,11 @@
 
 namespace coupling::meshes {
 
-/// What terrain.mesh names: faces, or points that are still to be triangulated.
+/// What terrain.mesh names: faces, or points and lines that are still to be triangulated.
 struct MeshInput {
     std::optional<rockfall::Tin> tin;  ///< checked; its faces carry ground codes + 1, 0 where there are none
     std::vector<Eigen::Vector3d> points_m;
+    std::vector<rockfall::PointPair> lines;  ///< between the points, to be edges of triangles
     bool has_codes = false;
 };
 

@@ -82,5 +82,14 @@ TEST(ReadWkt, RefusesEveryTextCutShort) {
     }
 }
 
+TEST(WktHeights, AreThoseOfAllPointsOfAPartOrNone) {
+    const auto heights = read_wkt_heights("MULTILINESTRING Z ((0 0 5, 1 0 6 9), (2 2 7, 3 3))", {"a.csv"});
+    ASSERT_EQ(heights.size(), 2U);
+    EXPECT_EQ(heights[0], (std::vector<double>{5.0, 6.0}));
+    EXPECT_TRUE(heights[1].empty());
+    EXPECT_EQ(read_wkt_heights("POINT Z (1 2 3)", {"a.csv"}).at(0), std::vector<double>{3.0});
+    EXPECT_TRUE(read_wkt_heights("POINT (1 2)", {"a.csv"}).at(0).empty());
+}
+
 }  // namespace
 }  // namespace config

@@ -128,5 +128,73 @@ TEST(Stl, InBinaryMayBeginWithSolid) {
     EXPECT_EQ(read_mesh_file(bytes, "a.stl").format, "STL, binary");
 }
 
+/// A DXF of these entities, groups divided by blanks.
+std::string dxf_of(const std::string& entities) {
+    std::string text = "0 SECTION 2 HEADER 9 $EXTMIN 10 1 20 2 30 3 0 ENDSEC 0 SECTION 2 ENTITIES " +
+                       entities + " 0 ENDSEC 0 EOF ";
+    for (char& c : text) {
+        c = c == ' ' ? '\n' : c;
+    }
+    return text;
+}
+
+TEST(Dxf, IsReadWithItsLinesAndPoints) {
+    const MeshFile mesh = read_mesh_file(
+        dxf_of("0 POINT 8 layer 10 1 20 2 30 3 0 LINE 10 0 20 0 30 5 11 1 21 0 31 6 "
+               "0 LWPOLYLINE 90 3 70 1 38 700 10 0 20 0 10 4 20 0 10 4 20 4 "
+               "0 POLYLINE 66 1 70 8 0 VERTEX 10 0 20 9 30 1 0 VERTEX 10 5 20 9 30 2 0 SEQEND "
+               "0 POLYLINE 66 1 10 0 20 0 30 650 0 VERTEX 10 0 20 8 30 0 0 VERTEX 10 5 20 8 30 0 0 SEQEND "
+               "0 TEXT 10 0 20 0 1 words 0 TEXT 10 0 20 0 1 more"),
+        "a.dxf");
+    EXPECT_TRUE(mesh.faces.empty());
+    ASSERT_EQ(mesh.points_m.size(), 10U);
+    EXPECT_EQ(mesh.points_m[0], (Eigen::Vector3d{1.0, 2.0, 3.0}));
+    EXPECT_EQ(mesh.points_m[2], (Eigen::Vector3d{1.0, 0.0, 6.0}));
+    EXPECT_EQ(mesh.points_m[5], (Eigen::Vector3d{4.0, 4.0, 700.0}));
+    EXPECT_EQ(mesh.points_m[7], (Eigen::Vector3d{5.0, 9.0, 2.0}));
+    EXPECT_EQ(mesh.points_m[9], (Eigen::Vector3d{5.0, 8.0, 650.0}));
+    EXPECT_EQ(mesh.lines.size(), 1U + 3U + 1U + 1U);  // the closed line has three pieces
+    EXPECT_EQ(mesh.passed_over, std::vector<std::string>{"TEXT (2)"});
+}
+
+TEST(Dxf, IsReadWithItsFaces) {
+    const MeshFile mesh =
+        read_mesh_file(dxf_of("0 3DFACE 10 0 20 0 30 1 11 4 21 0 31 1 12 4 22 4 32 1 13 4 23 4 33 1 "
+                              "0 3DFACE 10 0 20 0 30 1 11 4 21 4 31 1 12 2 22 6 32 1 13 0 23 4 33 1"),
+                       "a.dxf");
+    EXPECT_EQ(mesh.faces.size(), 3U);  // a triangle, and four corners as two of them
+    EXPECT_TRUE(mesh.lines.empty());
+}
+
+TEST(Dxf, ThatCannotBeReadIsRefusedWithItsPlace) {
+    EXPECT_EQ(fault_of(dxf_of("0 POINT 10 1 20 x 30 3"), "a.dxf"),
+              "a.dxf:24:1: found 'x', expected a finite number");
+    EXPECT_EQ(fault_of("0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n1", "a.dxf"),
+              "a.dxf:9:1: found the end of the file, expected groups up to 0 EOF");
+    EXPECT_EQ(fault_of(dxf_of("0 LINE 10 0 20 0 30 5"), "a.dxf"),
+              "a.dxf:20:1: found LINE without all its places, expected 2 of them");
+    EXPECT_EQ(fault_of("AutoCAD Binary DXF\r\n", "a.dxf"), "a.dxf: found a binary DXF, expected DXF as text");
+    EXPECT_EQ(fault_of("what\nSECTION\n", "a.dxf"),
+              "a.dxf:1:1: found 'what', expected the code of a group, a whole number");
+    EXPECT_EQ(fault_of(dxf_of("0 3DFACE 10 0 20 0 30 1 11 4 21 0 31 1 12 4 22 4 32 1 "
+                              "0 LINE 10 0 20 0 30 5 11 1 21 0 31 6"),
+                       "a.dxf"),
+              "a.dxf: found 3DFACE beside lines, expected faces as they are, or lines to triangulate");
+}
+
+TEST(Contours, AreReadWithHeightsOfPointsOrRows) {
+    const MeshFile mesh = read_mesh_file(
+        "wkt,height_m\n\"LINESTRING Z (0 0 5, 1 0 6, 2 0 7)\",\n\"LINESTRING (0 4, 2 4)\",700\n"
+        "POINT Z (1 2 3),\n",
+        "a.csv");
+    ASSERT_EQ(mesh.points_m.size(), 6U);
+    EXPECT_EQ(mesh.points_m[1].z(), 6.0);
+    EXPECT_EQ(mesh.points_m[4].z(), 700.0);
+    EXPECT_EQ(mesh.lines, (std::vector<rockfall::PointPair>{{0, 1}, {1, 2}, {3, 4}}));
+    EXPECT_EQ(fault_of("wkt\n\"LINESTRING (0 0, 1 0)\"\n", "a.csv"),
+              "a.csv:2:1: found a point without height, expected a third coordinate (LINESTRING Z), or the "
+              "height of the row in height_m");
+}
+
 }  // namespace
 }  // namespace coupling::meshes

@@ -243,5 +243,28 @@ TEST(MeshInput, DoubtsCoordinatesOfTooFewDigits) {
         "double), or coordinates from a nearer origin");
 }
 
+TEST(MeshInput, TakesContoursWhoseLinesAreEdges) {
+    const MeshProject project;
+    // The slope of the sample falls by 7 m in 10 m towards the east: contours run north-south.
+    std::string table = "wkt,height_m\n";
+    for (int k = 0; k < 12; ++k) {
+        const std::string x = std::to_string(1005 + 10 * k);
+        table += "\"LINESTRING (" + x + " 2005, " + x + " 2095)\"," + std::to_string(400 - 7 * k) + '\n';
+    }
+    const Opened opened = open_mesh(project, "contours.csv", table, one_ground);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const rockfall::Terrain& terrain = opened.site->slope.terrain;
+    EXPECT_EQ(terrain.triangles().size(), 22U);
+    const Eigen::Vector2d p = Eigen::Vector2d{1047.0, 2033.0} - terrain.origin_m();
+    EXPECT_NEAR(*terrain.height_m(p.x(), p.y()), 400.0 - 0.7 * 42.0, 1e-9);
+
+    const Opened crossing =
+        open_mesh(project, "contours.csv", table + "\"LINESTRING (1001 2050, 1012 2050)\",350\n", one_ground);
+    EXPECT_EQ(crossing.code, ExitCode::data);
+    EXPECT_NE(crossing.errors.find("contours.csv: found lines that cross at 1005, 2050, expected one height"),
+              std::string::npos)
+        << crossing.errors;
+}
+
 }  // namespace
 }  // namespace coupling::meshes
