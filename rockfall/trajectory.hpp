@@ -304,7 +304,9 @@ private:
         if (is_caught_rolling(piece)) {
             return true;  // caught on the way to the obstacle
         }
-        tell_rolled(piece, triangle_);
+        nets_.tell(piece.duration_s, observer_);
+        piece.duration_s = NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s));
+        observer_.rolled(rock_, piece, triangle_);
         position_m_ = piece.position_m(piece.duration_s);
         velocity_mps_ = piece.velocity_at(piece.duration_s);
         spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());

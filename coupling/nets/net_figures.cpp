@@ -86,7 +86,9 @@ void find_needs(NetFigures& figures, std::span<const double> energies_kj, std::s
         NetNeed need{entry.name, entry.mel_kj, std::nullopt, share_of(taken_m.size(), energies_kj.size())};
         if (taken_m.size() >= wanted) {
             need.height_m = rounded_up_m(taken_m[wanted - 1]);
-            const auto below = std::upper_bound(taken_m.begin(), taken_m.end(), *need.height_m);
+            // Heights come as float: those that rounding up took for the step itself lie a hair above it.
+            constexpr double hair_m = 1e-6;
+            const auto below = std::upper_bound(taken_m.begin(), taken_m.end(), *need.height_m + hair_m);
             need.held = share_of(static_cast<std::uint64_t>(below - taken_m.begin()), energies_kj.size());
         }
         if (entry.name == class_for(figures.energy_needed_kj).name) {

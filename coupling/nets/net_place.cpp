@@ -103,8 +103,8 @@ void write_best(std::ostream& out, std::span<const NetRecord> lines, std::span<c
             wkt += joined(wkt.ends_with('(') ? "" : ", ", config::to_text(corner.x() + origin_m.x()), " ",
                           config::to_text(corner.y() + origin_m.y()));
         }
-        row.text(lines[places[i].line].name).number<2>(net.height_m);
-        row.number<3>(net.capacity_j / j_per_kj).number<2>(net.gap_m).text(wkt + ')');
+        row.text(lines[places[i].line].name).text(config::to_text(net.height_m));
+        row.text(config::to_text(net.capacity_j / j_per_kj)).text(config::to_text(net.gap_m)).text(wkt + ')');
         row.end();
     }
 }
@@ -148,10 +148,11 @@ void PlaceTrial::look(const StoredPath& path) {
     const auto cover = static_cast<std::size_t>(path.cover);
     TriedNets on_lines;
     try_nets(lines_, terrain_, path, on_lines);
-    std::vector<const NetRow*> arrival(arrive_.size(), nullptr);
-    for (const NetRow& row : on_lines.rows) {
+    std::vector<std::optional<std::size_t>> arrival(arrive_.size());  // rows
+    for (std::size_t i = 0; i < on_lines.rows.size(); ++i) {
+        const NetRow& row = on_lines.rows[i];
         if (row.crossing.first) {
-            arrival[row.crossing.net] = &row;
+            arrival[row.crossing.net] = i;
             ++arrive_[row.crossing.net][cover];
         }
     }
@@ -159,16 +160,19 @@ void PlaceTrial::look(const StoredPath& path) {
         TriedNets tried;
         try_nets(at_[i].net, terrain_, path, tried);
         at_[i].rows.insert(at_[i].rows.end(), tried.rows.begin(), tried.rows.end());
-        const NetRow* const arrives = arrival[places_[i].line];
-        if (arrives == nullptr) {
+        const std::optional<std::size_t> arrives = arrival[places_[i].line];
+        if (!arrives) {
             continue;
         }
-        const bool held =
-            !tried.rows.empty() && tried.rows.back().crossing.outcome == rockfall::NetOutcome::held;
+        // Held before it comes to the line, not behind it (a road that rocks of both sides of a valley
+        // reach).
+        const bool held = !tried.rows.empty() &&
+                          tried.rows.back().crossing.outcome == rockfall::NetOutcome::held &&
+                          tried.when.back() <= on_lines.when[*arrives];
         if (held) {
             ++at_[i].kept[cover];
         } else {
-            at_[i].residual_j[cover] += static_cast<double>(arrives->crossing.energy_j);
+            at_[i].residual_j[cover] += static_cast<double>(on_lines.rows[*arrives].crossing.energy_j);
         }
     }
 }

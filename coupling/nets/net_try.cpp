@@ -39,13 +39,14 @@ rockfall::NetCrossingRecord record_of(const rockfall::NetPassage& passage, bool 
 }
 
 /// Adds a crossing as the footprint of a fall would keep it. Whether the rock goes on unchanged.
-bool keep(const rockfall::NetPassage& passage, const StoredPath& path, std::size_t first_row,
-          TriedNets& tried) {
+bool keep(const rockfall::NetPassage& passage, const StoredPath& path, std::size_t piece,
+          std::size_t first_row, TriedNets& tried) {
     const rockfall::NetCrossing& crossing = passage.crossing;
     const bool first =
         std::none_of(tried.rows.begin() + static_cast<std::ptrdiff_t>(first_row), tried.rows.end(),
                      [&](const NetRow& row) { return row.crossing.net == crossing.net; });
     tried.rows.push_back({path.rock, path.cover, record_of(passage, first)});
+    tried.when.emplace_back(piece, passage.time_s);
     if (crossing.outcome == rockfall::NetOutcome::broke) {
         tried.broken.push_back({path.rock, path.cover, crossing.net});
     }
@@ -111,8 +112,9 @@ void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, 
     const std::size_t first_row = tried.rows.size();
     std::vector<rockfall::NetLineCrossing> lines;
     bool goes_on = true;
+    std::size_t number = 0;  // of the piece
     const auto take = [&](const rockfall::NetPassage& passage) {
-        goes_on = keep(passage, path, first_row, tried);
+        goes_on = keep(passage, path, number, first_row, tried);
         return goes_on;
     };
     for (const StoredPiece& piece : path.pieces) {
@@ -132,6 +134,7 @@ void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, 
                 rockfall::StraightWay{piece.start_m, piece.other, piece.first, piece.second, piece.slides},
                 lines, take);
         }
+        ++number;
     }
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <ostream>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coupling/nets/net_paths.hpp"
@@ -22,6 +23,8 @@ struct TriedNets {
     std::vector<NetRow> rows;  ///< as a run with these nets would list them, but for rocks behind a net
                                ///< that they broke: there nothing is listed
     std::vector<BrokenThrough> broken;  ///< one a rock and slope
+    /// By row: the piece of the path and the time in it.
+    std::vector<std::pair<std::size_t, double>> when;
 };
 
 /// Follows a stored path past nets until one holds the rock or breaks.

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 /// Everything that a run puts into its folder.
 constexpr std::array run_writes{"report.html",      "summary.json", "results.gpkg", "results.qlr",
                                 "trajectories.vtp", "rasters",      "tables",       "parts",
-                                ".writing"};
+                                "net_paths.bin",    ".writing"};
 
 /// Says that a run of this program keeps the folder: without it nothing in there is ours to delete.
 constexpr const char* mark_of_a_run = ".bannwald";

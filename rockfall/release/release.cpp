@@ -112,6 +112,12 @@ double DiameterLaw::largest_m() const {
         ->second;
 }
 
+double DiameterLaw::smallest_m() const {
+    return std::min_element(knots_.begin(), knots_.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->second;
+}
+
 double DiameterLaw::mean_m() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < knots_.size(); ++i) {
@@ -123,7 +129,7 @@ double DiameterLaw::mean_m() const {
 }
 
 DiameterRange diameter_range(const StartLaw& common, std::span<const ReleaseSource> sources) {
-    DiameterRange range{common.diameter.at(0.0), common.diameter.largest_m(), common.diameter.mean_m()};
+    DiameterRange range{common.diameter.smallest_m(), common.diameter.largest_m(), common.diameter.mean_m()};
     // Laws of many knots are asked once for all neighbours that share them.
     std::vector<std::pair<const StartLaw*, std::uint64_t>> laws;
     for (const ReleaseSource& source : sources) {
@@ -138,7 +144,7 @@ DiameterRange diameter_range(const StartLaw& common, std::span<const ReleaseSour
     for (const auto& [law, of_law] : laws) {
         if (of_law > 0) {
             const double largest_m = law->diameter.largest_m();
-            const double smallest_m = law->diameter.at(0.0);
+            const double smallest_m = law->diameter.smallest_m();
             range.smallest_m = rocks == 0 ? smallest_m : std::min(range.smallest_m, smallest_m);
             range.largest_m = rocks == 0 ? largest_m : std::max(range.largest_m, largest_m);
             rocks += of_law;

@@ -56,6 +56,7 @@ public:
 
     /// The diameter at a uniform draw on [0, 1).
     [[nodiscard]] double at(double u) const;
+    [[nodiscard]] double smallest_m() const;
     [[nodiscard]] double largest_m() const;
     [[nodiscard]] double mean_m() const;
 

@@ -21,7 +21,7 @@ class NetsUnderModel : public ::testing::TestWithParam<std::string> {
 protected:
     [[nodiscard]] static std::string motion() { return "--set rockfall.motion=" + GetParam() + " "; }
 };
-INSTANTIATE_TEST_SUITE_P(Motion, NetsUnderModel, ::testing::Values("picus", "pir3d"),
+INSTANTIATE_TEST_SUITE_P(Motion, NetsUnderModel, ::testing::Values("picus", "pir3d", "classical"),
                          [](const auto& model) { return model.param; });
 
 TEST_P(NetsUnderModel, GiveTheSameBytesOnAnyNumberOfThreads) {
@@ -198,6 +198,29 @@ TEST(NetTry, RefusesPathsThatAreCutOffOrOfAnotherRun) {
                   .code,
               3);
     EXPECT_FALSE(std::filesystem::exists(project.file("other/net_try")));
+}
+
+/// A net that holds all, along the very line of the target: nothing arrives there, not even by rounding.
+TEST_P(NetsUnderModel, KeepEveryRockFromATargetOnTheirLine) {
+    const SampleProject project;
+    project.write(
+        "nets.csv",
+        "name,height_m,capacity_kj,wkt\nwall,100,1000000,\"LINESTRING (1105 2005, 1105 2010, 1105 2090, "
+        "1105 2095)\"\n");
+    project.replace("scenario.ini", "[targets]", "[nets]\nfile = nets.csv\n[targets]");
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=2000 " + motion()).code, 0);
+    const config::Table nets = table(project, "out/tables/nets.csv");
+    double held = 0.0;
+    for (std::size_t row = 0; row < nets.rows(); ++row) {
+        held += number(nets, row, "held");
+    }
+    EXPECT_GT(held, 20.0);
+    const config::Table targets = table(project, "out/tables/targets.csv");
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        if (targets.text(row, "target_id") == "road") {
+            EXPECT_EQ(number(targets, row, "share_percent"), 0.0) << targets.text(row, "cover");
+        }
+    }
 }
 
 TEST(Nets, ThatCannotStandEndTheRunAndLeaveNothing) {

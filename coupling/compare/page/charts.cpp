@@ -63,8 +63,9 @@ std::string interval_chart(const Line& line, const Shown& shown, const SideBySid
         chart.add_dots(look_of(i), point);
         chart.add_dot_name(look_of(i), comparison.letters[i]);
     }
-    return chart.figure(line.key.when == "today" ? "With the 95 % interval of the chance in the rocks."
-                                                 : "Mean over the years, with its 95 % interval.");
+    return chart.figure(line.key.when == "today"
+                            ? "With the 95 % interval of the chance in the rocks. Below 0 is drawn as 0."
+                            : "Mean over the years, with its 95 % interval. Below 0 is drawn as 0.");
 }
 
 /// Year -> mean and range of a series of a run.
@@ -124,7 +125,7 @@ std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std
         chart.add_name(look_of(i), comparison.letters[i]);
         chart.add_end_letter(points.back().y, comparison.letters[i]);
     }
-    return chart.figure("Mean of the replicates; bands hold nine in ten of them.");
+    return chart.figure("Mean of the replicates; bands hold nine in ten of them. Below 0 is drawn as 0.");
 }
 
 }  // namespace
@@ -155,8 +156,7 @@ std::string interval_charts(const SideBySide& comparison) {
     std::string html;
     for (const Shown& shown : shown_figures) {
         for (const Line& line : comparison.lines) {
-            if (line.key.quantity == shown.quantity && line.key.when != "worst year" &&
-                highest_of(line) > 0.0) {
+            if (line.key.quantity == shown.quantity && line.key.when != "worst year") {
                 html += interval_chart(line, shown, comparison);
             }
         }

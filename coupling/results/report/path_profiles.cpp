@@ -123,7 +123,7 @@ std::string along_paths(const RunResults& results) {
         html += chart(
             chosen, joined("Energy along paths", where), "Kinetic energy, kJ",
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.energy_j) / 1000.0; },
-            true, "Drops are contacts with the ground and hits on trees.");
+            true, "Drops are contacts with the ground and hits on trees, logs and nets.");
         html += chart(
             chosen, joined("Height along paths", where), "Height above ground, m",
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.height_m); }, false,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -47,6 +48,7 @@ public:
                          observer.crossed_net(passage.position_m, passage.crossing);
                          if (acts(passage.crossing.outcome)) {
                              acting = passage;
+                             acting->time_s = end_s(passage.crossing, passage.time_s, flight.velocity_mps);
                          }
                          return !acting.has_value();
                      });
@@ -89,6 +91,17 @@ public:
         scratch_.on_piece.clear();
     }
 
+    /// When a rock that reaches a net at a time ends its piece: a held one a millimetre upslope, so that a
+    /// target along the same line is not reached.
+    static double end_s(const std::optional<NetCrossing>& crossing, double time_s,
+                        const Eigen::Vector3d& velocity_mps) {
+        constexpr double upslope_m = 1e-3;
+        const double plan_mps = velocity_mps.head<2>().norm();
+        return crossing && crossing->outcome == NetOutcome::held && plan_mps > 0.0
+                   ? std::max(0.0, time_s - upslope_m / plan_mps)
+                   : time_s;
+    }
+
     /// The rock breaks through here. Speed and spin behind the net divided by those before.
     double break_through(const NetCrossing& crossing, const Eigen::Vector3d& place_m) {
         broken_ = crossing.net;
@@ -97,9 +110,11 @@ public:
     }
 
 private:
-    /// A rock that broke through a net starts again within rounding of it: it has met it already.
+    /// A rock that broke through a net starts again close to it: it has met it already. On the ground nets
+    /// are found on the chord of a piece, which lies up to some centimetres beside the curve of a sliding
+    /// rock.
     [[nodiscard]] bool is_behind(const NetPassage& passage) const {
-        constexpr double nearby_m = 0.02;
+        constexpr double nearby_m = 0.1;
         return passage.crossing.net == broken_ &&
                (passage.position_m - broken_m_).head<2>().squaredNorm() < nearby_m * nearby_m;
     }
