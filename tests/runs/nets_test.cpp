@@ -205,10 +205,12 @@ TEST_P(NetsUnderModel, KeepEveryRockFromATargetOnTheirLine) {
     const SampleProject project;
     project.write(
         "nets.csv",
-        "name,height_m,capacity_kj,wkt\nwall,100,1000000,\"LINESTRING (1105 2005, 1105 2010, 1105 2090, "
-        "1105 2095)\"\n");
+        "name,height_m,capacity_kj,wkt\nwall,50,1000000,\"LINESTRING (1098 2005, 1098 2010, 1098 2090, "
+        "1098 2095)\"\n");
+    project.replace("targets.csv", "1105 2010, 1105 2090", "1098 2010, 1098 2090");
     project.replace("scenario.ini", "[targets]", "[nets]\nfile = nets.csv\n[targets]");
-    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=2000 " + motion()).code, 0);
+    const Outcome run = call(project, "run scenario.ini --quiet --set release.rocks=2000 " + motion());
+    ASSERT_EQ(run.code, 0) << run.err;
     const config::Table nets = table(project, "out/tables/nets.csv");
     double held = 0.0;
     for (std::size_t row = 0; row < nets.rows(); ++row) {
