@@ -86,6 +86,12 @@ private:
                 return;
             }
         }
+        if constexpr (Motion::slides) {
+            if (landing.end == FlightEnd::ground && strikes_in_turn_.once_more(landing.time_s)) {
+                slide_on_along_edge(landing);
+                return;
+            }
+        }
         observer_.flew(rock_, flight, landing.time_s, scratch_.stretches, spin_radps_);
         position_m_ = flight.position_m(landing.time_s);
         velocity_mps_ = flight.velocity_at(landing.time_s);
@@ -110,6 +116,16 @@ private:
         velocity_mps_ = flight.velocity_at(time_s);
         triangle_ = scratch_.stretches.back().triangle;
         observer_.flew(rock_, flight, time_s, scratch_.stretches, spin_radps_);
+    }
+
+    /// A sliding rock that strikes two faces in turn and gets nowhere goes on along their edge.
+    void slide_on_along_edge(const Landing& landing) {
+        velocity_mps_ =
+            along_edge(velocity_mps_, slope_.terrain.plane_of(triangle_).normal(), landing.plane.normal());
+        triangle_ = landing.triangle;
+        position_m_.z() = scratch_.stretches.back().ground_end_m;
+        resting_place_.add_impact();
+        begin_rolling();
     }
 
     /// Between two faces the only way on is along their edge; in a pit there is none.
@@ -429,6 +445,7 @@ private:
     FallEnd end_;
 
     RestingPlace resting_place_;
+    StrikesInTurn strikes_in_turn_;
     std::uint32_t rolling_pieces_ = 0;
     Encounters encounters_;
     std::uint32_t turned_at_log_ = no_log;

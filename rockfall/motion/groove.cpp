@@ -1,5 +1,6 @@
 #include "rockfall/motion/groove.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -95,6 +96,17 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
                         best.triangle,
                         false,
                         law.slides};
+}
+
+Eigen::Vector3d along_edge(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,
+                           const Eigen::Vector3d& next_normal) {
+    const Eigen::Vector3d edge = normal.cross(next_normal);
+    const double squared = edge.squaredNorm();
+    constexpr double one_plane = 1e-18;  // an angle of 1e-9 between the faces
+    if (squared < one_plane) {
+        return velocity_mps - velocity_mps.dot(next_normal) * next_normal;
+    }
+    return velocity_mps.dot(edge) / squared * edge;
 }
 
 }  // namespace rockfall

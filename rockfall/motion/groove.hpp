@@ -29,4 +29,35 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
                                              const Eigen::Vector3d& position_m, double reach_m,
                                              const GrooveLaw& law);
 
+/// The part of a velocity along the edge in which two faces meet; that along the face if both lie in one
+/// plane. Requires unit normals.
+Eigen::Vector3d along_edge(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,
+                           const Eigen::Vector3d& next_normal);
+
+/// Whether a rock strikes the faces of a groove in turn and gets nowhere.
+///
+/// A rock that an impact turns may leave one face straight into the other, in no time. Twice in a row that is
+/// an impact on both; the third time the groove leads on a rock that slides. One that rolls is thrown up by
+/// the jump angle, or held by RestingPlace. Choice; no published law.
+class StrikesInTurn {
+public:
+    /// Whether a flight of this time is one too many.
+    bool once_more(double flight_s) {
+        constexpr double no_time_s = 1e-9;
+        constexpr int most_in_a_row = 2;
+        if (flight_s >= no_time_s) {
+            in_a_row_ = 0;
+            return false;
+        }
+        if (in_a_row_ == most_in_a_row) {
+            return true;
+        }
+        ++in_a_row_;
+        return false;
+    }
+
+private:
+    int in_a_row_ = 0;
+};
+
 }  // namespace rockfall

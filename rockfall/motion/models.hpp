@@ -22,6 +22,8 @@ namespace rockfall {
 ///                                       moves on: a RollingPiece or one's heir
 ///   caught_on_the_way(surface, piece)   the share of the piece after which the ground catches it, if it does
 ///   way_over_edge(velocity, next_normal, surface) -> EdgeWay
+///   slides                              whether rocks slide on the ground or roll; a groove whose faces a
+///                                       sliding rock strikes in turn leads it on
 ///   groove_law(surface), most_impacts()
 /// The event loop (trajectory.hpp) does all else and is compiled once for each model: no call is virtual.
 enum class MotionModel : std::uint8_t { picus, pir3d, classical };

@@ -18,6 +18,8 @@ namespace rockfall {
 /// One rock under the motion model of PICUS Rock'n'Roll; what a model must offer is told in models.hpp.
 class PicusMotion {
 public:
+    static constexpr bool slides = false;
+
     PicusMotion(const PicusLaw& law, const config::StreamKey& key, const Rock& rock)
         : law_{law},
           rock_{rock},

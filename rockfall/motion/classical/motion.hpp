@@ -17,6 +17,8 @@ namespace rockfall::classical {
 /// one angle of friction. What a model must offer is told in models.hpp.
 class Motion {
 public:
+    static constexpr bool slides = true;
+
     Motion(const Law& law, const config::StreamKey& key, const Rock& rock)
         : law_{law},
           least_hop_m_{law.least_hop * rock.radius_m},

@@ -18,6 +18,8 @@ namespace rockfall::pir3d {
 /// models.hpp. Every ground type needs a soil.
 class Motion {
 public:
+    static constexpr bool slides = true;
+
     Motion(const Law& law, const config::StreamKey& key, const Rock& rock)
         : law_{law},
           least_hop_m_{law.least_hop * rock.radius_m},
