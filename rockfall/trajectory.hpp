@@ -1,23 +1,20 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "config/random/stream.hpp"
 #include "rockfall/fall.hpp"
 #include "rockfall/motion/flight.hpp"
 #include "rockfall/motion/groove.hpp"
+#include "rockfall/motion/leaving.hpp"
 #include "rockfall/motion/models.hpp"
+#include "rockfall/motion/moving_rock.hpp"
+#include "rockfall/motion/on_face.hpp"
 #include "rockfall/motion/resting_place.hpp"
 #include "rockfall/motion/rolling.hpp"
-#include "rockfall/obstacles/log_impact.hpp"
+#include "rockfall/obstacles/meetings.hpp"
 #include "rockfall/obstacles/nets/net_watch.hpp"
-#include "rockfall/obstacles/obstacles.hpp"
-#include "rockfall/obstacles/tree_impact.hpp"
 #include "rockfall/rock.hpp"
 #include "rockfall/slope.hpp"
 
@@ -34,30 +31,23 @@ public:
     Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer)
         : slope_{slope},
-          obstacles_{obstacles},
-          law_{law},
-          motion_{std::move(motion)},
-          tree_draws_{key, config::Purpose::tree_impact},
           rock_{start.rock},
+          meetings_{obstacles, law.tree, law.log, key, start.rock},
+          nets_{obstacles.nets, start.rock, scratch.nets},
+          resting_place_{start.rock.radius_m},
           scratch_{scratch},
           observer_{observer},
-          position_m_{start.position_m},
-          velocity_mps_{start.velocity_mps},
-          triangle_{start.triangle},
-          rolling_{start.rolling},
-          resting_place_{start.rock.radius_m},
-          encounters_{obstacles, start.rock.radius_m},
-          nets_{obstacles.nets, start.rock, scratch.nets} {
-        if (rolling_) {
-            begin_rolling();
+          now_{std::move(motion), start.position_m, start.velocity_mps, start.triangle, start.rolling} {
+        if (now_.rolling) {
+            now_.begin_rolling();
         }
     }
 
     FallEnd run() {
         while (!stopped_) {
-            rolling_ ? roll_on() : fly_on();
+            now_.rolling ? roll_on() : fly_on();
         }
-        end_.position_m = position_m_;
+        end_.position_m = now_.position_m;
         return end_;
     }
 
@@ -68,23 +58,11 @@ private:
     }
 
     void fly_on() {
-        const Flight flight{position_m_, velocity_mps_};
-        const Landing landing = fly(slope_.terrain, flight, triangle_, scratch_.stretches);
+        const Flight flight{now_.position_m, now_.velocity_mps};
+        const Landing landing = fly(slope_.terrain, flight, now_.triangle, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
-        if (!obstacles_.none() && !scratch_.stretches.empty()) {
-            const auto encounter = encounters_.next(flight, landing.time_s);
-            const double until_s = encounter ? encounter->time_s : landing.time_s;
-            if (const auto net = nets_.on_flight(flight, until_s, spin_radps_, slope_.terrain,
-                                                 scratch_.stretches, observer_)) {
-                end_flight_at(flight, net->time_s);
-                meet(net->crossing);
-                return;
-            }
-            if (encounter) {
-                end_flight_at(flight, encounter->time_s);
-                meet(*encounter);
-                return;
-            }
+        if (meets_obstacle_flying(flight, landing.time_s)) {
+            return;
         }
         if constexpr (Motion::slides) {
             if (landing.end == FlightEnd::ground && strikes_in_turn_.once_more(landing.time_s)) {
@@ -92,16 +70,34 @@ private:
                 return;
             }
         }
-        observer_.flew(rock_, flight, landing.time_s, scratch_.stretches, spin_radps_);
-        position_m_ = flight.position_m(landing.time_s);
-        velocity_mps_ = flight.velocity_at(landing.time_s);
-        triangle_ = landing.triangle;
+        observer_.flew(rock_, flight, landing.time_s, scratch_.stretches, now_.spin_radps);
+        now_.position_m = flight.position_m(landing.time_s);
+        now_.velocity_mps = flight.velocity_at(landing.time_s);
+        now_.triangle = landing.triangle;
         if (landing.end == FlightEnd::left_terrain) {
             stop(StopReason::left_terrain);
             return;
         }
-        position_m_.z() = scratch_.stretches.back().ground_end_m;
+        now_.position_m.z() = scratch_.stretches.back().ground_end_m;
         touch_ground(landing.plane);
+    }
+
+    bool meets_obstacle_flying(const Flight& flight, double landing_s) {
+        if (meetings_.none() || scratch_.stretches.empty()) {
+            return false;
+        }
+        const auto encounter = meetings_.next(flight, landing_s);
+        const double until_s = encounter ? encounter->time_s : landing_s;
+        const auto net =
+            nets_.on_flight(flight, until_s, now_.spin_radps, slope_.terrain, scratch_.stretches, observer_);
+        if (net) {
+            end_flight_at(flight, net->time_s);
+            meet(net->crossing);
+        } else if (encounter) {
+            end_flight_at(flight, encounter->time_s);
+            meet(*encounter);
+        }
+        return net || encounter;
     }
 
     /// Tells of a piece as far as it came, and of the nets on it.
@@ -112,124 +108,101 @@ private:
 
     void end_flight_at(const Flight& flight, double time_s) {
         cut(scratch_.stretches, slope_.terrain, flight, time_s);
-        position_m_ = flight.position_m(time_s);
-        velocity_mps_ = flight.velocity_at(time_s);
-        triangle_ = scratch_.stretches.back().triangle;
-        observer_.flew(rock_, flight, time_s, scratch_.stretches, spin_radps_);
+        now_.position_m = flight.position_m(time_s);
+        now_.velocity_mps = flight.velocity_at(time_s);
+        now_.triangle = scratch_.stretches.back().triangle;
+        observer_.flew(rock_, flight, time_s, scratch_.stretches, now_.spin_radps);
     }
 
     /// A sliding rock that strikes two faces in turn and gets nowhere goes on along their edge.
     void slide_on_along_edge(const Landing& landing) {
-        velocity_mps_ =
-            along_edge(velocity_mps_, slope_.terrain.plane_of(triangle_).normal(), landing.plane.normal());
-        triangle_ = landing.triangle;
-        position_m_.z() = scratch_.stretches.back().ground_end_m;
+        now_.velocity_mps = along_edge(now_.velocity_mps, face_here().normal(), landing.plane.normal());
+        now_.triangle = landing.triangle;
+        now_.position_m.z() = scratch_.stretches.back().ground_end_m;
         resting_place_.add_impact();
-        begin_rolling();
+        now_.begin_rolling();
     }
 
     /// Between two faces the only way on is along their edge; in a pit there is none.
     void leave_groove_or_rest() {
-        auto run = run_along_groove(slope_.terrain, triangle_, position_m_, rock_.radius_m,
-                                    motion_.groove_law(surface_here()));
+        auto run = run_along_groove(slope_.terrain, now_.triangle, now_.position_m, rock_.radius_m,
+                                    now_.motion.groove_law(surface_here()));
         if (!run) {
             stop(StopReason::at_rest);
             return;
         }
-        velocity_mps_.setZero();
-        begin_rolling();
+        now_.velocity_mps.setZero();
+        now_.begin_rolling();
         if (meets_obstacle_rolling(*run) || is_caught_rolling(*run)) {
             return;
         }
-        tell_rolled(*run, triangle_);
-        velocity_mps_ = run->velocity_at(run->duration_s);
-        // A centimetre on, clear of the vertex: which triangle lies there the walk tells.
-        RollingPiece step{run->position_m(run->duration_s),
-                          velocity_mps_,
-                          Eigen::Vector3d::Zero(),
-                          0.01 / velocity_mps_.norm(),
-                          RollingEnd::piece,
-                          run->next_triangle,
-                          false,
-                          run->slides};
+        tell_rolled(*run, now_.triangle);
+        RollingPiece step = centimetre_on(*run);
+        now_.velocity_mps = step.velocity_mps;
         const auto net = nets_.cut(step);
         tell_rolled(step, run->next_triangle);
-        position_m_ = step.position_m(step.duration_s);
+        now_.position_m = step.position_m(step.duration_s);
         if (net) {
             meet(*net);
             if (stopped_) {
                 return;
             }
         }
-        const auto beyond = slope_.terrain.locate(position_m_.x(), position_m_.y(), run->next_triangle);
-        if (!beyond) {
-            stop(StopReason::left_terrain);
-            return;
+        const auto beyond =
+            slope_.terrain.locate(now_.position_m.x(), now_.position_m.y(), run->next_triangle);
+        if (moves_into(beyond.value_or(no_triangle))) {
+            now_.enter(face_here());
         }
-        triangle_ = *beyond;
-        enter_face(slope_.terrain.plane_of(triangle_));
     }
 
-    /// Puts the rock on a face and turns its motion into it, speed kept.
-    void enter_face(const Plane& plane) {
-        position_m_.z() = plane.height_m(position_m_.x(), position_m_.y());
-        const Eigen::Vector3d normal = plane.normal();
-        const Eigen::Vector3d along = velocity_mps_ - velocity_mps_.dot(normal) * normal;
-        const double along_mps = along.norm();
-        velocity_mps_ = along_mps > 0.0 ? Eigen::Vector3d{velocity_mps_.norm() / along_mps * along}
-                                        : Eigen::Vector3d::Zero();
-        spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
+    /// Beyond the border there is no triangle: the rock has left.
+    bool moves_into(std::uint32_t triangle) {
+        if (triangle == no_triangle) {
+            stop(StopReason::left_terrain);
+            return false;
+        }
+        now_.triangle = triangle;
+        return true;
     }
 
     void touch_ground(const Plane& plane) {
         const Eigen::Vector3d normal = plane.normal();
-        if (resting_place_.holds(position_m_)) {
+        if (resting_place_.holds(now_.position_m)) {
             leave_groove_or_rest();
             return;
         }
-        if (end_.ground_impacts >= motion_.most_impacts()) {
+        if (end_.ground_impacts >= now_.motion.most_impacts()) {
             stop(StopReason::gave_up);
             return;
         }
         const SurfaceType& surface = surface_here();
-        const auto draws = motion_.next_draws();
+        const auto draws = now_.motion.next_draws();
         ++end_.ground_impacts;
         resting_place_.add_impact();
-        observer_.impacted(position_m_);
-        if (velocity_mps_.dot(normal) >= 0.0) {
+        observer_.impacted(now_.position_m);
+        if (now_.velocity_mps.dot(normal) >= 0.0) {
             return;  // grazes along a facet it does not press on: flies on
         }
-        const Contact contact = motion_.touch(velocity_mps_, spin_radps_, normal, surface, draws);
-        velocity_mps_ = contact.velocity_mps;
-        spin_radps_ = contact.spin_radps;
-        switch (contact.onward) {
-            case Onward::flies:
-                rolling_ = false;
-                break;
-            case Onward::rolls:
-                begin_rolling();
-                break;
-            case Onward::rests:
-                stop(StopReason::at_rest);
-                break;
-            case Onward::caught:
-                stop(StopReason::caught);
-                break;
+        const Contact contact = now_.motion.touch(now_.velocity_mps, now_.spin_radps, normal, surface, draws);
+        now_.velocity_mps = contact.velocity_mps;
+        now_.spin_radps = contact.spin_radps;
+        if (contact.onward == Onward::flies) {
+            now_.rolling = false;
+        } else if (contact.onward == Onward::rolls) {
+            now_.begin_rolling();
+        } else {
+            stop(contact.onward == Onward::rests ? StopReason::at_rest : StopReason::caught);
         }
     }
 
-    [[nodiscard]] const SurfaceType& surface_here() const {
-        return slope_.type_at(triangle_, position_m_.x(), position_m_.y());
-    }
+    [[nodiscard]] Plane face_here() const { return slope_.terrain.plane_of(now_.triangle); }
 
-    void begin_rolling() {
-        rolling_ = true;
-        spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
-        motion_.begin_rolling();
+    [[nodiscard]] const SurfaceType& surface_here() const {
+        return slope_.type_at(now_.triangle, now_.position_m.x(), now_.position_m.y());
     }
 
     void roll_on() {
-        if (resting_place_.holds(position_m_)) {
+        if (resting_place_.holds(now_.position_m)) {
             leave_groove_or_rest();
             return;
         }
@@ -237,23 +210,21 @@ private:
             stop(StopReason::gave_up);
             return;
         }
-        const Plane plane = slope_.terrain.plane_of(triangle_);
-        if (const auto leaving_mps = motion_.lift_off(velocity_mps_, plane.normal())) {
-            velocity_mps_ = *leaving_mps;
-            rolling_ = false;
+        const Plane plane = face_here();
+        if (const auto leaving_mps = now_.motion.lift_off(now_.velocity_mps, plane.normal())) {
+            now_.velocity_mps = *leaving_mps;
+            now_.rolling = false;
             return;
         }
-        auto piece =
-            motion_.next_piece(slope_.terrain, triangle_, plane, position_m_, velocity_mps_, surface_here());
+        auto piece = now_.motion.next_piece(slope_.terrain, now_.triangle, plane, now_.position_m,
+                                            now_.velocity_mps, surface_here());
         if (meets_obstacle_rolling(piece) || is_caught_rolling(piece)) {
             return;
         }
-        tell_rolled(piece, triangle_);
+        tell_rolled(piece, now_.triangle);
         resting_place_.add_rolling(piece.duration_s);
-        position_m_ = piece.position_m(piece.duration_s);
-        velocity_mps_ = piece.velocity_at(piece.duration_s);
-        position_m_.z() = plane.height_m(position_m_.x(), position_m_.y());
-        spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
+        now_.go_to_end_of(piece);
+        now_.put_on(plane);
         if (piece.end == RollingEnd::standstill) {
             stop(StopReason::at_rest);
         } else if (piece.end == RollingEnd::edge) {
@@ -261,30 +232,18 @@ private:
         }
     }
 
-    /// The triangle in which a piece ends that ran over an edge; a short piece may have run on a little.
-    std::uint32_t triangle_beyond(const RollingPiece& piece) const {
-        if (piece.next_triangle == no_triangle || !piece.ran_over) {
-            return piece.next_triangle;
-        }
-        return slope_.terrain.locate(position_m_.x(), position_m_.y(), piece.next_triangle)
-            .value_or(no_triangle);
-    }
-
     void roll_over_edge(const RollingPiece& piece) {
-        const std::uint32_t beyond = triangle_beyond(piece);
-        if (beyond == no_triangle) {
-            stop(StopReason::left_terrain);
+        if (!moves_into(triangle_beyond(slope_.terrain, piece))) {
             return;
         }
-        triangle_ = beyond;
-        const Plane next = slope_.terrain.plane_of(triangle_);
-        position_m_.z() = next.height_m(position_m_.x(), position_m_.y());
-        switch (motion_.way_over_edge(velocity_mps_, next.normal(), surface_here())) {
+        const Plane next = face_here();
+        now_.put_on(next);
+        switch (now_.motion.way_over_edge(now_.velocity_mps, next.normal(), surface_here())) {
             case EdgeWay::goes_on:
-                enter_face(next);
+                now_.enter(next);
                 break;
             case EdgeWay::takes_off:
-                rolling_ = false;
+                now_.rolling = false;
                 break;
             case EdgeWay::runs_into:
                 touch_ground(next);
@@ -293,23 +252,23 @@ private:
     }
 
     bool is_caught_rolling(RollingPiece& piece) {
-        const auto share = motion_.caught_on_the_way(surface_here(), piece);
+        const auto share = now_.motion.caught_on_the_way(surface_here(), piece);
         if (!share) {
             return false;
         }
         piece.duration_s = piece.time_along_s(*share);
-        tell_rolled(piece, triangle_);
-        position_m_ = piece.position_m(piece.duration_s);
+        tell_rolled(piece, now_.triangle);
+        now_.position_m = piece.position_m(piece.duration_s);
         stop(StopReason::caught);
         return true;
     }
 
     template <class Piece>
     bool meets_obstacle_rolling(Piece& piece) {
-        if (obstacles_.none() || piece.duration_s <= 0.0) {
+        if (meetings_.none() || piece.duration_s <= 0.0) {
             return false;
         }
-        const auto encounter = encounters_.next(piece);
+        const auto encounter = meetings_.next(piece);
         if (encounter) {
             piece.duration_s = piece.time_along_s(encounter->time_s / piece.duration_s);
         }
@@ -322,10 +281,8 @@ private:
         }
         nets_.tell(piece.duration_s, observer_);
         piece.duration_s = NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s));
-        observer_.rolled(rock_, piece, triangle_);
-        position_m_ = piece.position_m(piece.duration_s);
-        velocity_mps_ = piece.velocity_at(piece.duration_s);
-        spin_radps_ = motion_.rolling_spin_radps(velocity_mps_.norm());
+        observer_.rolled(rock_, piece, now_.triangle);
+        now_.go_to_end_of(piece);
         net ? meet(*net) : meet(*encounter);
         return true;
     }
@@ -335,13 +292,11 @@ private:
             rest_at_foot(StopReason::net);
             return;
         }
-        const double factor = nets_.break_through(crossing, position_m_);
-        velocity_mps_ *= factor;
-        spin_radps_ *= factor;
+        now_.slow_down(nets_.break_through(crossing, now_.position_m));
     }
 
     void meet(const Encounter& encounter) {
-        const double energy_j = kinetic_energy_j(rock_, velocity_mps_.squaredNorm(), spin_radps_);
+        const double energy_j = kinetic_energy_j(rock_, now_.velocity_mps.squaredNorm(), now_.spin_radps);
         if (energy_j <= 0.0) {
             stop(encounter.stem ? StopReason::tree : StopReason::log);  // leans on it
         } else if (encounter.stem) {
@@ -352,105 +307,60 @@ private:
     }
 
     void meet(const StemHit& hit, double energy_j) {
-        const PlacedStem& stem = obstacles_.stems->placed()[hit.stem];
-        const TreeImpact impact =
-            meet_stem(energy_j, hit, stem, law_.tree, tree_draws_.uniforms_of(end_.tree_hits));
+        const TreeImpact impact = meetings_.meet(hit, energy_j);
         ++end_.tree_hits;
-        encounters_.remember(hit);
-        observer_.met_stem(position_m_, hit, impact, energy_j);
-        if (impact.broken && law_.tree.remove_broken && !obstacles_.gone.empty()) {
-            obstacles_.gone[hit.stem] = 1;
-        }
+        observer_.met_stem(now_.position_m, hit, impact, energy_j);
         if (impact.stopped) {
             rest_at_foot(StopReason::tree);
             return;
         }
-        turn_and_slow(impact);
+        now_.velocity_mps = turned_in_plan(now_.velocity_mps, impact.turn);
+        now_.slow_down(impact.speed_factor);
+        stay_on_ground();
     }
 
     void meet(const LogHit& hit, double energy_j) {
-        const LogPiece& piece = obstacles_.logs->pieces()[hit.piece];
-        LogImpact impact = meet_log(energy_j, velocity_mps_, rock_, hit, piece, law_.log);
-        if (impact.outcome == LogOutcome::turned && turned_at_log_ == hit.log &&
-            (position_m_ - turned_at_m_).squaredNorm() < rock_.radius_m * rock_.radius_m) {
-            impact = rest_at(energy_j);  // pressed against it once more on the same spot
-        }
+        const LogImpact impact = meetings_.meet(hit, energy_j, now_.position_m, now_.velocity_mps);
         ++end_.log_hits;
-        observer_.met_log(position_m_, hit, impact, energy_j);
+        observer_.met_log(now_.position_m, hit, impact, energy_j);
         if (impact.outcome == LogOutcome::stopped) {
             rest_at_foot(StopReason::log);
             return;
         }
-        if (impact.outcome == LogOutcome::turned) {
-            turned_at_log_ = hit.log;
-            turned_at_m_ = position_m_;
-        } else {
-            encounters_.remember(hit);
-        }
-        if (impact.outcome == LogOutcome::broke && law_.tree.remove_broken && !obstacles_.logs_gone.empty()) {
-            obstacles_.logs_gone[hit.log] = 1;
-        }
-        velocity_mps_ = impact.velocity_mps;
-        spin_radps_ *= impact.spin_factor;
-        if (rolling_) {
-            stay_in_face();
-        }
+        now_.velocity_mps = impact.velocity_mps;
+        now_.spin_radps *= impact.spin_factor;
+        stay_on_ground();
     }
 
     /// Drops to the ground at the uphill foot of an obstacle.
     void rest_at_foot(StopReason reason) {
-        position_m_.z() = slope_.terrain.plane_of(triangle_).height_m(position_m_.x(), position_m_.y());
-        velocity_mps_.setZero();
+        now_.put_on(face_here());
+        now_.velocity_mps.setZero();
         stop(reason);
     }
 
-    void turn_and_slow(const TreeImpact& impact) {
-        const double vx = velocity_mps_.x();
-        const double vy = velocity_mps_.y();
-        velocity_mps_.x() = impact.turn.cos * vx - impact.turn.sin * vy;
-        velocity_mps_.y() = impact.turn.sin * vx + impact.turn.cos * vy;
-        velocity_mps_ *= impact.speed_factor;
-        spin_radps_ *= impact.speed_factor;
-        if (rolling_) {
-            stay_in_face();
+    /// A rolling rock that was turned follows the rise of its face.
+    void stay_on_ground() {
+        if (now_.rolling) {
+            now_.velocity_mps = rising_with(face_here(), now_.velocity_mps);
         }
-    }
-
-    /// After a turn: the speed is kept, the rise follows the plane.
-    void stay_in_face() {
-        const Plane plane = slope_.terrain.plane_of(triangle_);
-        const double speed_mps = velocity_mps_.norm();
-        velocity_mps_.z() = plane.gradient.x() * velocity_mps_.x() + plane.gradient.y() * velocity_mps_.y();
-        const double tilted_mps = velocity_mps_.norm();
-        velocity_mps_ *= tilted_mps > 0.0 ? speed_mps / tilted_mps : 0.0;
     }
 
     static constexpr std::uint32_t most_rolling_pieces = 200'000;
 
     const Slope& slope_;
-    const Obstacles& obstacles_;
-    const FallLaw& law_;
-    Motion motion_;
-    config::RandomStream tree_draws_;
     Rock rock_;
+    Meetings meetings_;
+    NetWatch nets_;
+    RestingPlace resting_place_;
+    StrikesInTurn strikes_in_turn_;
     FallScratch& scratch_;
     Observer& observer_;
 
-    Eigen::Vector3d position_m_;
-    Eigen::Vector3d velocity_mps_;
-    double spin_radps_ = 0.0;
-    std::uint32_t triangle_;
-    bool rolling_;
+    MovingRock<Motion> now_;
+    std::uint32_t rolling_pieces_ = 0;
     bool stopped_ = false;
     FallEnd end_;
-
-    RestingPlace resting_place_;
-    StrikesInTurn strikes_in_turn_;
-    std::uint32_t rolling_pieces_ = 0;
-    Encounters encounters_;
-    std::uint32_t turned_at_log_ = no_log;
-    Eigen::Vector3d turned_at_m_ = Eigen::Vector3d::Zero();
-    NetWatch nets_;
 };
 
 /// Lets a rock fall under the motion model of the law, which is chosen here, once for the rock.

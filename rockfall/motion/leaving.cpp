@@ -69,4 +69,25 @@ void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t tria
     }
 }
 
+std::uint32_t triangle_beyond(const Terrain& terrain, const RollingPiece& piece) {
+    if (piece.next_triangle == no_triangle || !piece.ran_over) {
+        return piece.next_triangle;
+    }
+    const Eigen::Vector3d end_m = piece.position_m(piece.duration_s);
+    return terrain.locate(end_m.x(), end_m.y(), piece.next_triangle).value_or(no_triangle);
+}
+
+RollingPiece centimetre_on(const RollingPiece& run) {
+    constexpr double way_m = 0.01;
+    const Eigen::Vector3d velocity_mps = run.velocity_at(run.duration_s);
+    return {run.position_m(run.duration_s),
+            velocity_mps,
+            Eigen::Vector3d::Zero(),
+            way_m / velocity_mps.norm(),
+            RollingEnd::piece,
+            run.next_triangle,
+            false,
+            run.slides};
+}
+
 }  // namespace rockfall

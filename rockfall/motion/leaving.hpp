@@ -20,4 +20,12 @@ Leaving leaving(const Terrain& terrain, std::uint32_t triangle, const RollingPie
 void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
                  const Leaving& out);
 
+/// The triangle into which a piece leads that ended over an edge; a short piece may have run on a little, to
+/// where the walk tells. `no_triangle` beyond the border.
+std::uint32_t triangle_beyond(const Terrain& terrain, const RollingPiece& piece);
+
+/// The centimetre after a run that ended in a vertex, at its last velocity: clear of the vertex the walk
+/// tells the triangle. Requires a run that moves at its end.
+RollingPiece centimetre_on(const RollingPiece& run);
+
 }  // namespace rockfall
