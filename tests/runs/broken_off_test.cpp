@@ -10,14 +10,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run of two parts on the bare slope; the first ends after 250 000 rocks.
-constexpr const char* two_parts =
-    "run scenario.ini --quiet --threads 2 --set trees.file= --set output.rock_table=no "
-    "--set release.rocks=500000";
+/// A run of two parts on the bare slope. A part ends with the source that completes 250 000 rocks: after two
+/// of the four; under pir3d, whose rocks take their time, after three with fewer each.
+std::string two_parts(const std::string& motion) {
+    return "run scenario.ini --quiet --threads 2 --set trees.file= --set output.rock_table=no "
+           "--set rockfall.motion=" +
+           motion + " --set release.rocks=" + (motion == "pir3d" ? "340000" : "500000");
+}
 
-/// Starts that run, interrupts it once its first part is finished, and ends with its exit code.
-std::string interrupted_after_first_part(const std::string& out, const std::string& settings) {
-    return std::string{"\"$bannwald\" "} + two_parts + settings + " --out " + out +
+/// Starts a run, interrupts it once its first part is finished, and ends with its exit code.
+std::string interrupted_after_first_part(const std::string& out, const std::string& run) {
+    return "\"$bannwald\" " + run + " --out " + out +
            " &\n"
            "while kill -0 $! 2>/dev/null && [ ! -e " +
            out +
@@ -57,18 +60,21 @@ INSTANTIATE_TEST_SUITE_P(Motion, InterruptionUnderModel, ::testing::Values("picu
 
 TEST_P(InterruptionUnderModel, KeepsFinishedPartsForTheSameSettingsOnly) {
     const SampleProject project;
-    const std::string motion = " --set rockfall.motion=" + GetParam();
-    const Outcome interrupted = shell(project, interrupted_after_first_part("out", motion));
+    // On the sample's soil, whose friction is the tangent of its slope, rocks of pir3d creep: a run would
+    // take minutes. On this one most pass and some come to rest.
+    project.replace("surface_types.csv", "vegetated_soil_step_1", "soft_soil_step_2");
+    const std::string run = two_parts(GetParam());
+    const Outcome interrupted = shell(project, interrupted_after_first_part("out", run));
     ASSERT_EQ(interrupted.code, 75) << interrupted.err;
     ASSERT_TRUE(fs::exists(project.file("out/parts")));
     EXPECT_FALSE(fs::exists(project.file("out/report.html")));
 
-    const Outcome other = call(project, two_parts + motion + " --seed 2");
+    const Outcome other = call(project, run + " --seed 2");
     EXPECT_EQ(other.code, 2) << other.err;
     EXPECT_TRUE(fs::exists(project.file("out/parts")));
 
-    EXPECT_EQ(call(project, two_parts + motion).code, 0);
-    EXPECT_EQ(call(project, two_parts + motion + " --out whole").code, 0);
+    EXPECT_EQ(call(project, run).code, 0);
+    EXPECT_EQ(call(project, run + " --out whole").code, 0);
     for (const std::string name :
          {"rasters/bare/E_95.asc", "rasters/bare/Nr_passages.asc", "tables/targets.csv"}) {
         EXPECT_EQ(project.read("out/" + name), project.read("whole/" + name)) << name;
