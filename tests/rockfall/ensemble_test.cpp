@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tests/rockfall/ensemble_scene.hpp"
 #include "tests/rockfall/slopes.hpp"
