@@ -81,19 +81,19 @@ void add_profile(const fs::path& folder, std::vector<Figure>& figures) {
     }
 }
 
-/// Sums over the years of each member, in the order in which regimes come.
+/// Sums over the years of each member in which a figure is known, in the order in which regimes come.
 class MeansOverYears {
 public:
     explicit MeansOverYears(std::vector<Figure>& figures) : figures_{figures} {}
 
     void add(const FigureKey& key, const std::string& replicate, double value) {
-        if (std::isnan(value)) {
-            return;
-        }
         auto found =
             std::find_if(sums_.begin(), sums_.end(), [&](const auto& sum) { return sum.first == key; });
         if (found == sums_.end()) {
             found = sums_.insert(sums_.end(), {key, {}});
+        }
+        if (std::isnan(value)) {
+            return;
         }
         auto& [sum, count] = found->second[config::parse_whole(replicate).value_or(0)];
         sum += value;
@@ -212,6 +212,9 @@ void refuse_unfinished(const fs::path& folder) {
 }  // namespace
 
 Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate) {
+    if (by_replicate.empty()) {
+        return {.key = std::move(key), .value = unknown};
+    }
     const auto n = static_cast<double>(by_replicate.size());
     double mean = 0.0;
     for (const auto& [replicate, value] : by_replicate) {

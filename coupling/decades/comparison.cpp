@@ -27,9 +27,6 @@ Series empty_series(const Names& names, std::span<const MemberYears> members, st
     return series;
 }
 
-/// Of fewer rocks the 95th percentile is the largest of them.
-constexpr std::uint64_t least_rocks_for_p95 = 20;
-
 /// Where the figures of a member belong.
 class PlaceOf {
 public:
@@ -59,7 +56,7 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
                     of_member(protection, member)[row.year] = 100.0 * effect->value;
                 }
                 of_member(reached, member)[row.year] = 100.0 * row.forest.share.value;
-                if (row.paired.forest() >= least_rocks_for_p95) {
+                if (!std::isnan(row.forest.energy_kj.p95)) {
                     of_member(energy, member)[row.year] = row.forest.energy_kj.p95;
                 }
             }

@@ -46,21 +46,22 @@ std::vector<Column> distribution_columns(const Quantity& quantity) {
     const char* ranks = "order statistics by the binomial law; whole bins";
     add("mean", "mean", simulated);
     add("50", "median", from_bins);
-    add("90", "90th percentile", from_bins);
-    add("95", "95th percentile", from_bins);
-    add("95_low", "lower end of the 95 % interval of the 95th percentile", ranks);
+    add("90", "90th percentile (empty: fewer than 10 rocks)", from_bins);
+    add("95", "95th percentile (empty: fewer than 20 rocks)", from_bins);
+    add("95_low", "lower end (empty: fewer than 20 rocks) of the 95 % interval of the 95th percentile",
+        ranks);
     add("95_high", "upper end (empty: fewer than 72 rocks) of the 95 % interval of the 95th percentile",
         ranks);
-    add("98", "98th percentile", from_bins);
-    add("99", "99th percentile", from_bins);
+    add("98", "98th percentile (empty: fewer than 50 rocks)", from_bins);
+    add("99", "99th percentile (empty: fewer than 100 rocks)", from_bins);
     add("max", "largest value", simulated);
     return columns;
 }
 
 void add_distribution(CsvRow& row, const Distribution& d) {
-    const bool known = !std::isnan(d.mean);
+    const bool known = !std::isnan(d.p95);
     row.number<3>(d.mean).number<3>(d.p50).number<3>(d.p90).number<3>(d.p95);
-    row.number<3>(known ? d.p95_interval.low : d.mean).number<3>(d.p95_interval.high);
+    row.number<3>(known ? d.p95_interval.low : d.p95).number<3>(d.p95_interval.high);
     row.number<3>(d.p98).number<3>(d.p99).number<3>(d.max);
 }
 
@@ -88,21 +89,24 @@ void add_arrivals(CsvRow& row, const ArrivalFigures& arrivals) {
 std::vector<Column> protection_columns() {
     constexpr const char* paired = "paired ratio by the delta method (coupling/results/README.md)";
     constexpr const char* named_after = "choice, named after Dupire et al. 2016";
-    return {{"rocks", "-", "rocks that fell", counted},
-            {"reached_bare", "-", "rocks that reach the target over the bare slope", counted},
-            {"reached_forest", "-", "rocks that reach it with forest", counted},
-            {"reached_both", "-", "rocks that reach it on both slopes", counted},
-            {"protection_percent", "%",
-             "protection effect: share of the rocks arriving over the bare slope that the forest keeps away; "
-             "empty where none arrives",
-             "1 - reached_forest / reached_bare"},
-            {"protection_low_percent", "%",
-             "lower end of its 95 % interval; one-sided where no rock comes through", paired},
-            {"protection_high_percent", "%", "upper end of its 95 % interval", paired},
-            {"bari_percent", "%", "reduction of the number of arrivals", named_after},
-            {"miri_percent", "%",
-             "reduction of the 95th percentile of the energy; 100 where no rock comes through", named_after},
-            {"orpi_percent", "%", "both together: 1 - (1 - BARI) (1 - MIRI)", named_after}};
+    return {
+        {"rocks", "-", "rocks that fell", counted},
+        {"reached_bare", "-", "rocks that reach the target over the bare slope", counted},
+        {"reached_forest", "-", "rocks that reach it with forest", counted},
+        {"reached_both", "-", "rocks that reach it on both slopes", counted},
+        {"protection_percent", "%",
+         "protection effect: share of the rocks arriving over the bare slope that the forest keeps away; "
+         "empty where none arrives",
+         "1 - reached_forest / reached_bare"},
+        {"protection_low_percent", "%",
+         "lower end of its 95 % interval; one-sided where no rock comes through", paired},
+        {"protection_high_percent", "%", "upper end of its 95 % interval", paired},
+        {"bari_percent", "%", "reduction of the number of arrivals", named_after},
+        {"miri_percent", "%",
+         "reduction of the 95th percentile of the energy; 100 where no rock comes through; empty where "
+         "fewer than 20 rocks arrive on a slope: the percentile is not known",
+         named_after},
+        {"orpi_percent", "%", "both together: 1 - (1 - BARI) (1 - MIRI); empty where MIRI is", named_after}};
 }
 
 void add_protection(CsvRow& row, std::uint64_t rocks, const PairedCounts& paired,

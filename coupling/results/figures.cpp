@@ -1,6 +1,7 @@
 #include "coupling/results/figures.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 namespace coupling {
@@ -24,17 +25,24 @@ Distribution distribution(const rockfall::LogBins& bins, std::span<const std::ui
     if (std::isnan(p95.value)) {
         return found;
     }
-    const auto quantile = [&](double share) {
-        return std::min(rockfall::quantile(bins, counts, share), largest) / unit;
+    const std::uint64_t total = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    const auto quantile = [&](std::uint64_t percentile) {
+        return percentile_is_known(total, percentile)
+                   ? std::min(rockfall::quantile(bins, counts, 0.01 * static_cast<double>(percentile)),
+                              largest) /
+                         unit
+                   : no_number;
     };
     found.mean = mean;
-    found.p50 = quantile(0.50);
-    found.p90 = quantile(0.90);
-    found.p95 = p95.value / unit;
-    found.p98 = quantile(0.98);
-    found.p99 = quantile(0.99);
+    found.p50 = quantile(50);
+    found.p90 = quantile(90);
+    found.p98 = quantile(98);
+    found.p99 = quantile(99);
     found.max = largest / unit;
-    found.p95_interval = in_unit(p95.interval, unit);
+    if (percentile_is_known(total, 95)) {
+        found.p95 = p95.value / unit;
+        found.p95_interval = in_unit(p95.interval, unit);
+    }
     return found;
 }
 
@@ -84,11 +92,16 @@ Distribution run_out(const rockfall::RunTally& tally) {
         return found;
     }
     found.mean = mean_of(tally.run_out_sum_mm, tally.rocks, per_milli);
-    found.p50 = run_out_quantile(tally, 0.50);
-    found.p90 = run_out_quantile(tally, 0.90);
-    found.p95 = run_out_quantile(tally, 0.95);
-    found.p98 = run_out_quantile(tally, 0.98);
-    found.p99 = run_out_quantile(tally, 0.99);
+    const auto quantile = [&](std::uint64_t percentile) {
+        return percentile_is_known(tally.rocks, percentile)
+                   ? run_out_quantile(tally, 0.01 * static_cast<double>(percentile))
+                   : no_number;
+    };
+    found.p50 = quantile(50);
+    found.p90 = quantile(90);
+    found.p95 = quantile(95);
+    found.p98 = quantile(98);
+    found.p99 = quantile(99);
     found.max = tally.max_run_out_m;
     return found;
 }

@@ -26,7 +26,7 @@ std::vector<Cover> covers_of(const RunResults& results);
 /// Stop reasons as tables name them: "at_rest", "caught", "tree", "log", "net", "left_terrain", "gave_up".
 const char* name_of(rockfall::StopReason reason);
 
-/// One quantity over rocks: NaN where there are none.
+/// One quantity over rocks: NaN where there are none, percentiles also where fewer than one rock lies above.
 struct Distribution {
     double mean = std::numeric_limits<double>::quiet_NaN();
     double p50 = mean, p90 = mean, p95 = mean, p98 = mean, p99 = mean;

@@ -113,11 +113,12 @@ std::uint64_t rocks_for_width(std::uint64_t rocks, double present_width, double 
 
 std::optional<RiskReduction> risk_reduction(const PairedCounts& counts, double energy_95_forest,
                                             double energy_95_bare) {
-    if (counts.bare() == 0 || !(energy_95_bare > 0.0)) {
+    if (counts.bare() == 0 || energy_95_bare <= 0.0) {
         return std::nullopt;
     }
     const double frequency_left = static_cast<double>(counts.forest()) / static_cast<double>(counts.bare());
-    const double intensity_left = counts.forest() == 0 ? 0.0 : energy_95_forest / energy_95_bare;
+    const double energy_95_left = counts.forest() == 0 ? 0.0 : energy_95_forest;
+    const double intensity_left = energy_95_left / energy_95_bare;
     return RiskReduction{100.0 * (1.0 - frequency_left), 100.0 * (1.0 - intensity_left),
                          100.0 * (1.0 - frequency_left * intensity_left)};
 }

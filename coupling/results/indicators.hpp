@@ -75,6 +75,12 @@ struct QuantileEstimate {
 QuantileEstimate quantile_estimate(const rockfall::LogBins& bins, std::span<const std::uint64_t> counts,
                                    double share, double largest);
 
+/// A percentile above which fewer than one value lies is the largest value and not known: the 90th needs 10
+/// values, the 95th 20, the 98th 50, the 99th 100.
+constexpr bool percentile_is_known(std::uint64_t count, std::uint64_t percentile) {
+    return count * (100 - percentile) >= 100;
+}
+
 /// Ranks (1 = smallest) of the order statistics around a quantile; 0 for low or count + 1 for high: there is
 /// none.
 struct Ranks {
@@ -99,9 +105,10 @@ inline std::uint64_t rocks_for_half(std::uint64_t rocks) {
 /// E95_f / E95_0), overall ORPI = 100 (1 - (1 - BARI / 100) (1 - MIRI / 100)).
 struct RiskReduction {
     double bari_percent = 0.0;
-    double miri_percent = 0.0;  ///< 100 where no rock comes through the forest
-    double orpi_percent = 0.0;
+    double miri_percent = 0.0;  ///< 100 where no rock comes through the forest; NaN: percentiles not known
+    double orpi_percent = 0.0;  ///< NaN where MIRI is
 };
+/// A percentile that is not known is NaN. Nothing if no rock arrives over the bare slope.
 std::optional<RiskReduction> risk_reduction(const PairedCounts& counts, double energy_95_forest,
                                             double energy_95_bare);
 

@@ -97,11 +97,6 @@ std::string with_interval(const Distribution& d) {
                   (open ? " or more" : joined(" to ", three_digits(d.p95_interval.high))), ")</span>");
 }
 
-/// A percentile above which fewer than one rock lies is the largest value: not shown.
-std::string percentile(double value, double percent, std::uint64_t rocks) {
-    return static_cast<double>(rocks) * (100.0 - percent) < 100.0 - 1e-9 ? "–" : three_digits(value);
-}
-
 /// What happens beyond the rim of the terrain nobody knows.
 std::string leaving(const RunResults& results, const Figures& figures) {
     constexpr auto left = static_cast<std::size_t>(rockfall::StopReason::left_terrain);
@@ -134,9 +129,8 @@ std::string figures_at(const TargetFigures& target, const std::vector<Cover>& co
             const std::uint64_t rocks = target.at(cover).share.part;
             table.row({joined(cover == Cover::forest ? "with forest" : "bare slope", " <small>(",
                               grouped(rocks), rocks == 1 ? " rock" : " rocks", ")</small>"),
-                       three_digits(d.mean), three_digits(d.p50), percentile(d.p90, 90.0, rocks),
-                       rocks < 20 ? "–" : with_interval(d), percentile(d.p98, 98.0, rocks),
-                       percentile(d.p99, 99.0, rocks), three_digits(d.max)});
+                       three_digits(d.mean), three_digits(d.p50), three_digits(d.p90), with_interval(d),
+                       three_digits(d.p98), three_digits(d.p99), three_digits(d.max)});
         }
     }
     return table.html();
@@ -154,11 +148,13 @@ std::string certainty(const TargetFigures& target, const RunResults& results) {
     text += joined(grouped(rocks_for_half(rocks)), " rocks instead of ", grouped(rocks),
                    " would halve these intervals.");
     if (target.reduction) {
-        text += joined(" Reduction of frequency (BARI) ", fixed(target.reduction->bari_percent, 1),
-                       ", of the 95th percentile of "
-                       "energy (MIRI) ",
-                       fixed(target.reduction->miri_percent, 1), ", of both (ORPI) ",
-                       fixed(target.reduction->orpi_percent, 1), " %.");
+        text += joined(" Reduction of frequency (BARI) ", fixed(target.reduction->bari_percent, 1));
+        text += std::isnan(target.reduction->miri_percent)
+                    ? std::string{" %. Of the 95th percentile of energy (MIRI) and of both (ORPI) fewer "
+                                  "than 20 rocks on a slope tell nothing."}
+                    : joined(", of the 95th percentile of energy (MIRI) ",
+                             fixed(target.reduction->miri_percent, 1), ", of both (ORPI) ",
+                             fixed(target.reduction->orpi_percent, 1), " %.");
     }
     return joined(text, "</p>");
 }

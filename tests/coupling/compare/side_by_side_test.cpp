@@ -37,6 +37,12 @@ TEST(OverReplicates, IsStudentsInterval) {
         << "one replicate tells nothing of the others";
 }
 
+TEST(OverReplicates, OfWhatNoYearKnowsIsNotKnown) {
+    const Figure figure = over_replicates({"road", "", "energy_95_kj", "mean over years"}, {});
+    EXPECT_TRUE(std::isnan(figure.value)) << "not 0";
+    EXPECT_EQ(figure.key.quantity, "energy_95_kj");
+}
+
 TEST(Difference, AddsIndependentIntervalsInSquares) {
     // 3, 4, 5: below the value of one and above the value of the other.
     const auto d = difference(with_interval(60.0, 57.0, 64.0), with_interval(50.0, 47.0, 54.0), false);

@@ -37,9 +37,35 @@ TEST(FiguresOf, TakesMeansFromSumsAndPercentilesFromBins) {
     EXPECT_NEAR(energy.mean, sum_kj / 40.0, 1e-9);
     EXPECT_NEAR(energy.max, largest_kj, 1e-3);
     EXPECT_LE(energy.p50, energy.p90);
-    EXPECT_LE(energy.p95, energy.p98);
-    EXPECT_LE(energy.p99, energy.max);
+    EXPECT_LE(energy.p90, energy.p95);
     EXPECT_TRUE(std::isinf(energy.p95_interval.high)) << "40 arrivals are too few";
+}
+
+TEST(FiguresOf, PercentilesRiseToTheLargestValue) {
+    SmallRun run;
+    run.fall(1000);
+    const Distribution energy = figures_of(run.results()).targets[0].at(Cover::bare).energy_kj;
+    EXPECT_LE(energy.p95, energy.p98);
+    EXPECT_LE(energy.p98, energy.p99);
+    EXPECT_LE(energy.p99, energy.max);
+}
+
+TEST(FiguresOf, APercentileThatNoWholeRockLiesAboveIsNotKnown) {
+    SmallRun run;
+    run.fall(400);
+    const TargetFigures road = figures_of(run.results()).targets[0];
+    const Distribution& bare = road.at(Cover::bare).energy_kj;
+    EXPECT_FALSE(std::isnan(bare.p95)) << "two of 40 lie above";
+    EXPECT_TRUE(std::isnan(bare.p98));
+    EXPECT_TRUE(std::isnan(bare.p99));
+    const Distribution& forest = road.at(Cover::forest).energy_kj;
+    EXPECT_FALSE(std::isnan(forest.p90)) << "one of 10 lies above";
+    EXPECT_TRUE(std::isnan(forest.p95));
+    EXPECT_FALSE(std::isnan(forest.max));
+    ASSERT_TRUE(road.reduction);
+    EXPECT_DOUBLE_EQ(road.reduction->bari_percent, 75.0);
+    EXPECT_TRUE(std::isnan(road.reduction->miri_percent));
+    EXPECT_TRUE(std::isnan(road.reduction->orpi_percent));
 }
 
 TEST(FiguresOf, LeavesATargetWithoutArrivalsUnknown) {

@@ -210,5 +210,22 @@ TEST(RiskReduction, JoinsFrequencyAndIntensity) {
         100.0);
 }
 
+TEST(RiskReduction, TellsNothingOfIntensityFromPercentilesThatAreNotKnown) {
+    for (const PairedCounts& counts : {PairedCounts{.both = 5, .only_forest = 0, .only_bare = 5},
+                                       PairedCounts{.both = 0, .only_forest = 0, .only_bare = 5}}) {
+        const auto reduction = risk_reduction(counts, std::nan(""), std::nan(""));
+        ASSERT_TRUE(reduction);
+        EXPECT_DOUBLE_EQ(reduction->bari_percent, counts.both == 0 ? 100.0 : 50.0);
+        EXPECT_TRUE(std::isnan(reduction->miri_percent));
+        EXPECT_TRUE(std::isnan(reduction->orpi_percent));
+    }
+}
+
+TEST(PercentileIsKnown, FromTheRockOnThatLiesAboveIt) {
+    EXPECT_TRUE(percentile_is_known(10, 90) && percentile_is_known(20, 95) && percentile_is_known(100, 99));
+    EXPECT_FALSE(percentile_is_known(9, 90) || percentile_is_known(19, 95) || percentile_is_known(99, 99));
+    EXPECT_FALSE(percentile_is_known(0, 50));
+}
+
 }  // namespace
 }  // namespace coupling
