@@ -1,6 +1,7 @@
 #include "rockfall/terrain/tin/edges.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace rockfall {
@@ -48,7 +49,7 @@ TinEdges edges_of(std::span<const TinFace> faces) {
         } else if (end - begin > 2) {
             edges.crowded.push_back(first.side);
         } else if (const Entry& second = entries[begin + 1]; first.rises == second.rises) {
-            edges.flipped.push_back(second.side);
+            edges.disagreeing.push_back({first.side, second.side});
         } else {
             edges.neighbours[first.side.face][first.side.side] = second.side.face;
             edges.neighbours[second.side.face][second.side.side] = first.side.face;
@@ -56,6 +57,56 @@ TinEdges edges_of(std::span<const TinFace> faces) {
         begin = end;
     }
     return edges;
+}
+
+std::vector<std::uint32_t> flipped_faces(const TinEdges& edges) {
+    if (edges.disagreeing.empty()) {
+        return {};
+    }
+    std::vector<std::vector<std::uint32_t>> against(edges.neighbours.size());
+    for (const auto& [one, other] : edges.disagreeing) {
+        against[one.face].push_back(other.face);
+        against[other.face].push_back(one.face);
+    }
+    enum class Sense : std::uint8_t { unknown, as_first, other };
+    std::vector<Sense> sense(edges.neighbours.size(), Sense::unknown);
+    std::vector<std::uint32_t> flipped;
+    for (std::uint32_t seed = 0; seed < sense.size(); ++seed) {
+        if (sense[seed] != Sense::unknown) {
+            continue;
+        }
+        std::vector<std::uint32_t> part{seed};  // grows while it is walked
+        sense[seed] = Sense::as_first;
+        const auto take = [&](std::uint32_t face, Sense its) {
+            if (face != no_triangle && sense[face] == Sense::unknown) {
+                sense[face] = its;
+                part.push_back(face);
+            }
+        };
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            const Sense here = sense[part[i]];
+            for (const std::uint32_t next : edges.neighbours[part[i]]) {
+                take(next, here);
+            }
+            for (const std::uint32_t next : against[part[i]]) {
+                take(next, here == Sense::other ? Sense::as_first : Sense::other);
+            }
+        }
+        const auto others = std::count_if(part.begin(), part.end(),
+                                          [&](std::uint32_t face) { return sense[face] == Sense::other; });
+        const Sense rare =
+            2 * others <= static_cast<std::ptrdiff_t>(part.size()) ? Sense::other : Sense::as_first;
+        std::copy_if(part.begin(), part.end(), std::back_inserter(flipped),
+                     [&](std::uint32_t face) { return sense[face] == rare; });
+    }
+    for (const auto& [one, other] : edges.disagreeing) {
+        if (sense[one.face] == sense[other.face]) {
+            flipped.push_back(other.face);
+        }
+    }
+    std::sort(flipped.begin(), flipped.end());
+    flipped.erase(std::unique(flipped.begin(), flipped.end()), flipped.end());
+    return flipped;
 }
 
 std::vector<std::uint32_t> parts_of(const TinEdges& edges) {

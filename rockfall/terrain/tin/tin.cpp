@@ -230,8 +230,8 @@ CheckedTin checked(Tin given) {
     for (const TinSide& side : edges.crowded) {
         findings.add(TinFault::crowded, middle_of(tin, side));
     }
-    for (const TinSide& side : edges.flipped) {
-        findings.add(TinFault::flipped, middle_of(tin, tin.faces[side.face]));
+    for (const std::uint32_t face : flipped_faces(edges)) {
+        findings.add(TinFault::flipped, middle_of(tin, tin.faces[face]));
     }
     // What follows reads neighbours and senses, which hold only where nothing was found so far.
     if (!findings.has_faults()) {

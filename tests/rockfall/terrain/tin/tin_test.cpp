@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "rockfall/terrain/mesh.hpp"
+#include "rockfall/terrain/tin/edges.hpp"
 #include "tests/rockfall/slopes.hpp"
 
 namespace rockfall {
@@ -162,7 +163,28 @@ TEST(CheckedTin, NamesAFlippedFace) {
     std::swap(tin.faces[22].corners[0], tin.faces[22].corners[1]);
     const CheckedTin checked = rockfall::checked(tin);
     EXPECT_FALSE(checked.is_sound());
-    EXPECT_TRUE(found(checked, TinFault::flipped));
+    ASSERT_TRUE(found(checked, TinFault::flipped));
+    EXPECT_EQ(found(checked, TinFault::flipped)->count, 1U) << "not each of its sides";
+    const TinFace& face = checked.tin.faces[22];
+    const Eigen::Vector3d middle_m =
+        (checked.tin.vertices_m[face.corners[0]] + checked.tin.vertices_m[face.corners[1]] +
+         checked.tin.vertices_m[face.corners[2]]) /
+        3.0;
+    EXPECT_LT((found(checked, TinFault::flipped)->place_m - middle_m).norm(), 1e-9) << "not its neighbour";
+}
+
+TEST(CheckedTin, CountsFlippedNeighboursAsFaces) {
+    Tin tin = patch(5, 5, 4.0, even_m);
+    for (const std::size_t face : {22U, 23U, 24U, 40U}) {
+        std::swap(tin.faces[face].corners[0], tin.faces[face].corners[1]);
+    }
+    EXPECT_EQ(found(rockfall::checked(tin), TinFault::flipped)->count, 4U);
+}
+
+TEST(FlippedFaces, OfASurfaceOfOneSideAreFoundToo) {
+    // A strip of Moebius of five faces: however they turn, one edge disagrees.
+    const std::vector<TinFace> faces{{{0, 1, 2}}, {{1, 3, 2}}, {{2, 3, 4}}, {{3, 0, 4}}, {{4, 0, 1}}};
+    EXPECT_FALSE(flipped_faces(edges_of(faces)).empty());
 }
 
 TEST(CheckedTin, NamesADoubledFaceAndItsEdges) {
