@@ -8,6 +8,11 @@ import { Ground } from "./ground.js";
 import { classLooks, drop, logColour, logsOf, pathsOf, restColour, targetColour, targetsOf } from "./lines.js";
 import { fell, grow } from "./trees.js";
 
+/** What is left out of a stand, as a sentence; empty if nothing. */
+function drawnOf(drawn, all, what, which) {
+    return drawn < all ? `${drawn.toLocaleString("en")} of ${all.toLocaleString("en")} ${what} are drawn, ${which}.` : "";
+}
+
 const coverNames = { forest: "Paths with forest", bare: "Paths over the bare slope" };
 
 class SlopeView {
@@ -159,9 +164,13 @@ class SlopeView {
                 seen.logs = true;
             }
             [...this.ofYear, ...this.logs].forEach((part) => this.scene.add(part));
-            this.note.textContent = stand.left_out > 0
-                ? `${stand.trees.toLocaleString("en")} trees are drawn; ${stand.left_out.toLocaleString("en")} thinner ones are left out.`
-                : `${stand.trees.toLocaleString("en")} trees (a group of equal young trees is one).`;
+            this.note.textContent = [
+                stand.left_out > 0
+                    ? `${stand.trees.toLocaleString("en")} trees are drawn; ${stand.left_out.toLocaleString("en")} thinner ones are left out.`
+                    : `${stand.trees.toLocaleString("en")} trees (a group of equal young trees is one).`,
+                drawnOf(stand.drawn_logs, stand.all_logs, "lying stems", "the longest"),
+                drawnOf(stand.paths.length, stand.all_paths, "paths", "evenly chosen"),
+            ].filter((text) => text !== "").join(" ");
         }
         this.explain(seen);
         this.ask();

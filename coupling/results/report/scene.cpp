@@ -16,7 +16,10 @@ using page_scripts::json_packed;
 using page_scripts::JsonObject;
 
 constexpr int most_heights_a_side = 256;
+/// Of all stands together: a page must stay readable for a browser.
 constexpr std::size_t most_trees = 400'000;
+constexpr std::size_t most_logs = 100'000;
+constexpr std::size_t most_path_corners = 150'000;
 constexpr double full = 65'535.0;
 /// Room above the highest ground for flying rocks.
 constexpr double headroom_m = 200.0;
@@ -99,10 +102,37 @@ std::string list_of(const Items& items, const Write& write) {
     return json_array(texts);
 }
 
+/// The longest of the logs.
+std::vector<SceneLog> longest(const std::vector<SceneLog>& logs, std::size_t most) {
+    std::vector<SceneLog> kept = logs;
+    if (kept.size() > most) {
+        std::stable_sort(kept.begin(), kept.end(),
+                         [](const SceneLog& a, const SceneLog& b) { return a.length_m > b.length_m; });
+        kept.resize(most);
+    }
+    return kept;
+}
+
+/// Paths evenly chosen from their list until they have about so many corners; at least one if there is any.
+std::vector<const ScenePath*> even_choice(const std::vector<ScenePath>& paths, std::size_t most_corners) {
+    std::size_t corners = 0;
+    for (const ScenePath& path : paths) {
+        corners += path.size();
+    }
+    const std::size_t kept = corners <= most_corners
+                                 ? paths.size()
+                                 : std::max<std::size_t>(1, paths.size() * most_corners / corners);
+    std::vector<const ScenePath*> chosen;
+    for (std::size_t i = 0; i < kept; ++i) {
+        chosen.push_back(&paths[i * paths.size() / kept]);
+    }
+    return chosen;
+}
+
 /// Both ends of each log, thick one first.
-std::vector<std::uint16_t> log_ends(const SceneStand& stand, const Box& box) {
+std::vector<std::uint16_t> log_ends(const std::vector<SceneLog>& logs, const Box& box) {
     std::vector<std::uint16_t> ends;
-    for (const SceneLog& log : stand.logs) {
+    for (const SceneLog& log : logs) {
         for (const double along_m : {0.0, log.length_m}) {
             ends.push_back(box.x.of(log.x_m + along_m * std::cos(log.direction_rad) - box.frame.x_west_m));
             ends.push_back(box.y.of(log.y_m + along_m * std::sin(log.direction_rad) - box.frame.y_south_m));
@@ -128,8 +158,9 @@ JsonObject path_object(std::span<const rockfall::PathPoint> path, const Box& box
     return object;
 }
 
+/// `stands`: how many share what may be drawn.
 std::string stand_json(const SceneStand& stand, const Box& box, const Eigen::Vector2d& origin_m,
-                       std::size_t most) {
+                       std::size_t stands) {
     if (stand.same_as) {
         return JsonObject{}
             .text("regime", stand.regime)
@@ -137,6 +168,9 @@ std::string stand_json(const SceneStand& stand, const Box& box, const Eigen::Vec
             .number("same_as", static_cast<double>(*stand.same_as))
             .json();
     }
+    const std::size_t most = most_trees / stands;
+    const std::vector<SceneLog> logs = longest(stand.logs, most_logs / stands);
+    const std::vector<const ScenePath*> paths = even_choice(stand.paths, most_path_corners / stands);
     std::vector<const SceneTree*> shown;
     for (const SceneTree& tree : stand.trees) {
         shown.push_back(&tree);
@@ -177,12 +211,16 @@ std::string stand_json(const SceneStand& stand, const Box& box, const Eigen::Vec
         .add("base_cm", json_packed(base_cm))
         .add("radius_cm", json_packed(radius_cm))
         .add("kind", json_packed(kind))
-        .add("logs", json_packed(log_ends(stand, box)))
-        .add("paths",
-             list_of(stand.paths,
-                     [&](const ScenePath& path) {
-                         return path_object(path, box, origin_m).text("cover", name_of(Cover::forest)).json();
-                     }))
+        .add("logs", json_packed(log_ends(logs, box)))
+        .number("drawn_logs", static_cast<double>(logs.size()))
+        .number("all_logs", static_cast<double>(stand.logs.size()))
+        .number("all_paths", static_cast<double>(stand.paths.size()))
+        .add(
+            "paths",
+            list_of(paths,
+                    [&](const ScenePath* path) {
+                        return path_object(*path, box, origin_m).text("cover", name_of(Cover::forest)).json();
+                    }))
         .json();
 }
 
@@ -207,7 +245,7 @@ std::string json_of(const Scene& scene) {
     const Box box = box_of(scene.heights);
     const auto different = std::count_if(scene.stands.begin(), scene.stands.end(),
                                          [](const SceneStand& stand) { return !stand.same_as; });
-    const std::size_t most = most_trees / static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, different));
+    const auto stands = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, different));
     const std::vector<const char*> classes{energy_class_names.begin(), energy_class_names.end()};
     return JsonObject{}
         .add("ground", ground_json(scene.heights, box))
@@ -225,7 +263,7 @@ std::string json_of(const Scene& scene) {
         .add("classes", list_of(classes, [](const char* name) { return page_scripts::json_string(name); }))
         .add("stands",
              list_of(scene.stands,
-                     [&](const SceneStand& stand) { return stand_json(stand, box, scene.origin_m, most); }))
+                     [&](const SceneStand& stand) { return stand_json(stand, box, scene.origin_m, stands); }))
         .add("paths", list_of(scene.paths,
                               [&](const rockfall::PathRecord* path) {
                                   return path_object(path->points, box, scene.origin_m)

@@ -58,6 +58,28 @@ TEST(SceneFigure, WritesLyingStemsAndPathsOfAYear) {
     EXPECT_TRUE(has(figure, "\"classes\":\"AgA=\",\"cover\":\"forest\"")) << figure;
 }
 
+TEST(SceneFigure, SharesLogsAndPathsAmongStandsAndTellsHowManyThereAre) {
+    const config::Raster<double> heights = some_ground();
+    const config::GridFrame& frame = heights.frame;
+    const rockfall::PathPoint corner{{frame.x_west_m, frame.y_south_m, 0.0}, 1000.0F, 0.0F};
+    SceneStand stand;
+    stand.logs.assign(60'000, {frame.x_west_m, frame.y_south_m, 1.0, 0.0});
+    stand.paths.assign(200, ScenePath(500, corner));
+    Scene alone{.heights = heights};
+    alone.stands = {stand};
+    EXPECT_TRUE(has(scene_figure(alone, ""), "\"drawn_logs\":60000,\"all_logs\":60000,\"all_paths\":200"));
+    Scene two{.heights = heights};
+    two.stands = {stand, stand};
+    const std::string figure = scene_figure(two, "");
+    EXPECT_TRUE(has(figure, "\"drawn_logs\":50000,\"all_logs\":60000,\"all_paths\":200"));
+    std::size_t paths = 0;
+    for (std::size_t at = figure.find("\"points\""); at != std::string::npos;
+         at = figure.find("\"points\"", at + 1)) {
+        ++paths;
+    }
+    EXPECT_EQ(paths, 2U * 150U) << "75 000 corners a stand";
+}
+
 TEST(SceneFigure, WritesTreesOfACommonStartOnce) {
     const config::Raster<double> heights = some_ground();
     Scene scene{.heights = heights};
