@@ -38,6 +38,35 @@ Chosen largest(const DrawnTrees& trees, float TreeRow::*size, std::size_t most) 
     return chosen;
 }
 
+/// A number that looks random, always the same for the same tree (SplitMix64, Steele et al. 2014).
+std::uint64_t lot_of(const TreeRow& tree) {
+    std::uint64_t x = tree.tree + 0x9e3779b97f4a7c15U;
+    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+    return x ^ (x >> 31U);
+}
+
+/// As many trees as may be drawn, by lot: every part of the forest and every size keeps its share, and a tree
+/// that is drawn in one year is drawn in others too.
+Chosen by_lot(const DrawnTrees& trees, std::size_t most) {
+    Chosen chosen{trees, 0};
+    if (trees.size() > most) {
+        chosen.left_out = trees.size() - most;
+        std::stable_sort(chosen.trees.begin(), chosen.trees.end(),
+                         [](const TreeRow* a, const TreeRow* b) { return lot_of(*a) < lot_of(*b); });
+        chosen.trees.resize(most);
+    }
+    return chosen;
+}
+
+std::string one_in_text(const Chosen& chosen) {
+    const double ratio = static_cast<double>(chosen.trees.size() + chosen.left_out) /
+                         static_cast<double>(std::max<std::size_t>(1, chosen.trees.size()));
+    return chosen.left_out == 0 ? ""
+                                : joined("One tree in ", report::fixed(ratio, ratio < 9.95 ? 1 : 0),
+                                         " is drawn, by lot: every part of the forest keeps its share.");
+}
+
 std::string left_out_text(const Chosen& chosen, const char* which) {
     return chosen.left_out == 0 ? ""
                                 : joined("Left out: the ", report::grouped(chosen.left_out), " ", which, ".");
@@ -189,7 +218,7 @@ Drawing PlanDrawing::crowns(const DrawnTrees& trees, const Transect& strip) cons
 
 Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& window) const {
     constexpr std::array<float, 4> limits_cm{12.0F, 24.0F, 36.0F, 52.0F};
-    const Chosen chosen = largest(trees, &TreeRow::dbh_cm, most_points);
+    const Chosen chosen = by_lot(trees, most_points);
     // Points shrink with the map, but not out of sight.
     const double scale = std::clamp(per_m_, 0.9, 3.0);
     // By size, then by species: one path each.
@@ -212,7 +241,7 @@ Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& wi
                report::attribute("width", (window.x_east_m() - window.x_west_m) * per_m_),
                report::attribute("height", (window.y_north_m() - window.y_south_m) * per_m_), "/>");
     return {sheet("trees seen from above", joined("<g class=\"points\">", svg, "</g>", outline)),
-            left_out_text(chosen, "thinnest trees")};
+            one_in_text(chosen)};
 }
 
 }  // namespace coupling::decades
