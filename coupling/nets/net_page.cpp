@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/nets/net_classes.hpp"
 #include "coupling/nets/net_drawing.hpp"
 #include "coupling/nets/net_tables.hpp"
 #include "coupling/results/colours.hpp"
@@ -17,6 +18,8 @@ namespace {
 constexpr double j_per_kj = 1000.0;
 /// Where the axis of energy begins: a rock of less is as good as at rest.
 constexpr double least_kj = 0.1;
+/// Of an axis: what a label at a mark needs.
+constexpr double room_for_a_label = 0.13;
 
 const char* title_of(Cover cover) {
     return cover == Cover::forest ? "with forest" : "bare slope";
@@ -59,15 +62,20 @@ std::string histogram(const RunResults& results, std::uint32_t net, const std::s
                                      results.tally.runs[index_of(cover)].rocks));
         highest = std::max(highest, *std::max_element(heights.back().begin(), heights.back().end()));
     }
+    const Axis x_of = x;
     Chart chart{title, std::move(x), Axis::from_zero("% of all rocks", std::max(highest, 1e-6))};
     for (std::size_t i = 0; i < covers.size(); ++i) {
         chart.add_steps(name_of(covers[i]), edges, heights[i]);
         chart.add_name(name_of(covers[i]), title_of(covers[i]));
     }
     if (with_classes) {
-        chart.add_mark(energy_class_limits_kj[0], "30 kJ");
-        chart.add_mark(energy_class_limits_kj[1], "300 kJ");
-        chart.add_mark(results.site.nets[net].net.capacity_j / j_per_kj, "net");
+        const double capacity_kj = results.site.nets[net].net.capacity_j / j_per_kj;
+        for (const double limit_kj : energy_class_limits_kj) {
+            if (std::abs(x_of.share_of(limit_kj) - x_of.share_of(capacity_kj)) > room_for_a_label) {
+                chart.add_mark(limit_kj, joined(tick_text(limit_kj), " kJ"));
+            }
+        }
+        chart.add_mark(capacity_kj, "net");
     } else {
         chart.add_mark(results.site.nets[net].net.height_m, "net");
     }
@@ -135,7 +143,10 @@ std::string need_in_words(const NetFigures& figures) {
                                   ? joined(grouped(static_cast<std::uint64_t>(need.mel_kj)), " kJ")
                                   : joined("above 4 500 kJ: ", three_digits(figures.energy_needed_kj), " kJ");
     return joined("class ", escaped(need.energy_class), " (", level, "), ",
-                  need.height_m ? fixed(*need.height_m, 1) : std::string{"–"}, " m high");
+                  need.height_m ? fixed(*need.height_m, 1) : std::string{"–"}, " m high",
+                  need.height_m && *need.height_m > highest_usual_net_m
+                      ? joined("; no usual net is higher than ", tick_text(highest_usual_net_m), " m")
+                      : "");
 }
 
 std::string key_figures_of(const RunResults& results, const std::vector<NetFigures>& figures) {

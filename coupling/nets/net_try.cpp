@@ -7,6 +7,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/nets/net_classes.hpp"
 #include "coupling/nets/net_input.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/nets/net_tables.hpp"
@@ -94,7 +95,9 @@ void tell(const std::vector<NetRecord>& nets, const std::vector<NetFigures>& fig
             out << ", it holds " << report::percent(of.outcome[0].value) << "; 95 % of energies below "
                 << report::three_digits(of.energy_kj.p95.value) << " kJ, of heights below "
                 << report::three_digits(of.height_m.p95.value) << " m; needed: class " << need.energy_class
-                << ", " << (need.height_m ? report::fixed(*need.height_m, 1) : "no height") << " m";
+                << ", " << (need.height_m ? report::fixed(*need.height_m, 1) : "no height") << " m"
+                << (need.height_m && *need.height_m > highest_usual_net_m ? " (no usual net is that high)"
+                                                                          : "");
         }
         out << '\n';
     }
