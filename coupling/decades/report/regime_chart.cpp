@@ -1,35 +1,49 @@
 #include "coupling/decades/report/regime_chart.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/results/report/percent_axis.hpp"
 
 namespace coupling::decades {
 
 namespace {
 
-/// The highest point drawn.
-double most_of(std::span<const RegimeCurve> curves, bool with_bands) {
+/// The lowest and the highest point drawn.
+struct Extent {
+    double least = INFINITY;
     double most = 0.0;
+    void add(double low, double high) {
+        least = std::min(least, low);
+        most = std::max(most, high);
+    }
+};
+Extent extent_of(std::span<const RegimeCurve> curves) {
+    const bool with_bands = curves.size() <= most_bands;
+    Extent extent;
     for (const RegimeCurve& curve : curves) {
         for (const report::ChartPoint& point : curve.means) {
-            most = std::max(most, point.y);
+            extent.add(point.y, point.y);
         }
-        for (const report::ChartRange& range : curve.ranges) {
-            most = std::max(most, with_bands ? range.high : most);
+        for (std::size_t i = 0; with_bands && i < curve.ranges.size(); ++i) {
+            extent.add(curve.ranges[i].low, curve.ranges[i].high);
         }
     }
-    return most;
+    return extent;
 }
 
 std::string regime_chart(const std::string& title, const RegimeAxes& axes,
-                         std::span<const RegimeCurve> curves, double most, const std::string& caption) {
+                         std::span<const RegimeCurve> curves, const Extent& extent,
+                         const std::string& caption) {
     const bool with_bands = curves.size() <= most_bands;
     report::Chart chart{title,
                         report::Axis{"Years since the start", 0.0,
                                      static_cast<double>(std::max<std::size_t>(axes.years, 1)), false, true},
-                        report::Axis::from_zero(axes.y_title, most)};
+                        axes.may_begin_above_0 && std::isfinite(extent.least)
+                            ? report::percent_axis(axes.y_title, extent.least, extent.most)
+                            : report::Axis::from_zero(axes.y_title, extent.most)};
     for (const RegimeCurve& curve : curves) {
         if (with_bands) {
             chart.add_band(line_of_regime(curve.line), curve.ranges);
@@ -55,21 +69,22 @@ std::string regime_chart(const std::string& title, const RegimeAxes& axes,
 std::string regime_charts(const RegimeAxes& axes, std::span<const RegimeCurve> curves,
                           const std::string& caption) {
     if (axes.climates.empty()) {
-        return regime_chart(axes.title, axes, curves, most_of(curves, curves.size() <= most_bands), caption);
+        return regime_chart(axes.title, axes, curves, extent_of(curves), caption);
     }
     std::vector<std::vector<RegimeCurve>> by_climate(axes.climates.size());
     for (const RegimeCurve& curve : curves) {
         by_climate[curve.climate].push_back(curve);
     }
-    double most = 0.0;
+    Extent extent;
     for (const std::vector<RegimeCurve>& of_climate : by_climate) {
-        most = std::max(most, most_of(of_climate, of_climate.size() <= most_bands));
+        const Extent here = extent_of(of_climate);
+        extent.add(here.least, here.most);
     }
     std::string html;
     for (std::size_t climate = 0; climate < by_climate.size(); ++climate) {
         if (!by_climate[climate].empty()) {
             html += regime_chart(joined(axes.title, ", climate ", axes.climates[climate]), axes,
-                                 by_climate[climate], most, caption);
+                                 by_climate[climate], extent, caption);
         }
     }
     return html;

@@ -28,6 +28,7 @@ struct RegimeAxes {
     std::string y_title;
     std::size_t years = 0;                   ///< from year 0 on
     std::vector<std::string> climates = {};  ///< a chart for each of them; empty: one for all curves
+    bool may_begin_above_0 = false;          ///< percents, see percent_axis
 };
 
 /// A line for each course, with a band where a chart has ranges and at most four lines. Charts of several
