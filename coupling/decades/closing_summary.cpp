@@ -2,7 +2,9 @@
 
 #include <cstdio>
 
+#include "coupling/decades/arrivals.hpp"
 #include "coupling/inputs/reading.hpp"
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/telling.hpp"
@@ -14,36 +16,20 @@ namespace fs = std::filesystem;
 
 void say_target(const DecadeResults& results, std::uint32_t target) {
     for (std::size_t course = 0; course < results.names.courses(); ++course) {
-        PairedCounts first;
-        PairedCounts last;
-        std::int32_t last_year = 0;
-        const auto add = [](PairedCounts& sum, const PairedCounts& counts) {
-            sum.both += counts.both;
-            sum.only_forest += counts.only_forest;
-            sum.only_bare += counts.only_bare;
-        };
-        for (const MemberYears& member : results.members) {
-            for (const TargetRow& row : member.targets) {
-                if (results.names.course_of(member.member) != course || row.target != target) {
-                    continue;
-                }
-                if (row.year == member.targets.front().year) {
-                    add(first, row.paired);
-                }
-                if (row.year == member.targets.back().year) {
-                    add(last, row.paired);
-                    last_year = row.year;
-                }
-            }
-        }
-        const auto percent = [](const PairedCounts& counts) {
+        const std::vector<TargetRow>& rows = results.members.front().targets;
+        const std::int32_t last_year = rows.empty() ? 0 : rows.back().year;
+        const auto percent = [&](std::int32_t year) {
+            const PairedCounts counts = arrivals_of(results.names, results.members, course, target, year);
             const auto effect = protection_effect(counts);
-            return effect ? joined(report::fixed(100.0 * effect->value, 1), " %")
-                          : std::string{"– (no rock arrives)"};
+            return !effect ? std::string{"– (no rock arrives)"}
+                   : too_few_to_tell(counts)
+                       ? joined("– (too few rocks arrive to tell: ", std::to_string(counts.bare()), ")")
+                       : joined(report::fixed(100.0 * effect->value, 1), " %");
         };
         std::printf("  %s, %s: kept away by the forest: %s in year 0, %s in year %d\n",
                     results.site.targets[target].name.c_str(), results.names.course_name(course).c_str(),
-                    percent(first).c_str(), percent(last).c_str(), last_year);
+                    percent(rows.empty() ? 0 : rows.front().year).c_str(), percent(last_year).c_str(),
+                    last_year);
     }
 }
 

@@ -30,8 +30,9 @@ std::string change_in_words(const ClimateSource& climate) {
     const auto mean = [](const std::array<double, 12>& months) {
         return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
     };
-    return joined(", changed by ", report::fixed(mean(climate.change.temperature_k), 1),
-                  " K and precipitation × ", report::fixed(mean(climate.change.precipitation), 2),
+    const std::string factor = report::fixed(mean(climate.change.precipitation), 2);
+    return joined(", changed by ", report::fixed(mean(climate.change.temperature_k), 1), " K",
+                  factor == "1.00" ? "" : joined(" and precipitation × ", factor),
                   climate.change_years > 0
                       ? joined(" within ", counted(static_cast<std::size_t>(climate.change_years), "year"))
                       : "");
@@ -59,8 +60,8 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
                                     const std::optional<forest::TargetProfile>& profile) {
     std::vector<Section> sections;
     if (results.rocks > 0 && !results.site.targets.empty()) {
-        sections.push_back(
-            {"Protection over the years", protection_over_years(results.names, results.site, series)});
+        sections.push_back({"Protection over the years",
+                            protection_over_years(results.names, results.site, series, results.members)});
     }
     if (results.rocks > 0) {
         sections.push_back(

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
+#include "coupling/decades/arrivals.hpp"
 #include "coupling/decades/report/regime_chart.hpp"
 #include "coupling/decades/report/series.hpp"
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -17,7 +20,7 @@ using report::fixed;
 
 /// A line cannot leave the chart downwards: below 0 it is drawn at 0.
 std::string charts_of(const Names& names, const Series& series, const std::string& title,
-                      const std::string& axis, const std::string& caption) {
+                      const std::string& axis, const std::string& caption, bool may_begin_above_0) {
     const std::vector<std::int32_t> years = years_of(series);
     std::vector<RegimeCurve> curves;
     for (std::size_t course = 0; course < names.courses(); ++course) {
@@ -39,7 +42,8 @@ std::string charts_of(const Names& names, const Series& series, const std::strin
     return regime_charts({.title = title,
                           .y_title = axis,
                           .years = static_cast<std::size_t>(years.back()),
-                          .climates = splits_charts(names) ? names.climates : std::vector<std::string>{}},
+                          .climates = splits_charts(names) ? names.climates : std::vector<std::string>{},
+                          .may_begin_above_0 = may_begin_above_0},
                          curves, caption);
 }
 
@@ -83,6 +87,27 @@ std::string range_text(const OverReplicates& v, int decimals, const char* unit) 
                       : "");
 }
 
+/// What the forest keeps away in a year; of one replicate with the interval of its own rocks.
+std::string kept_away(const OverReplicates& v, const PairedCounts& counts) {
+    if (too_few_to_tell(counts)) {
+        return joined("– (too few rocks arrive to tell: ", std::to_string(counts.bare()), ")");
+    }
+    const auto effect = protection_effect(counts);
+    const std::string value = range_text(v, 1, "\u00a0%");
+    if (v.replicates > 1 || !effect) {
+        return value;
+    }
+    return effect->one_sided ? joined(value, " (with 95 % confidence at least ",
+                                      fixed(100.0 * std::max(0.0, effect->interval.low), 1), ")")
+                             : joined(value, " (95 % interval ", fixed(100.0 * effect->interval.low, 1),
+                                      " to ", fixed(100.0 * effect->interval.high, 1), ")");
+}
+
+bool is_one_replicate(const Series& series) {
+    return std::all_of(series.values.begin(), series.values.end(),
+                       [](const auto& replicates) { return replicates.size() <= 1; });
+}
+
 /// Share of rocks that arrive over the bare slope, from what the forest keeps away and what arrives in each
 /// replicate; NaN where it keeps away all of them.
 double mean_bare_percent(const Series& protection, const Series& reached, std::size_t course,
@@ -101,10 +126,11 @@ double mean_bare_percent(const Series& protection, const Series& reached, std::s
     return std::isfinite(mean) ? mean : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The answer for one course: what the forest keeps away at the start, at worst and at the end, what arrives,
-/// how hard.
+/// The answer for one course; `arrivals` are those of a year. What the forest keeps away at the start, at
+/// worst and at the end, what arrives, how hard.
 std::string answer_of(const Names& names, const Series& protection, const Series& reached,
-                      const Series& energy, std::size_t course) {
+                      const Series& energy, std::size_t course,
+                      const std::function<PairedCounts(std::int32_t)>& arrivals) {
     const std::vector<std::int32_t> years = years_of(protection);
     const auto first = over_replicates(protection, course, years.front());
     const auto last = over_replicates(protection, course, years.back());
@@ -113,13 +139,14 @@ std::string answer_of(const Names& names, const Series& protection, const Series
         return "";
     }
     std::string text = joined("<p class=\"answer\"><b>", report::escaped(look_of(names, course).title()),
-                              "</b>: the forest keeps away ", range_text(*first, 1, "\u00a0%"),
-                              " of the rocks at the start, ", range_text(*last, 1, "\u00a0%"), " in year ",
-                              std::to_string(years.back()));
+                              "</b>: of the rocks that would arrive the forest keeps away at the start ",
+                              kept_away(*first, arrivals(years.front())), ", in year ",
+                              std::to_string(years.back()), " ", kept_away(*last, arrivals(years.back())));
     // As much as at the ends in every year: there is no least.
-    text += worst->value.band.mean < std::min(first->band.mean, last->band.mean)
+    const PairedCounts at_worst = arrivals(worst->year);
+    text += worst->value.band.mean < std::min(first->band.mean, last->band.mean) && !too_few_to_tell(at_worst)
                 ? joined("; least in year ", std::to_string(worst->year), ": ",
-                         range_text(worst->value, 1, "\u00a0%"), ". ")
+                         kept_away(worst->value, at_worst), ". ")
                 : ". ";
     if (const auto share = over_replicates(reached, course, years.back())) {
         text += joined("In year ", std::to_string(years.back()), " ", range_text(*share, 2, "\u00a0%"),
@@ -138,6 +165,7 @@ std::string table_of(const Names& names, const Series& protection, const std::st
     const std::vector<std::int32_t> years = years_of(protection);
     const bool compares = names.regimes.size() > 1;
     const bool has_climates = names.climates.size() > 1;
+    const bool one = is_one_replicate(protection);
     const std::string last = std::to_string(years.back());
     std::vector<std::string> head{"Regime",
                                   joined("year ", std::to_string(years.front())),
@@ -155,11 +183,12 @@ std::string table_of(const Names& names, const Series& protection, const std::st
     report::HtmlTable table{
         joined("Rocks that the forest keeps away from ", report::escaped(target),
                ", percent of those that arrive over the bare slope; below 0 more arrive "
-               "than without it. In brackets the "
-               "5th and 95th percentile of the replicates, of few replicates little less "
-               "than all of them. The lowest of many "
-               "years is low by chance too.",
-               compares || has_climates
+               "than without it. ",
+               one ? "One replicate: no intervals. "
+                   : "In brackets the 5th and 95th percentile of the replicates, of few replicates little "
+                     "less than all of them. ",
+               "The lowest of many years is low by chance too.",
+               !one && (compares || has_climates)
                    ? joined(" Differences are paired by replicate, with their 95 % "
                             "interval: where it holds 0, the ",
                             compares ? "regimes" : "", compares && has_climates ? " or " : "",
@@ -191,9 +220,11 @@ std::string table_of(const Names& names, const Series& protection, const std::st
 
 }  // namespace
 
-std::string protection_over_years(const Names& names, const Site& site, std::span<const Series> all_series) {
+std::string protection_over_years(const Names& names, const Site& site, std::span<const Series> all_series,
+                                  std::span<const MemberYears> members) {
     std::string html;
-    for (const rockfall::Target& target : site.targets) {
+    for (std::uint32_t place = 0; place < site.targets.size(); ++place) {
+        const rockfall::Target& target = site.targets[place];
         const auto find = [&](const char* quantity) -> const Series& {
             return *std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
                 return series.target == target.id && series.quantity == quantity;
@@ -209,19 +240,26 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
                        report::escaped(target.name.empty() ? target.id : target.name), "</h3>");
         for (std::size_t course = 0; course < names.courses(); ++course) {
             if (!splits_charts(names) || names.climate_of(course) == 0) {
-                html += answer_of(names, protection, find("reached_percent"), find("energy_95_kj"), course);
+                html += answer_of(
+                    names, protection, find("reached_percent"), find("energy_95_kj"), course,
+                    [&](std::int32_t year) { return arrivals_of(names, members, course, place, year); });
             }
         }
         html += splits_charts(names) ? other_climates() : "";
         html += joined(
-            "<p class=\"soft\">Means of the replicates, in brackets their 5th and 95th percentile.</p>",
-            "</section>\n", table_of(names, protection, target.name));
-        html += joined("<div class=\"halves\">",
-                       charts_of(names, protection, joined("Protection: ", target.name), "Rocks kept away, %",
-                                 "Of the rocks that arrive over the bare slope. Below 0 is drawn as 0."),
-                       charts_of(names, find("reached_percent"), joined("Rocks that arrive: ", target.name),
-                                 "Rocks that arrive, %", "Of all rocks released in the year."),
-                       "</div>\n");
+            "<p class=\"soft\">",
+            is_one_replicate(protection)
+                ? "One replicate: no intervals of the replicates; those in brackets cover the chance in its "
+                  "rocks alone."
+                : "Means of the replicates, in brackets their 5th and 95th percentile.",
+            "</p></section>\n", table_of(names, protection, target.name));
+        html +=
+            joined("<div class=\"halves\">",
+                   charts_of(names, protection, joined("Protection: ", target.name), "Rocks kept away, %",
+                             "Of the rocks that arrive over the bare slope. Below 0 is drawn as 0.", true),
+                   charts_of(names, find("reached_percent"), joined("Rocks that arrive: ", target.name),
+                             "Rocks that arrive, %", "Of all rocks released in the year.", false),
+                   "</div>\n");
     }
     return html;
 }

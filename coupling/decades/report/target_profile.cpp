@@ -106,10 +106,13 @@ std::vector<std::string> head_of(const std::string& first, const std::vector<std
 std::string table_of_stands(const Names& names, std::span<const Series> all_series) {
     const Series* longest = find(all_series, "gap_max_m");
     const std::vector<std::int32_t> years = three_of(years_of(*longest));
+    const bool one = std::all_of(longest->values.begin(), longest->values.end(),
+                                 [](const auto& replicates) { return replicates.size() <= 1; });
     report::HtmlTable table{
-        "Mean of the replicates, in brackets their 5th and 95th percentile. A gap is a line of patches of 10 "
-        "m "
-        "without a stem of 12 cm; its length is that along the ground.",
+        joined(one ? "One replicate: no intervals. "
+                   : "Mean of the replicates, in brackets their 5th and 95th percentile. ",
+               "A gap is a line of patches of 10 m without a stem of 12 cm; its length is that along the "
+               "ground."),
         head_of("Stands", years)};
     if (const Series* met = find(all_series, "target_profile_met_percent")) {
         add_rows(table, names, *met, "Forest in stands that meet the target profile, %", years, 0);

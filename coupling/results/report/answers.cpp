@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -49,6 +50,11 @@ std::string reaching(const Share& share) {
 std::string protection_sentence(const TargetFigures& target) {
     if (!target.protection) {
         return "No rock arrives over the bare slope: there is no danger here that the forest could lower.";
+    }
+    if (too_few_to_tell(target.paired)) {
+        return joined(
+            "What the forest keeps away cannot be told: too few rocks arrive over the bare slope (<b>",
+            grouped(target.paired.bare()), "</b>).");
     }
     const ProtectionEffect& effect = *target.protection;
     if (effect.one_sided) {
@@ -147,7 +153,7 @@ std::string certainty(const TargetFigures& target, const RunResults& results) {
     }
     text += joined(grouped(rocks_for_half(rocks)), " rocks instead of ", grouped(rocks),
                    " would halve these intervals.");
-    if (target.reduction) {
+    if (target.reduction && !too_few_to_tell(target.paired)) {
         text += joined(" Reduction of frequency (BARI) ", fixed(target.reduction->bari_percent, 1));
         text += std::isnan(target.reduction->miri_percent)
                     ? std::string{" %. Of the 95th percentile of energy (MIRI) and of both (ORPI) fewer "

@@ -83,6 +83,23 @@ TEST(WritePage, AnswersBeforeItExplains) {
     EXPECT_NE(page.find("<b>No rock</b> of 400 arrives here"), std::string::npos) << "at the house";
 }
 
+TEST(WritePage, TellsNoProtectionFromAHandfulOfRocks) {
+    SmallRun few;
+    few.fall(40);
+    const std::string page = page_of(few);
+    EXPECT_NE(page.find("too few rocks arrive over the bare slope (<b>4</b>)"), std::string::npos);
+    EXPECT_EQ(page.find("The forest keeps away <b>"), std::string::npos);
+    EXPECT_EQ(page.find("(MIRI)"), std::string::npos);
+}
+
+TEST(WritePage, LeavesOutMiriAndOrpiOfFewRocks) {
+    const std::string page = page_of(some_rocks());
+    EXPECT_NE(
+        page.find("(BARI) 75.0 %. Of the 95th percentile of energy (MIRI) and of both (ORPI) fewer than 20"),
+        std::string::npos)
+        << "10 rocks come through";
+}
+
 TEST(WritePage, EscapesWhatTheUserWrote) {
     const std::string page = page_of(some_rocks());
     EXPECT_EQ(page.find("<bridge>"), std::string::npos);

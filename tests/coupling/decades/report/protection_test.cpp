@@ -1,0 +1,81 @@
+#include "coupling/decades/report/protection.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coupling/decades/arrivals.hpp"
+#include "tests/coupling/decades/report/some_years.hpp"
+#include "tests/coupling/results/small_run.hpp"
+
+namespace coupling::decades {
+namespace {
+
+/// One regime and a road; the arrivals of a replicate are the same in years 0 and 10.
+struct SomeArrivals {
+    SomeArrivals() { run.site.targets.resize(1); }
+    void add_replicate(const PairedCounts& counts) {
+        MemberYears member;
+        member.member = {0, static_cast<std::uint32_t>(members.size())};
+        for (const std::int32_t year : {0, 10}) {
+            TargetRow row{.year = year, .target = 0, .paired = counts, .forest = {}, .bare = {}};
+            row.forest.share = share_of(counts.forest(), 1000);
+            row.bare.share = share_of(counts.bare(), 1000);
+            member.targets.push_back(row);
+        }
+        members.push_back(member);
+    }
+    [[nodiscard]] std::string html() const {
+        const Names names{some.regimes, {}, some.species};
+        return protection_over_years(names, run.site, series_of(names, run.site, members, std::nullopt),
+                                     members);
+    }
+
+    SomeYears some;
+    coupling::testing::SmallRun run;
+    std::vector<MemberYears> members;
+};
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(ProtectionOverYears, OfOneReplicateHasTheIntervalOfItsRocksAndPromisesNoOther) {
+    SomeArrivals arrivals;
+    arrivals.add_replicate({.both = 10, .only_forest = 0, .only_bare = 290});
+    const std::string html = arrivals.html();
+    EXPECT_TRUE(has(html, "at the start <b>96.7\u00a0%</b> (95 % interval 93.")) << html;
+    EXPECT_TRUE(has(html, "One replicate: no intervals"));
+    EXPECT_FALSE(has(html, "5th and 95th percentile"));
+}
+
+TEST(ProtectionOverYears, OfSeveralReplicatesHasTheirRange) {
+    SomeArrivals arrivals;
+    arrivals.add_replicate({.both = 10, .only_forest = 0, .only_bare = 290});
+    arrivals.add_replicate({.both = 20, .only_forest = 0, .only_bare = 280});
+    const std::string html = arrivals.html();
+    EXPECT_TRUE(has(html, "5th and 95th percentile"));
+    EXPECT_FALSE(has(html, "One replicate"));
+    EXPECT_FALSE(has(html, "95 % interval"));
+}
+
+TEST(ProtectionOverYears, OfAHandfulOfRocksIsNotTold) {
+    SomeArrivals arrivals;
+    arrivals.add_replicate({.both = 0, .only_forest = 0, .only_bare = 4});
+    EXPECT_TRUE(has(arrivals.html(), "at the start – (too few rocks arrive to tell: 4)")) << arrivals.html();
+    arrivals.add_replicate({.both = 0, .only_forest = 0, .only_bare = 1});
+    EXPECT_FALSE(has(arrivals.html(), "too few")) << "five in both replicates";
+}
+
+TEST(ArrivalsOf, SumsOverTheReplicatesOfACourseInAYear) {
+    SomeArrivals arrivals;
+    arrivals.add_replicate({.both = 1, .only_forest = 2, .only_bare = 3});
+    arrivals.add_replicate({.both = 10, .only_forest = 20, .only_bare = 30});
+    const Names names{arrivals.some.regimes, {}, arrivals.some.species};
+    const PairedCounts sum = arrivals_of(names, arrivals.members, 0, 0, 10);
+    EXPECT_EQ(sum.both, 11U);
+    EXPECT_EQ(sum.only_forest, 22U);
+    EXPECT_EQ(sum.only_bare, 33U);
+    EXPECT_EQ(arrivals_of(names, arrivals.members, 0, 0, 5).bare(), 0U) << "no such year";
+}
+
+}  // namespace
+}  // namespace coupling::decades
