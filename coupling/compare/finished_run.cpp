@@ -182,14 +182,15 @@ void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vec
 void add_worst_years(const fs::path& folder, std::vector<Figure>& figures) {
     const config::Table table =
         read_table(folder, "regimes_worst_year.csv",
-                   {"regime", "target_id", "quantity", "year", "mean", "low_5", "high_95"});
+                   {"regime", "target_id", "quantity", "year", "replicates", "mean", "low_5", "high_95"});
     for (std::size_t row = 0; row < table.rows(); ++row) {
+        const bool has_range = number(table, row, "replicates") > 1.0;
         figures.push_back(
             {.key = {table.text(row, "target_id"), table.text(row, "regime"), table.text(row, "quantity"),
                      "worst year", climate_of(table, row)},
              .value = number(table, row, "mean"),
-             .low = number(table, row, "low_5"),
-             .high = number(table, row, "high_95"),
+             .low = has_range ? number(table, row, "low_5") : unknown,
+             .high = has_range ? number(table, row, "high_95") : unknown,
              .year = static_cast<int>(config::parse_whole(table.text(row, "year")).value_or(-1))});
     }
 }

@@ -183,6 +183,12 @@ std::optional<Difference> difference(const Figure& figure, const Figure& first, 
     return d;
 }
 
+bool all_of_one_replicate(std::span<const FinishedRun> runs) {
+    return std::all_of(runs.begin(), runs.end(), [](const FinishedRun& run) {
+        return run.summary.years > 0 && run.summary.replicates <= 1;
+    });
+}
+
 SideBySide side_by_side(std::span<const FinishedRun> runs) {
     constexpr std::size_t most = 26;
     if (runs.size() > most) {

@@ -51,6 +51,9 @@ struct SideBySide {
 
 /// Requires two runs or more. Throws config::InputError (settings) for runs of different kinds and for more
 /// than 26.
+/// Whether these are runs over years of one replicate: nothing is known of the chance between replicates.
+bool all_of_one_replicate(std::span<const FinishedRun> runs);
+
 SideBySide side_by_side(std::span<const FinishedRun> runs);
 
 /// For people: runs, what differs, figures with intervals, differences to the first run.

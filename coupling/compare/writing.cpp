@@ -118,6 +118,13 @@ void write_lines(std::ostream& out, const SideBySide& comparison) {
 }
 
 void write_reading(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    if (all_of_one_replicate(runs)) {
+        out << "\nOne replicate: no intervals, and nothing tells which differences are chance. mean: over "
+               "the "
+               "years;\nyN: year N"
+            << (comparison.lines.empty() ? "; there is no figure to compare.\n" : ".\n");
+        return;
+    }
     out << "\nIn brackets: 95 % interval of the chance in the simulated rocks";
     if (runs.front().summary.years > 0) {
         out << " and years, over the replicates; at worst years\n(yN: year N) where nine of ten replicates "

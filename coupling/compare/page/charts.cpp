@@ -3,10 +3,12 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/percent_axis.hpp"
 
 namespace coupling::compare {
 namespace {
@@ -43,9 +45,26 @@ double highest_of(const Line& line) {
     return highest;
 }
 
+double lowest_of(const Line& line) {
+    double lowest = INFINITY;
+    for (const auto& figure : line.figures) {
+        if (figure && !std::isnan(figure->value)) {
+            lowest = std::min({lowest, figure->value, std::isnan(figure->low) ? figure->value : figure->low});
+        }
+    }
+    return lowest;
+}
+
+/// Protection lies close below 100 %, and there it is compared.
+Axis axis_of(const Shown& shown, double lowest, double highest) {
+    return shown.quantity == std::string_view{"protection_percent"} && std::isfinite(lowest)
+               ? report::percent_axis(shown.axis, lowest, highest)
+               : Axis::from_zero(shown.axis, highest);
+}
+
 std::string interval_chart(const Line& line, const Shown& shown, const SideBySide& comparison) {
     const auto runs = static_cast<double>(line.figures.size());
-    Axis y = Axis::from_zero(shown.axis, std::max(1e-3, highest_of(line)));
+    Axis y = axis_of(shown, lowest_of(line), std::max(1e-3, highest_of(line)));
     Chart chart{joined(shown.title, ": ", line.key.target, line.key.regime.empty() ? "" : ", ",
                        course_name(line.key.regime, line.key.climate)),
                 Axis{.title = "Run (A, B, …)", .low = 0.0, .high = runs + 1.0, .whole_numbers = true}, y};
@@ -63,9 +82,13 @@ std::string interval_chart(const Line& line, const Shown& shown, const SideBySid
         chart.add_dots(look_of(i), point);
         chart.add_dot_name(look_of(i), comparison.letters[i]);
     }
+    const bool any_interval = std::any_of(line.figures.begin(), line.figures.end(), [](const auto& figure) {
+        return figure && !std::isnan(figure->low) && !std::isnan(figure->high);
+    });
     return chart.figure(line.key.when == "today"
                             ? "With the 95 % interval of the chance in the rocks. Below 0 is drawn as 0."
-                            : "Mean over the years, with its 95 % interval. Below 0 is drawn as 0.");
+                        : any_interval ? "Mean over the years, with its 95 % interval. Below 0 is drawn as 0."
+                                       : "Mean over the years, without intervals. Below 0 is drawn as 0.");
 }
 
 /// Year -> mean and range of a series of a run.
@@ -73,6 +96,7 @@ struct YearBand {
     double mean = 0.0;
     double low = 0.0;
     double high = 0.0;
+    bool has_range = false;  ///< several replicates
 };
 using SeriesKey = std::array<std::string, 3>;  ///< quantity, target, course_name
 using BandsOfRun = std::map<SeriesKey, std::map<int, YearBand>>;
@@ -80,13 +104,14 @@ using BandsOfRun = std::map<SeriesKey, std::map<int, YearBand>>;
 BandsOfRun read_bands(const FinishedRun& run) {
     const config::Table table =
         read_table(run.folder, "regimes_by_year.csv",
-                   {"regime", "target_id", "quantity", "year", "mean", "low_5", "high_95"});
+                   {"regime", "target_id", "quantity", "year", "replicates", "mean", "low_5", "high_95"});
     BandsOfRun bands;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const auto year = static_cast<int>(number(table, row, "year"));
         const std::string course = course_name(table.text(row, "regime"), climate_of(table, row));
         bands[{table.text(row, "quantity"), table.text(row, "target_id"), course}][year] = {
-            number(table, row, "mean"), number(table, row, "low_5"), number(table, row, "high_95")};
+            number(table, row, "mean"), number(table, row, "low_5"), number(table, row, "high_95"),
+            number(table, row, "replicates") > 1.0};
     }
     return bands;
 }
@@ -94,6 +119,8 @@ BandsOfRun read_bands(const FinishedRun& run) {
 std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std::vector<BandsOfRun>& bands,
                              const SideBySide& comparison) {
     double highest = 1e-3;
+    double lowest = INFINITY;
+    bool any_range = false;
     int last_year = 1;
     for (const BandsOfRun& of_run : bands) {
         const auto found = of_run.find(key);
@@ -102,12 +129,14 @@ std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std
         }
         for (const auto& [year, band] : found->second) {
             highest = std::max(highest, band.high);
+            lowest = std::min(lowest, band.low);
+            any_range = any_range || band.has_range;
             last_year = std::max(last_year, year);
         }
     }
     const auto& [quantity, target, course] = key;
     Chart chart{joined(shown.title, ": ", target.empty() ? "forest" : target, ", ", course),
-                Axis::from_zero("Years since the start", last_year), Axis::from_zero(shown.axis, highest)};
+                Axis::from_zero("Years since the start", last_year), axis_of(shown, lowest, highest)};
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto found = bands[i].find(key);
         if (found == bands[i].end()) {
@@ -118,14 +147,18 @@ std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std
         for (const auto& [year, band] : found->second) {
             const double x = year;
             points.push_back({x, std::max(0.0, band.mean)});
-            ranges.push_back({x, std::max(0.0, band.low), std::max(0.0, band.high)});
+            if (band.has_range) {
+                ranges.push_back({x, std::max(0.0, band.low), std::max(0.0, band.high)});
+            }
         }
         chart.add_band(look_of(i), ranges);
         chart.add_line(look_of(i), points);
         chart.add_name(look_of(i), comparison.letters[i]);
         chart.add_end_letter(points.back().y, comparison.letters[i]);
     }
-    return chart.figure("Mean of the replicates; bands hold nine in ten of them. Below 0 is drawn as 0.");
+    return chart.figure(any_range
+                            ? "Mean of the replicates; bands hold nine in ten of them. Below 0 is drawn as 0."
+                            : "One replicate: no bands. Below 0 is drawn as 0.");
 }
 
 }  // namespace

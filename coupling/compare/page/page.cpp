@@ -91,18 +91,22 @@ std::string title_of(const FigureKey& key) {
                           course_name(key.regime, key.climate)));
 }
 
-std::string figures(const SideBySide& comparison, bool over_years) {
+std::string figures(const SideBySide& comparison, bool over_years, bool one_replicate) {
     std::vector<std::string> head{"Figure"};
     head.insert(head.end(), comparison.letters.begin(), comparison.letters.end());
     for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
         head.push_back(joined(comparison.letters[i], " − A"));
     }
     HtmlTable table{
-        joined("In brackets: 95 % interval of the chance in the simulated rocks",
-               over_years ? " and years, over the replicates; at worst years where nine of ten replicates lie"
-                          : "",
-               ". *: the difference is more than chance; within chance: it may be none. Of many figures one "
-               "in twenty differs so by chance."),
+        one_replicate
+            ? std::string{"One replicate: no intervals, and nothing tells which differences are chance."}
+            : joined(
+                  "In brackets: 95 % interval of the chance in the simulated rocks",
+                  over_years
+                      ? " and years, over the replicates; at worst years where nine of ten replicates lie"
+                      : "",
+                  ". *: the difference is more than chance; within chance: it may be none. Of many figures "
+                  "one in twenty differs so by chance."),
         head};
     std::string title;
     for (const Line& line : comparison.lines) {
@@ -136,7 +140,7 @@ void write_page(std::ostream& out, std::span<const FinishedRun> runs, const Side
         << run_style() << "</style>\n</head>\n<body>\n<main>\n"
         << opening(runs, comparison) << disagreements(comparison) << interval_charts(comparison)
         << over_years(runs, comparison) << distributions(runs, comparison) << maps(runs, comparison)
-        << figures(comparison, runs.front().summary.years > 0) << "</main>\n"
+        << figures(comparison, runs.front().summary.years > 0, all_of_one_replicate(runs)) << "</main>\n"
         << page_scripts::elements(scripts) << "</body>\n</html>\n";
 }
 
