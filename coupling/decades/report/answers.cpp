@@ -45,6 +45,8 @@ constexpr std::array standing{
     NamedFigure{"Saplings below 1 cm, per ha", [](const YearView& year) { return year.row->saplings_pha; }},
     NamedFigure{"Standing dead wood, m³/ha", [](const YearView& year) { return year.row->snags_m3pha; }},
     NamedFigure{"Lying dead wood, m³/ha", [](const YearView& year) { return year.row->logs_m3pha; }},
+    NamedFigure{"Dead wood as far as not rotted, dry, t/ha",
+                [](const YearView& year) { return year.row->dead_stems_tpha; }},
 };
 
 constexpr std::array flows{
@@ -98,11 +100,14 @@ std::string standing_table(const RunView& run, bool with_band) {
     for (const std::size_t year : years) {
         head.push_back(year_name(run, year));
     }
-    HtmlTable table{with_band
-                        ? "Mean of the replicates; in brackets where nine in ten of them lie (5th to 95th "
-                          "percentile, straight between replicates)."
-                        : "Living trees from 1 cm diameter on; volume is stem wood over bark.",
-                    head};
+    HtmlTable table{
+        with_band
+            ? "Mean of the replicates; in brackets where nine in ten of them lie (5th to 95th "
+              "percentile, straight between replicates). Dead wood has its full volume until less than "
+              "a tenth of its density is left."
+            : "One replicate: no intervals. Living trees from 1 cm diameter on; volume is stem wood over "
+              "bark; dead wood has its full volume until less than a tenth of its density is left.",
+        head};
     for (const NamedFigure& figure : standing) {
         add_rows(table, run, figure.name, [&](const RegimeView& regime) {
             std::vector<std::string> cells;
@@ -191,6 +196,16 @@ std::string years_text(const RunView& run) {
                   std::to_string(years.back().row->calendar_year), "; start: end of ", std::to_string(start));
 }
 
+/// Names may break after their underscores rather than inside a word.
+std::string breakable(const std::string& html) {
+    std::string text;
+    for (const char c : html) {
+        text += c;
+        text += c == '_' ? "<wbr/>" : "";
+    }
+    return text;
+}
+
 std::string list_of(const std::vector<std::string>& items) {
     std::string text;
     for (const std::string& item : items) {
@@ -209,7 +224,7 @@ std::string page_opening(const PageContent& content, const RunView& run) {
         const std::string name = has_climates && !run.chart_a_climate ? content.names.regimes.front()
                                                                       : regime.look.title_in_chart();
         if (ran.insert(name).second) {
-            regime_names.push_back(escaped(name));
+            regime_names.push_back(breakable(escaped(name)));
         }
     }
     const std::string replicates = std::to_string(run.replicates());
@@ -230,8 +245,9 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     html += content.grid.size() > 0 ? fact("Ground", elevation_text(content.grid)) : "";
     html += joined(fact("Years", years_text(run)), fact("Regimes", list_of(regime_names)));
     html += joined(fact("Replicates", replicates), fact("Species", list_of(species_names)));
-    html +=
-        content.climate.empty() ? "" : fact(has_climates ? "Climates" : "Climate", escaped(content.climate));
+    html += content.climate.empty() ? ""
+                                    : joined("<div class=\"row\"><dt>", has_climates ? "Climates" : "Climate",
+                                             "</dt><dd>", breakable(escaped(content.climate)), "</dd></div>");
     html += has_rocks(content.scenario) ? fact("Motion", report::motion_in_words(content.scenario)) : "";
     html += fact("Random seed", std::to_string(content.scenario.seed));
     return joined(html, fact("Program", joined("Bannwald ", escaped(content.version))), "</dl>\n");

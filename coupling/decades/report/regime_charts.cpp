@@ -91,8 +91,14 @@ std::string charts_of_regimes(const RunView& run) {
         {"Increment", "Increment, m³/ha a year",
          [](const YearView& year) { return year.row->volume_increment_m3pha; }, by_five, 1, five},
         {"Standing dead wood", "Volume, m³/ha", [](const YearView& year) { return year.row->snags_m3pha; },
-         "Snags and the stumps of felled trees."},
-        {"Lying dead wood", "Volume, m³/ha", [](const YearView& year) { return year.row->logs_m3pha; }},
+         "Snags and the stumps of felled trees. A piece counts with its full volume until less than a tenth "
+         "of "
+         "its density is left."},
+        {"Lying dead wood", "Volume, m³/ha", [](const YearView& year) { return year.row->logs_m3pha; },
+         "A piece counts with its full volume until less than a tenth of its density is left."},
+        {"Mass of dead wood", "Dry mass, t/ha",
+         [](const YearView& year) { return year.row->dead_stems_tpha; },
+         "Standing and lying, as far as it has not rotted."},
         {"Saplings", "Saplings per ha", [](const YearView& year) { return year.row->saplings_pha; },
          "Young trees below 1 cm diameter."},
         {"Ingrowth", "Stems/ha a year", [](const YearView& year) { return year.row->ingrowth_stems_pha; },

@@ -24,7 +24,8 @@ section.card p.answer{font-size:1.12rem;max-width:none}
 .facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(150px,1fr));gap:10px 18px;margin-top:14px}
 .facts div{min-width:0}
 .facts dt{color:var(--soft);font-size:.82rem}
-.facts dd{margin:0;font-weight:600;overflow-wrap:anywhere}
+.facts dd{margin:0;font-weight:600;overflow-wrap:break-word}
+.facts .row{grid-column:1/-1}
 dl.facts{margin-bottom:0}
 .two{display:grid;grid-template-columns:minmax(260px,2fr) 3fr;gap:22px;align-items:center}
 .halves,.thirds{display:grid;gap:14px;align-items:start;margin-bottom:14px}
