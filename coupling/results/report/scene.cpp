@@ -18,8 +18,8 @@ using page_scripts::JsonObject;
 constexpr int most_heights_a_side = 256;
 /// Of all stands together: a page must stay readable for a browser.
 constexpr std::size_t most_trees = 400'000;
-constexpr std::size_t most_logs = 100'000;
-constexpr std::size_t most_path_corners = 150'000;
+constexpr std::size_t most_logs = 60'000;
+constexpr std::size_t most_path_corners = 100'000;
 constexpr double full = 65'535.0;
 /// Room above the highest ground for flying rocks.
 constexpr double headroom_m = 200.0;

@@ -70,7 +70,7 @@ struct Scene {
 /// A figure that the script fills; without scripts or WebGL it says what is missing and where else to look
 /// (`instead`, HTML). The ground keeps at most 256 heights a side, a stand at most as many of the thickest
 /// trees and longest logs and, evenly chosen, of the paths as let all stands together have 400 000 trees,
-/// 100 000 logs and 150 000 corners of paths.
+/// 60 000 logs and 100 000 corners of paths.
 std::string scene_figure(const Scene& scene, const std::string& instead);
 
 }  // namespace coupling::report

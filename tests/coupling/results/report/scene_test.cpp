@@ -71,13 +71,13 @@ TEST(SceneFigure, SharesLogsAndPathsAmongStandsAndTellsHowManyThereAre) {
     Scene two{.heights = heights};
     two.stands = {stand, stand};
     const std::string figure = scene_figure(two, "");
-    EXPECT_TRUE(has(figure, "\"drawn_logs\":50000,\"all_logs\":60000,\"all_paths\":200"));
+    EXPECT_TRUE(has(figure, "\"drawn_logs\":30000,\"all_logs\":60000,\"all_paths\":200"));
     std::size_t paths = 0;
     for (std::size_t at = figure.find("\"points\""); at != std::string::npos;
          at = figure.find("\"points\"", at + 1)) {
         ++paths;
     }
-    EXPECT_EQ(paths, 2U * 150U) << "75 000 corners a stand";
+    EXPECT_EQ(paths, 2U * 100U) << "50 000 corners a stand";
 }
 
 TEST(SceneFigure, WritesTreesOfACommonStartOnce) {
