@@ -12,7 +12,7 @@ struct NetClass {
     double mel_kj = std::numeric_limits<double>::infinity();  ///< infinite: an open class
 };
 
-/// No usual net is higher (ETAG 027 and EAD 340059-00-0106 speak of heights to about 10 m).
+/// No usual net is higher [choice: a round bound above the kits on offer].
 inline constexpr double highest_usual_net_m = 10.0;
 
 /// All classes, weakest first, the open one last.
