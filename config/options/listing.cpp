@@ -121,7 +121,7 @@ std::vector<ParameterRow> Options::rows() const {
     return rows;
 }
 
-void Options::write_ini(std::ostream& out, bool with_comments) const {
+void Options::write_ini(std::ostream& out, bool with_comments, const std::set<std::string>& without) const {
     const std::vector<ParameterRow> all = rows();
     std::vector<std::string> sections = section_names();
     // Keys of no section can only stand before the first section.
@@ -134,7 +134,7 @@ void Options::write_ini(std::ostream& out, bool with_comments) const {
         }
         gap = "\n";
         for (const ParameterRow& row : all) {
-            if (section_of(row) != section) {
+            if (section_of(row) != section || without.contains(row.key)) {
                 continue;
             }
             if (with_comments) {

@@ -5,6 +5,7 @@
 #include <istream>
 #include <limits>
 #include <ostream>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -120,8 +121,9 @@ public:
     /// Names of all presets that any parameter knows, in the order of declaration.
     [[nodiscard]] std::vector<std::string> preset_names() const;
 
-    /// The present values, those of free sections too, as a commented INI file that `read` takes back.
-    void write_ini(std::ostream& out, bool with_comments) const;
+    /// The present values, those of free sections too, as a commented INI file that `read` takes back;
+    /// declared keys of `without` are left out.
+    void write_ini(std::ostream& out, bool with_comments, const std::set<std::string>& without = {}) const;
     /// A table for people: key, default, unit, range, meaning, grouped by section; 100 columns wide.
     void write_help(std::ostream& out, const std::string& section_filter = "") const;
 

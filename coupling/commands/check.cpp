@@ -15,6 +15,7 @@
 #include "coupling/commands/estimate.hpp"
 #include "coupling/commands/listing.hpp"
 #include "coupling/decades/management.hpp"
+#include "coupling/hazard/hazard_run.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
@@ -139,6 +140,18 @@ void describe_years(const Scenario& scenario, Site site, int threads, config::Wa
     say_cost(estimate, threads, out);
 }
 
+/// Each return period as the run that it will be.
+void check_return_periods(const CommandLine& line, const Scenario& scenario, int threads,
+                          config::Warnings& warnings, std::ostream& out) {
+    const char* gap = "";
+    for (const double years : hazard::read_plan(scenario).return_periods_years) {
+        out << gap << "Return period of " << config::to_text(years) << " years\n";
+        gap = "\n";
+        const auto one = hazard::scenario_of(line.argument, line.overrides, years);
+        describe_today(*one, open_site(*one, warnings), threads, out);
+    }
+}
+
 void print_settings(const config::Options& options, std::ostream& out) {
     out << "\nSettings (* differs from the default)\n";
     for (const config::ParameterRow& row : options.rows()) {
@@ -159,9 +172,11 @@ void print_settings(const config::Options& options, std::ostream& out) {
 
 void check_scenario(const CommandLine& line, config::Warnings& warnings, std::ostream& out) {
     const auto scenario = read_scenario(line.argument, line.overrides);
-    if (scenario->profile.empty()) {
+    const int threads = line.threads > 0 ? line.threads : omp_get_max_threads();
+    if (wants_hazard_map(*scenario)) {
+        check_return_periods(line, *scenario, threads, warnings, out);
+    } else if (scenario->profile.empty()) {
         Site site = open_site(*scenario, warnings);
-        const int threads = line.threads > 0 ? line.threads : omp_get_max_threads();
         if (site.forest) {
             describe_years(*scenario, std::move(site), threads, warnings, out);
         } else {

@@ -183,6 +183,7 @@ holds. The name of a shipped table prints that table:
   bannwald info stopping           their stopping probabilities by rock diameter
   bannwald info pir3d_soils        soils of the motion model pir3d
   bannwald info net_classes        energy classes of rockfall nets
+  bannwald info hazard_matrix      hazard levels by energy and return period
   bannwald info tree_resistance    species with the energy they take
   bannwald info timber_prices      what wood brings and costs; also work_costs
   bannwald info regimes            names of the shipped regimes and the columns of a regime

@@ -7,6 +7,7 @@
 #include "config/errors/input_error.hpp"
 #include "coupling/compare/side_by_side.hpp"
 #include "coupling/decades/decade_layouts.hpp"
+#include "coupling/hazard/hazard_results.hpp"
 #include "coupling/profile/profile_layouts.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/static_layouts.hpp"
@@ -19,10 +20,12 @@ struct Kind {
     const std::vector<TableLayout>& (*layouts)();
 };
 
-constexpr std::array kinds{
-    Kind{"an assessment of today", static_layouts}, Kind{"a run over years", decades::decade_layouts},
-    Kind{"a run along a profile", profile::profile_layouts}, Kind{"every run", dictionary_layouts},
-    Kind{"a comparison of runs", compare::compare_layouts}};
+constexpr std::array kinds{Kind{"an assessment of today", static_layouts},
+                           Kind{"a run over years", decades::decade_layouts},
+                           Kind{"a run along a profile", profile::profile_layouts},
+                           Kind{"a hazard map", hazard::hazard_layouts},
+                           Kind{"every run", dictionary_layouts},
+                           Kind{"a comparison of runs", compare::compare_layouts}};
 
 void write_columns(const TableLayout& layout, const char* kind, std::ostream& out) {
     out << layout.file << " of " << kind << ": a row is " << layout.row << '\n';

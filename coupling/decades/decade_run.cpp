@@ -180,7 +180,7 @@ public:
           site_{site},
           warnings_{warnings},
           ranks_{ranks},
-          out_{request.out.empty() ? scenario.file.parent_path() / "out" : request.out},
+          out_{output_folder_of(request, scenario)},
           hash_{settings_hash(scenario, site.inputs)},
           parts_{OutputFolder::parts_of(out_), hash_},
           names_{names_of(management, *site.forest)},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 
 #include "config/table/table.hpp"
 #include "config/text/numbers.hpp"
@@ -171,6 +172,44 @@ std::string ClimateAsked::prefix() const {
     return settings.climate_variants.empty() ? "" : joined("climate '", name, "': ");
 }
 
+namespace {
+
+/// Whether a change of [climate] still holds for a row that may give the other kind of change.
+bool applies(const ClimateAsked& asked, std::string_view key) {
+    if (key == "change") {
+        return !asked.settings.climate_change.empty();
+    }
+    if (key == "temperature_change_k" || key == "precipitation_change") {
+        return asked.settings.climate_change.empty();
+    }
+    return true;
+}
+
+/// A row with a file of its own takes what it does not give from [climate], where it may be meant for another
+/// place.
+void tell_taken_over(const std::vector<ClimateAsked>& climates, Reading& reading) {
+    for (const ClimateAsked& asked : climates) {
+        if (!asked.given.contains("climate.file")) {
+            continue;
+        }
+        std::string taken;
+        for (const char* key : {"elevation_m", "window_first_year", "window_last_year", "change",
+                                "temperature_change_k", "precipitation_change"}) {
+            const std::string setting = joined("climate.", key);
+            const bool replaced = asked.given.contains(setting) || !applies(asked, key);
+            if (!replaced && asked.options.was_set(setting)) {
+                taken += joined(taken.empty() ? "" : ", ", setting);
+            }
+        }
+        if (!taken.empty()) {
+            reading.note(joined(asked.prefix(), "a file of its own, but ", taken,
+                                " as [climate] has it; the row can say otherwise"));
+        }
+    }
+}
+
+}  // namespace
+
 std::vector<ClimateAsked> asked_climates(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     const std::string& file = scenario.forest.climate_variants;
@@ -178,7 +217,9 @@ std::vector<ClimateAsked> asked_climates(Reading& reading) {
         return {ClimateAsked{only_climate, scenario.forest, {}, *scenario.options}};
     }
     const config::Table table = reading.table("climate.variants", "climates", file);
-    return VariantRows{table, scenario}.all();
+    std::vector<ClimateAsked> climates = VariantRows{table, scenario}.all();
+    tell_taken_over(climates, reading);
+    return climates;
 }
 
 }  // namespace coupling

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
+#include "coupling/inputs/zone_blocks.hpp"
+#include "coupling/results/joined.hpp"
 
 namespace coupling {
 
@@ -42,8 +45,8 @@ SourceInput read_shapes(Reading& reading) {
                 "one kind in a file: points share the rocks evenly, lines by length, polygons by area");
             continue;
         }
-        input.shapes.push_back(
-            {static_cast<std::uint32_t>(*zone), std::move(*shape), table.place(row, "wkt")});
+        input.shapes.push_back({static_cast<std::uint32_t>(*zone), std::move(*shape), table.place(row, "wkt"),
+                                input.starts.size()});
         input.starts.push_back(std::move(start));
     }
     config::Problems shown;
@@ -104,7 +107,7 @@ double surface_area_m2(const ReleaseSource& cell, const rockfall::Terrain& terra
     return found == 0 ? 0.0 : size_m.x() * size_m.y() * sum / found;
 }
 
-ReleaseSource cell_source(const config::GridFrame& frame, std::size_t index, double zone,
+ReleaseSource cell_source(const config::GridFrame& frame, std::size_t index, std::uint32_t zone,
                           const rockfall::Terrain& terrain) {
     const config::Cell cell = frame.cell_of(index);
     const Eigen::Vector2d half_m{0.5 * frame.cell_width_m, 0.5 * frame.cell_height_m};
@@ -114,7 +117,7 @@ ReleaseSource cell_source(const config::GridFrame& frame, std::size_t index, dou
     source.kind = ReleaseSource::Kind::cell;
     source.first_m = centre_m - half_m;
     source.last_m = centre_m + half_m;
-    source.zone = static_cast<std::uint32_t>(zone);
+    source.zone = zone;
     source.weight = surface_area_m2(source, terrain);
     return source;
 }
@@ -155,12 +158,21 @@ struct Placed {
     Sources sources;
     std::vector<std::size_t> rows;
 
-    void add(ReleaseSource source, std::size_t row, const SourceInput& input) {
-        source.own_start = input.starts[row].law;
+    void add(ReleaseSource source, std::size_t start, const SourceInput& input) {
+        source.own_start = input.starts[start].law;
         sources.push_back(std::move(source));
-        rows.push_back(row);
+        rows.push_back(start);
     }
 };
+
+/// Which of the starts holds; none for a zone without rocks.
+std::optional<std::size_t> start_of(const SourceInput& input, std::uint32_t zone, std::size_t own) {
+    if (!input.by_zone) {
+        return own;
+    }
+    const auto found = input.start_of_zone.find(zone);
+    return found == input.start_of_zone.end() ? std::nullopt : std::optional{found->second};
+}
 
 Placed place_cells(const SourceInput& input, const HeightInput& heights, const rockfall::Terrain& terrain,
                    Reading& reading) {
@@ -174,8 +186,12 @@ Placed place_cells(const SourceInput& input, const HeightInput& heights, const r
             continue;
         }
         ++counts.all;
-        const std::size_t row = input.grid ? 0 : static_cast<std::size_t>(number) - 1;
-        const double zone = input.grid ? number : static_cast<double>(input.shapes[row].zone);
+        const SourceShape* shape = input.grid ? nullptr : &input.shapes[static_cast<std::size_t>(number) - 1];
+        const auto zone = shape == nullptr ? static_cast<std::uint32_t>(number) : shape->zone;
+        const auto start = start_of(input, zone, shape == nullptr ? 0 : shape->start);
+        if (!start) {
+            continue;
+        }
         const config::Cell cell = frame.cell_of(index);
         const bool in_ring = cell.column == 0 || cell.row == 0 || cell.column == frame.columns - 1 ||
                              cell.row == frame.rows - 1;
@@ -185,7 +201,7 @@ Placed place_cells(const SourceInput& input, const HeightInput& heights, const r
             counts.first_on_nodata = counts.on_nodata == 0 ? index : counts.first_on_nodata;
             ++counts.on_nodata;
         } else if (ReleaseSource source = cell_source(frame, index, zone, terrain); source.weight > 0.0) {
-            placed.add(std::move(source), row, input);
+            placed.add(std::move(source), *start, input);
         } else {
             ++counts.off_terrain;
         }
@@ -236,9 +252,9 @@ std::string to_dm(double value_m) {
 }
 
 /// The pieces of a line, or a problem where it leaves the terrain.
-void place_line(const SourceInput& input, std::size_t row, const std::vector<config::Point2>& line,
-                const rockfall::Terrain& terrain, Reading& reading, Placed& placed) {
-    const SourceShape& shape = input.shapes[row];
+void place_line(const SourceInput& input, const SourceShape& shape, std::size_t start,
+                const std::vector<config::Point2>& line, const rockfall::Terrain& terrain, Reading& reading,
+                Placed& placed) {
     if (const auto place = leaves_terrain_at(line, terrain)) {
         reading.refuse(shape.place,
                        "a line that leaves the terrain at " + to_dm(place->x_m) + ", " + to_dm(place->y_m),
@@ -248,8 +264,8 @@ void place_line(const SourceInput& input, std::size_t row, const std::vector<con
     for (std::size_t i = 1; i < line.size(); ++i) {
         if (line[i] != line[i - 1]) {
             ReleaseSource piece = line_source(line[i - 1], line[i], shape.zone, terrain);
-            piece.evenly = input.starts[row].blocks.has_value();
-            placed.add(std::move(piece), row, input);
+            piece.evenly = input.starts[start].blocks.has_value();
+            placed.add(std::move(piece), start, input);
         }
     }
 }
@@ -258,17 +274,20 @@ void place_line(const SourceInput& input, std::size_t row, const std::vector<con
 Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, Reading& reading) {
     Placed placed;
     std::size_t points = 0;
-    for (std::size_t row = 0; row < input.shapes.size(); ++row) {
-        const SourceShape& source = input.shapes[row];
+    for (const SourceShape& source : input.shapes) {
+        const auto start = start_of(input, source.zone, source.start);
+        if (!start) {
+            continue;
+        }
         for (const auto& part : source.shape.parts) {
             if (source.shape.kind == Shape::Kind::line) {
-                place_line(input, row, part, terrain, reading, placed);
+                place_line(input, source, *start, part, terrain, reading, placed);
                 continue;
             }
             ++points;
             ReleaseSource point = line_source(part.front(), part.front(), source.zone, terrain);
             if (terrain.locate(point.first_m.x(), point.first_m.y())) {
-                placed.add(std::move(point), row, input);
+                placed.add(std::move(point), *start, input);
             }
         }
     }
@@ -281,11 +300,54 @@ Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, 
     return placed;
 }
 
+std::set<std::uint32_t> zones_of(const SourceInput& input) {
+    std::set<std::uint32_t> zones;
+    for (const SourceShape& shape : input.shapes) {
+        zones.insert(shape.zone);
+    }
+    if (input.grid) {
+        for (const double value : input.grid->values) {
+            if (value > 0.0) {  // NaN is none
+                zones.insert(static_cast<std::uint32_t>(value));
+            }
+        }
+    }
+    return zones;
+}
+
+/// Zones of which only the sources or only hazard.blocks know.
+void tell_zones(const SourceInput& input, Reading& reading) {
+    const std::string years = config::to_text(reading.scenario().hazard.return_period_years);
+    const std::set<std::uint32_t> zones = zones_of(input);
+    for (const std::uint32_t zone : zones) {
+        if (!input.start_of_zone.contains(zone)) {
+            reading.doubt({input.file},
+                          joined("zone ", std::to_string(zone), " without rocks of ", years,
+                                 " years in hazard.blocks; none fall from there"),
+                          "a row for each zone and return period");
+        }
+    }
+    for (const auto& [zone, start] : input.start_of_zone) {
+        if (!zones.contains(zone)) {
+            reading.doubt(
+                {reading.shown(reading.scenario().hazard.blocks)},
+                joined("zone ", std::to_string(zone), " with rocks of ", years, " years but no source"),
+                "zones of the sources");
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<SourceInput> read_sources(Reading& reading) {
-    return reading.attempt(
-        [&] { return reading.scenario().source.empty() ? read_shapes(reading) : read_grid(reading); });
+    return reading.attempt([&] {
+        SourceInput input = reading.scenario().source.empty() ? read_shapes(reading) : read_grid(reading);
+        if (!reading.scenario().hazard.blocks.empty()) {
+            take_zone_blocks(input, reading);
+            tell_zones(input, reading);
+        }
+        return input;
+    });
 }
 
 std::optional<Sources> place_sources(const SourceInput& input, const HeightInput& heights,

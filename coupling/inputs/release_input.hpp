@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,14 +19,17 @@ struct SourceShape {
     std::uint32_t zone = 0;
     config::Shape shape;
     config::Place place{};  ///< in the file
+    std::size_t start = 0;  ///< which of the starts its rocks have
 };
 
 /// Where rocks break off, as read: a grid of zones, or shapes all of one kind.
 struct SourceInput {
     std::optional<config::Raster<double>> grid;
     std::vector<SourceShape> shapes;
-    std::vector<SourceStart> starts;  ///< of each shape; of a grid one that says nothing
+    std::vector<SourceStart> starts;  ///< of each shape; of a grid one that says nothing; or of zones
     std::string file;                 ///< name in messages
+    bool by_zone = false;             ///< the starts are those of zones; a zone without one has no rocks
+    std::map<std::uint32_t, std::size_t> start_of_zone{};
 };
 
 std::optional<SourceInput> read_sources(Reading& reading);

@@ -188,6 +188,37 @@ void declare_nets(config::Options& options, NetSettings& nets) {
                   .source = "choice"});
 }
 
+void declare_hazard(config::Options& options, HazardSettings& hazard) {
+    options.text(
+        "hazard.blocks", hazard.blocks,
+        {.meaning = "CSV with return_period_years, zone, diameter_m or mass_t or volume_m3: a hazard map"});
+    options.number("hazard.return_period_years", hazard.return_period_years,
+                   {.unit = "yr",
+                    .low = 0.0,
+                    .high = 1e6,
+                    .meaning = "only the rocks of this return period; 0: all, and the hazard map",
+                    .source = "choice"});
+    options.choice(
+        "hazard.energy", hazard.energy,
+        {{"mean", HazardEnergy::mean},
+         {"50", HazardEnergy::p50},
+         {"90", HazardEnergy::p90},
+         {"95", HazardEnergy::p95},
+         {"98", HazardEnergy::p98},
+         {"99", HazardEnergy::p99},
+         {"max", HazardEnergy::max}},
+        {.meaning = "percentile of the rocks' energies in a cell that is its intensity", .source = "choice"});
+    options.number("hazard.least_reach_percent", hazard.least_reach_percent,
+                   {.unit = "%",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "cells with a smaller reach probability are left out of the hazard map",
+                    .source = "choice"});
+    options.text(
+        "hazard.matrix", hazard.matrix,
+        {.meaning = "CSV of hazard levels, as `bannwald info hazard_matrix` shows it; none: that one"});
+}
+
 void declare_output(config::Options& options, Scenario& s) {
     options.number(
         "output.cell_size_m", s.cell_size_m,
@@ -238,6 +269,7 @@ void declare(config::Options& options, Scenario& scenario) {
     options.text("targets.file", scenario.targets,
                  {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});
     declare_nets(options, scenario.nets);
+    declare_hazard(options, scenario.hazard);
     declare_output(options, scenario);
     options.text("rockfall.preset", scenario.preset,
                  {.meaning = "default, or a named set: strict, paper_rebound, paper_initial"});
@@ -261,6 +293,11 @@ std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
     }
     rockfall::take_over(scenario->rockfall, *scenario->options);
     return scenario;
+}
+
+bool wants_hazard_map(const Scenario& scenario) {
+    return scenario.years == 0 && !scenario.hazard.blocks.empty() &&
+           scenario.hazard.return_period_years == 0.0;
 }
 
 bool has_rocks(const Scenario& scenario) {

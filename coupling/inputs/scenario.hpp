@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/options/options.hpp"
+#include "coupling/hazard/hazard_settings.hpp"
 #include "coupling/inputs/forest_settings.hpp"
 #include "coupling/nets/net_settings.hpp"
 #include "rockfall/parameters.hpp"
@@ -77,7 +78,8 @@ struct Scenario {
     // [targets]
     std::string targets;  ///< CSV with WKT lines and polygons: target_id, name, wkt
 
-    NetSettings nets;  ///< [nets]
+    NetSettings nets;       ///< [nets]
+    HazardSettings hazard;  ///< [hazard]
 
     // [output]
     double cell_size_m = 0.0;  ///< of the maps; 0: that of the DEM
@@ -108,6 +110,9 @@ void declare(config::Options& options, Scenario& scenario);
 /// Reads a scenario file and `section.key=value` overrides. Throws InputError with every problem found.
 std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
                                         const std::vector<std::string>& overrides);
+
+/// Whether a run lets the rocks of all return periods fall, for a hazard map.
+bool wants_hazard_map(const Scenario& scenario);
 
 /// Whether rocks fall: always today, over years unless run.rockfall_every is 0.
 bool has_rocks(const Scenario& scenario);

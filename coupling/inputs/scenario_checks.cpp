@@ -93,6 +93,33 @@ void check_trees_over_years(const Scenario& s, Checker& checker) {
     }
 }
 
+/// Settings that would have no effect, or that the hazard map cannot do without.
+void check_hazard(const Scenario& s, Checker& checker) {
+    if (s.hazard.blocks.empty()) {
+        for (const char* key :
+             {"hazard.return_period_years", "hazard.energy", "hazard.least_reach_percent", "hazard.matrix"}) {
+            if (s.options->was_set(key)) {
+                checker.refuse(key, joined(key, " without hazard.blocks"),
+                               "a table of rocks by return period and zone");
+            }
+        }
+        return;
+    }
+    if (!s.profile.empty()) {
+        checker.refuse("hazard.blocks", "hazard.blocks beside terrain.profile",
+                       "no hazard map: a profile has no zones");
+    }
+    if (s.years != 0 && s.hazard.return_period_years == 0.0) {
+        checker.refuse("hazard.blocks", joined("hazard.blocks beside run.years ", std::to_string(s.years)),
+                       "hazard.return_period_years: over years rocks of one return period fall");
+    }
+    const bool is_percentile = s.hazard.energy != HazardEnergy::mean && s.hazard.energy != HazardEnergy::max;
+    if (is_percentile && !s.percentiles && s.hazard.return_period_years == 0.0) {
+        checker.refuse("output.percentiles", "output.percentiles no beside a percentile as hazard.energy",
+                       "yes, or hazard.energy mean or max");
+    }
+}
+
 void check_range(const Scenario& s, Checker& checker) {
     if (!(s.diameter_low_m > 0.0)) {
         checker.refuse("release.diameter_low_m",
@@ -165,6 +192,7 @@ void check(const Scenario& scenario) {
         checker.refuse("nets.keep_paths", "nets.keep_paths beside tree_impact.remove_broken",
                        "one of them: a rock that a net holds breaks no trees for the rocks after it");
     }
+    check_hazard(scenario, checker);
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
     if (scenario.profile.empty()) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "config/grid/holes.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
@@ -52,6 +53,27 @@ void check_heights(std::vector<double> heights, const std::string& file, Reading
     }
 }
 
+/// Rocks that come to a hole are lost from the count behind it.
+void doubt_holes(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
+    const std::vector<config::Hole> holes = config::holes_of(grid);
+    if (holes.empty()) {
+        return;
+    }
+    std::size_t cells = 0;
+    for (const config::Hole& hole : holes) {
+        cells += hole.cells;
+    }
+    const config::Hole& largest =
+        *std::max_element(holes.begin(), holes.end(),
+                          [](const config::Hole& a, const config::Hole& b) { return a.cells < b.cells; });
+    reading.doubt({file},
+                  counted(holes.size(), "hole") + " of NODATA, together " + counted(cells, "cell") +
+                      ", the largest of " + counted(largest.cells, "cell") + " from " +
+                      cell_in_words(grid.frame, largest.first_cell) +
+                      "; rocks that come there leave the terrain",
+                  "heights everywhere inside the rim");
+}
+
 /// Throws InputError where no terrain can be made of the heights.
 void check_grid(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
     const config::GridFrame& frame = grid.frame;
@@ -66,6 +88,7 @@ void check_grid(const config::Raster<double>& grid, const std::string& file, Rea
                      "at least 3 x 3 known cells");
     }
     check_heights(known, file, reading);
+    doubt_holes(grid, file, reading);
 }
 
 HeightInput read_dem(Reading& reading) {

@@ -198,8 +198,8 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
     if (!request.quiet) {
         tell_warnings(warnings, request.verbose);
     }
-    const std::filesystem::path out = request.out.empty() ? scenario.file.parent_path() / "out" : request.out;
-    OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};
+    OutputFolder folder{output_folder_of(request, scenario), settings_hash(scenario, site.inputs),
+                        request.overwrite};
     const InterruptGuard guard;
     try {
         fall_and_write(request, scenario, site, warnings, folder);

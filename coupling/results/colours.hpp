@@ -44,4 +44,11 @@ constexpr std::size_t energy_class(double energy_kj) {
     return energy_kj < energy_class_limits_kj[0] ? 0U : energy_kj <= energy_class_limits_kj[1] ? 1U : 2U;
 }
 
+/// A class of a map in its colour.
+struct ClassColour {
+    double value;  ///< that stands for it
+    std::string label;
+    Colour colour;
+};
+
 }  // namespace coupling

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,14 @@ void write_style(std::ostream& out, const RasterKind& kind, ValueRange range) {
             write(out, ramp(kind, 0.0, high, kind.palette, false), "INTERPOLATED", 0.0, high);
             break;
     }
+}
+
+void write_class_style(std::ostream& out, std::span<const ClassColour> classes) {
+    std::vector<Step> steps;
+    for (const ClassColour& entry : classes) {
+        steps.push_back({entry.value, entry.label, entry.colour});
+    }
+    write(out, steps, "EXACT", steps.front().value, steps.back().value);
 }
 
 void write_difference_style(std::ostream& out, const RasterKind& kind, ValueRange range) {

@@ -181,8 +181,7 @@ struct Writer {
     void write(const RasterKind& kind, const char* part, const std::string& sentence,
                const config::Raster<float>& raster, Style style) {
         const std::string stem = std::string{"rasters/"}.append(part).append("/").append(kind.stem);
-        written.push_back(
-            write_styled(folder, {stem, sentence, raster}, results.site.projection, style));
+        written.push_back(write_styled(folder, {stem, sentence, raster}, results.site.projection, style));
     }
 };
 
@@ -240,6 +239,12 @@ const RasterKind& raster_kind(std::string_view stem) {
 WrittenFile write_raster(const std::filesystem::path& folder, const DrawnRaster& drawn,
                          const std::string& projection, const RasterKind& kind, ValueRange range) {
     return write_styled(folder, drawn, projection, [&](std::ostream& out) { write_style(out, kind, range); });
+}
+
+WrittenFile write_raster(const std::filesystem::path& folder, const DrawnRaster& drawn,
+                         const std::string& projection, std::span<const ClassColour> classes) {
+    return write_styled(folder, drawn, projection,
+                        [&](std::ostream& out) { write_class_style(out, classes); });
 }
 
 config::Raster<float> raster_of(const RasterKind& kind, const RunResults& results, Cover cover) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,14 +52,18 @@ struct ValueRange {
 
 /// A raster and what QGIS and people need to read it.
 struct DrawnRaster {
-    std::string path;       ///< in the folder of results, without ending
+    std::string path;  ///< in the folder of results, without ending
     std::string sentence;
     const config::Raster<float>& raster;
 };
-/// Writes grid, projection (.prj, unless the text is empty) and QGIS style (.qml); the style has the colours of the kind over
-/// `range`. The folder has to exist.
+/// Writes grid, projection (.prj, unless the text is empty) and QGIS style (.qml); the style has the colours
+/// of the kind over `range`. The folder has to exist.
 WrittenFile write_raster(const std::filesystem::path& folder, const DrawnRaster& drawn,
                          const std::string& projection, const RasterKind& kind, ValueRange range);
+
+/// The same for values that stand for classes. Requires at least one class.
+WrittenFile write_raster(const std::filesystem::path& folder, const DrawnRaster& drawn,
+                         const std::string& projection, std::span<const ClassColour> classes);
 
 /// With forest minus bare slope; a cell that no rock passes on one of them counts as 0 there (no rock: no
 /// energy, no height). NaN where none passes on either.

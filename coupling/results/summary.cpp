@@ -8,6 +8,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/decades/decade_results.hpp"
+#include "coupling/hazard/hazard_results.hpp"
 #include "coupling/profile/profile_results.hpp"
 #include "coupling/results/read_summary.hpp"
 
@@ -337,6 +338,49 @@ void decades::write_summary(std::ostream& out, const DecadeResults& results,
     }
     summary["warnings"] = results.warnings.sentences();
     write_with_sources(out, std::move(summary), results.site.inputs, results.scenario, files);
+}
+
+namespace {
+
+Json target_hazard(const hazard::TargetHazard& target) {
+    Json shares;
+    for (std::size_t level = 0; level < hazard::levels; ++level) {
+        shares[hazard::level_names[level]] = number(percent * target.levels[level]);
+    }
+    return {{"highest_level", hazard::level_name(target.highest())}, {"share_percent", shares}};
+}
+
+}  // namespace
+
+void hazard::write_summary(std::ostream& out, const HazardResults& results,
+                           const std::vector<WrittenFile>& files) {
+    Json summary{{"program", "Bannwald"}, {"version", results.version}};
+    std::uint64_t rocks = 0;
+    Json periods = Json::array();
+    for (const FinishedPeriod& period : results.periods) {
+        rocks += period.rocks;
+        periods.push_back({{"return_period_years", period.return_period_years},
+                           {"folder", "../" + period.folder.filename().string()},
+                           {"rocks", period.rocks},
+                           {"smallest_diameter_m", number(period.diameters.smallest_m)},
+                           {"largest_diameter_m", number(period.diameters.largest_m)}});
+    }
+    summary["run"] = {{"scenario", results.scenario.file.filename().string()},
+                      {"kind", "hazard"},
+                      {"seed", results.scenario.seed},
+                      {"rocks", rocks},
+                      {"map", map_frame(results.site.map_frame)}};
+    summary["return_periods"] = std::move(periods);
+    summary["targets"] = Json::array();
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        Json target{{"id", results.site.targets[i].id}, {"name", results.site.targets[i].name}};
+        for (const SlopeHazard& slope : results.slopes) {
+            target[name_of(slope.cover)] = target_hazard(slope.targets[i]);
+        }
+        summary["targets"].push_back(std::move(target));
+    }
+    summary["warnings"] = results.warnings.sentences();
+    write_with_sources(out, std::move(summary), results.inputs, results.scenario, files);
 }
 
 SummaryOfRun read_summary(std::string_view text, const std::string& file) {

@@ -1,8 +1,11 @@
 #include "coupling/run/output_folder.hpp"
 
 #include <array>
+#include <fstream>
+#include <iterator>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/run/checkpoint.hpp"
 
@@ -21,6 +24,10 @@ constexpr const char* mark_of_a_run = ".bannwald";
 
 /// Written last, so its presence says that results are whole.
 constexpr const char* mark_of_results = "summary.json";
+
+std::string mark_text(const std::string& settings_hash) {
+    return joined("Results of a run of bannwald; bannwald may replace them.\nsettings ", settings_hash, "\n");
+}
 
 }  // namespace
 
@@ -50,7 +57,7 @@ OutputFolder::OutputFolder(fs::path folder, const std::string& settings_hash, bo
     delete_entry(staging());  // left by a run that was killed while it wrote
     make_folder(folder_);
     OutFile mark{folder_ / mark_of_a_run};
-    mark.stream() << "Results of a run of bannwald; bannwald may replace them.\n";
+    mark.stream() << mark_text(settings_hash);
     mark.close();
     make_folder(parts());  // after the mark: a run that is killed here can still be repeated
 }
@@ -87,6 +94,12 @@ void OutputFolder::delete_results() const {
     for (const char* name : run_writes) {
         delete_entry(folder_ / name);
     }
+}
+
+bool OutputFolder::is_finished(const fs::path& folder, const std::string& settings_hash) {
+    std::ifstream mark{folder / mark_of_a_run};
+    const std::string text{std::istreambuf_iterator<char>{mark}, {}};
+    return text == mark_text(settings_hash) && fs::exists(folder / mark_of_results);
 }
 
 void OutputFolder::publish() {

@@ -34,6 +34,9 @@ public:
         return parts / "checkpoint.part";
     }
 
+    /// Whether a folder holds finished results of these settings.
+    static bool is_finished(const std::filesystem::path& folder, const std::string& settings_hash);
+
     /// Moves whole results from the staging folder to their place and deletes the parts.
     void publish();
 

@@ -10,13 +10,35 @@ namespace {
 
 constexpr int ramp_steps = 64;
 
+std::string class_legend(const std::vector<ClassColour>& classes) {
+    std::string svg = "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\">";
+    const double apart = 396.0 / static_cast<double>(std::max<std::size_t>(3, classes.size()));
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const double x = 4.0 + apart * static_cast<double>(i);
+        svg += joined("<rect x=\"", place(x), "\" y=\"6\" width=\"26\" height=\"14\" fill=\"",
+                      to_hex(classes[i].colour), "\" stroke=\"#555\" stroke-width=\".5\"/><text x=\"",
+                      place(x + 31.0), "\" y=\"18\">", escaped(classes[i].label), "</text>");
+    }
+    return joined(svg, "</svg>");
+}
+
 }  // namespace
 
 ColourScale::ColourScale(Kind kind, Palette palette, double low, double high, std::string unit)
     : kind_{kind}, palette_{palette}, low_{low}, high_{high}, unit_{std::move(unit)} {}
 
 ColourScale ColourScale::energy_classes() {
-    return {Kind::classes, Palette::deposits, 0.0, 0.0, "kJ"};
+    ColourScale scale{Kind::energy, Palette::deposits, 0.0, 0.0, "kJ"};
+    for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
+        scale.classes_.push_back({static_cast<double>(i), energy_class_names[i], energy_class_colours[i]});
+    }
+    return scale;
+}
+
+ColourScale ColourScale::classes(std::vector<ClassColour> classes) {
+    ColourScale scale{Kind::classes, Palette::deposits, 0.0, 0.0, ""};
+    scale.classes_ = std::move(classes);
+    return scale;
 }
 
 ColourScale ColourScale::linear(Palette palette, double high, std::string unit) {
@@ -43,8 +65,15 @@ std::uint8_t ColourScale::index_of(float value) const {
     if (std::isnan(value)) {
         return 0;
     }
-    if (kind_ == Kind::classes) {
+    if (kind_ == Kind::energy) {
         return static_cast<std::uint8_t>(1 + energy_class(static_cast<double>(value)));
+    }
+    if (kind_ == Kind::classes) {
+        const auto found = std::find_if(classes_.begin(), classes_.end(), [&](const ClassColour& entry) {
+            return entry.value == static_cast<double>(value);
+        });
+        return found == classes_.end() ? std::uint8_t{0}
+                                       : static_cast<std::uint8_t>(1 + (found - classes_.begin()));
     }
     return static_cast<std::uint8_t>(1 +
                                      std::lround(place_of(static_cast<double>(value)) * (ramp_steps - 1)));
@@ -52,8 +81,10 @@ std::uint8_t ColourScale::index_of(float value) const {
 
 std::vector<Colour> ColourScale::palette() const {
     std::vector<Colour> colours{Colour{255, 255, 255}};
-    if (kind_ == Kind::classes) {
-        colours.insert(colours.end(), energy_class_colours.begin(), energy_class_colours.end());
+    if (!classes_.empty()) {
+        for (const ClassColour& entry : classes_) {
+            colours.push_back(entry.colour);
+        }
         return colours;
     }
     for (int i = 0; i < ramp_steps; ++i) {
@@ -81,20 +112,9 @@ std::vector<double> ColourScale::ticks() const {
     return values;
 }
 
-std::string ColourScale::class_legend() const {
-    std::string svg = "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\">";
-    for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
-        const double x = 4.0 + 132.0 * static_cast<double>(i);
-        svg += joined("<rect x=\"", place(x), "\" y=\"6\" width=\"26\" height=\"14\" fill=\"",
-                      to_hex(energy_class_colours[i]), "\" stroke=\"#555\" stroke-width=\".5\"/><text x=\"",
-                      place(x + 31.0), "\" y=\"18\">", escaped(energy_class_names[i]), "</text>");
-    }
-    return joined(svg, "</svg>");
-}
-
 std::string ColourScale::legend(const std::string& id) const {
-    if (kind_ == Kind::classes) {
-        return class_legend();
+    if (!classes_.empty()) {
+        return class_legend(classes_);
     }
     constexpr double left = 26.0;
     constexpr double width = 310.0;

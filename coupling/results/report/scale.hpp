@@ -14,6 +14,8 @@ class ColourScale {
 public:
     /// Classes of energy: below 30, 30 to 300, above 300 kJ.
     static ColourScale energy_classes();
+    /// Values that stand for classes; no other value is drawn.
+    static ColourScale classes(std::vector<ClassColour> classes);
     /// Straight from 0 to a round number not below `high`.
     static ColourScale linear(Palette palette, double high, std::string unit);
     /// By powers of ten from `low` (values below it take its colour) to a round number not below `high`.
@@ -28,17 +30,17 @@ public:
     [[nodiscard]] std::string legend(const std::string& id) const;
 
 private:
-    enum class Kind : std::uint8_t { classes, linear, logarithmic, difference };
+    enum class Kind : std::uint8_t { energy, classes, linear, logarithmic, difference };
     ColourScale(Kind kind, Palette palette, double low, double high, std::string unit);
     [[nodiscard]] double place_of(double value) const;
     [[nodiscard]] std::vector<double> ticks() const;
-    [[nodiscard]] std::string class_legend() const;
 
     Kind kind_;
     Palette palette_;
     double low_;
     double high_;
     std::string unit_;
+    std::vector<ClassColour> classes_{};  ///< of a scale of classes
 };
 
 }  // namespace coupling::report

@@ -39,6 +39,23 @@ TEST(ClimateVariants, AreOneClimateAsGivenWithoutATable) {
     EXPECT_EQ(opened.site->forest->climates.front().name, "as_given");
 }
 
+TEST(ClimateVariants, WithAFileOfTheirOwnTellWhatTheyTakeOver) {
+    const ForestProject project;
+    project.write("other.csv", project.read("climate.csv"));
+    const auto told = [&](const std::string& rows) {
+        const Opened opened = open_with(project, rows, {"climate.temperature_change_k=1"});
+        EXPECT_TRUE(opened.site) << opened.errors;
+        return std::count_if(opened.warnings.begin(), opened.warnings.end(), [](const std::string& warning) {
+            return warning.find(
+                       "climate 'other': a file of its own, but climate.elevation_m, "
+                       "climate.temperature_change_k as [climate] has it") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(told("name,file,temperature_change_k\nother,other.csv,\n"), 1);
+    EXPECT_EQ(told("name,file,temperature_change_k\nother,other.csv,0\n"), 0);
+    EXPECT_EQ(told("name,file,temperature_change_k\nother,,\n"), 0);
+}
+
 TEST(ClimateVariants, TakeFromTheSettingsWhatTheirRowLeavesOut) {
     const ForestProject project;
     const Opened opened =

@@ -51,6 +51,24 @@ TEST(Heights, ThatAreAllMissingAreRefused) {
         "known cells");
 }
 
+TEST(Heights, WithHolesInsideAreDoubted) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int row) {
+                                 const bool hole = (column == 6 || column == 7) && row == 4;
+                                 const bool outside = row == 0 && column > 8;
+                                 return hole || outside ? "-9999" : std::to_string(400 - 7 * column);
+                             }));
+    const Opened doubtful = open(project);
+    ASSERT_TRUE(doubtful.site) << doubtful.errors;
+    ASSERT_FALSE(doubtful.warnings.empty());
+    EXPECT_NE(
+        doubtful.warnings[0].find("found 1 hole of NODATA, together 2 cells, the largest of 2 cells from "
+                                  "row 5, column 7 (x 1065, y 2055)"),
+        std::string::npos)
+        << doubtful.warnings[0];
+    EXPECT_EQ(open(project, {"run.strict_inputs=yes"}).code, ExitCode::data);
+}
+
 TEST(Heights, OfZeroAmongMountainsAreDoubted) {
     const SampleProject project;
     project.replace("dem.asc", "323", "0");

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "coupling/decades/decade_layouts.hpp"
+#include "coupling/hazard/hazard_results.hpp"
 #include "coupling/profile/profile_layouts.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/static_layouts.hpp"
@@ -37,9 +38,10 @@ TEST(TableLayout, IsTheHeaderOfItsFile) {
 /// What the end of a name says of its unit.
 std::string unit_of(const std::string& name) {
     static const std::map<std::string, std::string> units{
-        {"m", "m"},       {"cm", "cm"},     {"mm", "mm"},    {"s", "s"},         {"mps", "m/s"},
-        {"kj", "kJ"},     {"percent", "%"}, {"pha", "1/ha"}, {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"},
-        {"tpha", "t/ha"}, {"m3", "m3"},     {"ha", "ha"},    {"degc", "degC"},   {"years", "years"}};
+        {"m", "m"},         {"cm", "cm"},       {"mm", "mm"},     {"s", "s"},
+        {"mps", "m/s"},     {"kj", "kJ"},       {"percent", "%"}, {"pha", "1/ha"},
+        {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"}, {"tpha", "t/ha"}, {"m3", "m3"},
+        {"ha", "ha"},       {"degc", "degC"},   {"kg", "kg"},     {"years", "years"}};
     if (name.ends_with("_eur_pha")) {
         return "EUR/ha";
     }
@@ -49,7 +51,7 @@ std::string unit_of(const std::string& name) {
 
 TEST(TableLayout, HasTheUnitThatTheNameOfAColumnSays) {
     for (const auto* layouts : {&static_layouts(), &decades::decade_layouts(), &profile::profile_layouts(),
-                                &dictionary_layouts()}) {
+                                &hazard::hazard_layouts(), &dictionary_layouts()}) {
         for (const TableLayout& layout : *layouts) {
             std::set<std::string> names;
             for (const Column& column : layout.columns) {

@@ -1,0 +1,332 @@
+#include <algorithm>
+#include <numeric>
+
+#include "config/text/numbers.hpp"
+#include "coupling/hazard/hazard_colours.hpp"
+#include "coupling/hazard/hazard_results.hpp"
+#include "coupling/page_scripts/page_scripts.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/map_sheet.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/sections.hpp"
+
+namespace coupling::hazard {
+namespace {
+
+using report::ColourScale;
+using report::escaped;
+using report::HtmlTable;
+
+const char* words_of(Cover cover) {
+    return cover == Cover::forest ? "with forest" : "bare slope";
+}
+
+std::string years_text(double years) {
+    return joined(config::to_text(years), years == 1.0 ? " year" : " years");
+}
+
+std::string energy_in_words(HazardEnergy energy) {
+    switch (energy) {
+        case HazardEnergy::mean:
+            return "mean energy";
+        case HazardEnergy::max:
+            return "largest energy";
+        default:
+            return joined(raster_of(energy).substr(2), "th percentile of the energies");
+    }
+}
+
+/// "high on 35.2 % of it, moderate on 20 %": levels above none, the highest first.
+std::string levels_in_words(const TargetHazard& target) {
+    std::string text;
+    for (std::size_t level = levels - 1; level > 0; --level) {
+        if (target.levels[level] > 0.0) {
+            text += joined(text.empty() ? "" : ", ", level_names[level], " on ",
+                           report::percent(target.levels[level]));
+        }
+    }
+    return text.empty() ? "none" : text;
+}
+
+/// Share of a target at a level or above.
+double share_from(const TargetHazard& target, std::size_t level) {
+    return std::accumulate(target.levels.begin() + static_cast<std::ptrdiff_t>(level), target.levels.end(),
+                           0.0);
+}
+
+/// A forest that keeps slow rocks away raises the percentiles of those that are left: who reads the levels
+/// alone would blame it.
+std::string note_on_forest(const HazardResults& results) {
+    if (results.slopes.size() < 2) {
+        return "";
+    }
+    const SlopeHazard& forest = results.slopes.front();
+    const SlopeHazard& bare = results.slopes.back();
+    bool rises = false;
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        for (std::size_t level = 1; level < levels; ++level) {
+            rises = rises || share_from(forest.targets[i], level) > share_from(bare.targets[i], level) + 1e-9;
+        }
+    }
+    return rises ? joined(
+                       "<ul class=\"notes\"><li>With forest parts of a target have a higher level than without. "
+                       "The "
+                       "forest does not make rocks faster: the ",
+                       energy_in_words(results.scenario.hazard.energy),
+                       " is that of the rocks that still arrive, and it keeps the slow ones away first. How "
+                       "many it keeps "
+                       "away stands on the pages of the return periods.</li></ul>\n")
+                 : "";
+}
+
+std::string opening(const HazardResults& results) {
+    const std::string name = escaped(results.scenario.file.stem().string());
+    std::string periods;
+    std::uint64_t rocks = 0;
+    for (const FinishedPeriod& period : results.periods) {
+        periods += joined(periods.empty() ? "" : ", ", config::to_text(period.return_period_years));
+        rocks += period.rocks;
+    }
+    std::string html = joined(
+        "<h1>Rockfall hazard map: ", name, "</h1>\n<dl class=\"facts\">",
+        report::fact("Return periods", joined(periods, " years")),
+        report::fact("Rocks", joined(report::grouped(rocks), results.slopes.size() > 1
+                                                                 ? ", each with forest and on the bare slope"
+                                                                 : ", on the bare slope")),
+        report::fact("Intensity", energy_in_words(results.scenario.hazard.energy)),
+        report::fact("Motion", report::motion_in_words(results.scenario)), "</dl>\n");
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
+        for (const SlopeHazard& slope : results.slopes) {
+            html +=
+                joined("<p class=\"answer\"><b>", slope.cover == Cover::forest ? "With forest" : "Bare slope",
+                       ":</b> ", levels_in_words(slope.targets[i]), ".</p>");
+        }
+        html += "</section>\n";
+    }
+    return joined(html, note_on_forest(results));
+}
+
+/// Rows from the strongest class down, columns from the most frequent on, as guidelines draw it.
+std::string matrix_drawing(const HazardResults& results) {
+    constexpr double left = 120.0;
+    constexpr double width = 150.0;
+    constexpr double height = 40.0;
+    constexpr double least_width = 1000.0;  // so that the lettering is that of the text around it
+    const Matrix& matrix = results.matrix;
+    const auto rows = static_cast<double>(matrix.intensities());
+    std::string svg =
+        joined("<svg viewBox=\"0 0 ",
+               report::place(std::max(least_width, left + width * static_cast<double>(matrix.frequencies()))),
+               " ", report::place(height * rows + 52.0), "\" role=\"img\" aria-label=\"hazard matrix\">");
+    const auto text = [&](double x, double y, const char* anchor, const std::string& words, bool dark) {
+        svg += joined("<text font-size=\"13\" x=\"", report::place(x), "\" y=\"", report::place(y),
+                      "\" text-anchor=\"", anchor, "\"", dark ? " fill=\"#111\"" : "", ">", words, "</text>");
+    };
+    for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+        const double y = height * (rows - 1.0 - static_cast<double>(i));
+        text(left - 8.0, y + 0.6 * height, "end", escaped(matrix.intensity_name(i)), false);
+        for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
+            const Level level = matrix.at(i, k);
+            const Colour colour = level_colours()[static_cast<std::size_t>(level)].colour;
+            const double x = left + width * static_cast<double>(k);
+            svg += joined("<rect x=\"", report::place(x), "\" y=\"", report::place(y), "\" width=\"",
+                          report::place(width), "\" height=\"", report::place(height), "\" fill=\"",
+                          to_hex(colour), "\" stroke=\"#555\"/>");
+            svg +=
+                joined("<text font-size=\"14\" font-weight=\"600\" text-anchor=\"middle\" fill=\"",
+                       luminance(colour) < 0.3 ? "#fff" : "#111", "\" x=\"", report::place(x + 0.5 * width),
+                       "\" y=\"", report::place(y + 0.6 * height), "\">", level_name(level), "</text>");
+        }
+    }
+    for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
+        const double x = left + width * (static_cast<double>(k) + 0.5);
+        text(x, height * rows + 18.0, "middle", escaped(matrix.frequency_name(k)), false);
+        std::string here;
+        for (const FinishedPeriod& period : results.periods) {
+            if (matrix.frequency_of(period.return_period_years) == k) {
+                here += joined(here.empty() ? "" : ", ", config::to_text(period.return_period_years));
+            }
+        }
+        text(x, height * rows + 38.0, "middle", here.empty() ? "no rocks" : joined("rocks of ", here), false);
+    }
+    return joined(svg, "</svg>");
+}
+
+std::string about_the_map(const HazardResults& results) {
+    const HazardSettings& hazard = results.scenario.hazard;
+    return joined(
+        "<h2>How a level comes about</h2>\n<section class=\"card\"><p>For each return period the rocks of "
+        "that period fall from every release zone. The ",
+        energy_in_words(hazard.energy),
+        " in a cell (of each rock the largest one there) is its intensity; with the return period it gives a "
+        "level. "
+        "The map shows the highest level of all return periods. ",
+        hazard.least_reach_percent > 0.0
+            ? joined("Cells that fewer than ", config::to_text(hazard.least_reach_percent),
+                     " % of the rocks from the sources above them pass are left out.")
+            : std::
+                  string{"A cell counts as soon as one simulated rock passes it: more rocks widen the map at "
+                         "its rim; <code>hazard.least_reach_percent</code> sets a limit."},
+        " The return period is that of the release, not of the arrival in a cell.</p>",
+        matrix_drawing(results),
+        results.scenario.hazard.matrix.empty()
+            ? "<p class=\"soft\">After the Swiss federal recommendation (BUWAL/BWW/BRP 1997; FOEN 2016); the "
+              "shares of the fields differ between cantons: <code>bannwald info hazard_matrix</code>, "
+              "setting "
+              "hazard.matrix.</p>"
+            : joined("<p class=\"soft\">Levels of ", escaped(results.scenario.hazard.matrix), ".</p>"),
+        "</section>\n");
+}
+
+std::string rocks_table(const HazardResults& results) {
+    std::vector<std::string> head{"Release zone"};
+    for (const FinishedPeriod& period : results.periods) {
+        head.push_back(years_text(period.return_period_years));
+    }
+    HtmlTable table{"Diameter, mass and number of the rocks by return period.", head};
+    std::vector<std::uint32_t> zones;
+    for (const ZoneRocks& rocks : results.rocks) {
+        zones.push_back(rocks.zone);
+    }
+    std::sort(zones.begin(), zones.end());
+    zones.erase(std::unique(zones.begin(), zones.end()), zones.end());
+    for (const std::uint32_t zone : zones) {
+        std::vector<std::string> cells{std::to_string(zone)};
+        for (const FinishedPeriod& period : results.periods) {
+            const auto found =
+                std::find_if(results.rocks.begin(), results.rocks.end(), [&](const ZoneRocks& rocks) {
+                    return rocks.zone == zone && rocks.return_period_years == period.return_period_years;
+                });
+            cells.push_back(found == results.rocks.end()
+                                ? "–"
+                                : joined(report::three_digits(found->diameter_m), " m, ",
+                                         report::three_digits(found->mass_kg),
+                                         " kg<br/><span class=\"soft\">", report::grouped(found->rocks),
+                                         " rocks</span>"));
+        }
+        table.row(cells);
+    }
+    std::vector<std::string> links{"Page of these rocks"};
+    for (const FinishedPeriod& period : results.periods) {
+        links.push_back(
+            joined("<a href=\"../", escaped(period.folder.filename().string()), "/report.html\">report</a>"));
+    }
+    table.row(links);
+    return joined("<h2>Rocks</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(),
+                  "</div></section>\n");
+}
+
+std::string shares_table(const HazardResults& results) {
+    std::vector<std::string> head{""};
+    for (std::size_t level = levels; level-- > 0;) {
+        head.emplace_back(level_names[level]);
+    }
+    HtmlTable table{"Shares of a target's length or area, and plan areas of the map.", head};
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        table.group(escaped(results.site.targets[i].name));
+        for (const SlopeHazard& slope : results.slopes) {
+            std::vector<std::string> cells{words_of(slope.cover)};
+            for (std::size_t level = levels; level-- > 0;) {
+                cells.push_back(report::percent(slope.targets[i].levels[level]));
+            }
+            table.row(cells);
+        }
+    }
+    table.group("Map");
+    for (const SlopeHazard& slope : results.slopes) {
+        std::vector<std::string> cells{words_of(slope.cover)};
+        for (std::size_t level = levels; level-- > 0;) {
+            const auto count = std::count(slope.map.level.values.begin(), slope.map.level.values.end(),
+                                          static_cast<float>(level));
+            cells.push_back(joined(
+                report::fixed(static_cast<double>(count) * slope.map.level.frame.cell_area_m2() / 1e4, 2),
+                " ha"));
+        }
+        table.row(cells);
+    }
+    return joined("<h2>Levels</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(),
+                  "</div></section>\n");
+}
+
+/// Intensities at the targets by return period.
+std::string intensities_table(const HazardResults& results) {
+    std::vector<std::string> head{"", "Return period"};
+    for (std::size_t i = results.matrix.intensities(); i-- > 0;) {
+        head.push_back(escaped(results.matrix.intensity_name(i)));
+    }
+    head.emplace_back("no rock");
+    HtmlTable table{"Shares of a target's length or area by intensity.", head};
+    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
+        table.group(escaped(results.site.targets[target].name));
+        for (const SlopeHazard& slope : results.slopes) {
+            for (std::size_t period = 0; period < results.periods.size(); ++period) {
+                std::vector<std::string> cells{words_of(slope.cover),
+                                               years_text(results.periods[period].return_period_years)};
+                for (std::size_t i = results.matrix.intensities() + 1; i-- > 0;) {
+                    cells.push_back(report::percent(slope.targets[target].intensities[period][i]));
+                }
+                table.row(cells);
+            }
+        }
+    }
+    return joined("<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
+}
+
+std::string maps(const HazardResults& results) {
+    const report::MapSheet sheet{results.site};
+    // White cells would hide the ground where no level holds.
+    std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
+    const ColourScale by_level = ColourScale::classes(shown);
+    std::string html = joined(sheet.definitions(), "<h2>Hazard map</h2>\n<div class=\"halves\">");
+    for (const SlopeHazard& slope : results.slopes) {
+        html += sheet.figure({words_of(slope.cover), joined("Hazard levels, ", words_of(slope.cover)),
+                              sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
+                             report::MapSize::half);
+    }
+    html += joined("</div>\n<p class=\"soft\">North is up; coordinates and scale in metres; cells of ",
+                   report::three_digits(results.site.map_frame.cell_width_m),
+                   " m. Thin outlines: release sources of the longest return period. Thick lines: "
+                   "targets.</p>\n",
+                   shares_table(results), "<h2>Intensity by return period</h2>\n");
+    const ColourScale by_energy = ColourScale::classes(intensity_colours(results.matrix));
+    for (std::size_t i = 0; i < results.periods.size(); ++i) {
+        const std::string years = years_text(results.periods[i].return_period_years);
+        html += joined("<h3>", years, "</h3>\n<div class=\"halves\">");
+        for (const SlopeHazard& slope : results.slopes) {
+            html += sheet.figure(
+                {joined(years, ", ", words_of(slope.cover)),
+                 joined("Intensity, ", years, ", ", words_of(slope.cover)),
+                 sheet.picture(slope.map.intensity[i], by_energy), by_energy.legend("intensities"), ""},
+                report::MapSize::half);
+        }
+        html += "</div>\n";
+    }
+    return results.site.targets.empty() ? html : joined(html, intensities_table(results));
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
+    const std::vector<page_scripts::Script> scripts{};
+    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        << page_scripts::policy(scripts)
+        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+           "<meta name=\"generator\" content=\"Bannwald "
+        << escaped(results.version)
+        << "\"/>\n<title>Rockfall hazard map: " << escaped(results.scenario.file.stem().string())
+        << "</title>\n<style>" << report::style() << "</style>\n</head>\n<body>\n<main>\n"
+        << opening(results) << maps(results) << about_the_map(results) << rocks_table(results)
+        << "<h2>Warnings</h2>\n"
+        << report::list_of_warnings(results.warnings) << "<h2>Settings</h2>\n"
+        << report::table_of_settings(results.scenario, [](const std::string&) { return true; })
+        << "<h2>Data</h2>\n<section class=\"card\">" << report::table_of_inputs(results.inputs)
+        << "</section>\n<h2>Files</h2>\n<section class=\"card\">"
+        << report::table_of_files("Grids have their projection (.prj) and a QGIS style (.qml) beside them.",
+                                  files)
+        << "</section>\n"
+        << report::citation(results.version, results.scenario) << "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace coupling::hazard

@@ -1,0 +1,243 @@
+#include "coupling/hazard/hazard_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "config/errors/input_error.hpp"
+#include "config/grid/ascii_grid.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/hazard/hazard_colours.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/data_dictionary.hpp"
+#include "coupling/results/gis_files.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/rasters.hpp"
+
+namespace coupling {
+
+std::string raster_of(HazardEnergy energy) {
+    switch (energy) {
+        case HazardEnergy::mean:
+            return "E_mean";
+        case HazardEnergy::p50:
+            return "E_50";
+        case HazardEnergy::p90:
+            return "E_90";
+        case HazardEnergy::p95:
+            return "E_95";
+        case HazardEnergy::p98:
+            return "E_98";
+        case HazardEnergy::p99:
+            return "E_99";
+        case HazardEnergy::max:
+            break;
+    }
+    return "E_max";
+}
+
+namespace hazard {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double m2_per_ha = 1e4;
+constexpr double percent = 100.0;
+
+config::Raster<float> read_raster(const fs::path& folder, Cover cover, const std::string& stem,
+                                  const config::GridFrame& frame) {
+    const fs::path path = folder / "rasters" / name_of(cover) / joined(stem, ".asc");
+    const FileBytes bytes = open_file(path, {.file = path.string()}, "a raster of a return period");
+    const config::Raster<double> read = config::read_ascii_grid(bytes.text(), path.string());
+    if (!config::same_place(read.frame, frame)) {
+        config::fail(config::ExitCode::data, {path.string()}, "a raster on another frame",
+                     "that of this scenario: --overwrite lets the rocks fall anew");
+    }
+    config::Raster<float> raster{frame};
+    std::transform(read.values.begin(), read.values.end(), raster.values.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    return raster;
+}
+
+/// Plan area of the cells that hold a number.
+double area_ha(const config::Raster<float>& raster, std::size_t number) {
+    const auto cells = std::count(raster.values.begin(), raster.values.end(), static_cast<float>(number));
+    return static_cast<double>(cells) * raster.frame.cell_area_m2() / m2_per_ha;
+}
+
+void fill_blocks(std::ostream& out, const HazardResults& results) {
+    CsvRow row{out};
+    for (const ZoneRocks& rocks : results.rocks) {
+        row.whole(rocks.zone).text(config::to_text(rocks.return_period_years)).number<3>(rocks.diameter_m);
+        row.number<1>(rocks.mass_kg).whole(rocks.rocks).end();
+    }
+}
+
+void fill_levels(std::ostream& out, const HazardResults& results) {
+    CsvRow row{out};
+    for (const SlopeHazard& slope : results.slopes) {
+        for (std::size_t level = 0; level < levels; ++level) {
+            row.text(name_of(slope.cover)).text(level_names[level]);
+            row.number<4>(area_ha(slope.map.level, level)).end();
+        }
+    }
+}
+
+void fill_intensities(std::ostream& out, const HazardResults& results) {
+    const Matrix& matrix = results.matrix;
+    CsvRow row{out};
+    for (const SlopeHazard& slope : results.slopes) {
+        for (std::size_t period = 0; period < results.periods.size(); ++period) {
+            const double years = results.periods[period].return_period_years;
+            for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+                row.text(name_of(slope.cover)).text(config::to_text(years));
+                row.text(config::to_text(matrix.energy_from_kj()[i])).whole(i + 1);
+                row.number<4>(area_ha(slope.map.intensity[period], i + 1));
+                row.text(level_name(matrix.at(i, matrix.frequency_of(years)))).end();
+            }
+        }
+    }
+}
+
+void fill_targets(std::ostream& out, const HazardResults& results) {
+    CsvRow row{out};
+    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
+        for (const SlopeHazard& slope : results.slopes) {
+            for (std::size_t level = 0; level < levels; ++level) {
+                row.text(results.site.targets[target].id).text(results.site.targets[target].name);
+                row.text(name_of(slope.cover)).text(level_names[level]);
+                row.number<2>(percent * slope.targets[target].levels[level]).end();
+            }
+        }
+    }
+}
+
+void fill_target_intensities(std::ostream& out, const HazardResults& results) {
+    const Matrix& matrix = results.matrix;
+    CsvRow row{out};
+    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
+        for (const SlopeHazard& slope : results.slopes) {
+            for (std::size_t period = 0; period < results.periods.size(); ++period) {
+                for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+                    row.text(results.site.targets[target].id).text(results.site.targets[target].name);
+                    row.text(name_of(slope.cover));
+                    row.text(config::to_text(results.periods[period].return_period_years));
+                    row.text(config::to_text(matrix.energy_from_kj()[i])).whole(i + 1);
+                    row.number<2>(percent * slope.targets[target].intensities[period][i + 1]).end();
+                }
+            }
+        }
+    }
+}
+
+std::vector<WrittenFile> write_tables(const HazardResults& results, const fs::path& folder) {
+    std::vector<WrittenFile> files;
+    const auto add = [&](const char* name, const char* sentence, const auto& fill) {
+        files.push_back(write_table(folder, name, sentence, [&](std::ostream& out) {
+            write_header(out, hazard_layouts(), name);
+            fill(out, results);
+        }));
+    };
+    add("hazard_blocks.csv", "The rocks of each release zone and return period.", fill_blocks);
+    add("hazard_levels.csv", "How much of each slope has which hazard level.", fill_levels);
+    add("hazard_intensities.csv", "How much of each slope has which intensity, by return period.",
+        fill_intensities);
+    if (!results.site.targets.empty()) {
+        add("hazard_targets.csv", "How much of each target has which hazard level.", fill_targets);
+        add("hazard_target_intensities.csv", "How much of each target has which intensity, by return period.",
+            fill_target_intensities);
+    }
+    return files;
+}
+
+std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResults& results,
+                                     const fs::path& folder) {
+    const std::string place = joined("rasters/", name_of(slope.cover), "/");
+    const std::string where = slope.cover == Cover::forest ? " with forest." : " on the bare slope.";
+    make_folder(folder / place);
+    const std::string& projection = results.site.projection;
+    std::vector<WrittenFile> files{
+        write_raster(folder,
+                     {joined(place, "Hazard_level"),
+                      joined("Highest hazard level of all return periods,", where), slope.map.level},
+                     projection, level_colours())};
+    std::vector<ClassColour> periods;
+    for (const FinishedPeriod& period : results.periods) {
+        periods.push_back({period.return_period_years,
+                           joined(config::to_text(period.return_period_years), " years"),
+                           colour_at(Palette::reach, 1.0 - static_cast<double>(periods.size()) /
+                                                               static_cast<double>(results.periods.size()))});
+    }
+    files.push_back(write_raster(
+        folder,
+        {joined(place, "Hazard_return_period"),
+         joined("Shortest return period [years] that gives this level,", where), slope.map.ruling_years},
+        projection, periods));
+    for (std::size_t i = 0; i < results.periods.size(); ++i) {
+        const std::string years = config::to_text(results.periods[i].return_period_years);
+        files.push_back(write_raster(
+            folder,
+            {joined(place, "Intensity_", years),
+             joined("Class of energy of the rocks with a return period of ", years, " years,", where),
+             slope.map.intensity[i]},
+            projection, intensity_colours(results.matrix)));
+    }
+    return files;
+}
+
+}  // namespace
+
+Level TargetHazard::highest() const {
+    const auto last = std::find_if(levels.rbegin(), levels.rend(), [](double share) { return share > 0.0; });
+    return last == levels.rend() ? Level::none : static_cast<Level>(levels.rend() - last - 1);
+}
+
+SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
+                         const Site& site, const Matrix& matrix) {
+    std::vector<PeriodFalls> falls;
+    for (const FinishedPeriod& period : periods) {
+        falls.push_back({period.return_period_years,
+                         read_raster(period.folder, cover, raster_of(scenario.hazard.energy), site.map_frame),
+                         read_raster(period.folder, cover, "Reach_probability", site.map_frame)});
+    }
+    SlopeHazard slope{cover, hazard_map(falls, matrix, scenario.hazard.least_reach_percent), {}};
+    for (const rockfall::Target& target : site.targets) {
+        const std::vector<TargetPart> parts = parts_of(target, site.map_frame_on_terrain());
+        TargetHazard& hazard = slope.targets.emplace_back();
+        hazard.levels = shares_of(parts, slope.map.level, levels);
+        for (const config::Raster<float>& intensity : slope.map.intensity) {
+            hazard.intensities.push_back(shares_of(parts, intensity, matrix.intensities() + 1));
+        }
+    }
+    return slope;
+}
+
+std::vector<WrittenFile> write_results(const HazardResults& results, const fs::path& folder) {
+    std::vector<WrittenFile> files{
+        {"report.html",
+         "The hazard map as a page: levels, targets, intensities. Opens offline in any browser."},
+        {"summary.json", "Levels at the targets, settings, input hashes and warnings for scripts."}};
+    make_folder(folder / "tables");
+    const auto add = [&](const std::vector<WrittenFile>& more) {
+        files.insert(files.end(), more.begin(), more.end());
+    };
+    add(write_tables(results, folder));
+    for (const SlopeHazard& slope : results.slopes) {
+        add(write_slope(slope, results, folder));
+    }
+    add_data_dictionary(folder, {hazard_layouts(), hazard_raster_columns(results.periods)}, files);
+    GisFiles wanted = results.scenario.gis;
+    wanted.vtp = false;
+    add(write_gis_files(folder, wanted, results.site, files));
+    OutFile summary{folder / "summary.json"};
+    write_summary(summary.stream(), results, files);
+    summary.close();
+    OutFile page{folder / "report.html"};
+    write_page(page.stream(), results, files);
+    page.close();
+    return files;
+}
+
+}  // namespace hazard
+}  // namespace coupling

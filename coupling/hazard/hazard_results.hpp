@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/hazard/hazard_map.hpp"
+#include "coupling/hazard/hazard_matrix.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/out_file.hpp"
+#include "coupling/results/table_layout.hpp"
+
+namespace coupling::hazard {
+
+/// A return period whose rocks have fallen.
+struct FinishedPeriod {
+    double return_period_years = 0.0;
+    std::filesystem::path folder;  ///< of its results
+    std::uint64_t rocks = 0;
+    rockfall::DiameterRange diameters;
+};
+
+/// What is in a release zone with a return period, for pages.
+struct ZoneRocks {
+    std::uint32_t zone = 0;
+    double return_period_years = 0.0;
+    double diameter_m = 0.0;
+    double mass_kg = 0.0;
+    std::uint64_t rocks = 0;
+};
+
+/// How a target lies in the hazard map of a slope.
+struct TargetHazard {
+    std::vector<double> levels;                    ///< share of its extent by Level [0, 1]
+    std::vector<std::vector<double>> intensities;  ///< by return period: shares by class; 0: no rock
+    [[nodiscard]] Level highest() const;
+};
+
+/// One slope: its map and its targets.
+struct SlopeHazard {
+    Cover cover = Cover::bare;
+    HazardMap map;
+    std::vector<TargetHazard> targets;  ///< as in the site
+};
+
+/// Everything that the hazard map is made of, and the map.
+struct HazardResults {
+    const Scenario& scenario;
+    const Site& site;  ///< of the longest return period
+    const Matrix& matrix;
+    std::vector<FinishedPeriod> periods;  ///< rising
+    std::vector<ZoneRocks> rocks;
+    std::vector<SlopeHazard> slopes;  ///< with forest where there is one, then bare
+    std::vector<InputFile> inputs;    ///< of all return periods, each once
+    const config::Warnings& warnings;
+    std::string version;
+};
+
+/// The hazard of a slope, from the rasters that the runs of the return periods have written. Throws
+/// config::InputError (file, data) for rasters that are missing or none.
+SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
+                         const Site& site, const Matrix& matrix);
+
+/// Tables of the hazard map: hazard_levels.csv, hazard_intensities.csv, hazard_targets.csv.
+const std::vector<TableLayout>& hazard_layouts();
+
+/// Writes rasters, tables, summary.json and report.html into a folder that exists.
+std::vector<WrittenFile> write_results(const HazardResults& results, const std::filesystem::path& folder);
+
+/// Columns of the rasters, for the dictionary.
+std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& periods);
+
+/// summary.json; in coupling/results/summary.cpp, where summaries are written.
+void write_summary(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files);
+
+/// The page.
+void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files);
+
+}  // namespace coupling::hazard

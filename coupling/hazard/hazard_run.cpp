@@ -1,0 +1,207 @@
+#include "coupling/hazard/hazard_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "config/text/numbers.hpp"
+#include "coupling/hazard/hazard_results.hpp"
+#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/zone_blocks.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/run/assess_today.hpp"
+#include "coupling/run/output_folder.hpp"
+#include "coupling/run/settings_hash.hpp"
+#include "coupling/run/telling.hpp"
+#include "coupling/version.hpp"
+
+namespace coupling::hazard {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A return period, opened: its scenario and site, where its results go.
+struct Period {
+    double return_period_years = 0.0;
+    std::unique_ptr<Scenario> scenario;
+    Site site;
+    fs::path folder;
+};
+
+Period open_period(const RunRequest& request, double years, const fs::path& out, config::Warnings& warnings) {
+    auto scenario = scenario_of(request.scenario, request.overrides, years);
+    Site site = open_site(*scenario, warnings);
+    return {years, std::move(scenario), std::move(site),
+            out / joined("return_period_", config::to_text(years))};
+}
+
+/// A run of another kind may have left its results here: two would lie one over the other.
+void refuse_other_results(const fs::path& out) {
+    if (fs::exists(out / "summary.json")) {
+        config::fail(config::ExitCode::settings, {out.string()},
+                     "the output folder holds finished results of a run without hazard.blocks",
+                     "another folder by --out");
+    }
+}
+
+Matrix read_matrix(Reading& reading) {
+    const std::string& file = reading.scenario().hazard.matrix;
+    return file.empty() ? Matrix::shipped() : Matrix::read(reading.table("hazard.matrix", "matrix", file));
+}
+
+/// Warnings of several return periods, each sentence once with the periods that it came from.
+class SharedWarnings {
+public:
+    void add(double years, const config::Warnings& warnings) {
+        for (const std::string& sentence : warnings.sentences()) {
+            const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                            [&](const auto& entry) { return entry.first == sentence; });
+            if (known == entries_.end()) {
+                entries_.emplace_back(sentence, config::to_text(years));
+            } else {
+                known->second += joined(", ", config::to_text(years));
+            }
+        }
+    }
+    [[nodiscard]] config::Warnings together() const {
+        config::Warnings warnings;
+        for (const auto& [sentence, years] : entries_) {
+            warnings.add(joined(sentence, " (return periods: ", years, ")"));
+        }
+        return warnings;
+    }
+
+private:
+    std::vector<std::pair<std::string, std::string>> entries_;
+};
+
+std::uint64_t rocks_of(const Site& site) {
+    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+}
+
+void add_rocks(const Period& period, std::vector<ZoneRocks>& list) {
+    const rockfall::StartLaw common = start_law(*period.scenario);
+    std::set<std::uint32_t> zones;
+    for (const rockfall::ReleaseSource& source : period.site.sources) {
+        zones.insert(source.zone);
+    }
+    for (const std::uint32_t zone : zones) {
+        ZoneRocks rocks{.zone = zone, .return_period_years = period.return_period_years};
+        for (const rockfall::ReleaseSource& source : period.site.sources) {
+            if (source.zone == zone) {
+                const rockfall::StartLaw& law = source.own_start ? *source.own_start : common;
+                rocks.diameter_m = law.diameter.mean_m();
+                rocks.mass_kg = law.density_kgpm3 * std::numbers::pi / 6.0 * std::pow(rocks.diameter_m, 3);
+                rocks.rocks += source.rocks;
+            }
+        }
+        list.push_back(rocks);
+    }
+}
+
+/// Falls of a return period, unless they are finished. Returns the exit code.
+int fall(const RunRequest& request, Period& period, config::Warnings& warnings) {
+    const std::string years = config::to_text(period.return_period_years);
+    if (!request.overwrite &&
+        OutputFolder::is_finished(period.folder, settings_hash(*period.scenario, period.site.inputs))) {
+        if (!request.quiet) {
+            std::printf("return period of %s years: finished before\n", years.c_str());
+        }
+        return static_cast<int>(config::ExitCode::done);
+    }
+    if (!request.quiet) {
+        std::printf("return period of %s years\n", years.c_str());
+        std::fflush(stdout);
+        tell_warnings(warnings, request.verbose);
+    }
+    return assess_today(request, *period.scenario, period.site, warnings, period.folder);
+}
+
+void print_summary(const HazardResults& results) {
+    std::printf("hazard map of %zu return periods\n", results.periods.size());
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        std::printf("  %s:", results.site.targets[i].name.c_str());
+        for (const SlopeHazard& slope : results.slopes) {
+            const TargetHazard& target = slope.targets[i];
+            const auto highest = static_cast<std::size_t>(target.highest());
+            std::printf("%s %s on %.0f %% of it %s", &slope == &results.slopes.front() ? "" : ";",
+                        level_names[highest], 100.0 * target.levels[highest],
+                        slope.cover == Cover::forest ? "with forest" : "on the bare slope");
+        }
+        std::printf("\n");
+    }
+}
+
+}  // namespace
+
+HazardPlan read_plan(const Scenario& scenario) {
+    config::Warnings ignored;  // the sites of the return periods tell them
+    Reading reading{scenario, ignored};
+    HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}};
+    reading.problems().throw_if_any();
+    plan.inputs = reading.inputs();
+    return plan;
+}
+
+std::unique_ptr<Scenario> scenario_of(const fs::path& file, std::vector<std::string> overrides,
+                                      double return_period_years) {
+    overrides.push_back(joined("hazard.return_period_years=", config::to_text(return_period_years)));
+    return read_scenario(file, overrides);
+}
+
+int run_hazard(const RunRequest& request, const Scenario& scenario) {
+    const HazardPlan plan = read_plan(scenario);
+    const fs::path out = output_folder_of(request, scenario);
+    refuse_other_results(out);
+
+    std::optional<Period> longest;
+    std::vector<FinishedPeriod> periods;
+    std::vector<ZoneRocks> rocks;
+    std::vector<InputFile> inputs = plan.inputs;
+    SharedWarnings shared;
+    for (const double each : plan.return_periods_years) {
+        config::Warnings warnings;
+        Period period = open_period(request, each, out, warnings);
+        if (const int code = fall(request, period, warnings); code != 0) {
+            return code;
+        }
+        shared.add(each, warnings);
+        for (const InputFile& input : period.site.inputs) {
+            const bool known = std::any_of(inputs.begin(), inputs.end(),
+                                           [&](const InputFile& other) { return other.name == input.name; });
+            if (!known) {
+                inputs.push_back(input);
+            }
+        }
+        periods.push_back({each, period.folder, rocks_of(period.site),
+                           rockfall::diameter_range(start_law(*period.scenario), period.site.sources)});
+        add_rocks(period, rocks);
+        longest = std::move(period);
+    }
+
+    const config::Warnings all_warnings = shared.together();
+    HazardResults results{scenario, longest->site, plan.matrix,  periods,  rocks,
+                          {},       inputs,        all_warnings, version()};
+    for (const Cover cover : all_covers) {
+        if (cover == Cover::bare || !longest->site.trees.empty() || !longest->site.logs.empty()) {
+            results.slopes.push_back(slope_hazard(cover, periods, scenario, longest->site, plan.matrix));
+        }
+    }
+    // Made in moments from what has fallen, so that an older map of the same rocks may go.
+    OutputFolder folder{out / "hazard", settings_hash(scenario, inputs), true};
+    make_folder(folder.staging());
+    const std::vector<WrittenFile> written = write_results(results, folder.staging());
+    folder.publish();
+    if (!request.quiet) {
+        print_summary(results);
+        print_files(folder.path(), written, request.verbose);
+    }
+    return static_cast<int>(config::ExitCode::done);
+}
+
+}  // namespace coupling::hazard

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace coupling {
+
+/// Which energy of the rocks in a cell is the intensity there.
+enum class HazardEnergy : std::uint8_t { mean, p50, p90, p95, p98, p99, max };
+
+/// The settings of section [hazard].
+struct HazardSettings {
+    std::string blocks;                ///< CSV of block sizes by return period and zone; empty: none
+    double return_period_years = 0.0;  ///< only this one of them; 0: all, and the hazard map from them
+    HazardEnergy energy = HazardEnergy::p95;
+    double least_reach_percent = 0.0;  ///< cells with a smaller reach probability are left out
+    std::string matrix;                ///< CSV of hazard levels; empty: the shipped one
+};
+
+/// Stem of the raster that holds an energy: "E_95".
+std::string raster_of(HazardEnergy energy);
+
+}  // namespace coupling

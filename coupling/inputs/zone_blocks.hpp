@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/release_input.hpp"
+#include "coupling/inputs/source_start.hpp"
+
+namespace coupling {
+
+/// A row of hazard.blocks: the rocks of a release zone that come with a return period.
+struct ZoneBlocks {
+    double return_period_years = 0.0;
+    std::uint32_t zone = 0;
+    SourceStart start;
+    config::Place place{};
+};
+
+/// Reads hazard.blocks: return_period_years, zone, one of diameter_m, mass_t and volume_m3, and what else
+/// `read_source_start` takes. Throws config::InputError (data) for fields that are none and pairs of period
+/// and zone that are there twice; doubts rocks that get smaller with longer return periods.
+std::vector<ZoneBlocks> read_zone_blocks(Reading& reading);
+
+/// The return periods of a table, each once, rising.
+std::vector<double> return_periods_of(const std::vector<ZoneBlocks>& blocks);
+
+/// Gives the sources the rocks of hazard.return_period_years, zone by zone. Throws config::InputError for a
+/// return period that the table lacks (settings) and for shapes with rocks of their own (data).
+void take_zone_blocks(SourceInput& input, Reading& reading);
+
+}  // namespace coupling

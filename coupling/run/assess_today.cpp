@@ -1,0 +1,240 @@
+#include "coupling/run/assess_today.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <tuple>
+
+#include "coupling/nets/net_paths.hpp"
+#include "coupling/results/write_results.hpp"
+#include "coupling/run/checkpoint.hpp"
+#include "coupling/run/closing_summary.hpp"
+#include "coupling/run/fall_rocks.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/run/output_folder.hpp"
+#include "coupling/run/progress.hpp"
+#include "coupling/run/row_tables.hpp"
+#include "coupling/run/settings_hash.hpp"
+#include "coupling/version.hpp"
+
+namespace coupling {
+namespace {
+
+using rockfall::covers;
+
+/// A part of a run is finished, and kept, after about this many rocks.
+constexpr std::uint64_t rocks_per_part = 250'000;
+
+/// Groups chunks into parts that begin and end with whole sources. Depends on the sources alone.
+std::vector<std::span<const rockfall::Chunk>> plan_parts(std::span<const rockfall::Chunk> chunks) {
+    std::vector<std::span<const rockfall::Chunk>> parts;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        const bool source_ends = chunks[i].whole_sources || chunks[i].last_piece;
+        const bool enough = chunks[i].last_rock - chunks[first].first_rock >= rocks_per_part;
+        if ((source_ends && enough) || i + 1 == chunks.size()) {
+            parts.push_back(chunks.subspan(first, i + 1 - first));
+            first = i + 1;
+        }
+    }
+    return parts;
+}
+
+std::uint64_t rocks_of(const Site& site) {
+    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+}
+
+/// Distributions for the maps, where wanted.
+struct Histograms {
+    std::array<std::unique_ptr<rockfall::CellHistograms>, covers> owned;
+
+    Histograms(const Scenario& scenario, const config::GridFrame& frame, bool with_forest) {
+        for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+            if (scenario.percentiles && (with_forest || cover == rockfall::Cover::bare)) {
+                owned[static_cast<std::size_t>(cover)] = std::make_unique<rockfall::CellHistograms>(frame);
+            }
+        }
+    }
+    [[nodiscard]] std::array<rockfall::CellHistograms*, covers> pointers() const {
+        return {owned[0].get(), owned[1].get()};
+    }
+};
+
+/// Rock by rock, first those of the slope with forest.
+void keep_crossings(const rockfall::ChunkRows& rows, std::vector<NetRow>& kept) {
+    for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+        for (const auto& [rock, crossing] : rows.net_crossings[static_cast<std::size_t>(cover)]) {
+            kept.push_back({rock, cover, crossing});
+        }
+    }
+}
+
+/// Everything that a run holds while its rocks fall.
+class AssessmentRun {
+public:
+    AssessmentRun(const RunRequest& request, const Scenario& scenario, const Site& site,
+                  config::Warnings& warnings)
+        : request_{request},
+          scenario_{scenario},
+          site_{site},
+          warnings_{warnings},
+          frame_{site.map_frame_on_terrain()},
+          start_{start_law(scenario)},
+          largest_radius_m_{0.5 * rockfall::diameter_range(start_, site.sources).largest_m},
+          stems_{site.stems(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.tree.taper},
+          logs_{site.lying_logs(), site.slope.terrain, largest_radius_m_,
+                scenario.rockfall.fall.log.loose_share},
+          nets_{site.standing_nets()},
+          rocks_{rocks_of(site)},
+          assessment_{site.slope, stems_,       site.sources, site.targets, start_, scenario.rockfall.fall,
+                      frame_,     scenario.seed},
+          histograms_{scenario, frame_, !stems_.empty() || !logs_.empty()},
+          total_{frame_, site.targets.size(), stems_.placed().size(), logs_.count()} {
+        assessment_.logs = &logs_;
+        assessment_.nets = &nets_;
+        if (scenario.sample_paths > 0) {
+            assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.sample_paths);
+        }
+        if (scenario.rockfall.fall.tree.remove_broken && !assessment_.only_bare()) {
+            state_.gone.assign(stems_.placed().size() + logs_.count(), 0);
+        }
+    }
+
+    Ended fall(OutputFolder& folder);
+    Ended write(OutputFolder& folder);
+
+private:
+    Ended keep_paths(const std::filesystem::path& file);
+
+    const RunRequest& request_;
+    const Scenario& scenario_;
+    const Site& site_;
+    config::Warnings& warnings_;
+    config::GridFrame frame_;
+    rockfall::StartLaw start_;
+    double largest_radius_m_;
+    rockfall::StemIndex stems_;
+    rockfall::LogIndex logs_;
+    rockfall::NetIndex nets_;
+    std::uint64_t rocks_;
+    rockfall::Assessment assessment_;
+    Histograms histograms_;
+    rockfall::EnsembleTally total_;
+    Checkpoint state_;
+    std::unique_ptr<RowTables> tables_;
+};
+
+Ended AssessmentRun::fall(OutputFolder& folder) {
+    const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(site_.sources);
+    const auto parts = plan_parts(chunks);
+    if (folder.has_parts()) {
+        state_ = read_checkpoint(folder.checkpoint(), total_, histograms_.pointers());
+    }
+    state_.settings_hash = settings_hash(scenario_, site_.inputs);
+    tables_ = std::make_unique<RowTables>(scenario_, site_, folder.parts(), state_.table_bytes);
+    const std::uint64_t done_before =
+        state_.parts_done < parts.size() ? parts[state_.parts_done].front().first_rock : rocks_;
+    Progress progress{"falling", rocks_, done_before, request_.quiet};
+    const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
+    for (; state_.parts_done < parts.size();) {
+        const auto keep_rows = [&](const rockfall::ChunkRows& rows) {
+            tables_->add(rows);
+            state_.paths.insert(state_.paths.end(), rows.paths.begin(), rows.paths.end());
+            keep_crossings(rows, state_.net_rows);
+            state_.not_started += rows.not_started;
+            progress.add(rows.rocks[static_cast<std::size_t>(rockfall::Cover::bare)].size() +
+                         rows.not_started);
+        };
+        if (fall_rocks(assessment_, parts[state_.parts_done], histograms_.pointers(), state_.gone, threads,
+                       total_, keep_rows) == Ended::interrupted) {
+            progress.finish();
+            return Ended::interrupted;
+        }
+        ++state_.parts_done;
+        if (parts.size() > 1) {
+            state_.table_bytes = tables_->flush();
+            write_checkpoint(folder.checkpoint(), state_, total_, histograms_.pointers());
+        }
+    }
+    progress.finish();
+    return Ended::done;
+}
+
+/// All rocks fall once more, past no nets.
+Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
+    const PathsHead head{.version = version(),
+                         .inputs = site_.inputs,
+                         .seed = scenario_.seed,
+                         .wanted_share = scenario_.nets.wanted_share,
+                         .with_forest = !assessment_.only_bare(),
+                         .rocks = {total_.runs[0].rocks, total_.runs[1].rocks}};
+    return write_net_paths(file, head, assessment_,
+                           request_.threads > 0 ? request_.threads : omp_get_max_threads());
+}
+
+Ended AssessmentRun::write(OutputFolder& folder) {
+    if (state_.not_started > 0) {
+        warnings_.add(std::to_string(state_.not_started) +
+                      " rocks were not released: their place in the source lies outside the terrain");
+    }
+    make_folder(folder.staging() / "tables");
+    // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
+    std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {
+        return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
+    });
+    std::vector<WrittenFile> streamed = tables_->close();
+    if (scenario_.nets.keep_paths) {
+        if (keep_paths(folder.staging() / "net_paths.bin") == Ended::interrupted) {
+            return Ended::interrupted;
+        }
+        streamed.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
+    }
+    const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
+    const RunResults results{scenario_,
+                             site_,
+                             total_,
+                             {histograms_.pointers()[0], histograms_.pointers()[1]},
+                             state_.paths,
+                             state_.net_rows,
+                             warnings_,
+                             released,
+                             !assessment_.only_bare(),
+                             version()};
+    if (InterruptGuard::requested()) {
+        return Ended::interrupted;
+    }
+    const std::vector<WrittenFile> written =
+        write_results(results, folder.staging(), {streamed, folder.parts()});
+    if (InterruptGuard::requested()) {
+        return Ended::interrupted;
+    }
+    // Last, when nothing can fail for want of space: until here finished parts can still be continued.
+    tables_->move_to(folder.staging() / "tables");
+    folder.publish();
+    if (!request_.quiet) {
+        print_summary(results, folder.path(), written, request_.verbose);
+    }
+    return Ended::done;
+}
+
+}  // namespace
+
+int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
+                 config::Warnings& warnings, const std::filesystem::path& out) {
+    OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};
+    const InterruptGuard guard;
+    AssessmentRun run{request, scenario, site, warnings};
+    if (run.fall(folder) == Ended::interrupted || run.write(folder) == Ended::interrupted) {
+        std::error_code ignored;
+        std::fprintf(stderr, "bannwald: interrupted; %s\n",
+                     std::filesystem::exists(folder.checkpoint(), ignored)
+                         ? "the finished parts are kept, run the same command again to go on"
+                         : "no part was finished yet, so nothing is kept");
+        return static_cast<int>(config::ExitCode::interrupted);
+    }
+    return static_cast<int>(config::ExitCode::done);
+}
+
+}  // namespace coupling

@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "coupling/hazard/hazard_results.hpp"
+#include "coupling/results/data_dictionary.hpp"
+#include "tests/runs/years.hpp"
+
+namespace coupling {
+namespace {
+
+void add_blocks(const SampleProject& project) {
+    project.write("blocks.csv",
+                  "return_period_years,zone,diameter_m\n10,1,0.3\n30,1,0.5\n100,1,0.8\n300,1,1.2\n");
+    project.replace("scenario.ini", "diameter_m = 0.5\n", "");
+    project.replace("scenario.ini", "[targets]", "[hazard]\nblocks = blocks.csv\n[targets]");
+}
+
+constexpr const char* quick = "run scenario.ini --quiet --set release.rocks=400 ";
+
+double percent_of(const config::Table& targets, const std::string& target, const std::string& cover,
+                  const std::string& level) {
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        if (targets.text(row, "target_id") == target && targets.text(row, "cover") == cover &&
+            targets.text(row, "level") == level) {
+            return number(targets, row, "share_percent");
+        }
+    }
+    ADD_FAILURE() << target << ' ' << cover << ' ' << level;
+    return -1.0;
+}
+
+TEST(Hazard, MapsAllReturnPeriods) {
+    const SampleProject project;
+    add_blocks(project);
+    const Outcome outcome = call(project, "run scenario.ini --set release.rocks=400 --out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* years : {"10", "30", "100", "300"}) {
+        EXPECT_TRUE(
+            std::filesystem::exists(project.file("out/return_period_" + std::string{years}) / "report.html"))
+            << years;
+    }
+    EXPECT_NE(outcome.out.find("hazard map of 4 return periods"), std::string::npos) << outcome.out;
+    const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
+    for (const char* cover : {"forest", "bare"}) {
+        double sum = 0.0;
+        for (const char* level : {"none", "residual", "low", "moderate", "high"}) {
+            sum += percent_of(targets, "road", cover, level);
+        }
+        EXPECT_NEAR(sum, 100.0, 0.03);
+        EXPECT_GT(percent_of(targets, "road", cover, "high"), 0.0);
+    }
+    const std::string page = project.read("out/hazard/report.html");
+    EXPECT_NE(page.find("Rockfall hazard map"), std::string::npos);
+    EXPECT_NE(page.find("../return_period_300/report.html"), std::string::npos);
+}
+
+/// The raster of a level, worked out from the rasters of the return periods once more.
+TEST(Hazard, FollowsFromTheRastersOfTheReturnPeriods) {
+    const SampleProject project;
+    add_blocks(project);
+    const Outcome outcome = shell(project, std::string{"\"$bannwald\" "} + quick + R"(--out out || exit 1
+for cover in forest bare; do
+    for years in 10 30 100 300; do
+        tail -n +7 out/return_period_$years/rasters/$cover/E_95.asc | tr -s ' ' '\n' | grep -v '^$' > $years.txt
+    done
+    tail -n +7 out/hazard/rasters/$cover/Hazard_level.asc | tr -s ' ' '\n' | grep -v '^$' > level.txt
+    paste 10.txt 30.txt 100.txt 300.txt level.txt | awk '
+        function level(e, often) {
+            if (e < 0) return -9999
+            if (e >= 300 || (e >= 30 && often)) return 4
+            return (e >= 30 || often) ? 3 : 2
+        }
+        { best = level($1, 1); for (i = 2; i < 5; ++i) { l = level($i, i < 3); if (l > best) best = l }
+          if (best != $5) bad++; if ($5 > 0) good++ }
+        END { print NR, bad + 0, (good > 20) ? "many" : "few" }'
+done
+)");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "120 0 many\n120 0 many\n");
+}
+
+TEST(Hazard, KeepsWhatIsFinishedAndGivesTheSameBytes) {
+    const SampleProject project;
+    add_blocks(project);
+    const Outcome outcome = shell(project, std::string{"\"$bannwald\" "} + quick +
+                                               "--threads 1 --out whole || exit 1\n"
+                                               "\"$bannwald\" " +
+                                               quick +
+                                               "--set hazard.return_period_years=100 --threads 3 "
+                                               "--out parts/return_period_100 || exit 2\n"
+                                               "touch -d 2001-01-01 parts/return_period_100/summary.json\n"
+                                               "\"$bannwald\" " +
+                                               quick +
+                                               "--threads 2 --out parts || exit 3\n"
+                                               "find parts -newermt 2001-01-02 -path '*100/summary.json'\n"
+                                               "diff -r whole parts\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+}
+
+TEST(Hazard, IsMadeAnewWithoutNewFalls) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    const std::string before = project.read("out/hazard/tables/hazard_levels.csv");
+    project.write("matrix.csv", "energy_from_kj,return_period_to_years,level\n0,,low\n1,,high\n");
+    const Outcome again = call(project,
+                               "run scenario.ini --set release.rocks=400 --out out --set hazard.energy=max "
+                               "--set hazard.matrix=matrix.csv --set hazard.least_reach_percent=2");
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("return period of 300 years: finished before"), std::string::npos) << again.out;
+    const std::string after = project.read("out/hazard/tables/hazard_levels.csv");
+    EXPECT_NE(before, after);
+    EXPECT_NE(after.find("bare,moderate,0.0000"), std::string::npos) << after;
+}
+
+TEST(Hazard, DescribesItsTablesAndRasters) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    const config::Table dictionary = table(project, "out/hazard/tables/data_dictionary.csv");
+    for (const TableLayout& layout : hazard::hazard_layouts()) {
+        const config::Table written = table(project, "out/hazard/tables/" + layout.file);
+        EXPECT_GT(written.rows(), 0U) << layout.file;
+        ASSERT_EQ(written.columns().size(), layout.columns.size()) << layout.file;
+    }
+    const std::string rasters = project.read("out/hazard/tables/raster_dictionary.csv");
+    for (const char* raster : {"Hazard_level", "Hazard_return_period", "Intensity_10", "Intensity_300"}) {
+        EXPECT_NE(rasters.find("rasters/forest," + std::string{raster}), std::string::npos) << raster;
+    }
+}
+
+struct Refused {
+    std::string arguments;
+    int code;
+    std::string message;
+};
+
+TEST(Hazard, RefusesWhatItCannotMap) {
+    for (const Refused& refused :
+         {Refused{"--set hazard.blocks=missing.csv", 3, "missing.csv"},
+          Refused{"--set hazard.matrix=missing.csv", 3, "missing.csv"},
+          Refused{"--set output.percentiles=no", 2, "output.percentiles"},
+          Refused{"--set hazard.energy=97", 2, "hazard.energy"},
+          Refused{"--set hazard.return_period_years=50", 2, "one of hazard.blocks: 10, 30, 100, 300"},
+          Refused{"--set hazard.blocks=", 2, ""}, Refused{"--shard 1/2", 2, "shard"}}) {
+        const SampleProject project;
+        add_blocks(project);
+        const std::string arguments = refused.arguments == "--set hazard.blocks="
+                                          ? "--set hazard.blocks= --set hazard.energy=max"
+                                          : refused.arguments;
+        const Outcome outcome = call(project, quick + arguments + " --out out");
+        EXPECT_EQ(outcome.code, refused.code) << arguments << '\n' << outcome.err;
+        EXPECT_NE(outcome.err.find(refused.message), std::string::npos) << outcome.err;
+        EXPECT_FALSE(std::filesystem::exists(project.file("out"))) << arguments;
+    }
+}
+
+TEST(Hazard, IsNotComparedAsARun) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    const Outcome outcome = call(project, "compare out/hazard out/hazard");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("a hazard map of several return periods"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace coupling
