@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "config/text/numbers.hpp"
@@ -70,13 +71,14 @@ std::string note_on_forest(const HazardResults& results) {
         }
     }
     return rises ? joined(
-                       "<ul class=\"notes\"><li>With forest parts of a target have a higher level than without. "
+                       "<ul class=\"notes\"><li>With forest parts of a target have a higher level than "
+                       "without. "
                        "The "
                        "forest does not make rocks faster: the ",
                        energy_in_words(results.scenario.hazard.energy),
                        " is that of the rocks that still arrive, and it keeps the slow ones away first. How "
                        "many it keeps "
-                       "away stands on the pages of the return periods.</li></ul>\n")
+                       "away stands in the table of rocks that arrive.</li></ul>\n")
                  : "";
 }
 
@@ -186,14 +188,14 @@ std::string rocks_table(const HazardResults& results) {
         head.push_back(years_text(period.return_period_years));
     }
     HtmlTable table{"Diameter, mass and number of the rocks by return period.", head};
-    std::vector<std::uint32_t> zones;
+    std::vector<std::string> zones;
     for (const ZoneRocks& rocks : results.rocks) {
-        zones.push_back(rocks.zone);
+        if (std::find(zones.begin(), zones.end(), rocks.zone) == zones.end()) {
+            zones.push_back(rocks.zone);
+        }
     }
-    std::sort(zones.begin(), zones.end());
-    zones.erase(std::unique(zones.begin(), zones.end()), zones.end());
-    for (const std::uint32_t zone : zones) {
-        std::vector<std::string> cells{std::to_string(zone)};
+    for (const std::string& zone : zones) {
+        std::vector<std::string> cells{zone};
         for (const FinishedPeriod& period : results.periods) {
             const auto found =
                 std::find_if(results.rocks.begin(), results.rocks.end(), [&](const ZoneRocks& rocks) {
@@ -274,6 +276,35 @@ std::string intensities_table(const HazardResults& results) {
     return joined("<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
+std::string arrivals_table(const HazardResults& results) {
+    if (results.site.targets.empty()) {
+        return "";
+    }
+    HtmlTable table{
+        "Shares of the rocks of a return period that arrive; in brackets the 95 % interval of chance in the "
+        "simulated rocks.",
+        {"Return period", "bare slope", "with forest", "the forest keeps away"}};
+    std::size_t shown = results.site.targets.size();
+    for (const PeriodArrivals& arrivals : results.arrivals) {
+        if (arrivals.target != shown) {
+            shown = arrivals.target;
+            table.group(escaped(results.site.targets[shown].name));
+        }
+        const auto share = [](double percent) {
+            return std::isnan(percent) ? std::string{"–"} : report::percent(percent / 100.0);
+        };
+        table.row({years_text(arrivals.return_period_years), share(arrivals.bare_percent),
+                   share(arrivals.forest_percent),
+                   std::isnan(arrivals.protection_percent)
+                       ? "–"
+                       : joined("<b>", report::fixed(arrivals.protection_percent, 1), " %</b> (",
+                                report::fixed(arrivals.protection_low_percent, 1), " to ",
+                                report::fixed(arrivals.protection_high_percent, 1), ")")});
+    }
+    return joined("<h2>Rocks that arrive</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(),
+                  "</div></section>\n");
+}
+
 std::string maps(const HazardResults& results) {
     const report::MapSheet sheet{results.site};
     // White cells would hide the ground where no level holds.
@@ -317,8 +348,8 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
         << escaped(results.version)
         << "\"/>\n<title>Rockfall hazard map: " << escaped(results.scenario.file.stem().string())
         << "</title>\n<style>" << report::style() << "</style>\n</head>\n<body>\n<main>\n"
-        << opening(results) << maps(results) << about_the_map(results) << rocks_table(results)
-        << "<h2>Warnings</h2>\n"
+        << opening(results) << arrivals_table(results) << maps(results) << about_the_map(results)
+        << rocks_table(results) << "<h2>Warnings</h2>\n"
         << report::list_of_warnings(results.warnings) << "<h2>Settings</h2>\n"
         << report::table_of_settings(results.scenario, [](const std::string&) { return true; })
         << "<h2>Data</h2>\n<section class=\"card\">" << report::table_of_inputs(results.inputs)

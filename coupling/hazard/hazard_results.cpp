@@ -69,7 +69,7 @@ double area_ha(const config::Raster<float>& raster, std::size_t number) {
 void fill_blocks(std::ostream& out, const HazardResults& results) {
     CsvRow row{out};
     for (const ZoneRocks& rocks : results.rocks) {
-        row.whole(rocks.zone).text(config::to_text(rocks.return_period_years)).number<3>(rocks.diameter_m);
+        row.text(rocks.zone).text(config::to_text(rocks.return_period_years)).number<3>(rocks.diameter_m);
         row.number<1>(rocks.mass_kg).whole(rocks.rocks).end();
     }
 }
@@ -131,6 +131,17 @@ void fill_target_intensities(std::ostream& out, const HazardResults& results) {
     }
 }
 
+void fill_arrivals(std::ostream& out, const HazardResults& results) {
+    CsvRow row{out};
+    for (const PeriodArrivals& arrivals : results.arrivals) {
+        row.text(results.site.targets[arrivals.target].id).text(results.site.targets[arrivals.target].name);
+        row.text(config::to_text(arrivals.return_period_years));
+        row.number<4>(arrivals.bare_percent).number<4>(arrivals.forest_percent);
+        row.number<3>(arrivals.protection_percent).number<3>(arrivals.protection_low_percent);
+        row.number<3>(arrivals.protection_high_percent).end();
+    }
+}
+
 std::vector<WrittenFile> write_tables(const HazardResults& results, const fs::path& folder) {
     std::vector<WrittenFile> files;
     const auto add = [&](const char* name, const char* sentence, const auto& fill) {
@@ -144,6 +155,9 @@ std::vector<WrittenFile> write_tables(const HazardResults& results, const fs::pa
     add("hazard_intensities.csv", "How much of each slope has which intensity, by return period.",
         fill_intensities);
     if (!results.site.targets.empty()) {
+        add("hazard_arrivals.csv",
+            "How many rocks arrive at each target, and what the forest keeps away, by return period.",
+            fill_arrivals);
         add("hazard_targets.csv", "How much of each target has which hazard level.", fill_targets);
         add("hazard_target_intensities.csv", "How much of each target has which intensity, by return period.",
             fill_target_intensities);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,9 +27,9 @@ struct FinishedPeriod {
     rockfall::DiameterRange diameters;
 };
 
-/// What is in a release zone with a return period, for pages.
+/// The rocks of a release zone, or of several that share them, with a return period.
 struct ZoneRocks {
-    std::uint32_t zone = 0;
+    std::string zone;  ///< its number; "others": those without rocks of their own
     double return_period_years = 0.0;
     double diameter_m = 0.0;
     double mass_kg = 0.0;
@@ -49,6 +50,21 @@ struct SlopeHazard {
     std::vector<TargetHazard> targets;  ///< as in the site
 };
 
+/// How many rocks of a return period arrive at a target; NaN: not known, or no forest.
+struct PeriodArrivals {
+    std::size_t target = 0;  ///< as in the site
+    double return_period_years = 0.0;
+    double bare_percent = std::numeric_limits<double>::quiet_NaN();
+    double forest_percent = bare_percent;
+    double protection_percent = bare_percent;
+    double protection_low_percent = bare_percent;
+    double protection_high_percent = bare_percent;
+};
+
+/// From the tables that the runs of the return periods have written, target by target. Throws
+/// config::InputError (file, data) for tables that are missing or none.
+std::vector<PeriodArrivals> arrivals_of(const std::vector<FinishedPeriod>& periods, const Site& site);
+
 /// Everything that the hazard map is made of, and the map.
 struct HazardResults {
     const Scenario& scenario;
@@ -57,7 +73,8 @@ struct HazardResults {
     std::vector<FinishedPeriod> periods;  ///< rising
     std::vector<ZoneRocks> rocks;
     std::vector<SlopeHazard> slopes;  ///< with forest where there is one, then bare
-    std::vector<InputFile> inputs;    ///< of all return periods, each once
+    std::vector<PeriodArrivals> arrivals;
+    std::vector<InputFile> inputs;  ///< of all return periods, each once
     const config::Warnings& warnings;
     std::string version;
 };
@@ -67,7 +84,7 @@ struct HazardResults {
 SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
                          const Site& site, const Matrix& matrix);
 
-/// Tables of the hazard map: hazard_levels.csv, hazard_intensities.csv, hazard_targets.csv.
+/// Tables of the hazard map: hazard_….csv.
 const std::vector<TableLayout>& hazard_layouts();
 
 /// Writes rasters, tables, summary.json and report.html into a folder that exists.

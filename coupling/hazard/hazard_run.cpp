@@ -1,8 +1,9 @@
 #include "coupling/hazard/hazard_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <limits>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -84,23 +85,32 @@ std::uint64_t rocks_of(const Site& site) {
     return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
 }
 
+/// Zones with the same start share a row of hazard.blocks.
 void add_rocks(const Period& period, std::vector<ZoneRocks>& list) {
     const rockfall::StartLaw common = start_law(*period.scenario);
-    std::set<std::uint32_t> zones;
+    std::map<const rockfall::StartLaw*, std::pair<std::set<std::uint32_t>, std::uint64_t>> of_start;
     for (const rockfall::ReleaseSource& source : period.site.sources) {
+        auto& [zones, rocks] = of_start[source.own_start.get()];
         zones.insert(source.zone);
+        rocks += source.rocks;
     }
-    for (const std::uint32_t zone : zones) {
-        ZoneRocks rocks{.zone = zone, .return_period_years = period.return_period_years};
-        for (const rockfall::ReleaseSource& source : period.site.sources) {
-            if (source.zone == zone) {
-                const rockfall::StartLaw& law = source.own_start ? *source.own_start : common;
-                rocks.diameter_m = law.diameter.mean_m();
-                rocks.mass_kg = law.density_kgpm3 * std::numbers::pi / 6.0 * std::pow(rocks.diameter_m, 3);
-                rocks.rocks += source.rocks;
-            }
-        }
-        list.push_back(rocks);
+    std::vector<std::pair<std::uint32_t, ZoneRocks>> by_zone;
+    for (const auto& [own, entry] : of_start) {
+        const auto& [zones, rocks] = entry;
+        const rockfall::StartLaw& law = own != nullptr ? *own : common;
+        const double diameter_m = law.diameter.mean_m();
+        const bool several = zones.size() > 1;
+        by_zone.emplace_back(several ? std::numeric_limits<std::uint32_t>::max() : *zones.begin(),
+                             ZoneRocks{.zone = several ? "others" : std::to_string(*zones.begin()),
+                                       .return_period_years = period.return_period_years,
+                                       .diameter_m = diameter_m,
+                                       .mass_kg = law.density_kgpm3 * std::numbers::pi / 6.0 * diameter_m *
+                                                  diameter_m * diameter_m,
+                                       .rocks = rocks});
+    }
+    std::sort(by_zone.begin(), by_zone.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (auto& [zone, rocks] : by_zone) {
+        list.push_back(std::move(rocks));
     }
 }
 
@@ -185,13 +195,22 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     }
 
     const config::Warnings all_warnings = shared.together();
-    HazardResults results{scenario, longest->site, plan.matrix,  periods,  rocks,
-                          {},       inputs,        all_warnings, version()};
+    HazardResults results{.scenario = scenario,
+                          .site = longest->site,
+                          .matrix = plan.matrix,
+                          .periods = periods,
+                          .rocks = rocks,
+                          .slopes = {},
+                          .arrivals = {},
+                          .inputs = inputs,
+                          .warnings = all_warnings,
+                          .version = version()};
     for (const Cover cover : all_covers) {
         if (cover == Cover::bare || !longest->site.trees.empty() || !longest->site.logs.empty()) {
             results.slopes.push_back(slope_hazard(cover, periods, scenario, longest->site, plan.matrix));
         }
     }
+    results.arrivals = arrivals_of(periods, longest->site);
     // Made in moments from what has fallen, so that an older map of the same rocks may go.
     OutputFolder folder{out / "hazard", settings_hash(scenario, inputs), true};
     make_folder(folder.staging());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "config/text/numbers.hpp"
@@ -170,7 +171,10 @@ std::optional<std::size_t> start_of(const SourceInput& input, std::uint32_t zone
     if (!input.by_zone) {
         return own;
     }
-    const auto found = input.start_of_zone.find(zone);
+    auto found = input.start_of_zone.find(zone);
+    if (found == input.start_of_zone.end()) {
+        found = input.start_of_zone.find(all_other_zones);
+    }
     return found == input.start_of_zone.end() ? std::nullopt : std::optional{found->second};
 }
 
@@ -319,16 +323,23 @@ std::set<std::uint32_t> zones_of(const SourceInput& input) {
 void tell_zones(const SourceInput& input, Reading& reading) {
     const std::string years = config::to_text(reading.scenario().hazard.return_period_years);
     const std::set<std::uint32_t> zones = zones_of(input);
-    for (const std::uint32_t zone : zones) {
-        if (!input.start_of_zone.contains(zone)) {
-            reading.doubt({input.file},
-                          joined("zone ", std::to_string(zone), " without rocks of ", years,
-                                 " years in hazard.blocks; none fall from there"),
-                          "a row for each zone and return period");
+    std::vector<std::uint32_t> without;
+    std::copy_if(zones.begin(), zones.end(), std::back_inserter(without),
+                 [&](std::uint32_t zone) { return !start_of(input, zone, 0); });
+    if (!without.empty()) {
+        constexpr std::size_t named = 3;
+        std::string names;
+        for (std::size_t i = 0; i < std::min(named, without.size()); ++i) {
+            names += joined(i > 0 ? ", " : "", std::to_string(without[i]));
         }
+        reading.doubt(
+            {input.file},
+            joined(counted(without.size(), "zone"), " (", names, without.size() > named ? ", ..." : "",
+                   ") without rocks of ", years, " years in hazard.blocks; none fall from there"),
+            "a row for each zone and return period, or one without zone for all others");
     }
     for (const auto& [zone, start] : input.start_of_zone) {
-        if (!zones.contains(zone)) {
+        if (zone != all_other_zones && !zones.contains(zone)) {
             reading.doubt(
                 {reading.shown(reading.scenario().hazard.blocks)},
                 joined("zone ", std::to_string(zone), " with rocks of ", years, " years but no source"),

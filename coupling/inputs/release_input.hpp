@@ -14,6 +14,9 @@
 
 namespace coupling {
 
+/// Stands for the zones that are not named; zones count from 1.
+inline constexpr std::uint32_t all_other_zones = 0;
+
 /// Points, lines or polygons from which rocks break off.
 struct SourceShape {
     std::uint32_t zone = 0;
@@ -29,7 +32,7 @@ struct SourceInput {
     std::vector<SourceStart> starts;  ///< of each shape; of a grid one that says nothing; or of zones
     std::string file;                 ///< name in messages
     bool by_zone = false;             ///< the starts are those of zones; a zone without one has no rocks
-    std::map<std::uint32_t, std::size_t> start_of_zone{};
+    std::map<std::uint32_t, std::size_t> start_of_zone{};  ///< all_other_zones: of those without one
 };
 
 std::optional<SourceInput> read_sources(Reading& reading);

@@ -189,9 +189,9 @@ void declare_nets(config::Options& options, NetSettings& nets) {
 }
 
 void declare_hazard(config::Options& options, HazardSettings& hazard) {
-    options.text(
-        "hazard.blocks", hazard.blocks,
-        {.meaning = "CSV with return_period_years, zone, diameter_m or mass_t or volume_m3: a hazard map"});
+    options.text("hazard.blocks", hazard.blocks,
+                 {.meaning = "CSV with return_period_years, zone (none: all others), diameter_m or mass_t or "
+                             "volume_m3: a hazard map"});
     options.number("hazard.return_period_years", hazard.return_period_years,
                    {.unit = "yr",
                     .low = 0.0,

@@ -12,6 +12,10 @@ namespace {
 constexpr config::NumberRange period_range{.low = 0.0, .high = 1e6, .low_excluded = true};
 constexpr config::NumberRange zone_range{.low = 1.0, .high = 4e9};
 
+std::string name_of_zone(std::uint32_t zone) {
+    return zone == all_other_zones ? "all other zones" : "zone " + std::to_string(zone);
+}
+
 /// Whether a row says how large its rocks are; adds a problem if not.
 bool says_size(const config::Table& table, std::size_t row, config::Problems& problems) {
     for (const char* column : {"diameter_m", "mass_t", "volume_m3"}) {
@@ -19,7 +23,7 @@ bool says_size(const config::Table& table, std::size_t row, config::Problems& pr
             return true;
         }
     }
-    problems.add(config::ExitCode::data, table.place(row, "zone"), "no size of the rocks",
+    problems.add(config::ExitCode::data, table.place(row, "return_period_years"), "no size of the rocks",
                  "diameter_m, mass_t or volume_m3");
     return false;
 }
@@ -36,8 +40,8 @@ void doubt_falling_sizes(std::vector<ZoneBlocks> blocks, Reading& reading) {
         const double size_before_m = before.start.law->diameter.mean_m();
         if (here.zone == before.zone && size_m < size_before_m) {
             reading.doubt(here.place,
-                          "zone " + std::to_string(here.zone) + ": rocks of " + config::to_text(size_m) +
-                              " m with " + config::to_text(here.return_period_years) + " years, of " +
+                          name_of_zone(here.zone) + ": rocks of " + config::to_text(size_m) + " m with " +
+                              config::to_text(here.return_period_years) + " years, of " +
                               config::to_text(size_before_m) + " m with " +
                               config::to_text(before.return_period_years),
                           "rocks that do not get smaller with longer return periods");
@@ -72,14 +76,15 @@ void refuse_rocks_of_shapes(const SourceInput& input) {
 std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
     const config::Table table = reading.table("hazard.blocks", "blocks", reading.scenario().hazard.blocks);
     config::Problems problems;
-    table.require({"return_period_years", "zone"}, problems);
+    table.require({"return_period_years"}, problems);
     problems.throw_if_any();
     doubt_columns(table, reading);
     std::vector<ZoneBlocks> blocks;
     std::map<std::pair<std::uint32_t, double>, std::size_t> rows;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const auto period = table.number(row, "return_period_years", period_range, problems);
-        const auto zone = table.whole(row, "zone", zone_range, problems);
+        const auto zone = has_value(table, row, "zone") ? table.whole(row, "zone", zone_range, problems)
+                                                        : std::optional<long long>{all_other_zones};
         const bool has_size = says_size(table, row, problems);
         SourceStart start = read_source_start(table, row, reading.scenario(), problems);
         if (!period || !zone || !has_size || !start.law) {
@@ -87,13 +92,13 @@ std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
         }
         const std::pair key{static_cast<std::uint32_t>(*zone), *period};
         if (!rows.emplace(key, row).second) {
-            problems.add(config::ExitCode::data, table.place(row, "zone"),
-                         "zone " + std::to_string(*zone) + " a second time with " + config::to_text(*period) +
-                             " years",
-                         "one row for a zone and a return period");
+            problems.add(
+                config::ExitCode::data, table.place(row, "return_period_years"),
+                name_of_zone(key.first) + " a second time with " + config::to_text(*period) + " years",
+                "one row for a zone and a return period");
             continue;
         }
-        blocks.push_back({*period, key.first, std::move(start), table.place(row, "zone")});
+        blocks.push_back({*period, key.first, std::move(start), table.place(row, "return_period_years")});
     }
     if (table.rows() == 0) {
         problems.add(config::ExitCode::data, {table.file()}, "no rows",

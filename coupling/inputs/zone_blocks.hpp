@@ -13,14 +13,15 @@ namespace coupling {
 /// A row of hazard.blocks: the rocks of a release zone that come with a return period.
 struct ZoneBlocks {
     double return_period_years = 0.0;
-    std::uint32_t zone = 0;
+    std::uint32_t zone = all_other_zones;
     SourceStart start;
     config::Place place{};
 };
 
-/// Reads hazard.blocks: return_period_years, zone, one of diameter_m, mass_t and volume_m3, and what else
-/// `read_source_start` takes. Throws config::InputError (data) for fields that are none and pairs of period
-/// and zone that are there twice; doubts rocks that get smaller with longer return periods.
+/// Reads hazard.blocks: return_period_years, zone (empty: all others), one of diameter_m, mass_t and
+/// volume_m3, and what else `read_source_start` takes. Throws config::InputError (data) for fields that are
+/// none and pairs of period and zone that are there twice; doubts rocks that get smaller with longer return
+/// periods.
 std::vector<ZoneBlocks> read_zone_blocks(Reading& reading);
 
 /// The return periods of a table, each once, rising.

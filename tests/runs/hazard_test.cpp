@@ -50,6 +50,12 @@ TEST(Hazard, MapsAllReturnPeriods) {
         EXPECT_NEAR(sum, 100.0, 0.03);
         EXPECT_GT(percent_of(targets, "road", cover, "high"), 0.0);
     }
+    const config::Table arrivals = table(project, "out/hazard/tables/hazard_arrivals.csv");
+    const config::Table of_run = table(project, "out/return_period_30/tables/protection.csv");
+    ASSERT_EQ(arrivals.rows(), 8U);
+    EXPECT_EQ(arrivals.text(1, "target_id"), "road");
+    EXPECT_EQ(arrivals.text(1, "return_period_years"), "30");
+    EXPECT_EQ(arrivals.text(1, "protection_percent"), of_run.text(0, "protection_percent"));
     const std::string page = project.read("out/hazard/report.html");
     EXPECT_NE(page.find("Rockfall hazard map"), std::string::npos);
     EXPECT_NE(page.find("../return_period_300/report.html"), std::string::npos);

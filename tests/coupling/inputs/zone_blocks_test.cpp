@@ -66,8 +66,27 @@ TEST(ZoneBlocks, OfAZoneWithoutARowDoNotFall) {
         EXPECT_EQ(source.zone, 1U);
     }
     const std::string warnings = all_warnings(opened);
-    EXPECT_NE(warnings.find("zone 2 without rocks of 100 years"), std::string::npos) << warnings;
+    EXPECT_NE(warnings.find("1 zone (2) without rocks of 100 years"), std::string::npos) << warnings;
     EXPECT_NE(warnings.find("zone 9 with rocks of 100 years but no source"), std::string::npos) << warnings;
+}
+
+TEST(ZoneBlocks, WithoutAZoneAreThoseOfAllOthers) {
+    const SampleProject project;
+    project.write("blocks.csv", std::string{header} + "100,,0.8,,40\n100,2,1.6,,5\n");
+    project.write("source.asc", SampleProject::header() + SampleProject::rows([](int column, int row) {
+                                    return column == 2 && row >= 3 && row < 7 ? std::to_string(row - 2) : "0";
+                                }));
+    project.replace("scenario.ini", "[targets]",
+                    "[hazard]\nblocks = blocks.csv\nreturn_period_years = 100\n[targets]");
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    ASSERT_EQ(opened.site->sources.size(), 4U);
+    std::uint32_t others = 0;
+    for (const rockfall::ReleaseSource& source : opened.site->sources) {
+        EXPECT_NEAR(source.own_start->diameter.mean_m(), source.zone == 2 ? 1.6 : 0.8, 1e-12);
+        others += source.zone == 2 ? 0 : source.rocks;
+    }
+    EXPECT_EQ(others, 40U);
 }
 
 TEST(ZoneBlocks, TellWhatIsWrong) {
@@ -77,7 +96,7 @@ TEST(ZoneBlocks, TellWhatIsWrong) {
     };
     for (const Bad& bad :
          {Bad{"100,1,,,\n",
-              "blocks.csv:2:5: found no size of the rocks, expected diameter_m, "
+              "blocks.csv:2:1: found no size of the rocks, expected diameter_m, "
               "mass_t or volume_m3"},
           Bad{"100,1,1,2,\n", "found volume_m3 beside diameter_m"},
           Bad{"100,1,1,,\n100,1,2,,\n", "found zone 1 a second time with 100 years"},
