@@ -90,7 +90,7 @@ void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<s
 void Worker::fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed,
                        std::span<std::uint8_t> gone) {
     Footprint& footprint = *footprints_[static_cast<std::size_t>(cover)];
-    footprint.begin(start, assessment_.path_every > 0 && start.id % assessment_.path_every == 0);
+    footprint.begin(start, assessment_.keeps_path(start.id));
     const Obstacles obstacles = assessment_.obstacles(cover, gone);
     const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
     footprint.finish(fall(assessment_.slope, obstacles, assessment_.law, key, start, scratch_, footprint));

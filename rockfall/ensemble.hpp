@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -28,9 +29,14 @@ struct Assessment {
     std::uint32_t replicate = 0;
     std::uint16_t year = 0;
     std::uint64_t path_every = 0;  ///< each rock whose number this divides keeps its path; 0: none
+    std::span<const std::uint64_t> path_rocks{};  ///< these keep theirs too; rising
     const LogIndex* logs = nullptr;
     const NetIndex* nets = nullptr;  ///< they are works, not forest: they stand on the bare slope too
 
+    [[nodiscard]] bool keeps_path(std::uint64_t rock) const {
+        return (path_every > 0 && rock % path_every == 0) ||
+               std::binary_search(path_rocks.begin(), path_rocks.end(), rock);
+    }
     /// Neither stems nor logs: only the bare slope is assessed.
     [[nodiscard]] bool only_bare() const { return stems.empty() && log_count() == 0; }
     [[nodiscard]] std::size_t log_count() const { return logs == nullptr ? 0 : logs->count(); }

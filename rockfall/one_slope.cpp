@@ -63,7 +63,7 @@ void OneSlopeWorker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed) {
     const Obstacles obstacles = assessment_.obstacles(cover_, {});
     each_start(assessment_, chunk, rows, [&](const RockStart& start) {
         const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
-        footprint_.begin(start, assessment_.path_every > 0 && start.id % assessment_.path_every == 0);
+        footprint_.begin(start, assessment_.keeps_path(start.id));
         footprint_.finish(
             fall(assessment_.slope, obstacles, assessment_.law, key, start, scratch_, footprint_));
         enter_fall(footprint_, cover_, assessment_, start, tally_, rows, fed, nullptr);

@@ -87,6 +87,7 @@ struct Scenario {
     bool rock_table = true;
     bool tree_hit_table = true;
     std::uint64_t sample_paths = 500;
+    std::vector<double> path_rocks;  ///< numbers of rocks whose paths are kept too
     GisFiles gis;
 
     // [rockfall], [tree_impact]

@@ -1,5 +1,6 @@
 #include "coupling/inputs/scenario_checks.hpp"
 
+#include <cmath>
 #include <numeric>
 #include <string>
 
@@ -193,6 +194,15 @@ void check(const Scenario& scenario) {
                        "one of them: a rock that a net holds breaks no trees for the rocks after it");
     }
     check_hazard(scenario, checker);
+    for (const double rock : scenario.path_rocks) {
+        if (rock != std::floor(rock)) {
+            checker.refuse("output.path_rocks", joined("rock ", config::to_text(rock)), "whole numbers");
+        }
+    }
+    if (!scenario.path_rocks.empty() && !scenario.profile.empty()) {
+        checker.refuse("output.path_rocks", "output.path_rocks beside terrain.profile",
+                       "output.sample_paths: a run along a profile draws a sample");
+    }
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
     if (scenario.profile.empty()) {

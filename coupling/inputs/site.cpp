@@ -91,7 +91,7 @@ void tell_idle_settings(const Scenario& scenario, Reading& reading) {
 void tell_idle_output(const Scenario& scenario, Reading& reading) {
     std::string names;
     for (const char* key : {"output.percentiles", "output.rock_table", "output.tree_hit_table",
-                            "output.sample_paths", "output.vtp"}) {
+                            "output.sample_paths", "output.path_rocks", "output.vtp"}) {
         if (scenario.options->was_set(key)) {
             names += (names.empty() ? "" : ", ") + std::string{key};
         }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "coupling/nets/net_paths.hpp"
+#include "coupling/results/joined.hpp"
 #include "coupling/results/write_results.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/closing_summary.hpp"
@@ -44,6 +45,21 @@ std::vector<std::span<const rockfall::Chunk>> plan_parts(std::span<const rockfal
 
 std::uint64_t rocks_of(const Site& site) {
     return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+}
+
+/// Rising. Throws config::InputError (settings) for a rock that there is not.
+std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t rocks) {
+    std::vector<std::uint64_t> wanted;
+    for (const double rock : scenario.path_rocks) {
+        wanted.push_back(static_cast<std::uint64_t>(rock));
+        if (wanted.back() >= rocks) {
+            config::fail(config::ExitCode::settings, scenario.options->place_of("output.path_rocks"),
+                         joined("rock ", std::to_string(wanted.back())),
+                         joined("rocks from 0 to ", std::to_string(rocks - 1)));
+        }
+    }
+    std::sort(wanted.begin(), wanted.end());
+    return wanted;
 }
 
 /// Distributions for the maps, where wanted.
@@ -88,12 +104,14 @@ public:
                 scenario.rockfall.fall.log.loose_share},
           nets_{site.standing_nets()},
           rocks_{rocks_of(site)},
+          path_rocks_{path_rocks_of(scenario, rocks_)},
           assessment_{site.slope, stems_,       site.sources, site.targets, start_, scenario.rockfall.fall,
                       frame_,     scenario.seed},
           histograms_{scenario, frame_, !stems_.empty() || !logs_.empty()},
           total_{frame_, site.targets.size(), stems_.placed().size(), logs_.count()} {
         assessment_.logs = &logs_;
         assessment_.nets = &nets_;
+        assessment_.path_rocks = path_rocks_;
         if (scenario.sample_paths > 0) {
             assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.sample_paths);
         }
@@ -119,6 +137,7 @@ private:
     rockfall::LogIndex logs_;
     rockfall::NetIndex nets_;
     std::uint64_t rocks_;
+    std::vector<std::uint64_t> path_rocks_;
     rockfall::Assessment assessment_;
     Histograms histograms_;
     rockfall::EnsembleTally total_;

@@ -29,7 +29,7 @@ public:
             out = {};  // nothing of the rock that used this memory before
             return;
         }
-        footprint_.begin(*start, assessment_.path_every > 0 && rock % assessment_.path_every == 0);
+        footprint_.begin(*start, assessment_.keeps_path(rock));
         jumps_.begin();
         rockfall::BothWatch<rockfall::Footprint, rockfall::JumpLog> both{footprint_, jumps_};
         footprint_.finish(

@@ -32,6 +32,25 @@ double run_out_m(const PathRecord& path) {
     return (path.points.back().position_m - path.points.front().position_m).head<2>().norm();
 }
 
+/// As many lines as a chart can hold apart.
+constexpr std::size_t most_lines = 3;
+
+/// The rocks that the user named, the first ones of them.
+std::vector<ChosenPath> named(const RunResults& results, Cover cover) {
+    std::vector<ChosenPath> chosen;
+    for (const double rock : results.scenario.path_rocks) {
+        const auto found =
+            std::find_if(results.paths.begin(), results.paths.end(), [&](const PathRecord& path) {
+                return path.cover == cover && static_cast<double>(path.rock) == rock &&
+                       path.points.size() > 1;
+            });
+        if (found != results.paths.end() && chosen.size() < most_lines) {
+            chosen.push_back({&*found, "output.path_rocks"});
+        }
+    }
+    return chosen;
+}
+
 /// Of the sampled paths on a slope: the one with the most energy, the one that goes farthest, and the one in
 /// the middle by run-out.
 std::vector<ChosenPath> choose(const RunResults& results, Cover cover) {
@@ -115,7 +134,8 @@ std::string chart(const std::vector<ChosenPath>& chosen, const std::string& titl
 std::string along_paths(const RunResults& results) {
     std::string html;
     for (const Cover cover : covers_of(results)) {
-        const std::vector<ChosenPath> chosen = choose(results, cover);
+        const std::vector<ChosenPath> chosen =
+            results.scenario.path_rocks.empty() ? choose(results, cover) : named(results, cover);
         if (chosen.empty()) {
             continue;
         }
@@ -129,13 +149,17 @@ std::string along_paths(const RunResults& results) {
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.height_m); }, false,
             "Underside of the rock, vertically above the ground.");
     }
-    return html.empty() ? ""
-                        : joined(
-                              "<h2>Along single paths</h2>\n<p class=\"soft\">Of the sampled paths (all in "
-                              "tables/trajectories.csv, by the number of the rock): the one with the most "
-                              "energy, the one that ends farthest from its release and the one in the "
-                              "middle by run-out.</p>\n<div class=\"halves\">",
-                              html, "</div>\n");
+    return html.empty()
+               ? ""
+               : joined("<h2>Along single paths</h2>\n<p class=\"soft\">",
+                        results.scenario.path_rocks.empty()
+                            ? "Of the sampled paths (all in tables/trajectories.csv, by the number of the "
+                              "rock): the one with the most energy, the one that ends farthest from its "
+                              "release and the one in the middle by run-out. output.path_rocks chooses "
+                              "others."
+                            : "The rocks that output.path_rocks names, at most three; all of them are in "
+                              "tables/trajectories.csv.",
+                        "</p>\n<div class=\"halves\">", html, "</div>\n");
 }
 
 }  // namespace coupling::report
