@@ -251,7 +251,7 @@ FinishedRun read_finished_run(const fs::path& folder) {
     FinishedRun run{folder, read_summary(open_file(file, {}, "a summary").text(), file.string()), {}};
     if (run.summary.kind == "hazard") {
         config::fail(config::ExitCode::settings, {folder.string()}, "a hazard map of several return periods",
-                     "the folder of one of them, such as ../return_period_100");
+                     "the folder of one of them, return_period_… beside it");
     }
     if (run.summary.kind == "today") {
         add_today(folder, run.figures);

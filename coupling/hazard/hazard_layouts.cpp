@@ -36,7 +36,7 @@ const std::vector<TableLayout>& hazard_layouts() {
           period_column(),
           {"diameter_m", "m", "diameter of the rocks", from_blocks},
           {"mass_kg", "kg", "mass of the rocks", from_blocks},
-          {"rocks", "-", "how many fell", "simulated"}}},
+          {"rocks", "-", "how many are released", "input release"}}},
         {"hazard_levels.csv",
          "a hazard level on a slope",
          {cover_column(), level_column(), {"area_ha", "ha", "plan area with this level", from_map}}},

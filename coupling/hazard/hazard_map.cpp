@@ -10,7 +10,8 @@ namespace {
 
 constexpr float no_value = std::numeric_limits<float>::quiet_NaN();
 constexpr double steps_a_cell = 20.0;
-constexpr int places_a_side = 8;
+constexpr double places_a_side = 8.0;
+constexpr double coarsest_m = 0.5;  // else slivers of a house are lost in large cells
 
 using Extents = std::map<std::size_t, double>;
 
@@ -36,7 +37,10 @@ void add_lines(const rockfall::Target& target, const config::GridFrame& frame, E
 }
 
 void add_area(const rockfall::Target& target, const config::GridFrame& frame, Extents& extents) {
-    const Eigen::Vector2d step_m{frame.cell_width_m / places_a_side, frame.cell_height_m / places_a_side};
+    const auto step_of = [](double cell_m) {
+        return cell_m / std::ceil(cell_m / std::min(coarsest_m, cell_m / places_a_side));
+    };
+    const Eigen::Vector2d step_m{step_of(frame.cell_width_m), step_of(frame.cell_height_m)};
     const auto first = [](double low, double origin, double step) {
         return origin + (std::floor((low - origin) / step) + 0.5) * step;
     };

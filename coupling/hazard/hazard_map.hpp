@@ -36,7 +36,7 @@ struct TargetPart {
 };
 
 /// The cells of a target on a frame in its coordinates; what lies off the frame is left out. Lines in steps
-/// of a twentieth of a cell, areas in an eighth of one each way.
+/// of a twentieth of a cell, areas in an eighth of one each way, half a metre at most.
 std::vector<TargetPart> parts_of(const rockfall::Target& target, const config::GridFrame& frame);
 
 /// How a target's extent is divided among the values of a raster from 0 to `count` - 1; NaN counts as 0.

@@ -56,8 +56,7 @@ double share_from(const TargetHazard& target, std::size_t level) {
                            0.0);
 }
 
-/// A forest that keeps slow rocks away raises the percentiles of those that are left: who reads the levels
-/// alone would blame it.
+/// Who reads the levels alone would blame the forest.
 std::string note_on_forest(const HazardResults& results) {
     if (results.slopes.size() < 2) {
         return "";
@@ -70,16 +69,19 @@ std::string note_on_forest(const HazardResults& results) {
             rises = rises || share_from(forest.targets[i], level) > share_from(bare.targets[i], level) + 1e-9;
         }
     }
-    return rises ? joined(
-                       "<ul class=\"notes\"><li>With forest parts of a target have a higher level than "
-                       "without. "
-                       "The "
-                       "forest does not make rocks faster: the ",
-                       energy_in_words(results.scenario.hazard.energy),
-                       " is that of the rocks that still arrive, and it keeps the slow ones away first. How "
-                       "many it keeps "
-                       "away stands in the table of rocks that arrive.</li></ul>\n")
-                 : "";
+    if (!rises) {
+        return "";
+    }
+    const bool of_those_that_pass = results.scenario.hazard.energy != HazardEnergy::max;
+    return joined(
+        "<ul class=\"notes\"><li>With forest parts of a target have a higher level than without. ",
+        of_those_that_pass
+            ? "Intensity is the energy of those rocks that still arrive: a forest that keeps slow ones away "
+              "raises their percentiles and their mean, although fewer arrive. "
+            : "",
+        "Trees also turn rocks aside, and where few rocks pass chance decides. The table below tells how "
+        "many "
+        "rocks the forest keeps away.</li></ul>\n");
 }
 
 std::string opening(const HazardResults& results) {
@@ -97,7 +99,8 @@ std::string opening(const HazardResults& results) {
                                                                  ? ", each with forest and on the bare slope"
                                                                  : ", on the bare slope")),
         report::fact("Intensity", energy_in_words(results.scenario.hazard.energy)),
-        report::fact("Motion", report::motion_in_words(results.scenario)), "</dl>\n");
+        report::fact("Motion", report::motion_in_words(results.scenario)),
+        "</dl>\n<p class=\"lead\">The highest hazard level of all return periods:</p>\n");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
         for (const SlopeHazard& slope : results.slopes) {
@@ -158,28 +161,29 @@ std::string matrix_drawing(const HazardResults& results) {
 
 std::string about_the_map(const HazardResults& results) {
     const HazardSettings& hazard = results.scenario.hazard;
-    return joined(
-        "<h2>How a level comes about</h2>\n<section class=\"card\"><p>For each return period the rocks of "
-        "that period fall from every release zone. The ",
-        energy_in_words(hazard.energy),
-        " in a cell (of each rock the largest one there) is its intensity; with the return period it gives a "
-        "level. "
-        "The map shows the highest level of all return periods. ",
+    const std::string rim =
         hazard.least_reach_percent > 0.0
             ? joined("Cells that fewer than ", config::to_text(hazard.least_reach_percent),
                      " % of the rocks from the sources above them pass are left out.")
-            : std::
-                  string{"A cell counts as soon as one simulated rock passes it: more rocks widen the map at "
-                         "its rim; <code>hazard.least_reach_percent</code> sets a limit."},
-        " The return period is that of the release, not of the arrival in a cell.</p>",
-        matrix_drawing(results),
-        results.scenario.hazard.matrix.empty()
-            ? "<p class=\"soft\">After the Swiss federal recommendation (BUWAL/BWW/BRP 1997; FOEN 2016); the "
-              "shares of the fields differ between cantons: <code>bannwald info hazard_matrix</code>, "
-              "setting "
-              "hazard.matrix.</p>"
-            : joined("<p class=\"soft\">Levels of ", escaped(results.scenario.hazard.matrix), ".</p>"),
-        "</section>\n");
+            : "A cell counts as soon as one simulated rock passes it: more rocks, and larger cells, widen "
+              "the "
+              "map at its rim; <code>hazard.least_reach_percent</code> sets a limit.";
+    const std::string source = hazard.matrix.empty()
+                                   ? "After the Swiss federal recommendation (BUWAL/BWW/BRP 1997; FOEN 2016) "
+                                     "as the literature draws "
+                                     "it, not checked against the original; cantons divide some fields "
+                                     "otherwise: <code>bannwald info "
+                                     "hazard_matrix</code>, setting <code>hazard.matrix</code>."
+                                   : joined("Levels of ", escaped(hazard.matrix), ".");
+    return joined(
+        "<h2>How a level comes about</h2>\n<section class=\"card\"><p>For each return period the rocks of "
+        "that "
+        "period fall from the release zones that have any. The ",
+        energy_in_words(hazard.energy),
+        " in a cell (of each rock the largest one there) is its intensity; with the return period it gives a "
+        "level. The map shows the highest level of all return periods. ",
+        rim, " The return period is that of the release, not of the arrival in a cell.</p>",
+        matrix_drawing(results), "<p class=\"soft\">", source, "</p></section>\n");
 }
 
 std::string rocks_table(const HazardResults& results) {
@@ -240,11 +244,8 @@ std::string shares_table(const HazardResults& results) {
     for (const SlopeHazard& slope : results.slopes) {
         std::vector<std::string> cells{words_of(slope.cover)};
         for (std::size_t level = levels; level-- > 0;) {
-            const auto count = std::count(slope.map.level.values.begin(), slope.map.level.values.end(),
-                                          static_cast<float>(level));
             cells.push_back(joined(
-                report::fixed(static_cast<double>(count) * slope.map.level.frame.cell_area_m2() / 1e4, 2),
-                " ha"));
+                report::fixed(level_area_ha(slope, results.site, static_cast<Level>(level)), 2), " ha"));
         }
         table.row(cells);
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "config/errors/input_error.hpp"
 #include "config/grid/ascii_grid.hpp"
@@ -60,7 +59,7 @@ config::Raster<float> read_raster(const fs::path& folder, Cover cover, const std
     return raster;
 }
 
-/// Plan area of the cells that hold a number.
+/// Plan area of the cells that hold a class of intensity.
 double area_ha(const config::Raster<float>& raster, std::size_t number) {
     const auto cells = std::count(raster.values.begin(), raster.values.end(), static_cast<float>(number));
     return static_cast<double>(cells) * raster.frame.cell_area_m2() / m2_per_ha;
@@ -79,7 +78,7 @@ void fill_levels(std::ostream& out, const HazardResults& results) {
     for (const SlopeHazard& slope : results.slopes) {
         for (std::size_t level = 0; level < levels; ++level) {
             row.text(name_of(slope.cover)).text(level_names[level]);
-            row.number<4>(area_ha(slope.map.level, level)).end();
+            row.number<4>(level_area_ha(slope, results.site, static_cast<Level>(level))).end();
         }
     }
 }
@@ -178,7 +177,8 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
                      projection, level_colours())};
     std::vector<ClassColour> periods;
     for (const FinishedPeriod& period : results.periods) {
-        periods.push_back({period.return_period_years,
+        // Rasters hold the years in 32 bits: a class takes all up to a little above.
+        periods.push_back({1.000001 * period.return_period_years,
                            joined(config::to_text(period.return_period_years), " years"),
                            colour_at(Palette::reach, 1.0 - static_cast<double>(periods.size()) /
                                                                static_cast<double>(results.periods.size()))});
@@ -201,6 +201,18 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
 }
 
 }  // namespace
+
+double level_area_ha(const SlopeHazard& slope, const Site& site, Level level) {
+    const config::Raster<float>& map = slope.map.level;
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+        const bool untouched = std::isnan(map.values[i]);
+        const bool is_ground = !std::isnan(site.heights.values[i]);
+        cells += untouched ? (level == Level::none && is_ground ? 1U : 0U)
+                           : (map.values[i] == static_cast<float>(level) ? 1U : 0U);
+    }
+    return static_cast<double>(cells) * map.frame.cell_area_m2() / m2_per_ha;
+}
 
 Level TargetHazard::highest() const {
     const auto last = std::find_if(levels.rbegin(), levels.rend(), [](double share) { return share > 0.0; });

@@ -79,6 +79,9 @@ struct HazardResults {
     std::string version;
 };
 
+/// Plan area with a level; none: all other ground.
+double level_area_ha(const SlopeHazard& slope, const Site& site, Level level);
+
 /// The hazard of a slope, from the rasters that the runs of the return periods have written. Throws
 /// config::InputError (file, data) for rasters that are missing or none.
 SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,

@@ -34,6 +34,8 @@ struct Period {
     fs::path folder;
 };
 
+constexpr const char* map_folder = "hazard";
+
 Period open_period(const RunRequest& request, double years, const fs::path& out, config::Warnings& warnings) {
     auto scenario = scenario_of(request.scenario, request.overrides, years);
     Site site = open_site(*scenario, warnings);
@@ -41,12 +43,36 @@ Period open_period(const RunRequest& request, double years, const fs::path& out,
             out / joined("return_period_", config::to_text(years))};
 }
 
-/// A run of another kind may have left its results here: two would lie one over the other.
-void refuse_other_results(const fs::path& out) {
+bool is_finished(const Period& period) {
+    return OutputFolder::is_finished(period.folder, settings_hash(*period.scenario, period.site.inputs));
+}
+
+/// Before any rock falls: what would be found wrong after the falls, and older results that must not lie
+/// beside new ones.
+void look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs::path& out) {
+    if (fs::exists(out) && !fs::is_directory(out)) {
+        config::fail(config::ExitCode::settings, {out.string()}, "the output folder is a file", "a folder");
+    }
+    OutputFolder::refuse_foreign(out / map_folder);
     if (fs::exists(out / "summary.json")) {
         config::fail(config::ExitCode::settings, {out.string()},
-                     "the output folder holds finished results of a run without hazard.blocks",
-                     "another folder by --out");
+                     "the output folder holds finished results of another run", "another folder by --out");
+    }
+    bool all_finished = true;
+    for (const double years : plan.return_periods_years) {
+        config::Warnings told_later;
+        const Period period = open_period(request, years, out, told_later);
+        OutputFolder::refuse_foreign(period.folder);
+        const bool finished = is_finished(period);
+        all_finished = all_finished && finished && !request.overwrite;
+        if (!finished && !request.overwrite && fs::exists(period.folder / "summary.json")) {
+            config::fail(config::ExitCode::settings, {period.folder.string()},
+                         "finished results of other settings or inputs",
+                         "another folder by --out, or --overwrite to let the rocks fall anew");
+        }
+    }
+    if (!all_finished) {
+        delete_entry(out / map_folder);  // it would show falls that are no longer there
     }
 }
 
@@ -81,10 +107,6 @@ private:
     std::vector<std::pair<std::string, std::string>> entries_;
 };
 
-std::uint64_t rocks_of(const Site& site) {
-    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-}
-
 /// Zones with the same start share a row of hazard.blocks.
 void add_rocks(const Period& period, std::vector<ZoneRocks>& list) {
     const rockfall::StartLaw common = start_law(*period.scenario);
@@ -100,8 +122,10 @@ void add_rocks(const Period& period, std::vector<ZoneRocks>& list) {
         const rockfall::StartLaw& law = own != nullptr ? *own : common;
         const double diameter_m = law.diameter.mean_m();
         const bool several = zones.size() > 1;
+        const std::string name =
+            several ? (of_start.size() > 1 ? "others" : "all") : std::to_string(*zones.begin());
         by_zone.emplace_back(several ? std::numeric_limits<std::uint32_t>::max() : *zones.begin(),
-                             ZoneRocks{.zone = several ? "others" : std::to_string(*zones.begin()),
+                             ZoneRocks{.zone = name,
                                        .return_period_years = period.return_period_years,
                                        .diameter_m = diameter_m,
                                        .mass_kg = law.density_kgpm3 * std::numbers::pi / 6.0 * diameter_m *
@@ -117,8 +141,7 @@ void add_rocks(const Period& period, std::vector<ZoneRocks>& list) {
 /// Falls of a return period, unless they are finished. Returns the exit code.
 int fall(const RunRequest& request, Period& period, config::Warnings& warnings) {
     const std::string years = config::to_text(period.return_period_years);
-    if (!request.overwrite &&
-        OutputFolder::is_finished(period.folder, settings_hash(*period.scenario, period.site.inputs))) {
+    if (!request.overwrite && is_finished(period)) {
         if (!request.quiet) {
             std::printf("return period of %s years: finished before\n", years.c_str());
         }
@@ -129,11 +152,37 @@ int fall(const RunRequest& request, Period& period, config::Warnings& warnings) 
         std::fflush(stdout);
         tell_warnings(warnings, request.verbose);
     }
-    return assess_today(request, *period.scenario, period.site, warnings, period.folder);
+    const int code = assess_today(request, *period.scenario, period.site, warnings, period.folder);
+    if (code == static_cast<int>(config::ExitCode::interrupted)) {
+        std::fprintf(
+            stderr,
+            "bannwald: return periods that are finished are kept; the same command goes on after them\n");
+    }
+    return code;
+}
+
+/// An older map stays until the new one is whole.
+std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path& out) {
+    const fs::path fresh = out / ".hazard";
+    std::vector<WrittenFile> written;
+    {
+        OutputFolder folder{fresh, settings_hash(results.scenario, results.inputs), true};
+        make_folder(folder.staging());
+        written = write_results(results, folder.staging());
+        folder.publish();
+    }
+    delete_entry(out / map_folder);
+    std::error_code error;
+    fs::rename(fresh, out / map_folder, error);
+    if (error) {
+        config::fail(config::ExitCode::file, {(out / map_folder).string()},
+                     joined("cannot be put in its place: ", error.message()));
+    }
+    return written;
 }
 
 void print_summary(const HazardResults& results) {
-    std::printf("hazard map of %zu return periods\n", results.periods.size());
+    std::printf("hazard map of %s\n", counted(results.periods.size(), "return period").c_str());
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         std::printf("  %s:", results.site.targets[i].name.c_str());
         for (const SlopeHazard& slope : results.slopes) {
@@ -167,7 +216,7 @@ std::unique_ptr<Scenario> scenario_of(const fs::path& file, std::vector<std::str
 int run_hazard(const RunRequest& request, const Scenario& scenario) {
     const HazardPlan plan = read_plan(scenario);
     const fs::path out = output_folder_of(request, scenario);
-    refuse_other_results(out);
+    look_at_folders(request, plan, out);
 
     std::optional<Period> longest;
     std::vector<FinishedPeriod> periods;
@@ -211,14 +260,10 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         }
     }
     results.arrivals = arrivals_of(periods, longest->site);
-    // Made in moments from what has fallen, so that an older map of the same rocks may go.
-    OutputFolder folder{out / "hazard", settings_hash(scenario, inputs), true};
-    make_folder(folder.staging());
-    const std::vector<WrittenFile> written = write_results(results, folder.staging());
-    folder.publish();
+    const std::vector<WrittenFile> written = write_map(results, out);
     if (!request.quiet) {
         print_summary(results);
-        print_files(folder.path(), written, request.verbose);
+        print_files(out / map_folder, written, request.verbose);
     }
     return static_cast<int>(config::ExitCode::done);
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <set>
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/shape_input.hpp"
@@ -166,18 +164,6 @@ struct Placed {
     }
 };
 
-/// Which of the starts holds; none for a zone without rocks.
-std::optional<std::size_t> start_of(const SourceInput& input, std::uint32_t zone, std::size_t own) {
-    if (!input.by_zone) {
-        return own;
-    }
-    auto found = input.start_of_zone.find(zone);
-    if (found == input.start_of_zone.end()) {
-        found = input.start_of_zone.find(all_other_zones);
-    }
-    return found == input.start_of_zone.end() ? std::nullopt : std::optional{found->second};
-}
-
 Placed place_cells(const SourceInput& input, const HeightInput& heights, const rockfall::Terrain& terrain,
                    Reading& reading) {
     const config::Raster<double> cells = sources_on(heights.frame(), input);
@@ -304,50 +290,6 @@ Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, 
     return placed;
 }
 
-std::set<std::uint32_t> zones_of(const SourceInput& input) {
-    std::set<std::uint32_t> zones;
-    for (const SourceShape& shape : input.shapes) {
-        zones.insert(shape.zone);
-    }
-    if (input.grid) {
-        for (const double value : input.grid->values) {
-            if (value > 0.0) {  // NaN is none
-                zones.insert(static_cast<std::uint32_t>(value));
-            }
-        }
-    }
-    return zones;
-}
-
-/// Zones of which only the sources or only hazard.blocks know.
-void tell_zones(const SourceInput& input, Reading& reading) {
-    const std::string years = config::to_text(reading.scenario().hazard.return_period_years);
-    const std::set<std::uint32_t> zones = zones_of(input);
-    std::vector<std::uint32_t> without;
-    std::copy_if(zones.begin(), zones.end(), std::back_inserter(without),
-                 [&](std::uint32_t zone) { return !start_of(input, zone, 0); });
-    if (!without.empty()) {
-        constexpr std::size_t named = 3;
-        std::string names;
-        for (std::size_t i = 0; i < std::min(named, without.size()); ++i) {
-            names += joined(i > 0 ? ", " : "", std::to_string(without[i]));
-        }
-        reading.doubt(
-            {input.file},
-            joined(counted(without.size(), "zone"), " (", names, without.size() > named ? ", ..." : "",
-                   ") without rocks of ", years, " years in hazard.blocks; none fall from there"),
-            "a row for each zone and return period, or one without zone for all others");
-    }
-    for (const auto& [zone, start] : input.start_of_zone) {
-        if (zone != all_other_zones && !zones.contains(zone)) {
-            reading.doubt(
-                {reading.shown(reading.scenario().hazard.blocks)},
-                joined("zone ", std::to_string(zone), " with rocks of ", years, " years but no source"),
-                "zones of the sources");
-        }
-    }
-}
-
 }  // namespace
 
 std::optional<SourceInput> read_sources(Reading& reading) {
@@ -355,7 +297,6 @@ std::optional<SourceInput> read_sources(Reading& reading) {
         SourceInput input = reading.scenario().source.empty() ? read_shapes(reading) : read_grid(reading);
         if (!reading.scenario().hazard.blocks.empty()) {
             take_zone_blocks(input, reading);
-            tell_zones(input, reading);
         }
         return input;
     });
@@ -374,6 +315,14 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
     if (reading.problems().list().size() > problems_before) {
         return std::nullopt;
     }
+    if (placed.sources.empty() && input.by_zone) {
+        reading.refuse(
+            {reading.shown(reading.scenario().hazard.blocks)},
+            joined("no zone with rocks of ", config::to_text(reading.scenario().hazard.return_period_years),
+                   " years that has a source on the terrain"),
+            "zones of the sources");
+        return std::nullopt;
+    }
     if (placed.sources.empty()) {
         reading.refuse(
             {input.file}, "no source of rocks that lies on the terrain",
@@ -381,6 +330,9 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
         return std::nullopt;
     }
     share_rocks(placed.sources, placed.rows, input.starts, reading);
+    if (input.by_zone) {
+        doubt_zones_without_rocks(placed.sources, reading);
+    }
     return reading.problems().list().size() > problems_before ? std::nullopt
                                                               : std::optional{std::move(placed.sources)};
 }

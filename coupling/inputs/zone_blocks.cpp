@@ -1,10 +1,13 @@
 #include "coupling/inputs/zone_blocks.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
@@ -71,7 +74,62 @@ void refuse_rocks_of_shapes(const SourceInput& input) {
     shown.throw_if_any();
 }
 
+std::set<std::uint32_t> zones_of(const SourceInput& input) {
+    std::set<std::uint32_t> zones;
+    for (const SourceShape& shape : input.shapes) {
+        zones.insert(shape.zone);
+    }
+    if (input.grid) {
+        for (const double value : input.grid->values) {
+            if (value > 0.0) {  // NaN is none
+                zones.insert(static_cast<std::uint32_t>(value));
+            }
+        }
+    }
+    return zones;
+}
+
+/// Zones of which only the sources or only hazard.blocks know.
+void tell_zones(const SourceInput& input, Reading& reading) {
+    const std::string years = config::to_text(reading.scenario().hazard.return_period_years);
+    const std::set<std::uint32_t> zones = zones_of(input);
+    std::vector<std::uint32_t> without;
+    std::copy_if(zones.begin(), zones.end(), std::back_inserter(without),
+                 [&](std::uint32_t zone) { return !start_of(input, zone, 0); });
+    if (!without.empty()) {
+        constexpr std::size_t named = 3;
+        std::string names;
+        for (std::size_t i = 0; i < std::min(named, without.size()); ++i) {
+            names += joined(i > 0 ? ", " : "", std::to_string(without[i]));
+        }
+        reading.doubt(
+            {input.file},
+            joined(counted(without.size(), "zone"), " (", names, without.size() > named ? ", ..." : "",
+                   ") without rocks of ", years, " years in hazard.blocks; none fall from there"),
+            "a row for each zone and return period, or one without zone for all others");
+    }
+    for (const auto& [zone, start] : input.start_of_zone) {
+        if (zone != all_other_zones && !zones.contains(zone)) {
+            reading.doubt(
+                {reading.shown(reading.scenario().hazard.blocks)},
+                joined("zone ", std::to_string(zone), " with rocks of ", years, " years but no source"),
+                "zones of the sources");
+        }
+    }
+}
+
 }  // namespace
+
+std::optional<std::size_t> start_of(const SourceInput& input, std::uint32_t zone, std::size_t own) {
+    if (!input.by_zone) {
+        return own;
+    }
+    auto found = input.start_of_zone.find(zone);
+    if (found == input.start_of_zone.end()) {
+        found = input.start_of_zone.find(all_other_zones);
+    }
+    return found == input.start_of_zone.end() ? std::nullopt : std::optional{found->second};
+}
 
 std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
     const config::Table table = reading.table("hazard.blocks", "blocks", reading.scenario().hazard.blocks);
@@ -139,10 +197,28 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
                      "hazard.return_period_years " + config::to_text(wanted),
                      "one of hazard.blocks: " + in_words(return_periods_of(blocks)));
     }
+    tell_zones(input, reading);
     for (const char* key : {"release.diameter_kind", "release.diameter_m", "release.diameter_classes_m"}) {
         if (reading.scenario().options->was_set(key)) {
             reading.note(std::string{key} + " has no effect: hazard.blocks says how large the rocks are");
         }
+    }
+}
+
+void doubt_zones_without_rocks(const std::vector<rockfall::ReleaseSource>& sources, Reading& reading) {
+    std::map<std::uint32_t, std::uint64_t> rocks_of_zone;
+    for (const rockfall::ReleaseSource& source : sources) {
+        rocks_of_zone[source.zone] += source.rocks;
+    }
+    const auto empty = static_cast<std::size_t>(std::count_if(
+        rocks_of_zone.begin(), rocks_of_zone.end(), [](const auto& entry) { return entry.second == 0; }));
+    if (empty > 0) {
+        const Scenario& scenario = reading.scenario();
+        reading.doubt(scenario.options->place_of("release.rocks"),
+                      joined("rocks of ", config::to_text(scenario.hazard.return_period_years), " years for ",
+                             std::to_string(rocks_of_zone.size() - empty), " of ",
+                             counted(rocks_of_zone.size(), "zone"), "; none fall from the others"),
+                      "more rocks, or blocks for each zone");
     }
 }
 

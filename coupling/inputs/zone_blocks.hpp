@@ -28,7 +28,15 @@ std::vector<ZoneBlocks> read_zone_blocks(Reading& reading);
 std::vector<double> return_periods_of(const std::vector<ZoneBlocks>& blocks);
 
 /// Gives the sources the rocks of hazard.return_period_years, zone by zone. Throws config::InputError for a
-/// return period that the table lacks (settings) and for shapes with rocks of their own (data).
+/// return period that the table lacks (settings) and for shapes with rocks of their own (data); doubts zones
+/// of which only the sources or only the table know.
 void take_zone_blocks(SourceInput& input, Reading& reading);
+
+/// Which of the starts of the input holds for a zone; `own` without hazard.blocks, nothing for a zone that
+/// has no rocks.
+std::optional<std::size_t> start_of(const SourceInput& input, std::uint32_t zone, std::size_t own);
+
+/// Doubts zones that got none of the rocks: of few rocks a small zone may get none.
+void doubt_zones_without_rocks(const std::vector<rockfall::ReleaseSource>& sources, Reading& reading);
 
 }  // namespace coupling

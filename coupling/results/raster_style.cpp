@@ -101,7 +101,7 @@ void write_class_style(std::ostream& out, std::span<const ClassColour> classes) 
     for (const ClassColour& entry : classes) {
         steps.push_back({entry.value, entry.label, entry.colour});
     }
-    write(out, steps, "EXACT", steps.front().value, steps.back().value);
+    write(out, steps, "DISCRETE", steps.front().value, steps.back().value);
 }
 
 void write_difference_style(std::ostream& out, const RasterKind& kind, ValueRange range) {

@@ -10,7 +10,7 @@ namespace coupling {
 
 /// A QGIS layer style (.qml), which QGIS finds beside the raster and takes on opening it.
 void write_style(std::ostream& out, const RasterKind& kind, ValueRange range);
-/// Each class by the value that stands for it.
+/// Each class up to the value that stands for it, above that of the one before.
 void write_class_style(std::ostream& out, std::span<const ClassColour> classes);
 /// The style of a difference: blue (less with forest) over white to red, the same reach either way.
 void write_difference_style(std::ostream& out, const RasterKind& kind, ValueRange range);

@@ -43,10 +43,6 @@ std::vector<std::span<const rockfall::Chunk>> plan_parts(std::span<const rockfal
     return parts;
 }
 
-std::uint64_t rocks_of(const Site& site) {
-    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-}
-
 /// Rising. Throws config::InputError (settings) for a rock that there is not.
 std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t rocks) {
     std::vector<std::uint64_t> wanted;
@@ -239,6 +235,10 @@ Ended AssessmentRun::write(OutputFolder& folder) {
 }
 
 }  // namespace
+
+std::uint64_t rocks_of(const Site& site) {
+    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+}
 
 int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
                  config::Warnings& warnings, const std::filesystem::path& out) {

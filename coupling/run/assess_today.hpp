@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "config/errors/warnings.hpp"
@@ -8,6 +9,9 @@
 #include "coupling/run/run.hpp"
 
 namespace coupling {
+
+/// How many rocks the sources of a site release.
+std::uint64_t rocks_of(const Site& site);
 
 /// Lets the rocks of a site fall with and without its forest and writes the results into `out`.
 ///

@@ -33,11 +33,7 @@ std::string mark_text(const std::string& settings_hash) {
 
 OutputFolder::OutputFolder(fs::path folder, const std::string& settings_hash, bool overwrite)
     : folder_{std::move(folder)}, existed_{fs::exists(folder_)} {
-    if (existed_ && !fs::is_directory(folder_)) {
-        config::fail(config::ExitCode::settings, {folder_.string()}, "the output folder is a file",
-                     "a folder");
-    }
-    refuse_what_others_wrote();
+    refuse_foreign(folder_);
     if (overwrite) {
         delete_results();
     }
@@ -76,14 +72,18 @@ OutputFolder::~OutputFolder() {
     }
 }
 
-void OutputFolder::refuse_what_others_wrote() const {
-    if (fs::exists(folder_ / mark_of_a_run)) {
+void OutputFolder::refuse_foreign(const fs::path& folder) {
+    if (fs::exists(folder) && !fs::is_directory(folder)) {
+        config::fail(config::ExitCode::settings, {folder.string()}, "the output folder is a file",
+                     "a folder");
+    }
+    if (fs::exists(folder / mark_of_a_run)) {
         return;
     }
     for (const char* name : run_writes) {
         // The mark again: another process of the same run may have put it there in the meantime.
-        if (fs::exists(folder_ / name) && !fs::exists(folder_ / mark_of_a_run)) {
-            config::fail(config::ExitCode::settings, {(folder_ / name).string()},
+        if (fs::exists(folder / name) && !fs::exists(folder / mark_of_a_run)) {
+            config::fail(config::ExitCode::settings, {(folder / name).string()},
                          "the output folder holds something of this name that no run wrote",
                          "another folder by --out");
         }

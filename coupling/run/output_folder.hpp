@@ -37,11 +37,14 @@ public:
     /// Whether a folder holds finished results of these settings.
     static bool is_finished(const std::filesystem::path& folder, const std::string& settings_hash);
 
+    /// Throws config::InputError (settings) for a folder in which something lies under the name of a result
+    /// that no run wrote, and for a file.
+    static void refuse_foreign(const std::filesystem::path& folder);
+
     /// Moves whole results from the staging folder to their place and deletes the parts.
     void publish();
 
 private:
-    void refuse_what_others_wrote() const;
     void delete_results() const;
 
     std::filesystem::path folder_;

@@ -121,6 +121,56 @@ TEST(Hazard, IsMadeAnewWithoutNewFalls) {
     EXPECT_NE(after.find("bare,moderate,0.0000"), std::string::npos) << after;
 }
 
+TEST(Hazard, StaysWhereTheFallsCannotBeReplaced) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    const std::string before = project.read("out/hazard/report.html");
+    const Outcome other = call(project, std::string{quick} + "--out out --seed 7");
+    EXPECT_EQ(other.code, 2);
+    EXPECT_NE(other.err.find("return_period_10: found finished results of other settings or inputs"),
+              std::string::npos)
+        << other.err;
+    EXPECT_EQ(project.read("out/hazard/report.html"), before);
+}
+
+/// A run that is broken off in a later return period leaves no map of what is no longer there.
+TEST(Hazard, GoesBeforeItsRocksFallAnew) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    std::filesystem::remove(project.file("out/return_period_300/summary.json"));
+    std::filesystem::remove_all(project.file("out/return_period_300"));
+    project.write("out/return_period_300", "in the way");
+    const Outcome refused = call(project, std::string{quick} + "--out out");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("is a file"), std::string::npos) << refused.err;
+    std::filesystem::remove(project.file("out/return_period_300"));
+    const Outcome interrupted =
+        shell(project, std::string{"timeout -s INT 1 \"$bannwald\" run scenario.ini --quiet --out out "} +
+                           "--set release.rocks=4000000 --overwrite\n");
+    EXPECT_EQ(interrupted.code, 124) << interrupted.err;  // that of timeout
+    EXPECT_NE(interrupted.err.find("interrupted"), std::string::npos) << interrupted.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("out/hazard")));
+}
+
+TEST(Hazard, OfSourcesAsLinesFollowsTheirZones) {
+    const SampleProject project;
+    add_blocks(project);
+    project.write("blocks.csv", "return_period_years,zone,volume_m3,blocks\n33.3,1,0.2,150\n33.3,2,1,50\n");
+    project.write(
+        "lines.csv",
+        "zone,wkt\n1,\"LINESTRING (1025 2035, 1025 2050)\"\n2,\"LINESTRING (1025 2052, 1025 2065)\"\n");
+    project.replace("scenario.ini", "source = source.asc", "source_shapes = lines.csv");
+    const Outcome outcome = call(project, "run scenario.ini --out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("hazard map of 1 return period\n"), std::string::npos) << outcome.out;
+    EXPECT_EQ(project.read("out/hazard/tables/hazard_blocks.csv"),
+              "zone,return_period_years,diameter_m,mass_kg,rocks\n1,33.3,0.726,540.0,150\n"
+              "2,33.3,1.241,2700.0,50\n");
+    EXPECT_TRUE(std::filesystem::exists(project.file("out/hazard/rasters/bare/Intensity_33.3.asc")));
+}
+
 TEST(Hazard, DescribesItsTablesAndRasters) {
     const SampleProject project;
     add_blocks(project);
