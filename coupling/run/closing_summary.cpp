@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/run/telling.hpp"
 
@@ -23,9 +24,13 @@ void print_target(const RunResults& results, std::size_t i) {
     if (results.with_forest) {
         const std::uint64_t arrived_forest = tally.by_cover[forest].reached;
         std::printf(", %.2f %% through the forest", percent(arrived_forest, results.rocks));
-        const auto effect = protection_effect(
-            {tally.reached_both, arrived_forest - tally.reached_both, arrived_bare - tally.reached_both});
-        if (effect) {
+        const PairedCounts paired{tally.reached_both, arrived_forest - tally.reached_both,
+                                  arrived_bare - tally.reached_both};
+        const auto effect = protection_effect(paired);
+        if (too_few_to_tell(paired)) {
+            std::printf("; too few rocks arrive to tell what the forest keeps away: %llu",
+                        static_cast<unsigned long long>(paired.bare()));
+        } else if (effect) {
             std::printf("; the forest keeps away %.1f %% (95 %% interval %.1f to %.1f)",
                         100.0 * effect->value, 100.0 * effect->interval.low, 100.0 * effect->interval.high);
         }
