@@ -140,7 +140,7 @@ std::vector<WrittenFile> write_fall_maps(const std::filesystem::path& folder, co
     std::vector<WrittenFile> written;
     const auto sums = summed(names, members);
     for (const RasterKind& kind : raster_kinds()) {
-        if (kind.percentile) {
+        if (kind.percentile || kind.of_all) {
             continue;
         }
         ValueRange range;  // the same colours in all years and regimes

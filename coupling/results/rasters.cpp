@@ -150,6 +150,11 @@ void add_counts(std::vector<RasterKind>& kinds) {
     kinds.push_back({"Reach_probability", "%",
                      "rocks that passed the cell in percent of all rocks from the sources that feed it",
                      RasterStyle::linear, Palette::reach, false, true, reach_percent});
+    kinds.push_back(
+        {"Density", "%", "rocks that passed the cell in percent of all rocks that fell", RasterStyle::linear,
+         Palette::passages, false, true,
+         [](const CellSums& s, const CellHistograms*, std::size_t) { return static_cast<float>(s.passages); },
+         true});
     kinds.push_back({"EL_angles", "deg", "smallest energy-line angle from a release point down to the cell",
                      RasterStyle::linear, Palette::height, false, false, energy_line_angle_deg});
 }
@@ -169,6 +174,12 @@ WrittenFile write_styled(const std::filesystem::path& folder, const DrawnRaster&
     style(look.stream());
     look.close();
     return {drawn.path + ".asc", drawn.sentence};
+}
+
+/// What a value is multiplied by.
+float unit_of(const RasterKind& kind, const RunResults& results) {
+    return kind.of_all && results.rocks > 0 ? static_cast<float>(100.0 / static_cast<double>(results.rocks))
+                                            : 1.0F;
 }
 
 /// What writing one quantity needs to know of a run.
@@ -255,7 +266,7 @@ config::Raster<float> raster_of(const RasterKind& kind, const RunResults& result
     config::Raster<float> raster{results.site.map_frame, no_value};
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         if (cells[cell].passages > 0) {
-            raster.values[cell] = kind.value(cells[cell], histograms, cell);
+            raster.values[cell] = unit_of(kind, results) * kind.value(cells[cell], histograms, cell);
         }
     }
     return raster;
@@ -277,7 +288,7 @@ config::Raster<float> difference_of(const RasterKind& kind, const RunResults& re
         const float of_bare = without.passages > 0
                                   ? kind.value(without, results.histograms[index_of(Cover::bare)], cell)
                                   : 0.0F;
-        difference.values[cell] = of_forest - of_bare;
+        difference.values[cell] = unit_of(kind, results) * (of_forest - of_bare);
     }
     return difference;
 }

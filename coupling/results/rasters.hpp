@@ -33,6 +33,7 @@ struct RasterKind {
     bool compared = false;    ///< also written as difference
     float (*value)(const rockfall::CellSums& sums, const rockfall::CellHistograms* histograms,
                    std::size_t cell);
+    bool of_all = false;  ///< `value` counts rocks; shown in percent of all that fell, of today alone
 };
 
 /// Every raster of the results.

@@ -88,6 +88,18 @@ TEST(ReachProbability, NeverExceedsAHundredPercent) {
     EXPECT_FLOAT_EQ(value(run, "Reach_probability"), 100.0F);
 }
 
+TEST(Density, IsTheShareOfAllRocks) {
+    SmallRun run = two_rocks_here();
+    run.rocks = 40;
+    const RunResults results = run.results();
+    for (const Cover cover : {Cover::forest, Cover::bare}) {
+        EXPECT_FLOAT_EQ(value(run, "Density", cover),
+                        100.0F * value(run, "Nr_passages", cover) / static_cast<float>(results.rocks));
+    }
+    EXPECT_FLOAT_EQ(difference_of(raster_kind("Density"), results).at(here),
+                    -100.0F / static_cast<float>(results.rocks));
+}
+
 TEST(EnergyLineAngles, AreUnknownWhereARockHasNotYetMovedInPlan) {
     SmallRun run = two_rocks_here();
     run.tally.cells[index_of(Cover::bare)].cells[run.site.map_frame.index(here)].energy_line_slope_min =
