@@ -35,24 +35,24 @@ constexpr std::array shown_series{Shown{"protection_percent", "Protection", "Roc
                                   Shown{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
                                   Shown{"volume_m3pha", "Volume", "Volume, m³/ha"}};
 
-double highest_of(const Line& line) {
-    double highest = 0.0;
-    for (const auto& figure : line.figures) {
-        if (figure && !std::isnan(figure->value)) {
-            highest = std::max({highest, figure->value, std::isnan(figure->high) ? 0.0 : figure->high});
+/// The same figure of several courses; of today there is one course.
+using Lines = std::vector<const Line*>;
+
+/// Calls `use` with each figure that is known, the number of its course and of its run.
+template <class Use>
+void each_figure(const Lines& lines, const Use& use) {
+    for (std::size_t course = 0; course < lines.size(); ++course) {
+        for (std::size_t run = 0; run < lines[course]->figures.size(); ++run) {
+            const auto& figure = lines[course]->figures[run];
+            if (figure && !std::isnan(figure->value)) {
+                use(*figure, course, run);
+            }
         }
     }
-    return highest;
 }
 
-double lowest_of(const Line& line) {
-    double lowest = INFINITY;
-    for (const auto& figure : line.figures) {
-        if (figure && !std::isnan(figure->value)) {
-            lowest = std::min({lowest, figure->value, std::isnan(figure->low) ? figure->value : figure->low});
-        }
-    }
-    return lowest;
+bool has_interval(const Figure& figure) {
+    return !std::isnan(figure.low) && !std::isnan(figure.high);
 }
 
 /// Protection lies close below 100 %, and there it is compared.
@@ -62,33 +62,68 @@ Axis axis_of(const Shown& shown, double lowest, double highest) {
                : Axis::from_zero(shown.axis, highest);
 }
 
-std::string interval_chart(const Line& line, const Shown& shown, const SideBySide& comparison) {
-    const auto runs = static_cast<double>(line.figures.size());
-    Axis y = axis_of(shown, lowest_of(line), std::max(1e-3, highest_of(line)));
-    Chart chart{joined(shown.title, ": ", line.key.target, line.key.regime.empty() ? "" : ", ",
-                       course_name(line.key.regime, line.key.climate)),
-                Axis{.title = "Run (A, B, …)", .low = 0.0, .high = runs + 1.0, .whole_numbers = true}, y};
-    for (std::size_t i = 0; i < line.figures.size(); ++i) {
-        const auto& figure = line.figures[i];
-        if (!figure || std::isnan(figure->value)) {
-            continue;
-        }
-        const double x = static_cast<double>(i) + 1.0;
-        if (!std::isnan(figure->low) && !std::isnan(figure->high)) {
-            const std::array<ChartRange, 1> range{ChartRange{x, std::max(0.0, figure->low), figure->high}};
-            chart.add_whiskers(look_of(i), range);
-        }
-        const std::array<ChartPoint, 1> point{ChartPoint{x, std::max(0.0, figure->value)}};
-        chart.add_dots(look_of(i), point);
-        chart.add_dot_name(look_of(i), comparison.letters[i]);
+/// "1 none, 2 pfm1".
+std::string list_of_courses(const Lines& lines) {
+    std::string list;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        list += joined(i > 0 ? ", " : "", std::to_string(i + 1), " ",
+                       escaped(course_name(lines[i]->key.regime, lines[i]->key.climate)));
     }
-    const bool any_interval = std::any_of(line.figures.begin(), line.figures.end(), [](const auto& figure) {
-        return figure && !std::isnan(figure->low) && !std::isnan(figure->high);
+    return list;
+}
+
+/// Where the dot of a run stands: runs side by side around their course, or one after the other.
+double place_of(std::size_t course, std::size_t run, const Lines& lines) {
+    if (lines.size() == 1) {
+        return static_cast<double>(run) + 1.0;
+    }
+    const auto runs = static_cast<double>(lines.front()->figures.size());
+    return static_cast<double>(course) + 1.0 + 0.6 * ((static_cast<double>(run) + 0.5) / runs - 0.5);
+}
+
+/// Empty where no run knows the figure.
+std::string interval_chart(const Lines& lines, const Shown& shown, const SideBySide& comparison) {
+    double lowest = INFINITY;
+    double highest = 1e-3;
+    bool any = false;
+    bool any_interval = false;
+    each_figure(lines, [&](const Figure& figure, std::size_t, std::size_t) {
+        any = true;
+        any_interval = any_interval || has_interval(figure);
+        lowest = std::min(lowest, has_interval(figure) ? figure.low : figure.value);
+        highest = std::max(highest, has_interval(figure) ? figure.high : figure.value);
     });
-    return chart.figure(line.key.when == "today"
-                            ? "With the 95 % interval of the chance in the rocks. Below 0 is drawn as 0."
-                        : any_interval ? "Mean over the years, with its 95 % interval. Below 0 is drawn as 0."
-                                       : "Mean over the years, without intervals. Below 0 is drawn as 0.");
+    if (!any) {
+        return "";
+    }
+    const Line& first = *lines.front();
+    const bool alone = lines.size() == 1;
+    const auto places = static_cast<double>(alone ? first.figures.size() : lines.size());
+    Chart chart{joined(shown.title, ": ", first.key.target, alone && !first.key.regime.empty() ? ", " : "",
+                       alone ? course_name(first.key.regime, first.key.climate) : std::string{}),
+                Axis{.title = alone ? "Run (A, B, …)" : "Regime, by its number below",
+                     .low = 0.0,
+                     .high = places + 1.0,
+                     .whole_numbers = true},
+                axis_of(shown, lowest, highest)};
+    each_figure(lines, [&](const Figure& figure, std::size_t course, std::size_t run) {
+        const double x = place_of(course, run, lines);
+        if (has_interval(figure)) {
+            const std::array<ChartRange, 1> range{ChartRange{x, std::max(0.0, figure.low), figure.high}};
+            chart.add_whiskers(look_of(run), range);
+        }
+        const std::array<ChartPoint, 1> point{ChartPoint{x, std::max(0.0, figure.value)}};
+        chart.add_dots(look_of(run), point);
+    });
+    for (std::size_t run = 0; run < first.figures.size(); ++run) {
+        chart.add_dot_name(look_of(run), comparison.letters[run]);
+    }
+    return chart.figure(joined(alone ? std::string{} : joined("Regimes: ", list_of_courses(lines), ". "),
+                               first.key.when == "today"
+                                   ? "With the 95 % interval of the chance in the rocks."
+                               : any_interval ? "Mean over the years, with its 95 % interval."
+                                              : "Mean over the years, without intervals.",
+                               " Below 0 is drawn as 0."));
 }
 
 /// Year -> mean and range of a series of a run.
@@ -120,6 +155,7 @@ std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std
                              const SideBySide& comparison) {
     double highest = 1e-3;
     double lowest = INFINITY;
+    bool any = false;
     bool any_range = false;
     int last_year = 1;
     for (const BandsOfRun& of_run : bands) {
@@ -128,11 +164,15 @@ std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std
             continue;
         }
         for (const auto& [year, band] : found->second) {
+            any = any || !std::isnan(band.mean);
             highest = std::max(highest, band.high);
             lowest = std::min(lowest, band.low);
             any_range = any_range || band.has_range;
             last_year = std::max(last_year, year);
         }
+    }
+    if (!any) {
+        return "";
     }
     const auto& [quantity, target, course] = key;
     Chart chart{joined(shown.title, ": ", target.empty() ? "forest" : target, ", ", course),
@@ -145,11 +185,17 @@ std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std
         std::vector<ChartPoint> points;
         std::vector<ChartRange> ranges;
         for (const auto& [year, band] : found->second) {
+            if (std::isnan(band.mean)) {
+                continue;
+            }
             const double x = year;
             points.push_back({x, std::max(0.0, band.mean)});
             if (band.has_range) {
                 ranges.push_back({x, std::max(0.0, band.low), std::max(0.0, band.high)});
             }
+        }
+        if (points.empty()) {
+            continue;
         }
         chart.add_band(look_of(i), ranges);
         chart.add_line(look_of(i), points);
@@ -180,7 +226,7 @@ std::string_view run_style() {
 .band.run0,.band.run1,.band.run2,.band.run3,.band.run4,.band.run5,.band.run6,.band.run7{fill-opacity:.14;stroke-width:.6;stroke-dasharray:none}
 .dot.run0{fill:#4477aa}.dot.run1{fill:#ee6677}.dot.run2{fill:#228833}.dot.run3{fill:#aa3377}.dot.run4{fill:#b8860b}
 .dot.run5{fill:#2aa5b8}.dot.run6{fill:#888}.dot.run7{fill:#cc5500}
-.whisker{stroke-dasharray:none}
+svg .whisker,svg .dot{stroke-dasharray:none}
 p.warning{background:var(--note);border-left:4px solid #b04a00;padding:8px 12px}
 )css";
 }
@@ -188,10 +234,19 @@ p.warning{background:var(--note);border-left:4px solid #b04a00;padding:8px 12px}
 std::string interval_charts(const SideBySide& comparison) {
     std::string html;
     for (const Shown& shown : shown_figures) {
+        std::vector<std::string> targets;
+        std::map<std::string, Lines> of_target;
         for (const Line& line : comparison.lines) {
             if (line.key.quantity == shown.quantity && line.key.when != "worst year") {
-                html += interval_chart(line, shown, comparison);
+                Lines& lines = of_target[line.key.target];
+                if (lines.empty()) {
+                    targets.push_back(line.key.target);
+                }
+                lines.push_back(&line);
             }
+        }
+        for (const std::string& target : targets) {
+            html += interval_chart(of_target[target], shown, comparison);
         }
     }
     return html.empty() ? "" : joined("<h2>Main figures</h2>\n<div class=\"thirds\">", html, "</div>\n");
