@@ -43,6 +43,25 @@ Period open_period(const RunRequest& request, double years, const fs::path& out,
             out / joined("return_period_", config::to_text(years))};
 }
 
+/// Leaves no folder behind that it did not find and that is empty at the end: a run may end before anything
+/// is finished.
+class NoEmptyFolder {
+public:
+    explicit NoEmptyFolder(fs::path folder) : folder_{std::move(folder)}, existed_{fs::exists(folder_)} {}
+    ~NoEmptyFolder() {
+        std::error_code ignored;
+        if (!existed_) {
+            fs::remove(folder_, ignored);  // removes an empty folder only
+        }
+    }
+    NoEmptyFolder(const NoEmptyFolder&) = delete;
+    NoEmptyFolder& operator=(const NoEmptyFolder&) = delete;
+
+private:
+    fs::path folder_;
+    bool existed_;
+};
+
 bool is_finished(const Period& period) {
     return OutputFolder::is_finished(period.folder, settings_hash(*period.scenario, period.site.inputs));
 }
@@ -216,6 +235,7 @@ std::unique_ptr<Scenario> scenario_of(const fs::path& file, std::vector<std::str
 int run_hazard(const RunRequest& request, const Scenario& scenario) {
     const HazardPlan plan = read_plan(scenario);
     const fs::path out = output_folder_of(request, scenario);
+    const NoEmptyFolder tidy{out};
     look_at_folders(request, plan, out);
 
     std::optional<Period> longest;

@@ -154,6 +154,17 @@ TEST(Hazard, GoesBeforeItsRocksFallAnew) {
     EXPECT_FALSE(std::filesystem::exists(project.file("out/hazard")));
 }
 
+TEST(Hazard, LeavesNothingBehindBeforeAnyPartIsFinished) {
+    const SampleProject project;
+    add_blocks(project);
+    const Outcome interrupted =
+        shell(project,
+              "timeout --preserve-status -s INT 1 \"$bannwald\" run scenario.ini --quiet --out new "
+              "--set release.rocks=100000000\n");
+    EXPECT_EQ(interrupted.code, 75) << interrupted.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("new")));
+}
+
 TEST(Hazard, OfSourcesAsLinesFollowsTheirZones) {
     const SampleProject project;
     add_blocks(project);
