@@ -6,6 +6,7 @@
 
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/forest_site.hpp"
+#include "coupling/run/assess_today.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
@@ -55,10 +56,6 @@ std::uint64_t terrain_bytes(const Site& site) {
            site.heights.values.size() * (sizeof(double) + 2 * sizeof(std::uint8_t)) +
            site.trees.size() * (sizeof(TreeRecord) + sizeof(rockfall::PlacedStem) + sizeof(rockfall::Stem)) +
            site.sources.size() * sizeof(rockfall::ReleaseSource);
-}
-
-std::uint64_t rocks_of(const Site& site) {
-    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
 }
 
 /// On one thread.

@@ -31,10 +31,13 @@ PeriodArrivals& entry_of(const config::Table& table, std::size_t row, double yea
 
 void read(const FinishedPeriod& period, const Site& site, std::vector<PeriodArrivals>& all) {
     const config::Table targets =
-        compare::read_table(period.folder, "targets.csv", {"target_id", "cover", "share_percent"});
+        compare::read_table(period.folder, "targets.csv", {"target_id", "cover", "reached", "share_percent"});
     for (std::size_t row = 0; row < targets.rows(); ++row) {
         PeriodArrivals& entry = entry_of(targets, row, period.return_period_years, site, all);
         const bool bare = targets.text(row, "cover") == name_of(Cover::bare);
+        if (bare) {
+            entry.bare_rocks = static_cast<std::uint64_t>(number(targets, row, "reached"));
+        }
         (bare ? entry.bare_percent : entry.forest_percent) = number(targets, row, "share_percent");
     }
     if (!compare::has_table(period.folder, "protection.csv")) {

@@ -32,7 +32,8 @@ const std::vector<TableLayout>& hazard_layouts() {
     static const std::vector<TableLayout> layouts{
         {"hazard_blocks.csv",
          "the rocks of a release zone with a return period",
-         {{"zone", "text", "release zone; others: all without a row of their own", from_blocks},
+         {{"zone", "text", "release zone; others: those without a row of their own; all: no zone has one",
+           from_blocks},
           period_column(),
           {"diameter_m", "m", "diameter of the rocks", from_blocks},
           {"mass_kg", "kg", "mass of the rocks", from_blocks},

@@ -6,6 +6,7 @@
 #include "coupling/hazard/hazard_colours.hpp"
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map_sheet.hpp"
@@ -34,7 +35,7 @@ std::string energy_in_words(HazardEnergy energy) {
         case HazardEnergy::max:
             return "largest energy";
         default:
-            return joined(raster_of(energy).substr(2), "th percentile of the energies");
+            return joined(stem_of(energy).substr(2), "th percentile of the energies");
     }
 }
 
@@ -79,9 +80,8 @@ std::string note_on_forest(const HazardResults& results) {
             ? "Intensity is the energy of those rocks that still arrive: a forest that keeps slow ones away "
               "raises their percentiles and their mean, although fewer arrive. "
             : "",
-        "Trees also turn rocks aside, and where few rocks pass chance decides. The table below tells how "
-        "many "
-        "rocks the forest keeps away.</li></ul>\n");
+        "Trees also turn rocks aside, and where few rocks pass chance decides. How many rocks the forest "
+        "keeps away stands in the table below.</li></ul>\n");
 }
 
 std::string opening(const HazardResults& results) {
@@ -125,13 +125,13 @@ std::string matrix_drawing(const HazardResults& results) {
         joined("<svg viewBox=\"0 0 ",
                report::place(std::max(least_width, left + width * static_cast<double>(matrix.frequencies()))),
                " ", report::place(height * rows + 52.0), "\" role=\"img\" aria-label=\"hazard matrix\">");
-    const auto text = [&](double x, double y, const char* anchor, const std::string& words, bool dark) {
+    const auto text = [&](double x, double y, const char* anchor, const std::string& words) {
         svg += joined("<text font-size=\"13\" x=\"", report::place(x), "\" y=\"", report::place(y),
-                      "\" text-anchor=\"", anchor, "\"", dark ? " fill=\"#111\"" : "", ">", words, "</text>");
+                      "\" text-anchor=\"", anchor, "\">", words, "</text>");
     };
     for (std::size_t i = 0; i < matrix.intensities(); ++i) {
         const double y = height * (rows - 1.0 - static_cast<double>(i));
-        text(left - 8.0, y + 0.6 * height, "end", escaped(matrix.intensity_name(i)), false);
+        text(left - 8.0, y + 0.6 * height, "end", escaped(matrix.intensity_name(i)));
         for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
             const Level level = matrix.at(i, k);
             const Colour colour = level_colours()[static_cast<std::size_t>(level)].colour;
@@ -147,14 +147,14 @@ std::string matrix_drawing(const HazardResults& results) {
     }
     for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
         const double x = left + width * (static_cast<double>(k) + 0.5);
-        text(x, height * rows + 18.0, "middle", escaped(matrix.frequency_name(k)), false);
+        text(x, height * rows + 18.0, "middle", escaped(matrix.frequency_name(k)));
         std::string here;
         for (const FinishedPeriod& period : results.periods) {
             if (matrix.frequency_of(period.return_period_years) == k) {
                 here += joined(here.empty() ? "" : ", ", config::to_text(period.return_period_years));
             }
         }
-        text(x, height * rows + 38.0, "middle", here.empty() ? "no rocks" : joined("rocks of ", here), false);
+        text(x, height * rows + 38.0, "middle", here.empty() ? "no rocks" : joined("rocks of ", here));
     }
     return joined(svg, "</svg>");
 }
@@ -166,19 +166,16 @@ std::string about_the_map(const HazardResults& results) {
             ? joined("Cells that fewer than ", config::to_text(hazard.least_reach_percent),
                      " % of the rocks from the sources above them pass are left out.")
             : "A cell counts as soon as one simulated rock passes it: more rocks, and larger cells, widen "
-              "the "
-              "map at its rim; <code>hazard.least_reach_percent</code> sets a limit.";
+              "its rim; <code>hazard.least_reach_percent</code> sets a limit.";
     const std::string source = hazard.matrix.empty()
                                    ? "After the Swiss federal recommendation (BUWAL/BWW/BRP 1997; FOEN 2016) "
-                                     "as the literature draws "
-                                     "it, not checked against the original; cantons divide some fields "
-                                     "otherwise: <code>bannwald info "
+                                     "as the literature draws it, not checked against the original; "
+                                     "cantons divide some fields otherwise: <code>bannwald info "
                                      "hazard_matrix</code>, setting <code>hazard.matrix</code>."
                                    : joined("Levels of ", escaped(hazard.matrix), ".");
     return joined(
-        "<h2>How a level comes about</h2>\n<section class=\"card\"><p>For each return period the rocks of "
-        "that "
-        "period fall from the release zones that have any. The ",
+        "<h2>How a level comes about</h2>\n<section class=\"card\"><p>For each return period its rocks "
+        "fall from the release zones that have any. The ",
         energy_in_words(hazard.energy),
         " in a cell (of each rock the largest one there) is its intensity; with the return period it gives a "
         "level. The map shows the highest level of all return periods. ",
@@ -277,6 +274,19 @@ std::string intensities_table(const HazardResults& results) {
     return joined("<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
+/// As everywhere, not from a handful of arrivals.
+std::string kept_away(const PeriodArrivals& arrivals) {
+    if (std::isnan(arrivals.protection_percent)) {
+        return "–";
+    }
+    if (arrivals.bare_rocks < least_arrivals_to_tell) {
+        return "too few rocks arrive to tell";
+    }
+    return joined("<b>", report::fixed(arrivals.protection_percent, 1), " %</b> (",
+                  report::fixed(arrivals.protection_low_percent, 1), " to ",
+                  report::fixed(arrivals.protection_high_percent, 1), ")");
+}
+
 std::string arrivals_table(const HazardResults& results) {
     if (results.site.targets.empty()) {
         return "";
@@ -295,12 +305,7 @@ std::string arrivals_table(const HazardResults& results) {
             return std::isnan(percent) ? std::string{"–"} : report::percent(percent / 100.0);
         };
         table.row({years_text(arrivals.return_period_years), share(arrivals.bare_percent),
-                   share(arrivals.forest_percent),
-                   std::isnan(arrivals.protection_percent)
-                       ? "–"
-                       : joined("<b>", report::fixed(arrivals.protection_percent, 1), " %</b> (",
-                                report::fixed(arrivals.protection_low_percent, 1), " to ",
-                                report::fixed(arrivals.protection_high_percent, 1), ")")});
+                   share(arrivals.forest_percent), kept_away(arrivals)});
     }
     return joined("<h2>Rocks that arrive</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(),
                   "</div></section>\n");

@@ -4,19 +4,18 @@
 #include <cmath>
 
 #include "config/errors/input_error.hpp"
-#include "config/grid/ascii_grid.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
-#include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/gis_files.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/rasters.hpp"
+#include "coupling/results/read_raster.hpp"
 
 namespace coupling {
 
-std::string raster_of(HazardEnergy energy) {
+std::string stem_of(HazardEnergy energy) {
     switch (energy) {
         case HazardEnergy::mean:
             return "E_mean";
@@ -44,18 +43,15 @@ namespace fs = std::filesystem;
 constexpr double m2_per_ha = 1e4;
 constexpr double percent = 100.0;
 
-config::Raster<float> read_raster(const fs::path& folder, Cover cover, const std::string& stem,
-                                  const config::GridFrame& frame) {
-    const fs::path path = folder / "rasters" / name_of(cover) / joined(stem, ".asc");
-    const FileBytes bytes = open_file(path, {.file = path.string()}, "a raster of a return period");
-    const config::Raster<double> read = config::read_ascii_grid(bytes.text(), path.string());
-    if (!config::same_place(read.frame, frame)) {
-        config::fail(config::ExitCode::data, {path.string()}, "a raster on another frame",
+config::Raster<float> raster_of(const FinishedPeriod& period, Cover cover, const std::string& stem,
+                                const config::GridFrame& frame) {
+    const fs::path file = period.folder / "rasters" / name_of(cover) / joined(stem, ".asc");
+    config::Raster<float> raster = read_raster(file);
+    if (!config::same_place(raster.frame, frame)) {
+        config::fail(config::ExitCode::data, {file.string()}, "a raster on another frame",
                      "that of this scenario: --overwrite lets the rocks fall anew");
     }
-    config::Raster<float> raster{frame};
-    std::transform(read.values.begin(), read.values.end(), raster.values.begin(),
-                   [](double value) { return static_cast<float>(value); });
+    raster.frame = frame;  // as exact as the site has it
     return raster;
 }
 
@@ -224,8 +220,8 @@ SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods
     std::vector<PeriodFalls> falls;
     for (const FinishedPeriod& period : periods) {
         falls.push_back({period.return_period_years,
-                         read_raster(period.folder, cover, raster_of(scenario.hazard.energy), site.map_frame),
-                         read_raster(period.folder, cover, "Reach_probability", site.map_frame)});
+                         raster_of(period, cover, stem_of(scenario.hazard.energy), site.map_frame),
+                         raster_of(period, cover, "Reach_probability", site.map_frame)});
     }
     SlopeHazard slope{cover, hazard_map(falls, matrix, scenario.hazard.least_reach_percent), {}};
     for (const rockfall::Target& target : site.targets) {

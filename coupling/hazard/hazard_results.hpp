@@ -54,6 +54,7 @@ struct SlopeHazard {
 struct PeriodArrivals {
     std::size_t target = 0;  ///< as in the site
     double return_period_years = 0.0;
+    std::uint64_t bare_rocks = 0;  ///< how many arrive over the bare slope
     double bare_percent = std::numeric_limits<double>::quiet_NaN();
     double forest_percent = bare_percent;
     double protection_percent = bare_percent;

@@ -18,6 +18,6 @@ struct HazardSettings {
 };
 
 /// Stem of the raster that holds an energy: "E_95".
-std::string raster_of(HazardEnergy energy);
+std::string stem_of(HazardEnergy energy);
 
 }  // namespace coupling

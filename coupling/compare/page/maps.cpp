@@ -4,10 +4,9 @@
 #include <limits>
 #include <optional>
 
-#include "config/grid/ascii_grid.hpp"
 #include "coupling/compare/page/parts.hpp"
-#include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/rasters.hpp"
+#include "coupling/results/read_raster.hpp"
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_furniture.hpp"
 #include "coupling/results/report/map_sheet.hpp"
@@ -24,18 +23,11 @@ constexpr double sheet_width = 1000.0;
 /// Cells a side that a picture shows at most.
 constexpr int most_cells = 400;
 
-std::optional<Raster<float>> read_raster(const FinishedRun& run, const std::string& cover, const char* stem) {
+std::optional<Raster<float>> raster_of(const FinishedRun& run, const std::string& cover, const char* stem) {
     const std::filesystem::path path = run.folder / "rasters" / cover / joined(stem, ".asc");
     std::error_code error;
-    if (!std::filesystem::exists(path, error)) {
-        return std::nullopt;
-    }
-    const FileBytes bytes = open_file(path, {}, "a raster of the results");
-    const Raster<double> read = config::read_ascii_grid(bytes.text(), path.string());
-    Raster<float> raster{read.frame};
-    std::transform(read.values.begin(), read.values.end(), raster.values.begin(),
-                   [](double value) { return static_cast<float>(value); });
-    return report::without_zeros(std::move(raster));
+    return std::filesystem::exists(path, error) ? std::optional{report::without_zeros(read_raster(path))}
+                                                : std::nullopt;
 }
 
 std::string figure(const Raster<float>& raster, const ColourScale& scale, const std::string& title,
@@ -87,7 +79,7 @@ std::string row(const Shown& shown, const std::string& cover, std::span<const Fi
     std::vector<std::optional<Raster<float>>> rasters;
     ValueRange range{std::numeric_limits<float>::infinity(), 0.0F};
     for (const FinishedRun& run : runs) {
-        rasters.push_back(read_raster(run, cover, shown.stem));
+        rasters.push_back(raster_of(run, cover, shown.stem));
         if (rasters.back()) {
             const ValueRange here = range_of(*rasters.back());
             range = {here.high > 0.0F ? std::min(range.low, here.low) : range.low,
