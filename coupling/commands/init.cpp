@@ -8,6 +8,7 @@
 #include "coupling/examples/embedded.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/rockyfor3d/project.hpp"
+#include "coupling/run/interrupt.hpp"
 
 namespace coupling {
 
@@ -93,6 +94,7 @@ private:
 void write_example(const fs::path& folder, const std::string& example) {
     const std::vector<ExampleFile> files = files_of(example);
     check_folder(folder);
+    const InterruptGuard until_written;
     Draft draft{folder};
     for (const ExampleFile& file : files) {
         draft.write(file.name, file.bytes);
@@ -103,6 +105,7 @@ void write_example(const fs::path& folder, const std::string& example) {
 std::vector<std::string> write_from_rockyfor3d(const fs::path& folder, const fs::path& source) {
     check_folder(folder);
     const rockyfor3d::Project project = rockyfor3d::project_of(source);
+    const InterruptGuard until_written;
     Draft draft{folder};
     for (const rockyfor3d::Project::File& file : project.files) {
         draft.write(file.name, file.text);

@@ -8,6 +8,7 @@
 #include "coupling/compare/side_by_side.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/run/interrupt.hpp"
 
 namespace coupling::compare {
 namespace {
@@ -34,6 +35,7 @@ void compare_runs(const CompareRequest& request, std::ostream& screen) {
     if (!request.page.empty()) {
         write_page(page, runs, comparison);
     }
+    const InterruptGuard until_written;
     if (!request.out.empty()) {
         OutFile file{request.out};
         write_csv(file.stream(), runs, comparison);

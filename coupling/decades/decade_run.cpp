@@ -196,11 +196,11 @@ public:
     }
 
     int run() {
+        const InterruptGuard guard;
         std::optional<OutputFolder> folder;
         if (ranks_.first()) {
             folder.emplace(out_, hash_, request_.overwrite);
         }
-        const InterruptGuard guard;
         try {
             refuse_strangers(ranks_, hash_, request_.shard, parts_.folder());
             live_missing();

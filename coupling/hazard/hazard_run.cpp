@@ -16,6 +16,7 @@
 #include "coupling/inputs/zone_blocks.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/run/assess_today.hpp"
+#include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/settings_hash.hpp"
 #include "coupling/run/telling.hpp"
@@ -157,6 +158,13 @@ void add_rocks(const Period& period, std::vector<ZoneRocks>& list) {
     }
 }
 
+int tell_interruption() {
+    std::fprintf(stderr,
+                 "bannwald: interrupted; return periods that are finished are kept, the same command goes on "
+                 "after them\n");
+    return static_cast<int>(config::ExitCode::interrupted);
+}
+
 /// Falls of a return period, unless they are finished. Returns the exit code.
 int fall(const RunRequest& request, Period& period, config::Warnings& warnings) {
     const std::string years = config::to_text(period.return_period_years);
@@ -173,9 +181,7 @@ int fall(const RunRequest& request, Period& period, config::Warnings& warnings) 
     }
     const int code = assess_today(request, *period.scenario, period.site, warnings, period.folder);
     if (code == static_cast<int>(config::ExitCode::interrupted)) {
-        std::fprintf(
-            stderr,
-            "bannwald: return periods that are finished are kept; the same command goes on after them\n");
+        return tell_interruption();
     }
     return code;
 }
@@ -233,6 +239,7 @@ std::unique_ptr<Scenario> scenario_of(const fs::path& file, std::vector<std::str
 }
 
 int run_hazard(const RunRequest& request, const Scenario& scenario) {
+    const InterruptGuard guard;
     const HazardPlan plan = read_plan(scenario);
     const fs::path out = output_folder_of(request, scenario);
     const NoEmptyFolder tidy{out};
@@ -246,6 +253,9 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     for (const double each : plan.return_periods_years) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
+        if (InterruptGuard::requested()) {
+            return tell_interruption();
+        }
         if (const int code = fall(request, period, warnings); code != 0) {
             return code;
         }

@@ -1,12 +1,7 @@
 #include "coupling/nets/net_paths.hpp"
 
-#include <omp.h>
-
-#include <atomic>
-
 #include "coupling/run/byte_archive.hpp"
-#include "coupling/run/first_error.hpp"
-#include "coupling/run/interrupt.hpp"
+#include "coupling/run/in_order.hpp"
 #include "rockfall/one_slope.hpp"
 #include "rockfall/trajectory.hpp"
 
@@ -141,59 +136,41 @@ Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
     out.list(assessment.slope.terrain.vertices());
     out.list(assessment.slope.terrain.triangles());
     const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(assessment.sources);
-    const auto count = static_cast<std::int64_t>(chunks.size());
-    FirstError error;
-    std::atomic<bool> interrupted = false;
-#pragma omp parallel num_threads(threads)
-    {
+    struct Busy {
         rockfall::FallScratch scratch;
         rockfall::ChunkRows rows;
         PathKeeper keeper;
         std::vector<StoredPath> paths;
-#pragma omp for ordered schedule(dynamic, 1)
-        for (std::int64_t i = 0; i < count; ++i) {
-            paths.clear();
-            if (InterruptGuard::requested()) {
-                interrupted = true;
-            }
-            if (!interrupted) {
-                error.guard([&] {
-                    rockfall::each_start(
-                        assessment, chunks[static_cast<std::size_t>(i)], rows,
-                        [&](const rockfall::RockStart& start) {
-                            for (const rockfall::Cover cover :
-                                 {rockfall::Cover::forest, rockfall::Cover::bare}) {
-                                if (cover == rockfall::Cover::forest && !head.with_forest) {
-                                    continue;
-                                }
-                                rockfall::Obstacles obstacles = assessment.obstacles(cover, {});
-                                obstacles.nets = nullptr;
-                                const config::StreamKey key{assessment.seed, assessment.replicate,
-                                                            assessment.year, start.id};
-                                keeper.pieces.clear();
-                                rockfall::fall(assessment.slope, obstacles, assessment.law, key, start,
-                                               scratch, keeper);
-                                paths.push_back({start.id, cover, start.rock, keeper.pieces});
-                            }
-                        });
-                });
-            }
-#pragma omp ordered
-            {
-                if (!interrupted) {
-                    error.guard([&] {
-                        for (const StoredPath& path : paths) {
-                            write(out, path);
-                        }
-                    });
+    };
+    std::vector<Busy> workers(static_cast<std::size_t>(threads));
+    const Ended ended = in_order(
+        chunks.size(), workers,
+        [&](Busy& busy, std::size_t i) {
+            busy.paths.clear();
+            rockfall::each_start(assessment, chunks[i], busy.rows, [&](const rockfall::RockStart& start) {
+                for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+                    if (cover == rockfall::Cover::forest && !head.with_forest) {
+                        continue;
+                    }
+                    rockfall::Obstacles obstacles = assessment.obstacles(cover, {});
+                    obstacles.nets = nullptr;
+                    const config::StreamKey key{assessment.seed, assessment.replicate, assessment.year,
+                                                start.id};
+                    busy.keeper.pieces.clear();
+                    rockfall::fall(assessment.slope, obstacles, assessment.law, key, start, busy.scratch,
+                                   busy.keeper);
+                    busy.paths.push_back({start.id, cover, start.rock, busy.keeper.pieces});
                 }
+            });
+        },
+        [&](Busy& busy, std::size_t) {
+            for (const StoredPath& path : busy.paths) {
+                write(out, path);
             }
-        }
-    }
-    error.rethrow();
+        });
     out.value(Mark::end);
     out.close();
-    return interrupted ? Ended::interrupted : Ended::done;
+    return ended;
 }
 
 struct NetPathsReader::Bytes {

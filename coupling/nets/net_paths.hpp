@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coupling/inputs/site.hpp"
-#include "coupling/run/fall_rocks.hpp"
+#include "coupling/run/in_order.hpp"
 #include "rockfall/ensemble.hpp"
 #include "rockfall/rock.hpp"
 #include "rockfall/terrain/terrain.hpp"

@@ -14,6 +14,7 @@
 #include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/run/interrupt.hpp"
 
 namespace coupling {
 namespace {
@@ -223,6 +224,7 @@ void place_nets(const NetPlaceRequest& request, std::ostream& out) {
         }
     }
     const std::span<const bool> best_of_all{is_best.get(), places.size()};
+    const InterruptGuard until_written;
     make_folder(folder);
     OutFile table{folder / "net_places.csv"};
     write_places(table.stream(), lines, places, trial, head, best_of_all);

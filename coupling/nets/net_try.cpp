@@ -17,6 +17,7 @@
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/read_summary.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/run/interrupt.hpp"
 #include "coupling/version.hpp"
 #include "rockfall/obstacles/nets/net_passage.hpp"
 
@@ -192,6 +193,7 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
             net_figures(nets, tried.rows, cover, head.rocks[index_of(cover)], head.wanted_share);
         figures.insert(figures.end(), of_slope.begin(), of_slope.end());
     }
+    const InterruptGuard until_written;
     make_folder(folder);
     const auto write_file = [&](const char* name, const auto& fill) {
         OutFile table{folder / name};

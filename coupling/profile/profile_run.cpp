@@ -68,10 +68,7 @@ public:
     void fall(int threads, Progress& progress, std::ostream* rock_rows) {
         const bool in_flight = assessment_.start.height_m > 0.0;
         std::uint64_t told = 0;
-        watch_falls(assessment_, rockfall::Cover::bare, threads, [&](const WatchedFall& fall) {
-            if (InterruptGuard::requested()) {
-                throw Interrupted{};
-            }
+        const auto keep = [&](const WatchedFall& fall) {
             if (fall.started) {
                 tally_.add(site_, fall, in_flight);
                 if (rock_rows != nullptr) {
@@ -83,7 +80,10 @@ public:
                 progress.add(told);
                 told = 0;
             }
-        });
+        };
+        if (watch_falls(assessment_, rockfall::Cover::bare, threads, keep) == Ended::interrupted) {
+            throw Interrupted{};
+        }
         progress.add(told);
     }
 
@@ -198,9 +198,9 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
     if (!request.quiet) {
         tell_warnings(warnings, request.verbose);
     }
+    const InterruptGuard guard;
     OutputFolder folder{output_folder_of(request, scenario), settings_hash(scenario, site.inputs),
                         request.overwrite};
-    const InterruptGuard guard;
     try {
         fall_and_write(request, scenario, site, warnings, folder);
     } catch (const Interrupted&) {

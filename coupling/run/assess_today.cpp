@@ -242,8 +242,8 @@ std::uint64_t rocks_of(const Site& site) {
 
 int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
                  config::Warnings& warnings, const std::filesystem::path& out) {
-    OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};
     const InterruptGuard guard;
+    OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};
     AssessmentRun run{request, scenario, site, warnings};
     if (run.fall(folder) == Ended::interrupted || run.write(folder) == Ended::interrupted) {
         std::error_code ignored;

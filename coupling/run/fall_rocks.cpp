@@ -1,13 +1,8 @@
 #include "coupling/run/fall_rocks.hpp"
 
-#include <omp.h>
-
-#include <atomic>
 #include <map>
 #include <mutex>
 
-#include "coupling/run/first_error.hpp"
-#include "coupling/run/interrupt.hpp"
 #include "rockfall/one_slope.hpp"
 
 namespace coupling {
@@ -39,55 +34,40 @@ private:
     std::map<std::uint32_t, std::unique_ptr<rockfall::FedCells>> fed_;
 };
 
-/// Lets each worker fall chunks on a thread of its own by `run` (worker, chunk, rows, fed cells).
+/// A worker and the rows of the chunk that it has under way.
+template <class AnyWorker>
+struct Busy {
+    std::unique_ptr<AnyWorker> worker;
+    rockfall::ChunkRows rows = {};
+    rockfall::FedCells* fed = nullptr;
+};
+
+/// Lets each worker fall chunks on a thread of its own by `run` (busy worker, chunk).
 template <class AnyWorker, class Run>
-Ended fall_by(std::span<const std::unique_ptr<AnyWorker>> workers, const rockfall::Assessment& assessment,
+Ended fall_by(std::vector<Busy<AnyWorker>>& workers, const rockfall::Assessment& assessment,
               std::span<const rockfall::Chunk> chunks, const RowSink& sink, const Run& run) {
     PiecesUnderWay pieces{assessment.map_frame.size()};
-    FirstError error;
-    std::atomic<bool> interrupted = false;
-    const auto count = static_cast<std::int64_t>(chunks.size());
-#pragma omp parallel num_threads(static_cast <int>(workers.size()))
-    {
-        AnyWorker& worker = *workers[static_cast<std::size_t>(omp_get_thread_num())];
-        rockfall::ChunkRows rows;
-#pragma omp for ordered schedule(dynamic, 1)
-        for (std::int64_t i = 0; i < count; ++i) {
-            const rockfall::Chunk& chunk = chunks[static_cast<std::size_t>(i)];
-            rockfall::FedCells* fed = nullptr;
-            rows.clear();
-            if (InterruptGuard::requested()) {
-                interrupted = true;
+    return in_order(
+        chunks.size(), workers,
+        [&](Busy<AnyWorker>& busy, std::size_t i) {
+            busy.rows.clear();
+            busy.fed = pieces.of(chunks[i]);
+            run(busy, chunks[i]);
+        },
+        [&](Busy<AnyWorker>& busy, std::size_t i) {
+            sink(busy.rows);
+            if (chunks[i].last_piece) {
+                busy.worker->add_fed(*busy.fed, assessment.sources[chunks[i].first_source].rocks);
+                pieces.forget(chunks[i].first_source);
             }
-            if (!interrupted) {
-                error.guard([&] {
-                    fed = pieces.of(chunk);
-                    run(worker, chunk, rows, fed);
-                });
-            }
-#pragma omp ordered
-            {
-                if (!interrupted) {
-                    error.guard([&] {
-                        sink(rows);
-                        if (chunk.last_piece) {
-                            worker.add_fed(*fed, assessment.sources[chunk.first_source].rocks);
-                            pieces.forget(chunk.first_source);
-                        }
-                    });
-                }
-            }
-        }
-    }
-    error.rethrow();
-    return interrupted ? Ended::interrupted : Ended::done;
+        });
 }
 
 template <class AnyWorker>
-void add_up(std::span<std::unique_ptr<AnyWorker>> workers, rockfall::EnsembleTally& total) {
-    for (auto& worker : workers) {
-        total.add(worker->tally());
-        worker.reset();
+void add_up(std::vector<Busy<AnyWorker>>& workers, rockfall::EnsembleTally& total) {
+    for (auto& busy : workers) {
+        total.add(busy.worker->tally());
+        busy.worker.reset();
     }
 }
 
@@ -98,16 +78,16 @@ Ended fall_rocks(const rockfall::Assessment& assessment, std::span<const rockfal
                  std::span<std::uint8_t> gone, int threads, rockfall::EnsembleTally& total,
                  const RowSink& sink) {
     const bool one_after_the_other = !gone.empty();
-    std::vector<std::unique_ptr<rockfall::Worker>> workers;
+    std::vector<Busy<rockfall::Worker>> workers;
     for (int i = 0; i < (one_after_the_other ? 1 : threads); ++i) {
-        workers.push_back(std::make_unique<rockfall::Worker>(assessment, histograms));
+        workers.push_back({std::make_unique<rockfall::Worker>(assessment, histograms)});
     }
-    const Ended ended = fall_by<rockfall::Worker>(
-        workers, assessment, chunks, sink,
-        [&](rockfall::Worker& worker, const rockfall::Chunk& chunk, rockfall::ChunkRows& rows,
-            rockfall::FedCells* fed) { worker.run(chunk, rows, fed, gone); });
+    const Ended ended = fall_by(workers, assessment, chunks, sink,
+                                [&](Busy<rockfall::Worker>& busy, const rockfall::Chunk& chunk) {
+                                    busy.worker->run(chunk, busy.rows, busy.fed, gone);
+                                });
     if (ended == Ended::done) {
-        add_up<rockfall::Worker>(workers, total);
+        add_up(workers, total);
     }
     return ended;
 }
@@ -115,16 +95,16 @@ Ended fall_rocks(const rockfall::Assessment& assessment, std::span<const rockfal
 Ended fall_rocks_over(rockfall::Cover cover, const rockfall::Assessment& assessment,
                       std::span<const rockfall::Chunk> chunks, int threads, rockfall::EnsembleTally& total,
                       const RowSink& sink) {
-    std::vector<std::unique_ptr<rockfall::OneSlopeWorker>> workers;
+    std::vector<Busy<rockfall::OneSlopeWorker>> workers;
     for (int i = 0; i < threads; ++i) {
-        workers.push_back(std::make_unique<rockfall::OneSlopeWorker>(assessment, cover));
+        workers.push_back({std::make_unique<rockfall::OneSlopeWorker>(assessment, cover)});
     }
-    const Ended ended = fall_by<rockfall::OneSlopeWorker>(
-        workers, assessment, chunks, sink,
-        [](rockfall::OneSlopeWorker& worker, const rockfall::Chunk& chunk, rockfall::ChunkRows& rows,
-           rockfall::FedCells* fed) { worker.run(chunk, rows, fed); });
+    const Ended ended = fall_by(workers, assessment, chunks, sink,
+                                [](Busy<rockfall::OneSlopeWorker>& busy, const rockfall::Chunk& chunk) {
+                                    busy.worker->run(chunk, busy.rows, busy.fed);
+                                });
     if (ended == Ended::done) {
-        add_up<rockfall::OneSlopeWorker>(workers, total);
+        add_up(workers, total);
     }
     return ended;
 }

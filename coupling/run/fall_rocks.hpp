@@ -6,15 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "coupling/run/in_order.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {
 
 /// Receives the rows of each chunk in rock order.
 using RowSink = std::function<void(const rockfall::ChunkRows&)>;
-
-/// How falling ended.
-enum class Ended { done, interrupted };
 
 /// Lets the rocks of `chunks` fall on several threads and adds what they leave to `total`.
 ///

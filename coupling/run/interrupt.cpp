@@ -1,27 +1,50 @@
 #include "coupling/run/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <string_view>
+
+#include "config/errors/input_error.hpp"
 
 namespace coupling {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+int guards = 0;
 
 void remember(int signal) {
     interrupted = 1;
     std::signal(signal, SIG_DFL);
 }
 
+/// Calls only what a signal handler may call.
+void end(int) {
+    constexpr std::string_view sentence = "bannwald: interrupted\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, sentence.data(), sentence.size());
+    _exit(static_cast<int>(config::ExitCode::interrupted));
+}
+
 }  // namespace
 
-InterruptGuard::InterruptGuard()
-    : former_interrupt_{std::signal(SIGINT, remember)}, former_terminate_{std::signal(SIGTERM, remember)} {
-    interrupted = 0;
+void end_at_interruptions() {
+    std::signal(SIGINT, end);
+    std::signal(SIGTERM, end);
+}
+
+InterruptGuard::InterruptGuard() {
+    if (guards++ == 0) {
+        interrupted = 0;
+        former_interrupt_ = std::signal(SIGINT, remember);
+        former_terminate_ = std::signal(SIGTERM, remember);
+    }
 }
 
 InterruptGuard::~InterruptGuard() {
-    std::signal(SIGINT, former_interrupt_);
-    std::signal(SIGTERM, former_terminate_);
+    if (--guards == 0) {
+        std::signal(SIGINT, former_interrupt_);
+        std::signal(SIGTERM, former_terminate_);
+    }
 }
 
 bool InterruptGuard::requested() {

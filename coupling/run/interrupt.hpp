@@ -2,9 +2,14 @@
 
 namespace coupling {
 
+/// From now on Ctrl-C and a request to terminate end the program at once, with a sentence and the exit code
+/// of an interruption: where nothing lies half-written, nothing has to be tidied up.
+void end_at_interruptions();
+
 /// Turns Ctrl-C and a request to terminate into a flag that long work looks at.
 ///
-/// A second Ctrl-C ends the program at once. Restores the former handlers at the end of its life.
+/// Made before anything is written. A second Ctrl-C ends the program. Guards may be nested: the flag stays
+/// for the outer ones. Restores the former handlers at the end of its life.
 class InterruptGuard {
 public:
     InterruptGuard();
@@ -16,8 +21,8 @@ public:
 
 private:
     using Handler = void (*)(int);
-    Handler former_interrupt_;
-    Handler former_terminate_;
+    Handler former_interrupt_ = nullptr;
+    Handler former_terminate_ = nullptr;
 };
 
 }  // namespace coupling

@@ -1,11 +1,8 @@
 #include "coupling/run/watched_falls.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cassert>
 
-#include "coupling/run/first_error.hpp"
 #include "rockfall/trajectory.hpp"
 
 namespace coupling {
@@ -52,35 +49,33 @@ private:
 
 }  // namespace
 
-void watch_falls(const rockfall::Assessment& assessment, rockfall::Cover cover, int threads,
-                 const WatchedFallSink& sink, std::span<std::uint8_t> gone) {
+Ended watch_falls(const rockfall::Assessment& assessment, rockfall::Cover cover, int threads,
+                  const WatchedFallSink& sink, std::span<std::uint8_t> gone) {
     assert(gone.empty() || threads == 1);
     constexpr std::uint32_t rocks_at_once = 64;
     const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(assessment.sources, rocks_at_once);
-    const auto count = static_cast<std::int64_t>(chunks.size());
-    FirstError error;
-#pragma omp parallel num_threads(threads)
-    {
-        Watch watch{assessment, cover, gone};
+    struct Busy {
+        Watch watch;
         std::vector<WatchedFall> falls;
-#pragma omp for ordered schedule(dynamic, 1)
-        for (std::int64_t i = 0; i < count; ++i) {
-            const rockfall::Chunk& chunk = chunks[static_cast<std::size_t>(i)];
-            falls.resize(chunk.last_rock - chunk.first_rock);
-            error.guard([&] {
-                std::uint32_t source = chunk.first_source;
-                for (std::uint64_t rock = chunk.first_rock; rock < chunk.last_rock; ++rock) {
-                    while (rock >= assessment.sources[source].first_rock + assessment.sources[source].rocks) {
-                        ++source;
-                    }
-                    watch.fall(rock, source, falls[rock - chunk.first_rock]);
-                }
-            });
-#pragma omp ordered
-            error.guard([&] { std::for_each(falls.begin(), falls.end(), sink); });
-        }
+    };
+    std::vector<Busy> workers;
+    for (int i = 0; i < threads; ++i) {
+        workers.push_back({Watch{assessment, cover, gone}, {}});
     }
-    error.rethrow();
+    return in_order(
+        chunks.size(), workers,
+        [&](Busy& busy, std::size_t i) {
+            const rockfall::Chunk& chunk = chunks[i];
+            busy.falls.resize(chunk.last_rock - chunk.first_rock);
+            std::uint32_t source = chunk.first_source;
+            for (std::uint64_t rock = chunk.first_rock; rock < chunk.last_rock; ++rock) {
+                while (rock >= assessment.sources[source].first_rock + assessment.sources[source].rocks) {
+                    ++source;
+                }
+                busy.watch.fall(rock, source, busy.falls[rock - chunk.first_rock]);
+            }
+        },
+        [&](Busy& busy, std::size_t) { std::for_each(busy.falls.begin(), busy.falls.end(), sink); });
 }
 
 }  // namespace coupling

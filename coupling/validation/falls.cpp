@@ -138,9 +138,12 @@ private:
         if (!bare && recipe_.rockfall.fall.tree.remove_broken) {
             gone.assign(stands_[batch.stand].placed().size(), 0);
         }
-        watch_falls(
-            assessment, bare ? rockfall::Cover::bare : rockfall::Cover::forest, 1,
-            [&](const WatchedFall& one) { falls.add(one, slope_, length_); }, gone);
+        if (watch_falls(
+                assessment, bare ? rockfall::Cover::bare : rockfall::Cover::forest, 1,
+                [&](const WatchedFall& one) { falls.add(one, slope_, length_); },
+                gone) == Ended::interrupted) {
+            throw Interrupted{};
+        }
         return falls;
     }
 

@@ -18,14 +18,8 @@ std::string two_parts(const std::string& motion) {
            motion + " --set release.rocks=" + (motion == "pir3d" ? "340000" : "500000");
 }
 
-/// Starts a run, interrupts it once its first part is finished, and ends with its exit code.
 std::string interrupted_after_first_part(const std::string& out, const std::string& run) {
-    return "\"$bannwald\" " + run + " --out " + out +
-           " &\n"
-           "while kill -0 $! 2>/dev/null && [ ! -e " +
-           out +
-           "/parts/checkpoint.part ]; do sleep 0.02; done\n"
-           "kill -INT $!\nwait $!\n";
+    return interrupted_once(out + "/parts/checkpoint.part", run + " --out " + out);
 }
 
 TEST(FullDisk, EndsTheRunAndLeavesNothingBehind) {
@@ -46,12 +40,14 @@ TEST(OutputFolder, BelowAFileIsRefused) {
 
 TEST(Interruption, LeavesNoResults) {
     const SampleProject project;
-    const Outcome outcome = shell(project,
-                                  "timeout --preserve-status -s INT 1 \"$bannwald\" run scenario.ini --quiet "
-                                  "--set release.rocks=100000000\n");
+    const std::string run = "run scenario.ini --quiet --set release.rocks=100000000";
+    const Outcome outcome = shell(project, interrupted_once("out", run));
     EXPECT_EQ(outcome.code, 75) << outcome.err;
-    EXPECT_FALSE(fs::exists(project.file("out/report.html")));
-    EXPECT_FALSE(fs::exists(project.file("out/summary.json")));
+    EXPECT_FALSE(fs::exists(project.file("out")));
+    const Outcome at_once = shell(project, interrupted_at_once(run));
+    EXPECT_EQ(at_once.code, 75) << at_once.err;
+    EXPECT_NE(at_once.err.find("bannwald: interrupted"), std::string::npos) << at_once.err;
+    EXPECT_FALSE(fs::exists(project.file("out")));
 }
 
 class InterruptionUnderModel : public ::testing::TestWithParam<std::string> {};

@@ -147,9 +147,10 @@ TEST(Hazard, GoesBeforeItsRocksFallAnew) {
     EXPECT_NE(refused.err.find("is a file"), std::string::npos) << refused.err;
     std::filesystem::remove(project.file("out/return_period_300"));
     const Outcome interrupted =
-        shell(project, std::string{"timeout -s INT 1 \"$bannwald\" run scenario.ini --quiet --out out "} +
-                           "--set release.rocks=4000000 --overwrite\n");
-    EXPECT_EQ(interrupted.code, 124) << interrupted.err;  // that of timeout
+        shell(project, interrupted_once("out/return_period_10/parts",
+                                        "run scenario.ini --quiet --out out --set release.rocks=100000000 "
+                                        "--overwrite"));
+    EXPECT_EQ(interrupted.code, 75) << interrupted.err;
     EXPECT_NE(interrupted.err.find("interrupted"), std::string::npos) << interrupted.err;
     EXPECT_FALSE(std::filesystem::exists(project.file("out/hazard")));
 }
@@ -157,10 +158,9 @@ TEST(Hazard, GoesBeforeItsRocksFallAnew) {
 TEST(Hazard, LeavesNothingBehindBeforeAnyPartIsFinished) {
     const SampleProject project;
     add_blocks(project);
-    const Outcome interrupted =
-        shell(project,
-              "timeout --preserve-status -s INT 1 \"$bannwald\" run scenario.ini --quiet --out new "
-              "--set release.rocks=100000000\n");
+    const Outcome interrupted = shell(project, interrupted_once("new/return_period_10",
+                                                                "run scenario.ini --quiet --out new "
+                                                                "--set release.rocks=100000000"));
     EXPECT_EQ(interrupted.code, 75) << interrupted.err;
     EXPECT_FALSE(std::filesystem::exists(project.file("new")));
 }

@@ -33,4 +33,21 @@ inline Outcome call(const SampleProject& project, const std::string& arguments) 
     return shell(project, "\"$bannwald\" " + arguments + "\n");
 }
 
+/// Starts a call of the program, sends it a signal once a file is there (wildcards allowed) and ends with its
+/// exit code. No time is given: a busy machine may take any.
+inline std::string interrupted_once(const std::string& file, const std::string& arguments,
+                                    const std::string& signal = "INT") {
+    return "\"$bannwald\" " + arguments + " &\nwhile kill -0 $! 2>/dev/null && ! ls " + file +
+           " >/dev/null 2>&1; do sleep 0.01; done\nkill -" + signal + " $!\nwait $!\n";
+}
+
+/// The same once the program answers signals at all, before it reads anything: once it catches SIGTERM, which
+/// the shell that starts it does not.
+inline std::string interrupted_at_once(const std::string& arguments) {
+    return "\"$bannwald\" " + arguments +
+           " &\nwhile kill -0 $! 2>/dev/null && ! grep -q 'SigCgt:.*[4567cdef]...$' /proc/$!/status; do :; "
+           "done\n"
+           "kill -INT $!\nwait $!\n";
+}
+
 }  // namespace coupling

@@ -151,9 +151,8 @@ TEST(Validate, JudgesTheForestWithOneSetOfSettings) {
 
 TEST(Validate, LeavesNothingOfAForestCaseWhenInterrupted) {
     const SampleProject project;
-    const Outcome outcome = shell(project,
-                                  "\"$bannwald\" validate forest_yield --quiet --out mine &\n"
-                                  "sleep 0.5; kill -TERM $!; wait $!\n");
+    const Outcome outcome =
+        shell(project, interrupted_once("mine", "validate forest_yield --quiet --out mine", "TERM"));
     EXPECT_EQ(outcome.code, 75) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(project.file("mine")));
 }
@@ -209,9 +208,10 @@ TEST(Validate, TellsFileAndLineOfABrokenCase) {
 
 TEST(Validate, LeavesNothingWhenInterrupted) {
     const SampleProject project;
-    const Outcome outcome = shell(project, "\"$bannwald\" validate even_plane " + even_cases +
-                                               "--quiet --rocks 5000000 --out mine &\n"
-                                               "sleep 0.5; kill -TERM $!; wait $!\n");
+    const Outcome outcome = shell(
+        project,
+        interrupted_once("mine", "validate even_plane " + even_cases + "--quiet --rocks 5000000 --out mine",
+                         "TERM"));
     EXPECT_EQ(outcome.code, 75) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(project.file("mine")));
 }

@@ -40,12 +40,7 @@ TEST(Years, GoOnAfterTheRunWasKilledAgainAndAgain) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
-/// Starts the long run, interrupts it once a member is through, and ends with its exit code.
-const std::string interrupted_after_a_member =
-    "\"$bannwald\" " + long_members +
-    " &\n"
-    "while kill -0 $! 2>/dev/null && ! ls out/parts/member_*.part >/dev/null 2>&1; do sleep 0.01; done\n"
-    "kill -INT $!\nwait $!\n";
+const std::string interrupted_after_a_member = interrupted_once("out/parts/member_*.part", long_members);
 
 TEST(Years, KeepFinishedMembersWhenInterrupted) {
     const ForestProject project;
@@ -84,9 +79,9 @@ TEST(Years, KeepFinishedMembersWhenInterrupted) {
 TEST(Years, LeaveNothingWhenInterruptedBeforeAMemberIsThrough) {
     const ForestProject project;
     const Outcome outcome =
-        shell(project,
-              "timeout --preserve-status -s INT 1 \"$bannwald\" run scenario.ini --quiet "
-              "--set run.years=1000 --set climate.sequence=repeat --set release.rocks=100000\n");
+        shell(project, interrupted_once("out",
+                                        "run scenario.ini --quiet --set run.years=1000 "
+                                        "--set climate.sequence=repeat --set release.rocks=100000"));
     EXPECT_EQ(outcome.code, 75) << outcome.err;
     EXPECT_NE(outcome.err.find("no part was finished"), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(project.file("out")));

@@ -68,7 +68,9 @@ struct Scene {
 
 std::vector<WatchedFall> falls_of(const Scene& scene, Cover cover, int threads) {
     std::vector<WatchedFall> falls;
-    watch_falls(scene.assessment, cover, threads, [&](const WatchedFall& fall) { falls.push_back(fall); });
+    EXPECT_EQ(watch_falls(scene.assessment, cover, threads,
+                          [&](const WatchedFall& fall) { falls.push_back(fall); }),
+              Ended::done);
     return falls;
 }
 
@@ -165,12 +167,12 @@ TEST(WatchFalls, AgreesWithTheWorkerOfOrdinaryRuns) {
 TEST(WatchFalls, PassesOnWhatTheSinkThrows) {
     const Scene scene{1000};
     std::size_t seen = 0;
-    EXPECT_THROW(watch_falls(scene.assessment, Cover::bare, 2,
-                             [&](const WatchedFall&) {
-                                 if (++seen == 100) {
-                                     throw std::runtime_error{"the disk is full"};
-                                 }
-                             }),
+    EXPECT_THROW((void)watch_falls(scene.assessment, Cover::bare, 2,
+                                   [&](const WatchedFall&) {
+                                       if (++seen == 100) {
+                                           throw std::runtime_error{"the disk is full"};
+                                       }
+                                   }),
                  std::runtime_error);
     EXPECT_EQ(seen, 100U);  // nothing comes after the first error
 }
