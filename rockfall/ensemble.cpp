@@ -52,6 +52,19 @@ void ChunkRows::clear() {
 
 FedCells::FedCells(std::size_t cells) : cells_{cells}, touched_(covers * cells) {}
 
+FedCells::FedCells(std::span<const std::uint8_t> marks) : FedCells{marks.size() / covers} {
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        touched_[i].store(marks[i], std::memory_order_relaxed);
+    }
+}
+
+std::vector<std::uint8_t> FedCells::marks() const {
+    std::vector<std::uint8_t> marks(touched_.size());
+    std::transform(touched_.begin(), touched_.end(), marks.begin(),
+                   [](const auto& mark) { return mark.load(std::memory_order_relaxed); });
+    return marks;
+}
+
 void FedCells::add_to(EnsembleTally& tally, std::uint32_t rocks) const {
     for (std::size_t c = 0; c < covers; ++c) {
         for (std::size_t cell = 0; cell < tally.cells[c].cells.size(); ++cell) {

@@ -83,9 +83,13 @@ struct ChunkRows {
 class FedCells {
 public:
     explicit FedCells(std::size_t cells);
+    /// Goes on from the marks of another, which must be of as many cells.
+    explicit FedCells(std::span<const std::uint8_t> marks);
     void mark(Cover cover, std::size_t cell) {
         touched_[index(cover, cell)].store(1, std::memory_order_relaxed);
     }
+    /// A mark for each cell, first of the slope with forest.
+    [[nodiscard]] std::vector<std::uint8_t> marks() const;
     /// Adds the source's rocks to each cell it feeds. After its last piece only.
     void add_to(EnsembleTally& tally, std::uint32_t rocks) const;
 

@@ -143,7 +143,7 @@ Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
         std::vector<StoredPath> paths;
     };
     std::vector<Busy> workers(static_cast<std::size_t>(threads));
-    const Ended ended = in_order(
+    const std::size_t fallen = in_order(
         chunks.size(), workers,
         [&](Busy& busy, std::size_t i) {
             busy.paths.clear();
@@ -170,7 +170,7 @@ Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
         });
     out.value(Mark::end);
     out.close();
-    return ended;
+    return fallen == chunks.size() ? Ended::done : Ended::interrupted;
 }
 
 struct NetPathsReader::Bytes {

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <tuple>
@@ -28,19 +29,17 @@ using rockfall::covers;
 /// A part of a run is finished, and kept, after about this many rocks.
 constexpr std::uint64_t rocks_per_part = 250'000;
 
-/// Groups chunks into parts that begin and end with whole sources. Depends on the sources alone.
-std::vector<std::span<const rockfall::Chunk>> plan_parts(std::span<const rockfall::Chunk> chunks) {
-    std::vector<std::span<const rockfall::Chunk>> parts;
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < chunks.size(); ++i) {
-        const bool source_ends = chunks[i].whole_sources || chunks[i].last_piece;
-        const bool enough = chunks[i].last_rock - chunks[first].first_rock >= rocks_per_part;
-        if ((source_ends && enough) || i + 1 == chunks.size()) {
-            parts.push_back(chunks.subspan(first, i + 1 - first));
-            first = i + 1;
-        }
+/// Less work is kept between parts only: whoever stops a run at once wants other settings in the same folder.
+constexpr std::chrono::seconds worth_keeping{20};
+
+/// The chunks of the next part.
+std::span<const rockfall::Chunk> next_part(std::span<const rockfall::Chunk> chunks, std::size_t done) {
+    std::size_t end = done;
+    while (end < chunks.size() &&
+           (end == done || chunks[end - 1].last_rock - chunks[done].first_rock < rocks_per_part)) {
+        ++end;
     }
-    return parts;
+    return chunks.subspan(done, end - done);
 }
 
 /// Rising. Throws config::InputError (settings) for a rock that there is not.
@@ -142,35 +141,44 @@ private:
 };
 
 Ended AssessmentRun::fall(OutputFolder& folder) {
+    const auto begin = std::chrono::steady_clock::now();
     const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(site_.sources);
-    const auto parts = plan_parts(chunks);
+    SourcesUnderWay under_way{frame_.size()};
     if (folder.has_parts()) {
         state_ = read_checkpoint(folder.checkpoint(), total_, histograms_.pointers());
+        under_way.take_up(state_.begun);
     }
     state_.settings_hash = settings_hash(scenario_, site_.inputs);
     tables_ = std::make_unique<RowTables>(scenario_, site_, folder.parts(), state_.table_bytes);
     const std::uint64_t done_before =
-        state_.parts_done < parts.size() ? parts[state_.parts_done].front().first_rock : rocks_;
+        state_.chunks_done < chunks.size() ? chunks[state_.chunks_done].first_rock : rocks_;
     Progress progress{"falling", rocks_, done_before, request_.quiet};
     const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
-    for (; state_.parts_done < parts.size();) {
-        const auto keep_rows = [&](const rockfall::ChunkRows& rows) {
-            tables_->add(rows);
-            state_.paths.insert(state_.paths.end(), rows.paths.begin(), rows.paths.end());
-            keep_crossings(rows, state_.net_rows);
-            state_.not_started += rows.not_started;
-            progress.add(rows.rocks[static_cast<std::size_t>(rockfall::Cover::bare)].size() +
-                         rows.not_started);
-        };
-        if (fall_rocks(assessment_, parts[state_.parts_done], histograms_.pointers(), state_.gone, threads,
-                       total_, keep_rows) == Ended::interrupted) {
-            progress.finish();
-            return Ended::interrupted;
-        }
-        ++state_.parts_done;
-        if (parts.size() > 1) {
+    const auto keep_rows = [&](const rockfall::ChunkRows& rows) {
+        tables_->add(rows);
+        state_.paths.insert(state_.paths.end(), rows.paths.begin(), rows.paths.end());
+        keep_crossings(rows, state_.net_rows);
+        state_.not_started += rows.not_started;
+        progress.add(rows.rocks[static_cast<std::size_t>(rockfall::Cover::bare)].size() + rows.not_started);
+    };
+    bool kept = folder.has_parts();
+    while (state_.chunks_done < chunks.size()) {
+        const auto part = next_part(chunks, state_.chunks_done);
+        const std::size_t fallen = fall_rocks(assessment_, part, under_way, histograms_.pointers(),
+                                              state_.gone, threads, total_, keep_rows);
+        const bool interrupted = fallen < part.size();
+        const bool last = part.size() == chunks.size() - state_.chunks_done;
+        state_.chunks_done += fallen;
+        const bool long_enough = std::chrono::steady_clock::now() - begin >= worth_keeping;
+        if (kept || long_enough || !(interrupted || last)) {
+            state_.begun = under_way.begun();
             state_.table_bytes = tables_->flush();
             write_checkpoint(folder.checkpoint(), state_, total_, histograms_.pointers());
+            kept = true;
+        }
+        if (interrupted) {
+            progress.finish();
+            return Ended::interrupted;
         }
     }
     progress.finish();
@@ -249,8 +257,8 @@ int assess_today(const RunRequest& request, const Scenario& scenario, const Site
         std::error_code ignored;
         std::fprintf(stderr, "bannwald: interrupted; %s\n",
                      std::filesystem::exists(folder.checkpoint(), ignored)
-                         ? "the finished parts are kept, run the same command again to go on"
-                         : "no part was finished yet, so nothing is kept");
+                         ? "the rocks fallen so far are kept, run the same command again to go on"
+                         : "nothing is kept of work this short");
         return static_cast<int>(config::ExitCode::interrupted);
     }
     return static_cast<int>(config::ExitCode::done);

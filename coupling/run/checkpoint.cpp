@@ -5,7 +5,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x34305452'41504E42ULL;  // "BNPART04", least byte first
+constexpr std::uint64_t magic = 0x35305452'41504E42ULL;  // "BNPART05", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -52,7 +52,9 @@ void write(ByteWriter& out, const std::vector<NetRow>& rows) {
 }
 
 void write(ByteWriter& out, const Checkpoint& checkpoint) {
-    out.value(checkpoint.parts_done);
+    out.value(checkpoint.chunks_done);
+    out.value(checkpoint.begun.source);
+    out.list(checkpoint.begun.marks);
     out.value(checkpoint.not_started);
     out.list(checkpoint.table_bytes);
     out.list(checkpoint.gone);
@@ -159,7 +161,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
     Checkpoint checkpoint;
     in.value<std::uint64_t>();
     checkpoint.settings_hash = in.text();
-    checkpoint.parts_done = in.value<std::uint64_t>();
+    checkpoint.chunks_done = in.value<std::uint64_t>();
+    checkpoint.begun.source = in.value<std::uint32_t>();
+    checkpoint.begun.marks = in.list<std::uint8_t>();
     checkpoint.not_started = in.value<std::uint64_t>();
     checkpoint.table_bytes = in.list<std::uint64_t>();
     checkpoint.gone = in.list<std::uint8_t>();

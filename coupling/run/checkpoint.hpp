@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupling/nets/net_record.hpp"
+#include "coupling/run/fall_rocks.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {
@@ -16,7 +17,8 @@ namespace coupling {
 /// stopped.
 struct Checkpoint {
     std::string settings_hash;  ///< of settings, inputs and version
-    std::uint64_t parts_done = 0;
+    std::uint64_t chunks_done = 0;
+    SourcesUnderWay::Begun begun;            ///< by them, and not yet through
     std::uint64_t not_started = 0;           ///< rocks whose place lay outside the terrain
     std::vector<std::uint64_t> table_bytes;  ///< length of each streamed table
     std::vector<std::uint8_t> gone;          ///< broken stems, where they fall

@@ -62,7 +62,7 @@ Ended watch_falls(const rockfall::Assessment& assessment, rockfall::Cover cover,
     for (int i = 0; i < threads; ++i) {
         workers.push_back({Watch{assessment, cover, gone}, {}});
     }
-    return in_order(
+    const std::size_t fallen = in_order(
         chunks.size(), workers,
         [&](Busy& busy, std::size_t i) {
             const rockfall::Chunk& chunk = chunks[i];
@@ -76,6 +76,7 @@ Ended watch_falls(const rockfall::Assessment& assessment, rockfall::Cover cover,
             }
         },
         [&](Busy& busy, std::size_t) { std::for_each(busy.falls.begin(), busy.falls.end(), sink); });
+    return fallen == chunks.size() ? Ended::done : Ended::interrupted;
 }
 
 }  // namespace coupling

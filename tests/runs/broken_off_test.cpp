@@ -10,12 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run of two parts on the bare slope. A part ends with the source that completes 250 000 rocks: after two
-/// of the four; under pir3d, whose rocks take their time, after three with fewer each.
+/// A run of two parts on the bare slope: the first ends after 250 000 rocks, in the last of the four sources.
+/// Under pir3d, whose rocks take their time, little is left for the second.
 std::string two_parts(const std::string& motion) {
     return "run scenario.ini --quiet --threads 2 --set trees.file= --set output.rock_table=no "
            "--set rockfall.motion=" +
-           motion + " --set release.rocks=" + (motion == "pir3d" ? "340000" : "500000");
+           motion + " --set release.rocks=" + (motion == "pir3d" ? "270000" : "400000");
 }
 
 std::string interrupted_after_first_part(const std::string& out, const std::string& run) {
@@ -80,6 +80,27 @@ TEST_P(InterruptionUnderModel, KeepsFinishedPartsForTheSameSettingsOnly) {
         EXPECT_NE(project.read("out/" + name), "") << name;
     }
     EXPECT_FALSE(fs::exists(project.file("out/parts")));
+}
+
+/// A line with many rocks is one source: it is parted too, and an interruption keeps what has fallen since.
+TEST(Interruption, GoesOnWithinASource) {
+    const SampleProject project;
+    project.write("lines.csv", "blocks,wkt\n400000,\"LINESTRING (1025 2035, 1025 2065)\"\n");
+    project.replace("scenario.ini", "source = source.asc", "source_shapes = lines.csv");
+    const std::string run =
+        "run scenario.ini --quiet --threads 2 --set trees.file= --set output.rock_table=no "
+        "--set \"output.path_rocks=3, 299999, 399999\"";
+    const Outcome outcome =
+        shell(project, "\"$bannwald\" " + run +
+                           " --out out &\n"
+                           "part=out/parts/checkpoint.part\n"
+                           "while kill -0 $! && [ ! -e $part ]; do sleep 0.01; done\n"
+                           "cp $part first\nkill -TERM $!\nwait $!\n[ $? = 75 ] || exit 1\n"
+                           "cmp -s $part first && exit 2\n"
+                           "\"$bannwald\" " +
+                           run + " --out out || exit 3\n\"$bannwald\" " + run +
+                           " --out whole || exit 4\ndiff -r out whole\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
 }  // namespace
