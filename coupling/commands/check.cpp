@@ -16,6 +16,7 @@
 #include "coupling/commands/listing.hpp"
 #include "coupling/decades/management.hpp"
 #include "coupling/hazard/hazard_run.hpp"
+#include "coupling/inputs/map_size.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
@@ -72,6 +73,10 @@ void describe_site(const Scenario& scenario, const Site& site, std::ostream& out
                                 : site.projection.substr(0, site.projection.find('"', 8) + 1) + ", ...");
 }
 
+std::string to_mm(double value_m) {
+    return config::to_text(std::round(1000.0 * value_m) / 1000.0);
+}
+
 void describe_falls(const Scenario& scenario, const Site& site, std::ostream& out) {
     say(out, "motion", rockfall::name_of(scenario.rockfall.fall.motion.model));
     say(out, "ground", ground_in_words(site));
@@ -83,8 +88,8 @@ void describe_falls(const Scenario& scenario, const Site& site, std::ostream& ou
             (own > 0 ? ", " + std::to_string(own) + " with rocks of their own" : ""));
     const rockfall::DiameterRange sizes = rockfall::diameter_range(start_law(scenario), site.sources);
     say(out, "diameters",
-        config::to_text(sizes.smallest_m) +
-            (sizes.largest_m > sizes.smallest_m ? " to " + config::to_text(sizes.largest_m) : "") + " m");
+        to_mm(sizes.smallest_m) +
+            (sizes.largest_m > sizes.smallest_m ? " to " + to_mm(sizes.largest_m) : "") + " m");
     std::string targets;
     for (const rockfall::Target& target : site.targets) {
         targets += (targets.empty() ? "" : ", ") + target.id;
@@ -92,6 +97,16 @@ void describe_falls(const Scenario& scenario, const Site& site, std::ostream& ou
     say(out, "targets", targets.empty() ? "none" : targets);
     if (!site.nets.empty()) {
         say(out, "nets", counted(site.nets.size(), "net"));
+    }
+}
+
+/// A run may come to need more than there is, or less than the upper bound: nothing to refuse it for.
+void doubt_memory(const Estimate& estimate, config::Warnings& warnings) {
+    const std::uint64_t has_bytes = physical_memory_bytes();
+    if (has_bytes > 0 && estimate.bytes() > has_bytes) {
+        warnings.add("memory up to " + size_in_words(estimate.bytes()) + ", of which this machine has " +
+                     size_in_words(has_bytes) +
+                     ": larger output.cell_size_m, fewer --threads or output.percentiles = no take less");
     }
 }
 
@@ -108,7 +123,8 @@ void say_cost(const Estimate& estimate, int threads, std::ostream& out) {
             counted(static_cast<std::size_t>(threads), "thread") + ", within a factor of three");
 }
 
-void describe_today(const Scenario& scenario, const Site& site, int threads, std::ostream& out) {
+void describe_today(const Scenario& scenario, const Site& site, int threads, config::Warnings& warnings,
+                    std::ostream& out) {
     describe_site(scenario, site, out);
     say(out, "trees", trees_in_words(site));
     if (!site.logs.empty()) {
@@ -120,6 +136,7 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, std
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
     say_cost(estimate, threads, out);
+    doubt_memory(estimate, warnings);
 }
 
 void describe_years(const Scenario& scenario, Site site, int threads, config::Warnings& warnings,
@@ -138,6 +155,7 @@ void describe_years(const Scenario& scenario, Site site, int threads, config::Wa
         say(out, "rocks", "none fall: run.rockfall_every is 0");
     }
     say_cost(estimate, threads, out);
+    doubt_memory(estimate, warnings);
 }
 
 /// Each return period as the run that it will be.
@@ -148,7 +166,7 @@ void check_return_periods(const CommandLine& line, const Scenario& scenario, int
         out << gap << "Return period of " << config::to_text(years) << " years\n";
         gap = "\n";
         const auto one = hazard::scenario_of(line.argument, line.overrides, years);
-        describe_today(*one, open_site(*one, warnings), threads, out);
+        describe_today(*one, open_site(*one, warnings), threads, warnings, out);
     }
 }
 
@@ -180,7 +198,7 @@ void check_scenario(const CommandLine& line, config::Warnings& warnings, std::os
         if (site.forest) {
             describe_years(*scenario, std::move(site), threads, warnings, out);
         } else {
-            describe_today(*scenario, site, threads, out);
+            describe_today(*scenario, site, threads, warnings, out);
         }
     } else {
         profile::describe(*scenario, profile::open_profile(*scenario, warnings), out);

@@ -9,6 +9,7 @@
 #include "config/grid/holes.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/map_size.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
@@ -35,13 +36,18 @@ std::vector<double> known_heights(const config::Raster<double>& grid) {
     return known;
 }
 
-/// Heights that no mountain has, or zeros that stand for NODATA.
-void check_heights(std::vector<double> heights, const std::string& file, Reading& reading) {
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    if (*low < -500.0 || *high > 9000.0) {
-        reading.doubt({file}, "heights from " + config::to_text(*low) + " to " + config::to_text(*high),
+/// Heights that no mountain has.
+void doubt_heights(double low_m, double high_m, const std::string& file, Reading& reading) {
+    if (low_m < -500.0 || high_m > 9000.0) {
+        reading.doubt({file}, "heights from " + config::to_text(low_m) + " to " + config::to_text(high_m),
                       "metres above sea level");
     }
+}
+
+/// Those, and zeros that stand for NODATA.
+void check_heights(std::vector<double> heights, const std::string& file, Reading& reading) {
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    doubt_heights(*low, *high, file, reading);
     const auto zeros = static_cast<std::size_t>(std::count(heights.begin(), heights.end(), 0.0));
     const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::nth_element(heights.begin(), middle, heights.end());
@@ -102,8 +108,43 @@ HeightInput read_dem(Reading& reading) {
         reading.note(input.file + ": no " + projection_name(scenario.dem) +
                      " beside it, so the results name no projection");
     }
+    if (scenario.cell_size_m > 0.0) {
+        check_map_size(input.grid->frame, scenario.cell_size_m, scenario);
+    }
     input.map_frame = with_cell_size(input.grid->frame, scenario.cell_size_m);
     return input;
+}
+
+/// One cell over all points.
+config::GridFrame extent_over(const std::vector<Eigen::Vector3d>& points) {
+    Eigen::Vector2d low = points.front().head<2>();
+    Eigen::Vector2d high = low;
+    for (const Eigen::Vector3d& point : points) {
+        low = low.cwiseMin(point.head<2>());
+        high = high.cwiseMax(point.head<2>());
+    }
+    const Eigen::Vector2d extent = (high - low).cwiseMax(1e-3);
+    return {.columns = 1,
+            .rows = 1,
+            .x_west_m = low.x(),
+            .y_south_m = low.y(),
+            .cell_width_m = extent.x(),
+            .cell_height_m = extent.y()};
+}
+
+/// The frame of the maps over points, refused where their coordinates or the cells cannot be meant.
+config::GridFrame checked_frame_over(const std::vector<Eigen::Vector3d>& points, const std::string& file,
+                                     Reading& reading) {
+    const config::GridFrame extent = extent_over(points);
+    check_extent(extent.cell_width_m, extent.cell_height_m, file);
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                                 [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    doubt_heights(low->z(), high->z(), file, reading);
+    const double cell_size_m = reading.scenario().cell_size_m;
+    if (cell_size_m > 0.0) {
+        check_map_size(extent, cell_size_m, reading.scenario());
+    }
+    return frame_over(points, cell_size_m);
 }
 
 HeightInput read_point_cloud(Reading& reading) {
@@ -117,7 +158,7 @@ HeightInput read_point_cloud(Reading& reading) {
                      "at least three");
     }
     input.projection = reading.text_beside("projection", projection_name(scenario.points));
-    input.map_frame = frame_over(input.points, scenario.cell_size_m);
+    input.map_frame = checked_frame_over(input.points, input.file, reading);
     return input;
 }
 
@@ -140,7 +181,7 @@ HeightInput read_given_mesh(Reading& reading) {
         input.lines = std::move(mesh.lines);
     }
     input.projection = reading.text_beside("projection", projection_name(scenario.mesh));
-    input.map_frame = frame_over(input.points, scenario.cell_size_m);
+    input.map_frame = checked_frame_over(input.points, input.file, reading);
     return input;
 }
 
@@ -240,25 +281,14 @@ config::GridFrame with_cell_size(const config::GridFrame& frame, double cell_siz
 }
 
 config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double cell_size_m) {
-    Eigen::Vector2d low = points.front().head<2>();
-    Eigen::Vector2d high = low;
-    for (const Eigen::Vector3d& point : points) {
-        low = low.cwiseMin(point.head<2>());
-        high = high.cwiseMax(point.head<2>());
-    }
-    const Eigen::Vector2d extent = (high - low).cwiseMax(1e-3);
+    const config::GridFrame whole = extent_over(points);
     if (!(cell_size_m > 0.0)) {
-        const double spacing_m = std::sqrt(extent.x() * extent.y() / static_cast<double>(points.size()));
+        const double spacing_m =
+            std::sqrt(whole.cell_width_m * whole.cell_height_m / static_cast<double>(points.size()));
         const double power = std::pow(10.0, std::floor(std::log10(spacing_m)));
         const double ratio = spacing_m / power;
         cell_size_m = power * (ratio <= 1.0 ? 1.0 : ratio <= 2.0 ? 2.0 : ratio <= 5.0 ? 5.0 : 10.0);
     }
-    const config::GridFrame whole{.columns = 1,
-                                  .rows = 1,
-                                  .x_west_m = low.x(),
-                                  .y_south_m = low.y(),
-                                  .cell_width_m = extent.x(),
-                                  .cell_height_m = extent.y()};
     return with_cell_size(whole, cell_size_m);
 }
 

@@ -28,38 +28,45 @@ std::string at_place(const Eigen::Vector3d& place_m) {
 }
 
 struct FaultWords {
-    const char* one;  ///< of what there are so many
+    const char* one;   ///< of what there is one
+    const char* many;  ///< the same where there are several
     const char* expected;
 };
 
 FaultWords words_of(TinFault fault) {
     switch (fault) {
         case TinFault::no_area:
-            return {"face without area", "three corners that are not in one line"};
+            return {"face without area", "faces without area", "three corners that are not in one line"};
         case TinFault::doubled:
-            return {"doubled face", "each face once"};
+            return {"doubled face", "doubled faces", "each face once"};
         case TinFault::crowded:
-            return {"edge of more than two faces", "a surface: two faces at an edge, one at a border"};
+            return {"edge of more than two faces", "edges of more than two faces",
+                    "a surface: two faces at an edge, one at a border"};
         case TinFault::flipped:
-            return {"flipped face", "corners counter-clockwise seen from above, as those of the neighbours"};
+            return {"flipped face", "flipped faces",
+                    "corners counter-clockwise seen from above, as those of the neighbours"};
         case TinFault::overhang:
-            return {"overhanging face", "one height over each place: only the side that rocks fall on"};
+            return {"overhanging face", "overhanging faces",
+                    "one height over each place: only the side that rocks fall on"};
         case TinFault::not_leaned:
-            return {"face that a leaning wall turns over",
+            return {"face that a leaning wall turns over", "faces that leaning walls turn over",
                     "walls with a centimetre of ground at least behind and before them"};
         case TinFault::overlap:
-            return {"border that lies in another face",
-                    "parts that do not overlap in plan and seams whose vertices are the same"};
+            return {"border that lies over another face", "borders that lie over other faces",
+                    "one height over each place: parts that do not lie over each other in plan, and seams "
+                    "whose vertices are the same"};
         case TinFault::hole:
-            return {"hole", "ground without holes: rocks that reach one have left the terrain"};
+            return {"hole", "holes", "ground without holes: rocks that reach one have left the terrain"};
         case TinFault::parts:
             break;
     }
-    return {"part without connection", "faces that hang together"};
+    return {"part without connection", "parts without connection", "faces that hang together"};
 }
 
 std::string found_in_words(const rockfall::TinFinding& finding) {
-    std::string text = counted(finding.count, words_of(finding.fault).one);
+    const FaultWords words = words_of(finding.fault);
+    std::string text =
+        joined(std::to_string(finding.count), " ", finding.count == 1 ? words.one : words.many);
     text += (finding.count > 1 ? ", the first" : "") + at_place(finding.place_m);
     if (finding.fault == TinFault::hole) {
         text += " with " + counted(finding.size, "edge");
@@ -189,6 +196,9 @@ MeshInput read_mesh(Reading& reading) {
     }
     MeshInput input;
     if (mesh.faces.empty()) {
+        if (format_of(bytes.text(), file) == MeshFormat::ply) {
+            reading.note(file + ": no faces in it; its points are triangulated as those of terrain.points");
+        }
         input.points_m = std::move(mesh.points_m);
         input.lines = std::move(mesh.lines);
         if (const auto place_m = rockfall::crossing_of(input.points_m, input.lines)) {

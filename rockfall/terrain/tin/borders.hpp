@@ -31,4 +31,9 @@ struct PlanCrossing {
 };
 std::vector<PlanCrossing> crossings_of(std::span<const PlanSegment> segments, std::size_t most);
 
+/// Where two segments lie over each other, within the tolerance, and run in the same sense: borders with
+/// ground on the same side of both. At most `most` of them.
+std::vector<PlanCrossing> laid_over_each_other(std::span<const PlanSegment> segments, double tolerance_m,
+                                               std::size_t most);
+
 }  // namespace rockfall

@@ -172,9 +172,16 @@ void find_overlaps(const Tin& tin, const TinEdges& edges, Findings& findings) {
         }
     }
     constexpr std::size_t most = 1000;
+    const auto add = [&](const PlanCrossing& meeting) {
+        const Eigen::Vector3d middle = middle_of(tin, edges.borders[meeting.first]);
+        findings.add(TinFault::overlap, {meeting.place_m.x(), meeting.place_m.y(), middle.z()});
+    };
     for (const PlanCrossing& crossing : crossings_of(segments, most)) {
-        const Eigen::Vector3d middle = middle_of(tin, edges.borders[crossing.first]);
-        findings.add(TinFault::overlap, {crossing.place_m.x(), crossing.place_m.y(), middle.z()});
+        add(crossing);
+    }
+    // Sheets of the same plan: no border of one lies inside the other, all lie over each other.
+    for (const PlanCrossing& over : laid_over_each_other(segments, outside_m, most)) {
+        add(over);
     }
 }
 

@@ -32,7 +32,7 @@ enum class TinFault : std::uint8_t {
     flipped,     ///< corners the other way round than those of its neighbour
     overhang,    ///< looks down: two heights over one place
     not_leaned,  ///< upright, and leaning it turns another face over
-    overlap,     ///< a border that lies in or on another face: parts that overlap, or a seam not joined
+    overlap,     ///< a border over another face or border: parts over each other, or a seam not joined
     hole,        ///< a border around no ground
     parts,       ///< a part without connection to the largest one
 };

@@ -142,6 +142,10 @@ TEST(MeshInput, RefusesWhatIsNoTerrainAndSaysWhere) {
              {ply_of(square + "10 10 30\n", 5, "3 0 1 2\n3 0 2 3\n3 0 2 4\n", 3),
               "m.ply: found 1 edge of more than two faces at 10, 10, 7, expected a surface: two faces at an "
               "edge, one at a border"},
+             {ply_of(square + "0 0 60\n20 0 60\n20 20 54\n0 20 54\n", 8,
+                     "3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n", 4),
+              "m.ply: found 4 borders that lie over other faces, the first at 10, 0, 10, expected one height "
+              "over each place"},
              {ply_of(square + "15 5 2\n", 5, "3 0 1 2\n3 0 2 3\n3 1 0 4\n", 3),
               "m.ply: found 1 overhanging face at 11.67, 1.67, 7.33, expected one height over each place: "
               "only the side that rocks fall on"}}) {
@@ -149,6 +153,25 @@ TEST(MeshInput, RefusesWhatIsNoTerrainAndSaysWhere) {
         EXPECT_EQ(opened.code, ExitCode::data);
         EXPECT_NE(opened.errors.find(message), std::string::npos) << opened.errors;
     }
+}
+
+TEST(MeshInput, RefusesCoordinatesThatAreNoMetresBeforeMapsAreMade) {
+    const MeshProject project;
+    const std::string in_mm = "0 0 10000\n200000 0 10000\n200000 200000 4000\n0 200000 4000\n";
+    const Opened opened = open_mesh(project, "m.ply", ply_of(in_mm, 4, "3 0 1 2\n3 0 2 3\n", 2), one_ground);
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_NE(opened.errors.find("m.ply: found an extent of 200000 m x 200000 m in plan, expected "
+                                 "coordinates in metres"),
+              std::string::npos)
+        << opened.errors;
+}
+
+TEST(MeshInput, TellsThatAPlyWithoutFacesIsTakenAsPoints) {
+    const MeshProject project;
+    const Opened opened = open_mesh(project, "m.ply", ply_of(square, 4, "", 0), one_ground);
+    ASSERT_FALSE(opened.warnings.empty());
+    EXPECT_EQ(opened.warnings.front(),
+              "m.ply: no faces in it; its points are triangulated as those of terrain.points");
 }
 
 TEST(MeshInput, DoubtsAHoleAndSaysWhere) {

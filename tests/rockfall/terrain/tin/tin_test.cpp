@@ -279,6 +279,31 @@ TEST(CheckedTin, NamesASeamThatIsNotJoined) {
     EXPECT_TRUE(found(rockfall::checked(tin), TinFault::overlap));
 }
 
+TEST(CheckedTin, FindsASheetRightAboveAnother) {
+    // The same plan, once 50 m higher; then with other vertices along its border, so that no edge is the
+    // same.
+    const auto with_upper = [](const Tin& upper) {
+        Tin both = patch(6, 4, 10.0, even_m);
+        const auto first = static_cast<std::uint32_t>(both.vertices_m.size());
+        for (const Eigen::Vector3d& vertex : upper.vertices_m) {
+            both.vertices_m.emplace_back(vertex.x(), vertex.y(), vertex.z() + 50.0);
+        }
+        for (TinFace face : upper.faces) {
+            for (std::uint32_t& corner : face.corners) {
+                corner += first;
+            }
+            both.faces.push_back(face);
+        }
+        return rockfall::checked(both);
+    };
+    for (const CheckedTin& checked :
+         {with_upper(patch(6, 4, 10.0, even_m)), with_upper(patch(12, 8, 5.0, even_m))}) {
+        EXPECT_FALSE(checked.is_sound());
+        ASSERT_TRUE(found(checked, TinFault::overlap));
+        EXPECT_GE(found(checked, TinFault::overlap)->count, 20U);
+    }
+}
+
 TEST(CheckedTin, LeansAnUprightWallByACentimetreAtItsTop) {
     const CheckedTin checked = rockfall::checked(cliff());
     ASSERT_TRUE(checked.is_sound());
