@@ -63,7 +63,7 @@ struct Files {
     std::optional<std::vector<TreeRecord>> trees;
     std::optional<std::vector<LogRecord>> logs;
     std::optional<std::vector<rockfall::Target>> targets;
-    std::optional<std::vector<NetRecord>> nets;
+    std::optional<GivenNets> nets;
 };
 
 /// Sections that only a run over years reads.
@@ -91,7 +91,7 @@ void tell_idle_settings(const Scenario& scenario, Reading& reading) {
 void tell_idle_output(const Scenario& scenario, Reading& reading) {
     std::string names;
     for (const char* key : {"output.percentiles", "output.rock_table", "output.tree_hit_table",
-                            "output.sample_paths", "output.path_rocks", "output.vtp"}) {
+                            "output.sample_paths", "output.path_rocks", "output.vtp", "nets.wanted_share"}) {
         if (scenario.options->was_set(key)) {
             names += (names.empty() ? "" : ", ") + std::string{key};
         }
@@ -238,9 +238,9 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     if (files.targets) {
         files.targets = on_terrain(std::move(*files.targets), terrain, reading);
     }
+    std::vector<NetRecord> nets;
     if (files.nets) {
-        files.nets = on_terrain(std::move(*files.nets), terrain, reading.shown(scenario.nets.file),
-                                reading.problems());
+        nets = on_terrain(std::move(*files.nets), terrain, reading.problems());
     }
     std::shared_ptr<ForestSite> forest;
     if (scenario.years > 0) {
@@ -266,7 +266,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .logs = std::move(files.logs).value_or(std::vector<LogRecord>{}),
             .sources = std::move(sources).value_or(std::vector<rockfall::ReleaseSource>{}),
             .targets = std::move(files.targets).value_or(std::vector<rockfall::Target>{}),
-            .nets = std::move(files.nets).value_or(std::vector<NetRecord>{}),
+            .nets = std::move(nets),
             .inputs = reading.inputs(),
             .forest = std::move(forest)};
 }

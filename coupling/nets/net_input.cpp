@@ -1,11 +1,13 @@
 #include "coupling/nets/net_input.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/nets/net_classes.hpp"
+#include "coupling/nets/net_lines.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
@@ -18,43 +20,38 @@ constexpr double j_per_kj = 1000.0;
 constexpr double shortest_net_m = 0.1;
 /// So far apart lie the places at which a net is looked at for ground below it.
 constexpr double ground_step_m = 1.0;
+/// Below these a figure is likely to be meant in another unit [choice]: nets on offer begin at 1.5 m and
+/// 35 kJ.
+constexpr double low_net_m = 0.5;
+constexpr double weak_net_kj = 10.0;
 
-double side_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
-    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+const std::vector<std::string>& net_columns() {
+    static const std::vector<std::string> columns{"name", "height_m", "capacity_kj", "class", "gap_m", "wkt"};
+    return columns;
 }
 
-bool is_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
-    return side_of(a, b, p) == 0.0 && (p - a).dot(p - b) <= 0.0;
-}
-
-/// Whether two pieces of line have a point in common.
-bool touch(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-           const Eigen::Vector2d& d) {
-    const double c_side = side_of(a, b, c);
-    const double d_side = side_of(a, b, d);
-    const double a_side = side_of(c, d, a);
-    const double b_side = side_of(c, d, b);
-    return (c_side * d_side < 0.0 && a_side * b_side < 0.0) || is_between(a, b, c) || is_between(a, b, d) ||
-           is_between(c, d, a) || is_between(c, d, b);
-}
-
-/// A line that meets itself, but for one that closes, has no order along it.
-bool meets_itself(const std::vector<Eigen::Vector2d>& line) {
-    const std::size_t pieces = line.size() - 1;
-    const bool closed = line.front() == line.back();
-    for (std::size_t i = 0; i < pieces; ++i) {
-        for (std::size_t j = i + 1; j < pieces; ++j) {
-            const bool next_to_it = j == i + 1 || (closed && i == 0 && j + 1 == pieces);
-            if (!next_to_it && touch(line[i], line[i + 1], line[j], line[j + 1])) {
-                return true;
-            }
-            if (j == i + 1 && (is_between(line[i], line[i + 1], line[j + 1]) ||
-                               is_between(line[j], line[j + 1], line[i]))) {
-                return true;  // folds back onto itself
-            }
+/// The column that a word comes near to, or names without its unit or in another: "gap", "height_cm".
+std::string column_like(const std::string& word) {
+    constexpr std::size_t longest_unit = 2;
+    const std::size_t stem = std::min(word.find('_'), word.size());
+    for (const std::string& column : net_columns()) {
+        if (word.size() <= stem + 1 + longest_unit &&
+            column.substr(0, column.find('_')) == word.substr(0, stem)) {
+            return column;
         }
     }
-    return false;
+    return config::nearest_word(word, net_columns());
+}
+
+/// A name without capitals and blanks.
+std::string bare_name(const std::string& name) {
+    std::string bare;
+    for (const char letter : name) {
+        if (letter != ' ' && letter != '\t') {
+            bare += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+        }
+    }
+    return bare;
 }
 
 /// A table of nets, row by row; what is wrong becomes a problem.
@@ -88,6 +85,24 @@ public:
             refuse(row, "name",
                    name.empty() ? "no name" : joined("name ", config::in_quotes(name), " a second time"),
                    "one name for each net");
+        }
+    }
+
+    /// Two nets in one place: a rock would meet both at once.
+    void check_place(std::size_t row, const std::vector<NetRecord>& before) const {
+        const std::string& name = table_.text(row, "name");
+        const std::vector<Eigen::Vector2d>& line = before[row].net.line_m;
+        for (std::size_t other = 0; other < row; ++other) {
+            const double shared_m = length_in_one_place_m(before[other].net.line_m, line);
+            if (shared_m > 0.0) {
+                refuse(row, "wkt",
+                       joined("net ", config::in_quotes(name), " in the place of net ",
+                              config::in_quotes(before[other].name), " of line ",
+                              std::to_string(table_.place(other, "wkt").line), " over ",
+                              to_centimetres(shared_m), " m"),
+                       "nets apart from each other: where two stand in one place, rocks that break the first "
+                       "would miss the second");
+            }
         }
     }
 
@@ -179,49 +194,98 @@ std::optional<Eigen::Vector2d> first_place_off_ground(const rockfall::Net& net,
     return std::nullopt;
 }
 
-std::vector<NetRecord> nets_of(const config::Table& table) {
+GivenNets nets_of(const config::Table& table, Standing standing) {
     config::Problems problems;
     table.require({"name", "height_m", "wkt"}, problems);
     problems.throw_if_any();
     const NetTable rows{table, problems};
-    std::vector<NetRecord> nets;
+    GivenNets given;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        rows.check_name(row, nets);
-        nets.push_back(rows.net_of(row));
+        rows.check_name(row, given.nets);
+        given.nets.push_back(rows.net_of(row));
+        given.lines.push_back(table.place(row, "wkt"));
+        if (standing == Standing::together) {
+            rows.check_place(row, given.nets);
+        }
     }
-    if (nets.empty()) {
+    if (given.nets.empty()) {
         problems.add(config::ExitCode::data, {table.file()}, "no nets", "at least one, or no nets.file");
     }
     config::Problems shown;
     add_first(shown, problems, table.file());
     shown.throw_if_any();
-    return nets;
+    return given;
 }
 
-std::optional<std::vector<NetRecord>> read_nets(Reading& reading) {
+std::vector<config::Problem> doubts_about(const config::Table& table, const std::vector<NetRecord>& nets) {
+    std::vector<config::Problem> doubts;
+    const auto doubt = [&](config::Place place, std::string found, std::string expected) {
+        doubts.push_back({config::ExitCode::data, std::move(place), std::move(found), std::move(expected)});
+    };
+    for (const std::string& column : table.columns()) {
+        const bool known =
+            std::find(net_columns().begin(), net_columns().end(), column) != net_columns().end();
+        const std::string like = known ? "" : column_like(column);
+        if (!like.empty() && !table.has(like)) {
+            doubt({table.file()}, joined("column ", config::in_quotes(column), ", which is passed over"),
+                  joined(like, ", if that is what is meant"));
+        }
+    }
+    for (std::size_t row = 0; row < nets.size(); ++row) {
+        const NetRecord& record = nets[row];
+        const double capacity_kj = record.net.capacity_j / j_per_kj;
+        if (record.net.height_m < low_net_m) {
+            doubt(table.place(row, "height_m"),
+                  joined("a net of ", config::to_text(record.net.height_m), " m"), "a height in metres");
+        }
+        if (record.energy_class.empty() && capacity_kj < weak_net_kj) {
+            doubt(table.place(row, "capacity_kj"),
+                  joined("a net that takes ", config::to_text(capacity_kj), " kJ"), "kilojoules");
+        }
+        for (std::size_t other = 0; other < row; ++other) {
+            if (bare_name(nets[other].name) == bare_name(record.name)) {
+                doubt(table.place(row, "name"),
+                      joined("name ", config::in_quotes(record.name), " beside ",
+                             config::in_quotes(nets[other].name)),
+                      "names that differ by more than capitals and blanks");
+            }
+        }
+    }
+    return doubts;
+}
+
+std::optional<GivenNets> read_nets(Reading& reading) {
     const std::string& file = reading.scenario().nets.file;
     if (file.empty()) {
-        return std::vector<NetRecord>{};
+        return GivenNets{};
     }
-    return reading.attempt([&] { return nets_of(reading.table("nets.file", "nets", file)); });
+    return reading.attempt([&] {
+        const config::Table table = reading.table("nets.file", "nets", file);
+        GivenNets given = nets_of(table);
+        for (const config::Problem& doubt : doubts_about(table, given.nets)) {
+            reading.doubt(doubt.place, doubt.found, doubt.expected);
+        }
+        return given;
+    });
 }
 
-std::vector<NetRecord> on_terrain(std::vector<NetRecord> nets, const rockfall::Terrain& terrain,
-                                  const std::string& file, config::Problems& problems) {
+std::vector<NetRecord> on_terrain(GivenNets given, const rockfall::Terrain& terrain,
+                                  config::Problems& problems) {
     const Eigen::Vector2d origin_m = terrain.origin_m();
-    for (NetRecord& record : nets) {
+    for (std::size_t i = 0; i < given.nets.size(); ++i) {
+        NetRecord& record = given.nets[i];
         for (Eigen::Vector2d& corner : record.net.line_m) {
             corner -= origin_m;
         }
         if (const auto place = first_place_off_ground(record.net, terrain)) {
-            problems.add(config::ExitCode::data, {file},
+            problems.add(config::ExitCode::data, given.lines[i],
                          joined("net ", config::in_quotes(record.name), " leaves the terrain at x ",
-                                config::to_text(place->x() + origin_m.x()), ", y ",
-                                config::to_text(place->y() + origin_m.y())),
+                                to_centimetres(place->x() + origin_m.x()), ", y ",
+                                to_centimetres(place->y() + origin_m.y())),
                          "a line wholly on the terrain");
         }
     }
-    return nets;
+    return std::move(given.nets);
 }
 
 }  // namespace coupling

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,21 +12,37 @@
 
 namespace coupling {
 
+/// Nets as a table gives them.
+struct GivenNets {
+    std::vector<NetRecord> nets;
+    std::vector<config::Place> lines;  ///< where the line of each net stands in the table
+};
+
+/// Whether nets of a table stand on the slope together.
+enum class Standing : std::uint8_t {
+    together,    ///< refused where two stand in one place
+    each_alone,  ///< looked at one by one: may share a place
+};
+
 /// The nets of a table, in absolute coordinates. Throws InputError (data) with all that is wrong.
 ///
 /// Columns name, height_m, either capacity_kj or class, wkt (LINESTRING); perhaps gap_m (0).
-std::vector<NetRecord> nets_of(const config::Table& table);
+GivenNets nets_of(const config::Table& table, Standing standing = Standing::together);
+
+/// What is only suspicious in a table of nets: columns that are passed over, figures that look like another
+/// unit, names that differ by capitals or blanks alone.
+std::vector<config::Problem> doubts_about(const config::Table& table, const std::vector<NetRecord>& nets);
 
 /// Reads the nets of the scenario; an empty list without them.
-std::optional<std::vector<NetRecord>> read_nets(Reading& reading);
+std::optional<GivenNets> read_nets(Reading& reading);
 
 /// The first place along a net, looked at every metre, without ground below it.
 std::optional<Eigen::Vector2d> first_place_off_ground(const rockfall::Net& net,
                                                       const rockfall::Terrain& terrain);
 
-/// Moves nets into the coordinates of the terrain. A net of which a part lies outside is a problem at the
-/// table `file`: nothing holds its height there.
-std::vector<NetRecord> on_terrain(std::vector<NetRecord> nets, const rockfall::Terrain& terrain,
-                                  const std::string& file, config::Problems& problems);
+/// Moves nets into the coordinates of the terrain. A net of which a part lies outside is a problem: nothing
+/// holds its height there.
+std::vector<NetRecord> on_terrain(GivenNets given, const rockfall::Terrain& terrain,
+                                  config::Problems& problems);
 
 }  // namespace coupling

@@ -193,8 +193,9 @@ PlaceFigures PlaceTrial::figures(std::size_t place, rockfall::Cover cover, const
 
 void place_nets(const NetPlaceRequest& request, std::ostream& out) {
     NetPathsReader paths = paths_of_run(request.run);
-    const std::vector<NetRecord> lines = nets_on(request.nets, paths.terrain());
     std::vector<std::string> remarks;
+    const std::vector<NetRecord> lines =
+        nets_on(request.nets, paths.terrain(), Standing::each_alone, remarks);
     const std::vector<double> distances_m =
         request.distances_m.empty() ? usual_net_distances_m() : request.distances_m;
     const std::vector<NetPlace> places = places_of(lines, distances_m, paths.terrain(), remarks);

@@ -153,12 +153,17 @@ NetPathsReader paths_of_run(const fs::path& folder) {
     return paths;
 }
 
-std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& terrain) {
+std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& terrain, Standing standing,
+                               std::vector<std::string>& remarks) {
     const FileBytes bytes = open_file(file, {file.string()}, "a table of nets");
     std::istringstream in{std::string{bytes.text()}};
+    const config::Table table = config::Table::read(in, file.string());
+    GivenNets given = nets_of(table, standing);
+    for (const config::Problem& doubt : doubts_about(table, given.nets)) {
+        remarks.push_back(joined("warning: ", config::to_string(doubt)));
+    }
     config::Problems problems;
-    std::vector<NetRecord> nets =
-        on_terrain(nets_of(config::Table::read(in, file.string())), terrain, file.string(), problems);
+    std::vector<NetRecord> nets = on_terrain(std::move(given), terrain, problems);
     problems.throw_if_any();
     return nets;
 }
@@ -172,7 +177,8 @@ void refuse_full_folder(const fs::path& folder, bool overwrite) {
 
 void try_nets(const NetTryRequest& request, std::ostream& out) {
     NetPathsReader paths = paths_of_run(request.run);
-    const std::vector<NetRecord> nets = nets_on(request.nets, paths.terrain());
+    std::vector<std::string> remarks;
+    const std::vector<NetRecord> nets = nets_on(request.nets, paths.terrain(), Standing::together, remarks);
     const fs::path folder = request.out.empty() ? request.run / "net_try" : request.out;
     refuse_full_folder(folder, request.overwrite);
     std::vector<rockfall::Net> walls;
@@ -207,6 +213,9 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
     });
     write_file("net_inexact.csv", [&](std::ostream& table) { write_inexact(table, nets, tried.broken); });
     if (!request.quiet) {
+        for (const std::string& remark : remarks) {
+            out << remark << '\n';
+        }
         tell(nets, figures, tried, out);
         out << folder.string() << '\n';
     }

@@ -3,9 +3,11 @@
 #include <filesystem>
 #include <ostream>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "coupling/nets/net_input.hpp"
 #include "coupling/nets/net_paths.hpp"
 #include "coupling/nets/net_record.hpp"
 
@@ -33,8 +35,9 @@ void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, 
 
 /// The stored paths of a finished run. Throws InputError where there are none, or of another run or version.
 NetPathsReader paths_of_run(const std::filesystem::path& folder);
-/// A table of nets on a terrain. Throws InputError.
-std::vector<NetRecord> nets_on(const std::filesystem::path& file, const rockfall::Terrain& terrain);
+/// A table of nets on a terrain; what is only suspicious in it becomes a remark. Throws InputError.
+std::vector<NetRecord> nets_on(const std::filesystem::path& file, const rockfall::Terrain& terrain,
+                               Standing standing, std::vector<std::string>& remarks);
 /// Throws InputError (settings) for a folder that holds files, unless they may be replaced.
 void refuse_full_folder(const std::filesystem::path& folder, bool overwrite);
 

@@ -225,13 +225,33 @@ TEST_P(NetsUnderModel, KeepEveryRockFromATargetOnTheirLine) {
     }
 }
 
+TEST(Nets, InOnePlaceAreRefusedByEveryCommandThatLetsRocksMeetThem) {
+    const SampleProject project;
+    add_nets(project);
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=100 ";
+    ASSERT_EQ(call(project, rocks + "--set nets.keep_paths=yes --out out").code, 0);
+    project.write("twice.csv",
+                  "name,height_m,capacity_kj,wkt\n"
+                  "a,3,50,\"LINESTRING (1098 2005, 1098 2095)\"\n"
+                  "b,5,900,\"LINESTRING (1098 2020, 1098 2060)\"\n");
+    for (const std::string command :
+         {"check scenario.ini --set nets.file=twice.csv", "run scenario.ini --set nets.file=twice.csv",
+          "net try out --nets twice.csv"}) {
+        const Outcome outcome = call(project, command);
+        EXPECT_EQ(outcome.code, 4) << command;
+        EXPECT_NE(outcome.err.find("net 'b' in the place of net 'a' of line 2 over 40 m"), std::string::npos)
+            << outcome.err;
+    }
+    EXPECT_EQ(call(project, "net place out --nets twice.csv --distances 10").code, 0);
+}
+
 TEST(Nets, ThatCannotStandEndTheRunAndLeaveNothing) {
     const SampleProject project;
     add_nets(project);
     project.replace("nets.csv", "1098 2095", "1098 2995");
     const Outcome outcome = call(project, "run scenario.ini --quiet");
     EXPECT_EQ(outcome.code, 4);
-    EXPECT_NE(outcome.err.find("nets.csv: found net 'lower' leaves the terrain"), std::string::npos)
+    EXPECT_NE(outcome.err.find("nets.csv:3:13: found net 'lower' leaves the terrain"), std::string::npos)
         << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(project.file("out")));
 }

@@ -46,11 +46,52 @@ TEST(Nets, StandInCoordinatesOfTheTerrain) {
 }
 
 TEST(Nets, WhollyOrPartlyOffTheTerrainAreRefused) {
-    EXPECT_EQ(errors_of("a,3,500,,,\"LINESTRING (1090 2010, 1090 2190)\"\n"),
-              "nets.csv: found net 'a' leaves the terrain at x 1090, y 2096, expected a line wholly on the "
-              "terrain");
+    EXPECT_EQ(
+        errors_of("a,3,500,,,\"LINESTRING (1090 2010, 1090 2190)\"\n"),
+        "nets.csv:2:11: found net 'a' leaves the terrain at x 1090, y 2096, expected a line wholly on the "
+        "terrain");
     EXPECT_NE(errors_of("a,3,500,,,\"LINESTRING (5090 2010, 5090 2090)\"\n").find("leaves the terrain"),
               std::string::npos);
+}
+
+TEST(Nets, InOnePlaceAreRefusedWithBothNamesAndLines) {
+    const std::string a = "a,3,500,,,\"LINESTRING (1090 2010, 1090 2090)\"\n";
+    EXPECT_EQ(errors_of(a + "b,5,900,,,\"LINESTRING (1090 2090, 1090 2010)\"\n"),
+              "nets.csv:3:11: found net 'b' in the place of net 'a' of line 2 over 80 m, expected nets apart "
+              "from each other: where two stand in one place, rocks that break the first would miss the "
+              "second");
+    EXPECT_NE(errors_of(a + "b,5,900,,,\"LINESTRING (1080 2040, 1090 2050, 1090 2050.5, 1080 2060)\"\n")
+                  .find("over 0.5 m"),
+              std::string::npos);
+}
+
+TEST(Nets, MayCrossTouchAndFollowEachOther) {
+    const Opened opened = open_with(
+        "a,3,500,,,\"LINESTRING (1090 2010, 1090 2050)\"\n"
+        "end to end,3,500,,,\"LINESTRING (1090 2050, 1090 2090)\"\n"
+        "across,3,500,,,\"LINESTRING (1080 2030, 1100 2034)\"\n"
+        "behind,3,500,,,\"LINESTRING (1090.1 2010, 1090.1 2050)\"\n");
+    EXPECT_TRUE(opened.site) << opened.errors;
+    EXPECT_TRUE(opened.warnings.empty()) << opened.warnings.front();
+}
+
+TEST(Nets, ThatLookLikeASlipAreDoubted) {
+    const SampleProject project;
+    project.write("nets.csv",
+                  "name,height_m,capacity_kj,gap,wkt\n"
+                  "A net,0.3,500,0.2,\"LINESTRING (1090 2010, 1090 2050)\"\n"
+                  "a Net,3,5,0.2,\"LINESTRING (1094 2010, 1094 2050)\"\n");
+    project.replace("scenario.ini", "[targets]", "[nets]\nfile = nets.csv\n[targets]");
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    ASSERT_EQ(opened.warnings.size(), 4U);
+    EXPECT_EQ(opened.warnings[0],
+              "nets.csv: found column 'gap', which is passed over, expected gap_m, if that is what is meant");
+    EXPECT_EQ(opened.warnings[1], "nets.csv:2:7: found a net of 0.3 m, expected a height in metres");
+    EXPECT_EQ(opened.warnings[2], "nets.csv:3:9: found a net that takes 5 kJ, expected kilojoules");
+    EXPECT_EQ(opened.warnings[3],
+              "nets.csv:3:1: found name 'a Net' beside 'A net', expected names that differ by more than "
+              "capitals and blanks");
 }
 
 struct Bad {
