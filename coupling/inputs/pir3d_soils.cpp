@@ -6,6 +6,7 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "config/math/elementary.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 
 namespace coupling {
 namespace {
@@ -146,10 +147,23 @@ std::vector<Soil> read_pir3d_soils(Reading& reading) {
         config::Problems problems;
         table.require({"name"}, problems);
         problems.throw_if_any();
+        std::vector<std::string> known{"name", "like"};
+        for (const RowColumn& column : columns) {
+            known.emplace_back(column.name);
+        }
+        doubt_columns(table, known, reading);
         std::vector<NamedRow> own = read_rows(table, rows, problems);
         config::Problems shown;
         add_first(shown, problems, table.file());
         shown.throw_if_any();
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            if (find(rows, own[i].name) != nullptr) {
+                reading.note(
+                    config::to_string(config::Problem{.place = table.place(i, "name"),
+                                                      .found = "soil " + config::in_quotes(own[i].name) +
+                                                               " replaces the shipped soil of that name"}));
+            }
+        }
         std::erase_if(rows, [&](const NamedRow& row) { return find(own, row.name) != nullptr; });
         rows.insert(rows.begin(), own.begin(), own.end());
     }

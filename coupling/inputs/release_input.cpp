@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
@@ -26,7 +27,9 @@ SourceInput read_shapes(Reading& reading) {
     config::Problems problems;
     table.require({"wkt"}, problems);
     problems.throw_if_any();
-    doubt_columns(table, reading);
+    std::vector<std::string> known = start_columns();
+    known.emplace_back("wkt");
+    doubt_columns(table, known, reading);
     SourceInput input{.grid = {}, .shapes = {}, .starts = {}, .file = table.file()};
     for (std::size_t row = 0; row < table.rows(); ++row) {
         auto shape =

@@ -23,13 +23,6 @@ constexpr config::NumberRange diameter_range{.low = 0.01, .high = 20.0};
 constexpr config::NumberRange volume_range{.low = 0.0, .high = 4200.0, .low_excluded = true};
 constexpr config::NumberRange mass_range{.low = 0.0, .high = 21'000.0, .low_excluded = true};
 
-const std::vector<std::string>& start_columns() {
-    static const std::vector<std::string> names{"zone",        "blocks",        "speed_mps",
-                                                "azimuth_deg", "fall_height_m", "diameter_m",
-                                                "mass_t",      "volume_m3",     "density_kgpm3"};
-    return names;
-}
-
 /// The fields of one row that may be empty.
 class Row {
 public:
@@ -166,6 +159,11 @@ std::uint64_t share_the_rest(std::vector<rockfall::ReleaseSource>& sources, std:
 
 }  // namespace
 
+std::vector<std::string> start_columns() {
+    return {"zone",       "blocks", "speed_mps", "azimuth_deg",  "fall_height_m",
+            "diameter_m", "mass_t", "volume_m3", "density_kgpm3"};
+}
+
 SourceStart read_source_start(const config::Table& table, std::size_t row_number, const Scenario& scenario,
                               config::Problems& problems) {
     Row row{table, row_number, problems};
@@ -180,20 +178,6 @@ SourceStart read_source_start(const config::Table& table, std::size_t row_number
         start.law = std::make_shared<const StartLaw>(std::move(law));
     }
     return start;
-}
-
-void doubt_columns(const config::Table& table, Reading& reading) {
-    for (const std::string& column : table.columns()) {
-        const auto& known = start_columns();
-        if (std::find(known.begin(), known.end(), column) != known.end() || column == "wkt") {
-            continue;
-        }
-        const std::string nearest = config::nearest_word(column, known);
-        if (!nearest.empty() && !table.has(nearest)) {
-            reading.doubt({table.file()}, "column " + config::in_quotes(column) + ", which is passed over",
-                          nearest + ", if that is what is meant");
-        }
-    }
 }
 
 void share_rocks(std::vector<rockfall::ReleaseSource>& sources, std::span<const std::size_t> rows,

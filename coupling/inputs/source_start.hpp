@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "config/errors/input_error.hpp"
 #include "config/table/table.hpp"
@@ -25,8 +27,8 @@ struct SourceStart {
 SourceStart read_source_start(const config::Table& table, std::size_t row, const Scenario& scenario,
                               config::Problems& problems);
 
-/// Tells of columns whose names come near to one of these, as they would be passed over.
-void doubt_columns(const config::Table& table, Reading& reading);
+/// Those columns and `zone`.
+std::vector<std::string> start_columns();
 
 /// Gives each source its rocks: those of a row with `blocks` by that number, all others by release.rocks or
 /// release.rocks_per_source; numbers all rocks. `rows` says which of `starts` holds for each source. Refuses

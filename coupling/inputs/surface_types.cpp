@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/pir3d_soils.hpp"
 #include "coupling/inputs/stopping_input.hpp"
 
@@ -197,6 +198,8 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     table.require({"code"}, problems);
     problems.throw_if_any();
 
+    doubt_columns(table, {"code", "label", "r_n", "r_t", "p_stop", "rolling_stops_per_m", "like", "soil"},
+                  reading);
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const bool needs_soils = reading.scenario().rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
     TypeReader reader{table, std::move(stopping), read_pir3d_soils(reading), needs_soils, problems};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
@@ -136,7 +137,9 @@ std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
     config::Problems problems;
     table.require({"return_period_years"}, problems);
     problems.throw_if_any();
-    doubt_columns(table, reading);
+    std::vector<std::string> known = start_columns();
+    known.emplace_back("return_period_years");
+    doubt_columns(table, known, reading);
     std::vector<ZoneBlocks> blocks;
     std::map<std::pair<std::uint32_t, double>, std::size_t> rows;
     for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -87,6 +87,9 @@ TEST(Pir3dSoils, MayBeTheUsersOwn) {
               0.6);  // takes the place of the shipped
     EXPECT_EQ(opened.site->slope.types[1].soil->restitution.tangential, 0.75);
     EXPECT_EQ(opened.site->slope.types[1].soil->friction, 0.65);
+    EXPECT_EQ(opened.warnings,
+              std::vector<std::string>{
+                  "soils.csv:3:1: soil 'scree_step_1' replaces the shipped soil of that name"});
 
     project.write("soils.csv", "name,like,r_t,friction\nmeadow,softsoil_step_1,0.75,\nclay,,1.5,0.6\n");
     EXPECT_NE(open(project, settings)

@@ -1,0 +1,80 @@
+#include "coupling/inputs/doubtful_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace coupling {
+namespace {
+
+constexpr std::array units{"m",      "cm",      "mm",  "km",    "ft",      "mps",    "kmh",   "kph",
+                           "kg",     "t",       "to",  "ton",   "tons",    "tonnes", "kgpm3", "deg",
+                           "degree", "degrees", "rad", "gon",   "percent", "pct",    "j",     "kj",
+                           "m3",     "l",       "s",   "years", "year",    "yr",     "a",     "per_m"};
+
+/// Words that other programs and people use for the quantities here.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> other_words{
+    {{"velocity", "speed"},
+     {"weight", "mass"},
+     {"aspect", "azimuth"},
+     {"direction", "azimuth"},
+     {"size", "diameter"},
+     {"drop_height", "fall_height"}}};
+
+std::string lower_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// A name without the unit at its end.
+std::string quantity_of(const std::string& name) {
+    const std::string low = lower_case(name);
+    std::string stem = low;
+    for (const std::string_view unit : units) {
+        if (low.size() > unit.size() + 1 && low.ends_with(unit) && low[low.size() - unit.size() - 1] == '_') {
+            const std::string shorter = low.substr(0, low.size() - unit.size() - 1);
+            stem = shorter.size() < stem.size() ? shorter : stem;
+        }
+    }
+    for (const auto& [other, ours] : other_words) {
+        if (stem == other) {
+            return std::string{ours};
+        }
+    }
+    return stem;
+}
+
+std::string letters_of(const std::string& name) {
+    std::string letters = lower_case(name);
+    std::erase_if(letters, [](char c) { return c == '_' || c == '-' || c == ' '; });
+    return letters;
+}
+
+}  // namespace
+
+std::string meant_column(const std::string& name, const std::vector<std::string>& known) {
+    for (const std::string& column : known) {
+        if (letters_of(name) == letters_of(column) || quantity_of(name) == quantity_of(column)) {
+            return column;
+        }
+    }
+    return config::nearest_word(name, known);
+}
+
+void doubt_columns(const config::Table& table, const std::vector<std::string>& known, Reading& reading) {
+    for (const std::string& column : table.columns()) {
+        if (std::find(known.begin(), known.end(), column) != known.end()) {
+            continue;
+        }
+        const std::string meant = meant_column(column, known);
+        if (!meant.empty() && !table.has(meant)) {
+            reading.doubt({table.file()}, "column " + config::in_quotes(column) + ", which is passed over",
+                          meant + ", if that is what is meant");
+        }
+    }
+}
+
+}  // namespace coupling

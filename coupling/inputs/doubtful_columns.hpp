@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/table/table.hpp"
+#include "coupling/inputs/reading.hpp"
+
+namespace coupling {
+
+/// The known column that a name may stand for, or "": one with nearly the same letters (`treshold_deg`), with
+/// the same letters but for `_` (`rt`), or the same quantity without unit or in another one (`speed`,
+/// `mass_tonnes`, `velocity_mps`). Requires a name that is not itself known.
+std::string meant_column(const std::string& name, const std::vector<std::string>& known);
+
+/// Doubts columns that are passed over but may stand for a known one that the table lacks.
+void doubt_columns(const config::Table& table, const std::vector<std::string>& known, Reading& reading);
+
+}  // namespace coupling

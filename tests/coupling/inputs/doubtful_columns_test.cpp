@@ -1,0 +1,65 @@
+#include "coupling/inputs/doubtful_columns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "coupling/inputs/source_start.hpp"
+#include "tests/coupling/inputs/opened.hpp"
+
+namespace coupling {
+namespace {
+
+bool has(const std::vector<std::string>& warnings, const std::string& wanted) {
+    return std::find(warnings.begin(), warnings.end(), wanted) != warnings.end();
+}
+
+std::string doubt_of(const std::string& file, const std::string& column, const std::string& meant) {
+    return file + ": found column '" + column + "', which is passed over, expected " + meant +
+           ", if that is what is meant";
+}
+
+TEST(MeantColumn, FindsTheQuantityWithoutItsUnitOrInAnother) {
+    const std::vector<std::string> known = start_columns();
+    EXPECT_EQ(meant_column("speed", known), "speed_mps");
+    EXPECT_EQ(meant_column("velocity_mps", known), "speed_mps");
+    EXPECT_EQ(meant_column("speed_kmh", known), "speed_mps");
+    EXPECT_EQ(meant_column("mass", known), "mass_t");
+    EXPECT_EQ(meant_column("mass_tonnes", known), "mass_t");
+    EXPECT_EQ(meant_column("Diameter", known), "diameter_m");
+    EXPECT_EQ(meant_column("block", known), "blocks");
+    EXPECT_EQ(meant_column("gap", {"gap_m"}), "gap_m");
+}
+
+TEST(MeantColumn, FindsTheSameLettersAndLeavesOtherWordsAlone) {
+    EXPECT_EQ(meant_column("rt", {"r_n", "r_t"}), "r_t");
+    EXPECT_EQ(meant_column("treshold_deg", {"threshold_deg"}), "threshold_deg");
+    EXPECT_EQ(meant_column("remarks", start_columns()), "");
+    EXPECT_EQ(meant_column("id", start_columns()), "");
+}
+
+TEST(DoubtColumns, TellsThoseOfSoilsAndGroundTypes) {
+    const SampleProject project;
+    project.write("soils.csv", "name,like,rt,treshold_deg,remark\nmeadow,soft_soil_step_1,0.75,5,new\n");
+    project.write("surface_types.csv", "code,like,sol\n1,solid_rock,meadow\n3,solid_rock,meadow\n");
+    const Opened opened = open(project, {"terrain.soils=soils.csv"});
+    EXPECT_TRUE(has(opened.warnings, doubt_of("soils.csv", "rt", "r_t")));
+    EXPECT_TRUE(has(opened.warnings, doubt_of("soils.csv", "treshold_deg", "threshold_deg")));
+    EXPECT_FALSE(has(opened.warnings, doubt_of("soils.csv", "remark", "r_n")));
+    EXPECT_TRUE(has(opened.warnings, doubt_of("surface_types.csv", "sol", "soil")));
+}
+
+TEST(DoubtColumns, TellsThoseOfSourcesAndRefusesThemWhereInputsAreStrict) {
+    const SampleProject project;
+    project.write("cliff.csv", "wkt,velocity_mps,mass\nPOINT (1030 2050),4,2\n");
+    const std::vector<std::string> settings{"release.source=", "release.source_shapes=cliff.csv"};
+    const Opened opened = open(project, settings);
+    EXPECT_TRUE(has(opened.warnings, doubt_of("cliff.csv", "velocity_mps", "speed_mps")));
+    EXPECT_TRUE(has(opened.warnings, doubt_of("cliff.csv", "mass", "mass_t")));
+    std::vector<std::string> strict = settings;
+    strict.emplace_back("run.strict_inputs=yes");
+    EXPECT_EQ(open(project, strict).code, config::ExitCode::data);
+}
+
+}  // namespace
+}  // namespace coupling
