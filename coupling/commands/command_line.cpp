@@ -29,7 +29,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"stopping-table",
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
         {"compare", {"out", "page", "overwrite"}},
-        {"net", {"nets", "distances", "out", "overwrite"}},
+        {"net", {"nets", "distances", "azimuth", "out", "overwrite"}},
         {"info", {}},
         {"completion", {}},
     };
@@ -254,6 +254,17 @@ void add_net(CommandLine& line, const po::variables_map& values) {
         }
         constexpr config::NumberRange range{.low = 0.0, .high = 5000.0};
         line.distances_m = rising_numbers("distances", distances, range);
+    }
+    for (const std::string& azimuth : texts(values, "azimuth")) {
+        if (line.action == "try") {
+            refuse("--azimuth of `bannwald net try`", "it with `bannwald net place`");
+        }
+        constexpr config::NumberRange range{.low = 0.0, .high = 360.0};
+        line.azimuth_deg = config::parse_number(azimuth);
+        if (!line.azimuth_deg || !range.contains(*line.azimuth_deg)) {
+            refuse("--azimuth " + config::in_quotes(azimuth),
+                   config::describe("a number", range) + " deg, clockwise from north");
+        }
     }
 }
 

@@ -38,7 +38,8 @@ struct CommandLine {
     // net, where the argument is the folder of a run
     std::string action;  ///< try or place
     std::filesystem::path nets;
-    std::vector<double> distances_m;  ///< rising; none: the usual ones
+    std::vector<double> distances_m;    ///< rising; none: the usual ones
+    std::optional<double> azimuth_deg;  ///< upslope, clockwise from north; none: where rocks come from
 
     // validate
     std::vector<std::string> cases;  ///< names; none: all

@@ -41,7 +41,7 @@ constexpr std::string_view middle = R"script(    esac
         --out) if [ "$command" = compare ]; then _bannwald_files -f; else _bannwald_files -d; fi; return ;;
         --cases) _bannwald_files -d; return ;;
         --profile|--nets) _bannwald_files -f; return ;;
-        --seed|--threads|--shard|--rocks|--surface|--surfaces|--diameters|--throws|--distances) return ;;
+        --seed|--threads|--shard|--rocks|--surface|--surfaces|--diameters|--throws|--distances|--azimuth) return ;;
     esac
     if [[ $word == -* ]]; then
         _bannwald_words "$options"

@@ -159,18 +159,21 @@ constexpr std::string_view net_help = R"(bannwald net try DIR --nets FILE
 Looks at the nets of a table (as nets.file of a scenario) with the paths that a run with nets.keep_paths = yes
 has stored in DIR/net_paths.bin, and writes nets.csv, net_needs.csv and net_crossings.csv of them. Paths are
 those of a slope without nets: what nets hold or let pass is that of a run with them, row by row. Behind a net
-that a rock breaks nothing is known; these rocks stand in net_inexact.csv.
+that a rock breaks nothing is known: these rocks stand in net_inexact.csv, and inexact_rocks counts those that
+may reach a net.
   --nets FILE           table of nets
   --out DIR             folder of the tables (default: DIR/net_try)
   --overwrite           replaces tables that the folder holds
 
-bannwald net place DIR --nets FILE [--distances 0,10,20]
+bannwald net place DIR --nets FILE [--distances 0,10,20] [--azimuth 270]
 
 Takes each line of the table as what is to be protected, such as a road, and its height and capacity as those
-of a net; moves the net as a whole upslope, and tells for each place which rocks it would keep from the line,
-their energies and heights, and the class and height needed. Writes net_places.csv, and nets.csv with the best
-place of each, ready for nets.file.
+of a net; moves the net as a whole towards where the rocks come from, and tells for each place which rocks it
+would keep from the line, their energies and heights, and the class and height needed. Writes net_places.csv,
+and nets.csv with the best place of each, ready for nets.file.
   --distances 0,10,20   in plan, m (default: 10 to 150 in steps of 10)
+  --azimuth DEG         the way upslope, clockwise from north (default: against the mean direction of the
+                        rocks that reach the line; where none does, along the gradient of the ground)
   --out DIR             folder of the tables (default: DIR/net_place)
 )";
 

@@ -132,6 +132,7 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
                     .nets = line.nets,
                     .out = line.out,
                     .distances_m = line.distances_m,
+                    .azimuth_deg = line.azimuth_deg,
                     .overwrite = line.overwrite,
                     .quiet = line.quiet},
                    std::cout);

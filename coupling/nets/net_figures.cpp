@@ -25,10 +25,15 @@ NetQuantity quantity_of(std::vector<double> values) {
     }
     std::sort(values.begin(), values.end());
     quantity.mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-    quantity.p50 = values[rank_of(0.50, values.size()) - 1];
-    quantity.p90 = values[rank_of(0.90, values.size()) - 1];
-    quantity.p95 = quantile_of(values, 0.95);
-    quantity.p99 = quantile_of(values, 0.99);
+    const auto known = [&](std::uint64_t percentile) {
+        return percentile_is_known(values.size(), percentile)
+                   ? quantile_of(values, 0.01 * static_cast<double>(percentile))
+                   : QuantileEstimate{};
+    };
+    quantity.p50 = known(50).value;
+    quantity.p90 = known(90).value;
+    quantity.p95 = known(95);
+    quantity.p99 = known(99);
     quantity.max = values.back();
     return quantity;
 }
@@ -66,9 +71,14 @@ QuantileEstimate quantile_of(std::span<const double> sorted, double share) {
     return estimate;
 }
 
+std::uint64_t rocks_to_tell(double wanted_share) {
+    // A hair less, so that 0.95 asks for 20 although 1 - 0.95 is a little less than a twentieth.
+    return static_cast<std::uint64_t>(std::ceil(1.0 / (1.0 - wanted_share) - 1e-6));
+}
+
 void find_needs(NetFigures& figures, std::span<const double> energies_kj, std::span<const double> heights_m,
                 double wanted_share) {
-    if (energies_kj.empty()) {
+    if (energies_kj.size() < rocks_to_tell(wanted_share)) {
         return;
     }
     std::vector<double> sorted{energies_kj.begin(), energies_kj.end()};

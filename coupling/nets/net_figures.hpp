@@ -13,7 +13,8 @@
 
 namespace coupling {
 
-/// A quantity over the rocks that reach a net: NaN without any.
+/// A quantity over the rocks that reach a net: NaN without any, and where fewer than one rock lies above a
+/// percentile, as in all results (percentile_is_known()).
 struct NetQuantity {
     double mean = std::numeric_limits<double>::quiet_NaN();
     double p50 = mean, p90 = mean;
@@ -37,8 +38,9 @@ struct NetFigures {
     std::array<Share, rockfall::net_outcomes> outcome;  ///< of those that reached it
     NetQuantity energy_kj;                              ///< translation and rotation
     NetQuantity height_m;                               ///< of the rock's centre above the ground
-    std::vector<NetNeed> needs;                         ///< by class; empty without rocks
-    std::size_t recommended = 0;                        ///< number in `needs`
+    std::uint64_t inexact = 0;    ///< rocks of which it is not known whether they reach it: net_try.hpp
+    std::vector<NetNeed> needs;   ///< by class; empty with fewer than rocks_to_tell()
+    std::size_t recommended = 0;  ///< number in `needs`
     double energy_needed_kj = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -52,6 +54,9 @@ double length_m(const rockfall::Net& net);
 /// interval lies between two order statistics. Requires values in order, not empty.
 QuantileEstimate quantile_of(std::span<const double> sorted, double share);
 
+/// So many rocks must reach a net before it can be told what holds a share of them: one that may pass.
+std::uint64_t rocks_to_tell(double wanted_share);
+
 /// The lowest height at which each class holds the wanted share of the rocks, and what class and height to
 /// choose.
 ///
@@ -60,7 +65,7 @@ QuantileEstimate quantile_of(std::span<const double> sorted, double share);
 /// left to the energy: the class is the weakest that takes the energy of (1 + wanted) / 2 of the rocks. Then
 /// the height is the lowest with which that class holds the wanted share; the other classes show what a
 /// weaker net must be higher, a stronger one lower. Heights are rounded up to 10 cm [choice]. A net without a
-/// gap is meant.
+/// gap is meant. Nothing is found from fewer than rocks_to_tell().
 void find_needs(NetFigures& figures, std::span<const double> energies_kj, std::span<const double> heights_m,
                 double wanted_share);
 

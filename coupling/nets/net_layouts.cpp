@@ -28,12 +28,12 @@ std::vector<Column> quantity_columns(const std::string& name, const std::string&
     };
     add("mean", "mean", simulated);
     add("50", "median", simulated);
-    add("90", "90th percentile", simulated);
-    add("95", "95th percentile", simulated);
+    add("90", "90th percentile (empty: fewer than 10 rocks)", simulated);
+    add("95", "95th percentile (empty: fewer than 20 rocks)", simulated);
     add("95_low", "lower end of the 95 % interval of the 95th percentile", ranks);
     add("95_high", "upper end (empty: fewer than 72 rocks) of the 95 % interval of the 95th percentile",
         ranks);
-    add("99", "99th percentile", simulated);
+    add("99", "99th percentile (empty: fewer than 100 rocks)", simulated);
     add("99_low", "lower end of the 95 % interval of the 99th percentile", ranks);
     add("99_high", "upper end (empty: fewer than 367 rocks) of the 95 % interval of the 99th percentile",
         ranks);
@@ -55,7 +55,11 @@ TableLayout nets() {
          counted},
         {"reached_percent", "%", "share of the rocks that fell", counted},
         {"reached_low_percent", "%", "lower end of its 95 % interval", exact_interval},
-        {"reached_high_percent", "%", "upper end of its 95 % interval", exact_interval}};
+        {"reached_high_percent", "%", "upper end of its 95 % interval", exact_interval},
+        {"inexact_rocks", "-",
+         "`bannwald net try` alone: rocks that break through another net and would cross this line where no "
+         "net stands; whether they reach it is not known, and all figures of the row leave them out",
+         counted}};
     for (const auto& [name, meaning] :
          {std::pair{"held", "rocks that the net held"}, std::pair{"over", "rocks that passed over it"},
           std::pair{"below", "rocks that passed through the gap below it"},
@@ -70,10 +74,18 @@ TableLayout nets() {
     const std::vector<Column> last{
         {"wanted_percent", "%", "share of the rocks that reach the net which it should hold",
          "input nets.wanted_share"},
-        {"class_needed", "text", "energy class needed for it", how_needed},
+        {"class_needed", "text",
+         "energy class needed for it; empty: too few rocks reach the net to tell (below 1 / (1 - wanted))",
+         how_needed},
         {"energy_needed_kj", "kJ", "energy that half of what may pass does exceed at most", how_needed},
-        {"height_needed_m", "m", "lowest height of that class that holds the wanted share", how_needed},
-        {"held_then_percent", "%", "share of the rocks that such a net would hold", counted}};
+        {"height_needed_m", "m",
+         "lowest height of that class that holds the wanted share: what rocks' centres pass below; radius "
+         "and "
+         "margins come on top",
+         how_needed},
+        {"held_then_percent", "%", "share of the rocks that such a net would hold", counted},
+        {"held_then_low_percent", "%", "lower end of its 95 % interval", exact_interval},
+        {"held_then_high_percent", "%", "upper end of its 95 % interval", exact_interval}};
     return {"nets.csv", "a net on one slope",
             together(first,
                      quantity_columns("energy", "kj", "kJ",
@@ -87,7 +99,7 @@ TableLayout nets() {
 TableLayout net_needs() {
     return {
         "net_needs.csv",
-        "an energy class at a net on one slope",
+        "an energy class at a net on one slope; none where too few rocks reach it to tell",
         {net_column(),
          cover_column(),
          {"class", "text", "energy class", "net_classes.csv"},
@@ -135,6 +147,11 @@ TableLayout net_places() {
         "a place of a net on one slope",
         {{"net", "text", "name of the line to protect", "input --nets"},
          {"distance_m", "m", "in plan, upslope of the line", "definition"},
+         {"azimuth_deg", "deg", "direction upslope in which the net is moved, clockwise from north",
+          how_needed},
+         {"azimuth_from", "text",
+          "where it comes from: rocks that reach the line, gradient of the ground or given (--azimuth)",
+          how_needed},
          cover_column(),
          {"rocks", "-", "rocks that fell", counted},
          {"arrive", "-", "rocks that reach the line where no net stands", counted},
@@ -153,7 +170,9 @@ TableLayout net_places() {
          {"height_99_m", "m", "99th percentile of it", simulated},
          {"class_needed", "text", "energy class needed here to hold the wanted share", how_needed},
          {"height_needed_m", "m", "height needed with it", how_needed},
-         {"best", "text", "yes: least residual energy of all places of the line, with forest if there is one",
+         {"best", "text",
+          "yes: least residual energy of all places of the line, with forest if there is one; none where no "
+          "place keeps a rock from it",
           how_needed}}};
 }
 

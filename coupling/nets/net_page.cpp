@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/nets/net_classes.hpp"
 #include "coupling/nets/net_drawing.hpp"
 #include "coupling/nets/net_tables.hpp"
+#include "coupling/nets/net_words.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/report/chart.hpp"
@@ -134,19 +134,15 @@ std::string with_interval(const QuantileEstimate& estimate) {
     return joined(three_digits(estimate.value), " (", three_digits(estimate.interval.low), " to ", high, ")");
 }
 
-std::string need_in_words(const NetFigures& figures) {
-    if (figures.needs.empty()) {
-        return "–";
-    }
-    const NetNeed& need = figures.needs[figures.recommended];
-    const std::string level = std::isfinite(need.mel_kj)
-                                  ? joined(grouped(static_cast<std::uint64_t>(need.mel_kj)), " kJ")
-                                  : joined("above 4 500 kJ: ", three_digits(figures.energy_needed_kj), " kJ");
-    return joined("class ", escaped(need.energy_class), " (", level, "), ",
-                  need.height_m ? fixed(*need.height_m, 1) : std::string{"–"}, " m high",
-                  need.height_m && *need.height_m > highest_usual_net_m
-                      ? joined("; no usual net is higher than ", tick_text(highest_usual_net_m), " m")
-                      : "");
+/// Heights are those of centres: said beside the figure, as nets are ordered by it.
+std::string what_comes_on_top(const RunResults& results) {
+    const double largest_m =
+        rockfall::diameter_range(start_law(results.scenario), results.site.sources).largest_m;
+    return joined(
+        "<p>Heights are those of the rock&#39;s centre. Its radius, here up to ",
+        three_digits(0.5 * largest_m),
+        " m, and the margins that guidelines for design ask for on height and energy come on top of "
+        "the class and height needed.</p>\n");
 }
 
 std::string key_figures_of(const RunResults& results, const std::vector<NetFigures>& figures) {
@@ -182,8 +178,10 @@ std::string key_figures_of(const RunResults& results, const std::vector<NetFigur
         row(joined(name, "95 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p95); });
         row(joined(name, "99 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p99); });
     }
-    row(joined("To hold ", percent(results.scenario.nets.wanted_share)), need_in_words);
-    return joined("<div class=\"wide\">", table.html(), "</div>\n");
+    const double wanted = results.scenario.nets.wanted_share;
+    row(joined("To hold ", percent(wanted)),
+        [&](const NetFigures& of) { return escaped(need_in_words(of, wanted)); });
+    return joined("<div class=\"wide\">", table.html(), "</div>\n", what_comes_on_top(results));
 }
 
 std::string one_net(const RunResults& results, std::uint32_t net, const std::vector<NetFigures>& all) {

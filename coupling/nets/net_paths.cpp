@@ -8,7 +8,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x31305054'454E4E42ULL;  // "BNNETP01", least byte first
+constexpr std::uint64_t magic = 0x32305054'454E4E42ULL;  // "BNNETP02", least byte first
 enum class Mark : std::uint8_t { end, path };
 
 /// Keeps what a rock does, piece by piece.
@@ -101,6 +101,11 @@ void write(ByteWriter& out, const PathsHead& head) {
         out.text(input.hash);
         out.value(input.bytes);
     }
+    out.value(static_cast<std::uint64_t>(head.settings.size()));
+    for (const auto& [key, value] : head.settings) {
+        out.text(key);
+        out.text(value);
+    }
     for (const std::uint64_t rocks : head.rocks) {
         out.value(rocks);
     }
@@ -118,6 +123,11 @@ PathsHead read_head(ByteReader& in) {
         input.name = in.text();
         input.hash = in.text();
         input.bytes = in.value<std::uint64_t>();
+    }
+    head.settings.resize(in.count_of(16));
+    for (auto& [key, value] : head.settings) {
+        key = in.text();
+        value = in.text();
     }
     for (std::uint64_t& rocks : head.rocks) {
         rocks = in.value<std::uint64_t>();

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coupling/inputs/site.hpp"
@@ -37,8 +38,9 @@ struct StoredPath {
 
 /// What stands before the paths in the file.
 struct PathsHead {
-    std::string version;            ///< of the program
-    std::vector<InputFile> inputs;  ///< of the run
+    std::string version;                                        ///< of the program
+    std::vector<InputFile> inputs;                              ///< of the run
+    std::vector<std::pair<std::string, std::string>> settings;  ///< of the run: key and value
     std::uint64_t seed = 0;
     double wanted_share = 0.95;
     bool with_forest = false;

@@ -21,33 +21,47 @@ namespace {
 
 constexpr double j_per_kj = 1000.0;
 constexpr double percent = 100.0;
-/// So far apart lie the places along a line at which the ground is asked which way is uphill.
-constexpr double gradient_step_m = 2.0;
-/// A net so low that every rock passes over: it only tells who crosses.
-constexpr double no_height_m = 1e-9;
+/// A coordinate to the millimetre.
+std::string to_millimetres(double length_m) {
+    constexpr double mm_per_m = 1000.0;
+    return config::to_text(std::round(mm_per_m * length_m) / mm_per_m);
+}
 
-std::vector<rockfall::Net> lines_alone(std::span<const NetRecord> lines) {
-    std::vector<rockfall::Net> alone;
-    for (const NetRecord& record : lines) {
-        alone.push_back({record.net.line_m, no_height_m, 0.0, record.net.capacity_j});
+/// "270 deg, where 310 rocks that reach it come from".
+std::string in_words(const Uphill& uphill) {
+    const std::string azimuth =
+        joined("towards ", report::fixed(uphill.azimuth_deg(), 0), " deg (90: east), ");
+    switch (uphill.from) {
+        case Uphill::From::rocks:
+            return joined(azimuth, "where the ", std::to_string(uphill.rocks),
+                          " rocks that reach it come from");
+        case Uphill::From::gradient:
+            return joined(azimuth, "along the gradient of the ground: no rock reaches it, or from all sides");
+        case Uphill::From::given:
+            break;
     }
-    return alone;
+    return joined(azimuth, "as given");
 }
 
 /// The places of all lines that lie wholly on the terrain; what is left out becomes a remark.
-std::vector<NetPlace> places_of(std::span<const NetRecord> lines, std::span<const double> distances_m,
-                                const rockfall::Terrain& terrain, std::vector<std::string>& remarks) {
+std::vector<NetPlace> places_of(std::span<const NetRecord> lines,
+                                std::span<const std::optional<Uphill>> uphills,
+                                std::span<const double> distances_m, const rockfall::Terrain& terrain,
+                                std::vector<std::string>& remarks) {
     std::vector<NetPlace> places;
     for (std::uint32_t line = 0; line < lines.size(); ++line) {
-        const auto uphill = uphill_across(lines[line].net, terrain);
+        const std::optional<Uphill>& uphill = uphills[line];
         if (!uphill) {
-            remarks.push_back(joined(lines[line].name, ": the ground is level there, no way is uphill"));
+            remarks.push_back(joined(lines[line].name,
+                                     ": no way is upslope, as no rock reaches it, or from all sides, and the "
+                                     "ground is level; --azimuth gives one"));
             continue;
         }
+        remarks.push_back(joined(lines[line].name, ": the net is moved ", in_words(*uphill)));
         for (const double distance_m : distances_m) {
-            NetPlace place{line, distance_m, lines[line].net};
+            NetPlace place{line, distance_m, *uphill, lines[line].net};
             for (Eigen::Vector2d& corner : place.net.line_m) {
-                corner += distance_m * *uphill;
+                corner += distance_m * uphill->direction;
             }
             if (first_place_off_ground(place.net, terrain)) {
                 remarks.push_back(joined(lines[line].name, ": ", config::to_text(distance_m),
@@ -70,7 +84,9 @@ void write_places(std::ostream& out, std::span<const NetRecord> lines, std::span
                 continue;
             }
             const PlaceFigures of = trial.figures(i, cover, head);
-            row.text(lines[places[i].line].name).number<1>(places[i].distance_m).text(name_of(cover));
+            row.text(lines[places[i].line].name).number<1>(places[i].distance_m);
+            row.number<1>(places[i].uphill.azimuth_deg()).text(name_of(places[i].uphill.from));
+            row.text(name_of(cover));
             row.whole(of.arrive.whole).whole(of.arrive.part).whole(of.kept.part);
             row.number<4>(percent * of.kept.value).number<4>(of.residual_kj);
             row.whole(of.at_net.reached.part).number<4>(percent * of.at_net.outcome[0].value);
@@ -92,7 +108,7 @@ void write_places(std::ostream& out, std::span<const NetRecord> lines, std::span
 /// A table of nets as nets.file takes it.
 void write_best(std::ostream& out, std::span<const NetRecord> lines, std::span<const NetPlace> places,
                 std::span<const bool> is_best, const Eigen::Vector2d& origin_m) {
-    out << "name,height_m,capacity_kj,gap_m,wkt\n";
+    out << "name,height_m,capacity_kj,class,gap_m,wkt\n";
     CsvRow row{out};
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!is_best[i]) {
@@ -101,13 +117,31 @@ void write_best(std::ostream& out, std::span<const NetRecord> lines, std::span<c
         const rockfall::Net& net = places[i].net;
         std::string wkt = "LINESTRING (";
         for (const Eigen::Vector2d& corner : net.line_m) {
-            wkt += joined(wkt.ends_with('(') ? "" : ", ", config::to_text(corner.x() + origin_m.x()), " ",
-                          config::to_text(corner.y() + origin_m.y()));
+            wkt += joined(wkt.ends_with('(') ? "" : ", ", to_millimetres(corner.x() + origin_m.x()), " ",
+                          to_millimetres(corner.y() + origin_m.y()));
         }
-        row.text(lines[places[i].line].name).text(config::to_text(net.height_m));
-        row.text(config::to_text(net.capacity_j / j_per_kj)).text(config::to_text(net.gap_m)).text(wkt + ')');
+        const NetRecord& record = lines[places[i].line];
+        row.text(record.name).text(config::to_text(net.height_m));
+        row.text(record.energy_class.empty() ? config::to_text(net.capacity_j / j_per_kj) : "");
+        row.text(record.energy_class).text(config::to_text(net.gap_m)).text(wkt + ')');
         row.end();
     }
+}
+
+/// A way upslope for each line: the given one, or that of the rocks, for which all paths are read.
+std::vector<std::optional<Uphill>> uphills_of(const NetPlaceRequest& request,
+                                              std::span<const NetRecord> lines) {
+    if (request.azimuth_deg) {
+        return {lines.size(), uphill_along(*request.azimuth_deg)};
+    }
+    NetPathsReader paths = paths_of_run(request.run);
+    Arrivals arrivals{lines, paths.terrain()};
+    paths.each([&](const StoredPath& path) { arrivals.look(path); });
+    std::vector<std::optional<Uphill>> uphills;
+    for (std::uint32_t line = 0; line < lines.size(); ++line) {
+        uphills.push_back(arrivals.uphill(line));
+    }
+    return uphills;
 }
 
 }  // namespace
@@ -118,23 +152,6 @@ std::vector<double> usual_net_distances_m() {
         distances_m.push_back(10.0 * i);
     }
     return distances_m;
-}
-
-std::optional<Eigen::Vector2d> uphill_across(const rockfall::Net& net, const rockfall::Terrain& terrain) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (std::size_t i = 0; i + 1 < net.line_m.size(); ++i) {
-        const Eigen::Vector2d way_m = net.line_m[i + 1] - net.line_m[i];
-        const double length_m = way_m.norm();
-        const int steps = static_cast<int>(std::ceil(length_m / gradient_step_m));
-        for (int k = 0; k < steps; ++k) {
-            const Eigen::Vector2d place = net.line_m[i] + (k + 0.5) / steps * way_m;
-            if (const auto triangle = terrain.locate(place.x(), place.y())) {
-                sum += length_m / steps * terrain.plane_of(*triangle).gradient;
-            }
-        }
-    }
-    constexpr double level = 1e-3;  // of the mean gradient
-    return sum.norm() < level * length_m(net) ? std::nullopt : std::optional{sum.normalized()};
 }
 
 PlaceTrial::PlaceTrial(std::span<const NetRecord> lines, std::span<const NetPlace> places,
@@ -198,9 +215,10 @@ void place_nets(const NetPlaceRequest& request, std::ostream& out) {
         nets_on(request.nets, paths.terrain(), Standing::each_alone, remarks);
     const std::vector<double> distances_m =
         request.distances_m.empty() ? usual_net_distances_m() : request.distances_m;
-    const std::vector<NetPlace> places = places_of(lines, distances_m, paths.terrain(), remarks);
     const std::filesystem::path folder = request.out.empty() ? request.run / "net_place" : request.out;
     refuse_full_folder(folder, request.overwrite);
+    const std::vector<std::optional<Uphill>> uphills = uphills_of(request, lines);
+    const std::vector<NetPlace> places = places_of(lines, uphills, distances_m, paths.terrain(), remarks);
 
     PlaceTrial trial{lines, places, paths.terrain()};
     paths.each([&](const StoredPath& path) { trial.look(path); });
@@ -209,19 +227,30 @@ void place_nets(const NetPlaceRequest& request, std::ostream& out) {
     const auto is_best = std::make_unique<bool[]>(places.size());
     for (std::uint32_t line = 0; line < lines.size(); ++line) {
         std::optional<std::size_t> best;
+        std::optional<std::uint64_t> arrive;
         for (std::size_t i = 0; i < places.size(); ++i) {
-            if (places[i].line == line && (!best || trial.figures(i, judged, head).residual_kj <
-                                                        trial.figures(*best, judged, head).residual_kj)) {
+            if (places[i].line != line) {
+                continue;
+            }
+            const PlaceFigures of = trial.figures(i, judged, head);
+            arrive = of.arrive.part;
+            if (of.kept.part > 0 &&
+                (!best || of.residual_kj < trial.figures(*best, judged, head).residual_kj)) {
                 best = i;
             }
         }
         if (best) {
             is_best[*best] = true;
             const PlaceFigures of = trial.figures(*best, judged, head);
-            remarks.push_back(joined(lines[line].name, ": ", config::to_text(places[*best].distance_m),
+            remarks.push_back(joined(lines[line].name, ": best ", config::to_text(places[*best].distance_m),
                                      " m upslope, keeps ", std::to_string(of.kept.part), " of ",
                                      std::to_string(of.kept.whole), " rocks from the line, leaves ",
                                      report::three_digits(of.residual_kj), " kJ a rock"));
+        } else if (arrive) {
+            remarks.push_back(joined(
+                lines[line].name,
+                *arrive == 0 ? ": no rock reaches the line" : ": no place keeps a rock from the line",
+                head.with_forest ? " with forest" : "", ", so none is best and none stands in nets.csv"));
         }
     }
     const std::span<const bool> best_of_all{is_best.get(), places.size()};

@@ -13,6 +13,7 @@
 #include "coupling/nets/net_figures.hpp"
 #include "coupling/nets/net_paths.hpp"
 #include "coupling/nets/net_record.hpp"
+#include "coupling/nets/net_uphill.hpp"
 
 namespace coupling {
 
@@ -23,12 +24,9 @@ std::vector<double> usual_net_distances_m();
 struct NetPlace {
     std::uint32_t line;  ///< which of the given lines
     double distance_m;   ///< in plan, upslope of it; 0: on it
+    Uphill uphill;       ///< which way that is
     rockfall::Net net;
 };
-
-/// The unit vector in plan that leads uphill across a line, from the mean gradient of the ground below it;
-/// nothing on level ground.
-std::optional<Eigen::Vector2d> uphill_across(const rockfall::Net& net, const rockfall::Terrain& terrain);
 
 /// What a place is worth on one slope.
 struct PlaceFigures {
@@ -66,6 +64,7 @@ struct NetPlaceRequest {
     std::filesystem::path nets;  ///< table of nets: the lines to protect, and what the nets would be
     std::filesystem::path out;   ///< empty: run/net_place
     std::vector<double> distances_m;
+    std::optional<double> azimuth_deg;  ///< upslope, clockwise from north; none: where rocks come from
     bool overwrite = false;
     bool quiet = false;
 };

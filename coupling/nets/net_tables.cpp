@@ -50,6 +50,7 @@ void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<co
         row.number<1>(record.net.capacity_j / j_per_kj).number<2>(record.net.height_m);
         row.number<2>(record.net.gap_m).number<2>(length_m(record.net)).whole(of.reached.whole);
         add_share(row, of.reached);
+        row.whole(of.inexact);
         for (const Share& share : of.outcome) {
             add_share(row, share);
         }
@@ -57,12 +58,13 @@ void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<co
         add_quantity(row, of.height_m);
         row.number<2>(percent * wanted_share);
         if (of.needs.empty()) {
-            row.empty().empty().empty().empty();
+            row.empty().empty().empty().empty().empty().empty();
         } else {
             const NetNeed& need = of.needs[of.recommended];
             row.text(need.energy_class).number<3>(of.energy_needed_kj);
             row.number<1>(need.height_m.value_or(std::numeric_limits<double>::quiet_NaN()));
-            row.number<4>(percent * need.held.value);
+            row.number<4>(percent * need.held.value).number<4>(percent * need.held.interval.low);
+            row.number<4>(percent * need.held.interval.high);
         }
         row.end();
     }

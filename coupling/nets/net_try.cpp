@@ -7,16 +7,15 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
-#include "coupling/nets/net_classes.hpp"
 #include "coupling/nets/net_input.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/nets/net_tables.hpp"
+#include "coupling/nets/net_words.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/read_summary.hpp"
-#include "coupling/results/report/markup.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/version.hpp"
 #include "rockfall/obstacles/nets/net_passage.hpp"
@@ -55,6 +54,42 @@ bool keep(const rockfall::NetPassage& passage, const StoredPath& path, std::size
     return !rockfall::acts(crossing.outcome);
 }
 
+/// Adds a net that the rock would cross if none stood, behind one that it broke. Each net once; not one that
+/// it has met already.
+void keep_unknown(std::uint32_t net, const StoredPath& path, std::size_t first_row, std::size_t first_unknown,
+                  TriedNets& tried) {
+    const auto is_met = [&](const NetRow& row) { return row.crossing.net == net; };
+    const auto is_kept = [&](const NetOfRock& one) { return one.net == net; };
+    if (std::none_of(tried.rows.begin() + static_cast<std::ptrdiff_t>(first_row), tried.rows.end(), is_met) &&
+        std::none_of(tried.unknown.begin() + static_cast<std::ptrdiff_t>(first_unknown), tried.unknown.end(),
+                     is_kept)) {
+        tried.unknown.push_back({path.rock, path.cover, net});
+    }
+}
+
+/// Values as settings write them and as a summary does.
+bool is_same(const std::string& setting, const std::string& in_summary) {
+    if (setting == in_summary || (setting == "yes" && in_summary == "true") ||
+        (setting == "no" && in_summary == "false")) {
+        return true;
+    }
+    const auto number = config::parse_number(setting);
+    return number && number == config::parse_number(in_summary);
+}
+
+/// A setting in which stored paths are of another run than the summary; nothing where they agree.
+std::optional<std::string> other_setting(const PathsHead& head, const SummaryOfRun& summary) {
+    for (const auto& [key, value] : head.settings) {
+        const auto told = std::find_if(summary.settings.begin(), summary.settings.end(),
+                                       [&](const auto& setting) { return setting.key == key; });
+        if (told == summary.settings.end() || !is_same(value, told->value)) {
+            return joined(key, " = ", value, ", where summary.json beside it has ",
+                          told == summary.settings.end() ? "none" : told->value);
+        }
+    }
+    return std::nullopt;
+}
+
 /// Paths, summary and program must be of one kind, or figures of two runs would be mixed.
 void check_same_run(const NetPathsReader& paths, const fs::path& folder, const fs::path& file) {
     const fs::path summary_file = folder / "summary.json";
@@ -69,6 +104,10 @@ void check_same_run(const NetPathsReader& paths, const fs::path& folder, const f
         config::fail(config::ExitCode::data, {file.string()},
                      "paths of another run than summary.json beside it", "both of one run");
     }
+    if (const auto other = other_setting(head, summary)) {
+        config::fail(config::ExitCode::data, {file.string()}, joined("paths of another run: of ", *other),
+                     "both of one run");
+    }
     if (head.version != version()) {
         config::fail(config::ExitCode::data, {file.string()},
                      joined("paths of version ", head.version, " of the program"),
@@ -76,31 +115,19 @@ void check_same_run(const NetPathsReader& paths, const fs::path& folder, const f
     }
 }
 
-void write_inexact(std::ostream& out, std::span<const NetRecord> nets,
-                   std::span<const BrokenThrough> broken) {
+void write_inexact(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetOfRock> broken) {
     write_header(out, net_try_layouts(), "net_inexact.csv");
     CsvRow row{out};
-    for (const BrokenThrough& one : broken) {
+    for (const NetOfRock& one : broken) {
         row.whole(one.rock).text(name_of(one.cover)).text(nets[one.net].name);
         row.end();
     }
 }
 
 void tell(const std::vector<NetRecord>& nets, const std::vector<NetFigures>& figures, const TriedNets& tried,
-          std::ostream& out) {
+          double wanted_share, std::ostream& out) {
     for (const NetFigures& of : figures) {
-        out << nets[of.net].name << ", " << (of.cover == Cover::forest ? "with forest" : "bare slope") << ": "
-            << of.reached.part << " of " << of.reached.whole << " rocks reach it";
-        if (of.reached.part > 0) {
-            const NetNeed& need = of.needs[of.recommended];
-            out << ", it holds " << report::percent(of.outcome[0].value) << "; 95 % of energies below "
-                << report::three_digits(of.energy_kj.p95.value) << " kJ, of heights below "
-                << report::three_digits(of.height_m.p95.value) << " m; needed: class " << need.energy_class
-                << ", " << (need.height_m ? report::fixed(*need.height_m, 1) : "no height") << " m"
-                << (need.height_m && *need.height_m > highest_usual_net_m ? " (no usual net is that high)"
-                                                                          : "");
-        }
-        out << '\n';
+        out << in_words(nets[of.net], of, wanted_share) << '\n';
     }
     if (!tried.broken.empty()) {
         out << tried.broken.size()
@@ -114,11 +141,18 @@ void tell(const std::vector<NetRecord>& nets, const std::vector<NetFigures>& fig
 void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, const StoredPath& path,
               TriedNets& tried) {
     const std::size_t first_row = tried.rows.size();
+    const std::size_t first_unknown = tried.unknown.size();
     std::vector<rockfall::NetLineCrossing> lines;
     bool goes_on = true;
+    bool is_known = true;    // not behind a net that the rock broke
     std::size_t number = 0;  // of the piece
     const auto take = [&](const rockfall::NetPassage& passage) {
-        goes_on = keep(passage, path, number, first_row, tried);
+        if (!is_known) {
+            keep_unknown(passage.crossing.net, path, first_row, first_unknown, tried);
+        } else if (!keep(passage, path, number, first_row, tried)) {
+            is_known = false;
+            goes_on = passage.crossing.outcome == rockfall::NetOutcome::broke;
+        }
         return goes_on;
     };
     for (const StoredPiece& piece : path.pieces) {
@@ -195,9 +229,13 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
         if (cover == Cover::forest && !head.with_forest) {
             continue;
         }
-        const auto of_slope =
-            net_figures(nets, tried.rows, cover, head.rocks[index_of(cover)], head.wanted_share);
+        auto of_slope = net_figures(nets, tried.rows, cover, head.rocks[index_of(cover)], head.wanted_share);
         figures.insert(figures.end(), of_slope.begin(), of_slope.end());
+    }
+    for (NetFigures& of : figures) {
+        of.inexact = static_cast<std::uint64_t>(
+            std::count_if(tried.unknown.begin(), tried.unknown.end(),
+                          [&](const NetOfRock& one) { return one.net == of.net && one.cover == of.cover; }));
     }
     const InterruptGuard until_written;
     make_folder(folder);
@@ -216,7 +254,7 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
         for (const std::string& remark : remarks) {
             out << remark << '\n';
         }
-        tell(nets, figures, tried, out);
+        tell(nets, figures, tried, head.wanted_share, out);
         out << folder.string() << '\n';
     }
 }

@@ -13,8 +13,8 @@
 
 namespace coupling {
 
-/// A rock that breaks through a net: what it does behind it is not known from its stored path.
-struct BrokenThrough {
+/// A rock at a net.
+struct NetOfRock {
     std::uint64_t rock = 0;
     rockfall::Cover cover = rockfall::Cover::bare;
     std::uint32_t net = 0;
@@ -22,14 +22,16 @@ struct BrokenThrough {
 
 /// What a stored path says of a set of nets.
 struct TriedNets {
-    std::vector<NetRow> rows;  ///< as a run with these nets would list them, but for rocks behind a net
-                               ///< that they broke: there nothing is listed
-    std::vector<BrokenThrough> broken;  ///< one a rock and slope
+    std::vector<NetRow> rows;       ///< as a run with these nets would list them, but for rocks behind a net
+                                    ///< that they broke: there nothing is listed
+    std::vector<NetOfRock> broken;  ///< what these do behind the net is not known; one a rock and slope
+    /// Nets on the path of such a rock behind the one that it breaks: whether it reaches them is not known.
+    std::vector<NetOfRock> unknown;
     /// By row: the piece of the path and the time in it.
     std::vector<std::pair<std::size_t, double>> when;
 };
 
-/// Follows a stored path past nets until one holds the rock or breaks.
+/// Follows a stored path past nets until one holds the rock.
 void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, const StoredPath& path,
               TriedNets& tried);
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 #include "coupling/nets/net_paths.hpp"
 #include "coupling/results/joined.hpp"
@@ -187,8 +188,13 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
 
 /// All rocks fall once more, past no nets.
 Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    for (const config::ParameterRow& row : scenario_.options->rows()) {
+        settings.emplace_back(row.key, row.value_text);
+    }
     const PathsHead head{.version = version(),
                          .inputs = site_.inputs,
+                         .settings = std::move(settings),
                          .seed = scenario_.seed,
                          .wanted_share = scenario_.nets.wanted_share,
                          .with_forest = !assessment_.only_bare(),

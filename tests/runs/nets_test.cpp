@@ -132,7 +132,7 @@ TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
         "run scenario.ini --quiet --set nets.file= --set release.rocks=2000 --set nets.keep_paths=yes ";
     ASSERT_EQ(call(project, rocks + "--out out").code, 0);
     project.write("road.csv",
-                  "name,height_m,capacity_kj,wkt\nroad,2,100,\"LINESTRING (1098 2005, 1098 2095)\"\n");
+                  "name,height_m,capacity_kj,wkt\nroad,2,100,\"LINESTRING (1098 2015, 1098 2085)\"\n");
     const Outcome placed = call(project, "net place out --nets road.csv --distances 0,10,30,500");
     ASSERT_EQ(placed.code, 0) << placed.err;
     EXPECT_NE(placed.out.find("500 m upslope it leaves the terrain"), std::string::npos) << placed.out;
@@ -164,6 +164,57 @@ TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
         call(project, "run scenario.ini --quiet --set nets.file=out/net_place/nets.csv --out best").code, 0);
 }
 
+TEST(NetPlace, TakesTheGivenWayAndNamesNoPlaceThatKeepsNothing) {
+    const SampleProject project;
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=300 --set nets.keep_paths=yes ";
+    ASSERT_EQ(call(project, rocks + "--out out").code, 0);
+    project.write("road.csv",
+                  "name,height_m,class,wkt\nroad,2,1,\"LINESTRING (1098 2015, 1098 2085)\"\n"
+                  "above the sources,2,1,\"LINESTRING (1008 2012, 1008 2020)\"\n");
+    const Outcome rocks_way = call(project, "net place out --nets road.csv --distances 2");
+    ASSERT_EQ(rocks_way.code, 0) << rocks_way.err;
+    EXPECT_NE(rocks_way.out.find("rocks that reach it come from"), std::string::npos) << rocks_way.out;
+    EXPECT_NE(rocks_way.out.find("above the sources: no rock reaches the line"), std::string::npos)
+        << rocks_way.out;
+    const config::Table best = table(project, "out/net_place/nets.csv");
+    ASSERT_EQ(best.rows(), 1U);
+    EXPECT_EQ(best.text(0, "class"), "1");
+    EXPECT_EQ(best.text(0, "capacity_kj"), "");
+    // Downhill of the road a net keeps nothing from it.
+    const Outcome given =
+        call(project, "net place out --nets road.csv --distances 1 --azimuth 90 --out down");
+    ASSERT_EQ(given.code, 0) << given.err;
+    EXPECT_NE(given.out.find("road: no place keeps a rock from the line"), std::string::npos) << given.out;
+    const config::Table places = table(project, "down/net_places.csv");
+    for (std::size_t row = 0; row < places.rows(); ++row) {
+        EXPECT_EQ(places.text(row, "best"), "no");
+        EXPECT_EQ(number(places, row, "azimuth_deg"), 90.0);
+        EXPECT_EQ(places.text(row, "azimuth_from"), "given");
+    }
+    EXPECT_EQ(table(project, "down/nets.csv").rows(), 0U);
+}
+
+/// Behind a weak net nothing is known of the rocks that break it, and the row of the net there says so.
+TEST(NetTry, MarksNetsOfWhichItDoesNotKnowWhoReachesThem) {
+    const SampleProject project;
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=1000 --set nets.keep_paths=yes ";
+    ASSERT_EQ(call(project, rocks + "--out out").code, 0);
+    project.write("weak.csv",
+                  "name,height_m,capacity_kj,wkt\nweak,50,0.001,\"LINESTRING (1090 2005, 1090 2095)\"\n"
+                  "behind,3,100,\"LINESTRING (1095 2005, 1095 2095)\"\n");
+    const Outcome tried = call(project, "net try out --nets weak.csv");
+    ASSERT_EQ(tried.code, 0) << tried.err;
+    EXPECT_NE(tried.out.find("behind, bare slope: at least "), std::string::npos) << tried.out;
+    const config::Table nets = table(project, "out/net_try/nets.csv");
+    for (std::size_t row = 0; row < nets.rows(); ++row) {
+        if (nets.text(row, "net") == "weak") {
+            EXPECT_EQ(number(nets, row, "inexact_rocks"), 0.0);
+        } else {
+            EXPECT_GT(number(nets, row, "inexact_rocks"), 0.0);
+        }
+    }
+}
+
 TEST(NetTry, TellsWhichRocksItDoesNotKnow) {
     const SampleProject project;
     add_nets(project);
@@ -192,6 +243,13 @@ TEST(NetTry, RefusesPathsThatAreCutOffOrOfAnotherRun) {
     EXPECT_EQ(call(project, "net try one").code, 2);
     EXPECT_EQ(shell(project, "cp other/net_paths.bin one/\n\"$bannwald\" net try one --nets nets.csv\n").code,
               4);
+    ASSERT_EQ(call(project, rocks + "--set rockfall.motion=classical --out model").code, 0);
+    const Outcome other_model =
+        shell(project, "cp model/net_paths.bin one/\n\"$bannwald\" net try one --nets nets.csv\n");
+    EXPECT_EQ(other_model.code, 4);
+    EXPECT_NE(other_model.err.find("of rockfall.motion = classical, where summary.json beside it has picus"),
+              std::string::npos)
+        << other_model.err;
     EXPECT_EQ(shell(project,
                     "head -c 100000 other/net_paths.bin > cut && cp cut other/net_paths.bin\n"
                     "\"$bannwald\" net try other --nets nets.csv\n")

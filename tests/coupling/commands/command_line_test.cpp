@@ -95,6 +95,13 @@ TEST(CommandLine, KnowsWhatToDoWithNets) {
         "found `bannwald net` alone, expected `bannwald net try DIR --nets FILE`, or place instead of try");
     EXPECT_NE(message_of({"net", "try", "out"}), "");
     EXPECT_NE(message_of({"net", "try", "out", "--nets", "n.csv", "--distances", "1"}), "");
+    EXPECT_EQ(parse_command_line({"net", "place", "out", "--nets", "n.csv", "--azimuth", "270"}).azimuth_deg,
+              270.0);
+    for (const char* azimuth : {"-1", "361", "north"}) {
+        EXPECT_NE(message_of({"net", "place", "out", "--nets", "n.csv", "--azimuth", azimuth}), "")
+            << azimuth;
+    }
+    EXPECT_NE(message_of({"net", "try", "out", "--nets", "n.csv", "--azimuth", "1"}), "");
 }
 
 TEST(CommandLine, RefusesWhatACommandDoesNotTake) {

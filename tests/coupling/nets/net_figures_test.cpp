@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace coupling {
 namespace {
 
@@ -45,6 +47,34 @@ TEST(NetFigures, CountEachRockOnceAsItFirstCrosses) {
     EXPECT_EQ(sum, 3U);
     EXPECT_DOUBLE_EQ(figures[0].energy_kj.mean, 310.0);
     EXPECT_EQ(net_figures(nets, rows, rockfall::Cover::forest, 10, 0.95)[0].reached.part, 0U);
+}
+
+TEST(NetFigures, LeaveOutPercentilesAboveWhichFewerThanOneRockLies) {
+    const std::vector<NetRecord> nets(1);
+    std::vector<NetRow> rows;
+    const auto figures = [&] { return net_figures(nets, rows, rockfall::Cover::bare, 1000, 0.95)[0]; };
+    while (rows.size() < 19) {
+        rows.push_back(row(rows.size(), 10.0F, 0.5F, rockfall::NetOutcome::held));
+    }
+    EXPECT_TRUE(std::isnan(figures().energy_kj.p95.value));
+    EXPECT_TRUE(figures().needs.empty());
+    EXPECT_EQ(figures().energy_kj.p90, 10.0);
+    rows.push_back(row(20, 10.0F, 0.5F, rockfall::NetOutcome::held));
+    EXPECT_EQ(figures().energy_kj.p95.value, 10.0);
+    EXPECT_EQ(figures().height_m.p95.value, 0.5);
+    EXPECT_TRUE(std::isnan(figures().energy_kj.p99.value));
+    EXPECT_FALSE(figures().needs.empty());
+    rows.resize(9);
+    EXPECT_TRUE(std::isnan(figures().energy_kj.p90));
+}
+
+TEST(RocksToTell, AreOneThatMayPass) {
+    EXPECT_EQ(rocks_to_tell(0.5), 2U);
+    EXPECT_EQ(rocks_to_tell(0.9), 10U);
+    EXPECT_EQ(rocks_to_tell(0.95), 20U);
+    EXPECT_EQ(rocks_to_tell(0.97), 34U);
+    EXPECT_EQ(rocks_to_tell(0.99), 100U);
+    EXPECT_EQ(rocks_to_tell(0.9999), 10000U);
 }
 
 TEST(FindNeeds, TakesEnergyAndHeightAsOneRequirement) {
