@@ -136,6 +136,11 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
     say_cost(estimate, threads, out);
+    if (estimate.path_bytes > 0) {
+        say(out, "disk",
+            "about " + size_in_words(estimate.path_bytes) +
+                " for net_paths.bin (nets.keep_paths), within a factor of three");
+    }
     doubt_memory(estimate, warnings);
 }
 

@@ -8,6 +8,7 @@
 #include "coupling/compare/side_by_side.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/hazard/hazard_results.hpp"
+#include "coupling/nets/net_layouts.hpp"
 #include "coupling/profile/profile_layouts.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/static_layouts.hpp"
@@ -25,6 +26,7 @@ constexpr std::array kinds{Kind{"an assessment of today", static_layouts},
                            Kind{"a run along a profile", profile::profile_layouts},
                            Kind{"a hazard map", hazard::hazard_layouts},
                            Kind{"every run", dictionary_layouts},
+                           Kind{"`bannwald net` (nets.csv and others as of today)", net_command_layouts},
                            Kind{"a comparison of runs", compare::compare_layouts}};
 
 void write_columns(const TableLayout& layout, const char* kind, std::ostream& out) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/nets/net_classes.hpp"
 #include "coupling/nets/net_lines.hpp"
@@ -28,19 +29,6 @@ constexpr double weak_net_kj = 10.0;
 const std::vector<std::string>& net_columns() {
     static const std::vector<std::string> columns{"name", "height_m", "capacity_kj", "class", "gap_m", "wkt"};
     return columns;
-}
-
-/// The column that a word comes near to, or names without its unit or in another: "gap", "height_cm".
-std::string column_like(const std::string& word) {
-    constexpr std::size_t longest_unit = 2;
-    const std::size_t stem = std::min(word.find('_'), word.size());
-    for (const std::string& column : net_columns()) {
-        if (word.size() <= stem + 1 + longest_unit &&
-            column.substr(0, column.find('_')) == word.substr(0, stem)) {
-            return column;
-        }
-    }
-    return config::nearest_word(word, net_columns());
 }
 
 /// A name without capitals and blanks.
@@ -225,7 +213,7 @@ std::vector<config::Problem> doubts_about(const config::Table& table, const std:
     for (const std::string& column : table.columns()) {
         const bool known =
             std::find(net_columns().begin(), net_columns().end(), column) != net_columns().end();
-        const std::string like = known ? "" : column_like(column);
+        const std::string like = known ? "" : meant_column(column, net_columns());
         if (!like.empty() && !table.has(like)) {
             doubt({table.file()}, joined("column ", config::in_quotes(column), ", which is passed over"),
                   joined(like, ", if that is what is meant"));

@@ -186,6 +186,11 @@ std::vector<TableLayout> net_try_layouts() {
     return {net_inexact()};
 }
 
+const std::vector<TableLayout>& net_command_layouts() {
+    static const std::vector<TableLayout> layouts{net_inexact(), net_places()};
+    return layouts;
+}
+
 std::vector<TableLayout> net_layouts() {
     return {nets(), net_needs(), net_crossings()};
 }

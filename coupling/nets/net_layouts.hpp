@@ -15,4 +15,7 @@ std::vector<TableLayout> net_try_layouts();
 /// net_places.csv, which `bannwald net place` writes.
 std::vector<TableLayout> net_place_layouts();
 
+/// Both, for `bannwald info tables`.
+const std::vector<TableLayout>& net_command_layouts();
+
 }  // namespace coupling

@@ -102,7 +102,10 @@ std::string histograms(const RunResults& results, std::uint32_t net) {
     for (int i = 0; i <= bars; ++i) {
         energy_edges.push_back(energy.low * std::pow(10.0, static_cast<double>(i) / bars_a_decade));
     }
-    Axis height = Axis::from_zero("Centre of the rock above the ground, m", most_m);
+    // No farther than twice the net: what flies higher passes in any case, and bars stay fine below.
+    constexpr double most_nets = 2.0;
+    Axis height = Axis::from_zero("Centre of the rock above the ground, m",
+                                  std::min(most_m, most_nets * wall.height_m));
     std::vector<double> height_edges;
     constexpr int steps = 30;
     for (int i = 0; i <= steps; ++i) {
@@ -214,12 +217,15 @@ std::string nets(const RunResults& results) {
     }
     const std::vector<NetFigures> figures = net_figures(results);
     std::string html = joined(
-        "<h2>Nets</h2>\n<p>Nets are works, not forest: they stand on the bare slope too, so that the "
-        "protection "
-        "effect above compares forest and no forest behind the same nets. Each rock meets intact nets. It "
-        "passes over where its centre is above the upper edge, below where all of it fits under the lower "
-        "one; "
-        "more energy than the net takes breaks through and goes on with the rest.</p>\n",
+        "<h2>Nets</h2>\n<p>",
+        results.with_forest ? "Nets are works, not forest: they stand on the bare slope too, so that the "
+                              "protection effect above "
+                              "compares forest and no forest behind the same nets. "
+                            : "",
+        "Each rock meets intact nets. It passes over where its centre is above the upper edge, below where "
+        "all of "
+        "it fits under the lower one; more energy than the net takes breaks through and goes on with the "
+        "rest.</p>\n",
         developed_view_legend());
     for (std::uint32_t net = 0; net < results.site.nets.size(); ++net) {
         html += one_net(results, net, figures);

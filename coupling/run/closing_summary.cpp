@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "coupling/nets/net_tables.hpp"
+#include "coupling/nets/net_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/run/telling.hpp"
@@ -47,6 +49,11 @@ void print_summary(const RunResults& results, const std::filesystem::path& folde
                 results.with_forest ? ", each with forest and without" : ", bare slope");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         print_target(results, i);
+    }
+    for (const NetFigures& figures : net_figures(results)) {
+        std::printf(
+            "  net %s\n",
+            in_words(results.site.nets[figures.net], figures, results.scenario.nets.wanted_share).c_str());
     }
     print_files(folder, written, verbose);
 }

@@ -80,7 +80,7 @@ TEST(Nets, KeepRocksFromTheTargetBehindThem) {
     }
 }
 
-TEST(Nets, HoldRocksInRunsOverYearsToo) {
+TEST(Nets, HoldRocksInRunsOverYearsTooAndThePageSaysWhere) {
     const ForestProject project;
     project.write("nets.csv",
                   "name,height_m,capacity_kj,wkt\nlower,3,250,\"LINESTRING (1098 2005, 1098 2095)\"\n");
@@ -95,6 +95,13 @@ TEST(Nets, HoldRocksInRunsOverYearsToo) {
                     : 0.0;
     }
     EXPECT_GT(held, 0.0);
+    EXPECT_NE(project.read("out/report.html").find("The nets stand on the bare slope too"),
+              std::string::npos);
+    const Outcome share =
+        call(project,
+             "check scenario.ini --set run.years=2 --set nets.file=nets.csv "
+             "--set nets.wanted_share=0.9 --set trees.file= --set stands.records=records.csv");
+    EXPECT_NE(share.err.find("nets.wanted_share have no effect"), std::string::npos) << share.err;
 }
 
 /// Rows of a table of crossings as text.
@@ -213,6 +220,37 @@ TEST(NetTry, MarksNetsOfWhichItDoesNotKnowWhoReachesThem) {
             EXPECT_GT(number(nets, row, "inexact_rocks"), 0.0);
         }
     }
+}
+
+TEST(Nets, AreToldAtTheEndOfARunAndOnItsPage) {
+    const SampleProject project;
+    add_nets(project);
+    const Outcome run =
+        call(project, "run scenario.ini --set release.rocks=2000 --set trees.file= --out out");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("  net lower, bare slope: "), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("; to hold 95.0"), std::string::npos) << run.out;
+    const std::string page = project.read("out/report.html");
+    EXPECT_NE(page.find("Heights are those of the rock&#39;s centre. Its radius, here up to 0.250"),
+              std::string::npos);
+    // Without trees nothing is said of what a forest protects.
+    EXPECT_EQ(page.find("Nets are works, not forest"), std::string::npos);
+}
+
+TEST(NetTables, OfTheCommandsAreDescribed) {
+    const SampleProject project;
+    const Outcome places = call(project, "info tables net_places");
+    EXPECT_EQ(places.code, 0);
+    EXPECT_NE(places.out.find("residual_kj"), std::string::npos) << places.out;
+    EXPECT_EQ(call(project, "info tables net_inexact").code, 0);
+}
+
+TEST(NetPaths, TellTheirSizeBeforeTheRun) {
+    const SampleProject project;
+    EXPECT_EQ(call(project, "check scenario.ini").out.find("net_paths.bin"), std::string::npos);
+    const Outcome check = call(project, "check scenario.ini --set nets.keep_paths=yes");
+    EXPECT_EQ(check.code, 0) << check.err;
+    EXPECT_NE(check.out.find(" for net_paths.bin"), std::string::npos) << check.out;
 }
 
 TEST(NetTry, TellsWhichRocksItDoesNotKnow) {

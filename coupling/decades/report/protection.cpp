@@ -222,7 +222,11 @@ std::string table_of(const Names& names, const Series& protection, const std::st
 
 std::string protection_over_years(const Names& names, const Site& site, std::span<const Series> all_series,
                                   std::span<const MemberYears> members) {
-    std::string html;
+    std::string html =
+        site.nets.empty() || site.targets.empty()
+            ? ""
+            : "<p>The nets stand on the bare slope too: protection compares forest and no forest behind the "
+              "same nets.</p>\n";
     for (std::uint32_t place = 0; place < site.targets.size(); ++place) {
         const rockfall::Target& target = site.targets[place];
         const auto find = [&](const char* quantity) -> const Series& {
