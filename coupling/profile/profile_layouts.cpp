@@ -74,17 +74,17 @@ TableLayout stations() {
               simulated},
              {"energy_sd_kj", "kJ", "its standard deviation", simulated},
              {"energy_50_kj", "kJ", "its median", from_bins},
-             {"energy_90_kj", "kJ", "its 90th percentile", from_bins},
-             {"energy_95_kj", "kJ", "its 95th percentile", from_bins},
-             {"energy_99_kj", "kJ", "its 99th percentile", from_bins},
+             {"energy_90_kj", "kJ", "its 90th percentile (empty: fewer than 10 rocks)", from_bins},
+             {"energy_95_kj", "kJ", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
+             {"energy_99_kj", "kJ", "its 99th percentile (empty: fewer than 100 rocks)", from_bins},
              {"energy_max_kj", "kJ", "its largest value", simulated},
              {"translational_mean_kj", "kJ", "mean of its translational part", simulated},
              {"speed_mean_mps", "m/s", "mean speed at the first passage", simulated},
-             {"speed_95_mps", "m/s", "its 95th percentile", from_bins},
+             {"speed_95_mps", "m/s", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
              {"speed_max_mps", "m/s", "its largest value", simulated},
              {"height_mean_m", "m",
               "mean height of the underside above the ground, vertical, at the first passage", simulated},
-             {"height_95_m", "m", "its 95th percentile", from_bins},
+             {"height_95_m", "m", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
              {"height_max_m", "m", "its largest value", simulated}}};
 }
 
@@ -96,10 +96,10 @@ TableLayout envelope() {
          {"to_distance_m", "m", "plan distance of its end", "input terrain.profile"},
          {"rocks", "-", "rocks that passed it", counted},
          {"energy_mean_kj", "kJ", "mean of each rock's largest kinetic energy in it", simulated},
-         {"energy_95_kj", "kJ", "its 95th percentile", from_wide_bins},
+         {"energy_95_kj", "kJ", "its 95th percentile (empty: fewer than 20 rocks)", from_wide_bins},
          {"energy_max_kj", "kJ", "its largest value", simulated},
          {"height_mean_m", "m", "mean of each rock's largest height in it, normal to the slope", simulated},
-         {"height_95_m", "m", "its 95th percentile", from_wide_bins},
+         {"height_95_m", "m", "its 95th percentile (empty: fewer than 20 rocks)", from_wide_bins},
          {"height_max_m", "m", "its largest value", simulated}}};
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "coupling/results/indicators.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::profile {
@@ -47,8 +49,9 @@ void Spread::add(const rockfall::LogBins& bins, double value) {
 }
 
 double Spread::quantile(const rockfall::LogBins& bins, double share) const {
-    if (moments.count() == 0) {
-        return moments.mean();
+    const auto percentile = static_cast<std::uint64_t>(std::lround(100.0 * share));
+    if (!percentile_is_known(moments.count(), percentile)) {
+        return std::numeric_limits<double>::quiet_NaN();
     }
     return std::clamp(rockfall::quantile(bins, counts, share), moments.least(), moments.most());
 }

@@ -39,7 +39,8 @@ struct Spread {
     std::vector<std::uint64_t> counts;
 
     void add(const rockfall::LogBins& bins, double value);
-    /// Value below which a share lies, between the extremes; NaN without numbers.
+    /// Value below which a share lies, between the extremes; NaN where fewer than one number lies above it
+    /// (percentile_is_known()).
     [[nodiscard]] double quantile(const rockfall::LogBins& bins, double share) const;
 };
 

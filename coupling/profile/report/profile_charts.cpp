@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/colours.hpp"
@@ -62,7 +63,7 @@ std::string run_out(const ProfileResults& results) {
                caption_of_marks(results)));
 }
 
-/// Runs of stretches that rocks passed: a gap breaks the line.
+/// Runs of stretches with a known value: a gap breaks the line.
 void add_curve(const ProfileResults& results, Chart& chart, const std::string& series,
                const std::function<double(const StretchTally&)>& value_of) {
     std::vector<ChartPoint> points;
@@ -74,13 +75,15 @@ void add_curve(const ProfileResults& results, Chart& chart, const std::string& s
     };
     for (std::size_t i = 0; i < results.tally.stretches.size(); ++i) {
         const StretchTally& stretch = results.tally.stretches[i];
-        if (stretch.energy_j.moments.count() == 0) {
+        const double value = stretch.energy_j.moments.count() == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                                                   : value_of(stretch);
+        if (std::isnan(value)) {
             flush();
             continue;
         }
         const double middle_m =
             results.site.first_m() + (static_cast<double>(i) + 0.5) * results.tally.stretch_m;
-        points.push_back({std::min(middle_m, results.site.last_m()), value_of(stretch)});
+        points.push_back({std::min(middle_m, results.site.last_m()), value});
     }
     flush();
 }
@@ -164,17 +167,21 @@ std::string energy_histogram(const ProfileResults& results, std::size_t station)
         height *= percent / static_cast<double>(results.tally.rocks);
     }
     constexpr double room_for_a_label = 0.11;
-    const bool apart = x.share_of(p95_kj) - x.share_of(mean_kj) > room_for_a_label;
+    const bool is_known = std::isfinite(p95_kj);
+    const bool apart = !is_known || x.share_of(p95_kj) - x.share_of(mean_kj) > room_for_a_label;
     Chart chart{joined("Energy at the station “", results.site.stations[station].name, "”"), std::move(x),
                 Axis::from_zero("% of all rocks", *std::max_element(heights.begin(), heights.end()))};
     chart.add_steps("forest", edges, heights);
     chart.add_mark(mean_kj, apart ? "mean" : "");
-    chart.add_mark(p95_kj, apart ? "95 %" : "mean, 95 %");
+    if (is_known) {
+        chart.add_mark(p95_kj, apart ? "95 %" : "mean, 95 %");
+    }
     chart.add_name("forest", "rocks that pass");
-    return chart.figure(joined("Kinetic energy of the ", report::grouped(energy.moments.count()),
-                               " rocks that pass. Dotted: their mean, ", report::three_digits(mean_kj),
-                               " kJ, and what 95 % of them stay below, ", report::three_digits(p95_kj),
-                               " kJ."));
+    return chart.figure(joined(
+        "Kinetic energy of the ", report::grouped(energy.moments.count()),
+        " rocks that pass. Dotted: their mean, ", report::three_digits(mean_kj),
+        is_known ? joined(" kJ, and what 95 % of them stay below, ", report::three_digits(p95_kj), " kJ.")
+                 : " kJ; too few for what 95 % of them stay below."));
 }
 
 }  // namespace
