@@ -133,15 +133,27 @@ private:
         }
         now_.velocity_mps.setZero();
         now_.begin_rolling();
-        if (meets_obstacle_rolling(*run) || is_caught_rolling(*run)) {
+        follow_groove(*run);
+    }
+
+    void follow_groove(RollingPiece run) {
+        if (meets_obstacle_rolling(run) || is_caught_rolling(run)) {
             return;
         }
-        tell_rolled(*run, now_.triangle);
-        RollingPiece step = centimetre_on(*run);
-        now_.velocity_mps = step.velocity_mps;
+        tell_rolled(run, now_.triangle);
+        resting_place_.add_rolling(run.duration_s);
+        now_.go_to_end_of(run);
+        if (run.end == RollingEnd::standstill) {
+            now_.velocity_mps.setZero();
+            if (run.duration_s == 0.0) {
+                stop(StopReason::at_rest);
+            }
+            return;
+        }
+        RollingPiece step = centimetre_on(run);
         const auto net = nets_.cut(step);
-        tell_rolled(step, run->next_triangle);
-        now_.position_m = step.position_m(step.duration_s);
+        tell_rolled(step, run.next_triangle);
+        now_.go_to_end_of(step);
         if (net) {
             meet(*net);
             if (stopped_) {
@@ -149,9 +161,9 @@ private:
             }
         }
         const auto beyond =
-            slope_.terrain.locate(now_.position_m.x(), now_.position_m.y(), run->next_triangle);
+            slope_.terrain.locate(now_.position_m.x(), now_.position_m.y(), run.next_triangle);
         if (moves_into(beyond.value_or(no_triangle))) {
-            now_.enter(face_here());
+            roll_into_face_here();
         }
     }
 
@@ -233,22 +245,35 @@ private:
     }
 
     void roll_over_edge(const RollingPiece& piece) {
+        const std::uint32_t from = now_.triangle;
         if (!moves_into(triangle_beyond(slope_.terrain, piece))) {
             return;
         }
-        const Plane next = face_here();
-        now_.put_on(next);
-        switch (now_.motion.way_over_edge(now_.velocity_mps, next.normal(), surface_here())) {
+        if (roll_into_face_here() == EdgeWay::goes_on && !piece.ran_over) {
+            const auto run = run_if_pressed(slope_.terrain, from, now_.triangle, now_.position_m,
+                                            now_.velocity_mps, now_.motion.groove_law(surface_here()));
+            if (run) {
+                follow_groove(*run);
+            }
+        }
+    }
+
+    EdgeWay roll_into_face_here() {
+        const Plane face = face_here();
+        now_.put_on(face);
+        const EdgeWay way = now_.motion.way_over_edge(now_.velocity_mps, face.normal(), surface_here());
+        switch (way) {
             case EdgeWay::goes_on:
-                now_.enter(next);
+                now_.enter(face);
                 break;
             case EdgeWay::takes_off:
                 now_.rolling = false;
                 break;
             case EdgeWay::runs_into:
-                touch_ground(next);
+                touch_ground(face);
                 break;
         }
+        return way;
     }
 
     bool is_caught_rolling(RollingPiece& piece) {

@@ -3,11 +3,38 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "config/units/constants.hpp"
 
 namespace rockfall {
 namespace {
+
+/// A slower rock stands: it has no direction of its own.
+constexpr double standing_in_groove_mps = 1e-3;
+
+/// How strongly gravity drives a rock on a face across an edge of it.
+double across_edge_mps2(const Eigen::Vector3d& normal, const Eigen::Vector3d& edge) {
+    const Eigen::Vector3d along_face =
+        config::gravity_mps2 * (normal.z() * normal - Eigen::Vector3d::UnitZ());
+    return (along_face - along_face.dot(edge) * edge).norm();
+}
+
+/// The share of its weight with which a rock that goes to and fro over an edge rests on the two faces by
+/// turns: the shares of the faces, each for as long as the rock is on it, which is the longer the less it is
+/// driven back.
+double mean_support(const Plane& here, const Plane& there, const Eigen::Vector3d& edge) {
+    const Eigen::Vector3d n = here.normal();
+    const Eigen::Vector3d m = there.normal();
+    const double back = across_edge_mps2(n, edge);
+    const double forth = across_edge_mps2(m, edge);
+    return (n.z() * forth + m.z() * back) / (back + forth);
+}
+
+/// Where gravity leads on a face, in plan.
+Eigen::Vector2d gravity_in_plan_mps2(const Plane& face) {
+    return -config::gravity_mps2 / (1.0 + face.gradient.squaredNorm()) * face.gradient;
+}
 
 Eigen::Vector3d place_of(const Vertex& vertex) {
     return {vertex.x_m, vertex.y_m, vertex.z_m};
@@ -96,6 +123,64 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
                         best.triangle,
                         false,
                         law.slides};
+}
+
+std::optional<RollingPiece> run_if_pressed(const Terrain& terrain, std::uint32_t from, std::uint32_t triangle,
+                                           const Eigen::Vector3d& position_m,
+                                           const Eigen::Vector3d& velocity_mps, const GrooveLaw& law) {
+    const Triangle& t = terrain.triangles()[triangle];
+    const auto* const shared = std::find(std::begin(t.neighbours), std::end(t.neighbours), from);
+    if (shared == std::end(t.neighbours)) {
+        return std::nullopt;
+    }
+    const auto side = static_cast<std::size_t>(shared - std::begin(t.neighbours));
+    const Eigen::Vector3d a = place_of(terrain.vertices()[t.corners[side]]);
+    const Eigen::Vector3d b = place_of(terrain.vertices()[t.corners[side == 2 ? 0 : side + 1]]);
+    const Eigen::Vector2d inward = Eigen::Vector2d{a.y() - b.y(), b.x() - a.x()}.normalized();
+    const Plane here = terrain.plane_of(triangle);
+    const Plane there = terrain.plane_of(from);
+    const double back_mps2 = -law.mass_factor * inward.dot(gravity_in_plan_mps2(here));
+    const double forth_mps2 = law.mass_factor * inward.dot(gravity_in_plan_mps2(there));
+    const bool is_back_at_once =
+        2.0 * inward.dot(velocity_mps.head<2>()) <= back_mps2 * shortest_rolling_piece_s;
+    if (back_mps2 <= 0.0 || forth_mps2 <= 0.0 || !is_back_at_once) {
+        return std::nullopt;
+    }
+    double speed_mps = velocity_mps.norm();
+    Eigen::Vector3d direction = (b - a).normalized();
+    const bool stands = speed_mps < standing_in_groove_mps;
+    if (stands ? direction.z() > 0.0 : direction.dot(velocity_mps) < 0.0) {
+        direction = -direction;
+    }
+    const double acceleration = law.mass_factor * config::gravity_mps2 *
+                                (-direction.z() - law.friction * mean_support(here, there, direction));
+    const Eigen::Vector3d& end_m = direction.dot(b - a) > 0.0 ? b : a;
+    const double length_m = std::max(0.0, direction.dot(end_m - position_m));
+    RollingPiece run{position_m,
+                     speed_mps * direction,
+                     acceleration * direction,
+                     0.0,
+                     RollingEnd::standstill,
+                     triangle,
+                     false,
+                     law.slides};
+    if (stands) {
+        run.velocity_mps.setZero();
+        speed_mps = 0.0;
+        if (acceleration <= 0.0) {
+            run.acceleration_mps2.setZero();
+            return run;
+        }
+    }
+    const double squared_end = speed_mps * speed_mps + 2.0 * acceleration * length_m;
+    if (squared_end <= 0.0) {
+        run.duration_s = acceleration < 0.0 ? speed_mps / -acceleration : 0.0;
+        return run.duration_s > 0.0 ? std::optional{run}
+                                    : std::nullopt;  // at rest at the lower end: no way on
+    }
+    run.duration_s = 2.0 * length_m / (speed_mps + std::sqrt(squared_end));
+    run.end = RollingEnd::edge;
+    return run;
 }
 
 Eigen::Vector3d along_edge(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,

@@ -29,6 +29,19 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
                                              const Eigen::Vector3d& position_m, double reach_m,
                                              const GrooveLaw& law);
 
+/// The run along the edge between two faces that press a rock into it; nothing if they do not.
+///
+/// `velocity_mps` lies in the face of `triangle`, which the rock has just entered from its neighbour `from`.
+/// It is pressed where gravity leads to the edge on both faces and the rock would be back at it within
+/// `shortest_rolling_piece_s`: it would go to and fro in ever smaller steps. The run is the limit of these:
+/// speed is kept and goes along the edge, friction is that of the two faces by turns, so that where steps end
+/// and the run begins changes nothing. It leads to the end of the edge (`end` is `edge`) or to a standstill;
+/// a rock that stands sets off downwards if gravity along the edge exceeds friction, and else stays (a
+/// standstill in no time). Choice; no published law.
+std::optional<RollingPiece> run_if_pressed(const Terrain& terrain, std::uint32_t from, std::uint32_t triangle,
+                                           const Eigen::Vector3d& position_m,
+                                           const Eigen::Vector3d& velocity_mps, const GrooveLaw& law);
+
 /// The part of a velocity along the edge in which two faces meet; that along the face if both lie in one
 /// plane. Requires unit normals.
 Eigen::Vector3d along_edge(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,

@@ -54,18 +54,22 @@ Leaving leaving(const Terrain& terrain, std::uint32_t triangle, const RollingPie
     return first;
 }
 
-void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
-                 const Leaving& out) {
-    if (out.time_s > piece.duration_s) {
-        return;
-    }
-    piece.duration_s = std::min(piece.duration_s, std::max(out.time_s, shortest_rolling_piece_s));
-    piece.end = RollingEnd::edge;
-    piece.next_triangle = terrain.triangles()[triangle].neighbours[out.edge];
-    piece.ran_over = piece.duration_s > out.time_s;
-    if (piece.ran_over && is_cliff_or_wall(terrain, plane, piece.next_triangle)) {
+void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Leaving& out) {
+    if (out.time_s <= piece.duration_s) {
         piece.duration_s = out.time_s;
-        piece.ran_over = false;
+        piece.end = RollingEnd::edge;
+        piece.next_triangle = terrain.triangles()[triangle].neighbours[out.edge];
+    }
+}
+
+void end_near_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+                   const Leaving& out) {
+    const double longest_s = piece.duration_s;
+    end_at_edge(piece, terrain, triangle, out);
+    if (piece.end == RollingEnd::edge && out.time_s < shortest_rolling_piece_s && out.time_s < longest_s &&
+        !is_cliff_or_wall(terrain, plane, piece.next_triangle)) {
+        piece.duration_s = std::min(longest_s, shortest_rolling_piece_s);
+        piece.ran_over = true;
     }
 }
 

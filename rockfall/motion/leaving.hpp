@@ -15,10 +15,13 @@ struct Leaving {
 
 Leaving leaving(const Terrain& terrain, std::uint32_t triangle, const RollingPiece& piece);
 
-/// Ends a piece at the edge over which it leaves, if it leaves before its end; a piece that would be shorter
-/// than `shortest_rolling_piece_s` runs over the edge a little, but not over a cliff or a wall.
-void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
-                 const Leaving& out);
+/// Ends a piece at the edge over which it leaves, if it leaves before its end.
+void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Leaving& out);
+
+/// The same, but a piece that would be shorter than `shortest_rolling_piece_s` runs over the edge a little,
+/// if not over a cliff or a wall.
+void end_near_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+                   const Leaving& out);
 
 /// The triangle into which a piece leads that ended over an edge; a short piece may have run on a little, to
 /// where the walk tells. `no_triangle` beyond the border.

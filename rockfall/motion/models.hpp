@@ -15,7 +15,7 @@ namespace rockfall {
 /// A model is a class made for one rock from its law, the rock's stream key and the rock. It offers:
 ///   next_draws()                        what chance gives to the next ground contact
 ///   touch(velocity, spin, normal, surface, draws) -> Contact   meets the ground
-///   begin_rolling()                     the rock now moves on the ground
+///   begin_rolling(speed)                the rock now moves on the ground
 ///   rolling_spin_radps(speed)           its spin there
 ///   lift_off(velocity, normal)          the velocity with which it leaves even ground by itself, if it does
 ///   next_piece(terrain, triangle, plane, position, velocity, surface)

@@ -23,7 +23,7 @@ struct MovingRock {
     void begin_rolling() {
         rolling = true;
         spin_as_rolling();
-        motion.begin_rolling();
+        motion.begin_rolling(velocity_mps.norm());
     }
 
     /// `Piece` is a RollingPiece or its heir.

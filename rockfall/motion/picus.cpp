@@ -68,6 +68,10 @@ bool hops_far(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal
     // On a plane that goes on for ever the jump takes t = 2 v_n / (g n_z) and leads to t v_t + t^2 g_t / 2.
     // As v_t lies in the plane, v_t . g_t = -g v_t.z.
     const double rising_mps = velocity_mps.dot(normal);
+    const double highest_m = 0.5 * rising_mps * rising_mps / (config::gravity_mps2 * normal.z());
+    if (highest_m >= least_m) {
+        return true;  // straight up and down is a jump too, though it leads nowhere
+    }
     const double time_s = 2.0 * rising_mps / (config::gravity_mps2 * normal.z());
     const double squared_along = velocity_mps.squaredNorm() - rising_mps * rising_mps;
     const double falling_mps = rising_mps * normal.z() - velocity_mps.z();

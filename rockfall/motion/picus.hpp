@@ -55,7 +55,7 @@ Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vecto
                          const PicusLaw& law, const ContactDraws& draws);
 
 /// Whether the jump that a velocity leads to is at least so long, along the plane and if the plane went on
-/// for ever.
+/// for ever, or so high above it.
 bool hops_far(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, double least_m);
 
 /// Speeds at which a rock begins to roll and to jump on a plane: factor * sqrt(g R cos b).

@@ -46,7 +46,7 @@ public:
         return draws;
     }
 
-    void begin_rolling() {
+    void begin_rolling(double) {
         const double u = rolling_draws_.uniforms_of(rolls_++)[0];
         rolling_until_caught_ = -config::ln_of(1.0 - u);  // unit exponential: used up at the surface's rate
     }

@@ -102,7 +102,7 @@ RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& p
         piece.duration_s = launch_s;
         piece.end = RollingEnd::launch_speed;
     }
-    end_at_edge(piece, terrain, triangle, plane, leaving(terrain, triangle, piece));
+    end_near_edge(piece, terrain, triangle, plane, leaving(terrain, triangle, piece));
     return piece;
 }
 

@@ -19,10 +19,11 @@ struct RollingLaw {
     double launch_factor = 1.0;  ///< a rolling rock faster than this times sqrt(g R cos b) jumps [-]
 };
 
-/// No piece is shorter unless the rock stops in it: where two faces press a rock into their edge it runs over
-/// the edge a little (millimetres) instead of being handed to and fro in ever smaller steps. Where the ground
-/// beyond rises or falls more steeply than `largest_overrun_tangent` against the face, at a cliff or a wall,
-/// the piece ends at the edge after all.
+/// No piece of rolling is shorter unless the rock stops in it: at the walking pace of rolling rocks it runs
+/// over an edge a little (millimetres) instead of being handed to and fro by two faces in ever smaller steps.
+/// Where the ground beyond rises or falls more steeply than `largest_overrun_tangent` against the face, at a
+/// cliff or a wall, the piece ends at the edge after all; so does every piece of sliding, which may be fast.
+/// There run_if_pressed() takes the rock along the edge.
 inline constexpr double shortest_rolling_piece_s = 5e-3;
 inline constexpr double largest_overrun_tangent = 3.0;
 

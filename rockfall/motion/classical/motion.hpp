@@ -30,7 +30,7 @@ public:
     [[nodiscard]] Contact touch(const Eigen::Vector3d& velocity_mps, double, const Eigen::Vector3d& normal,
                                 const SurfaceType& surface, const config::FourUniforms& draws) const;
 
-    void begin_rolling() {}
+    static void begin_rolling(double) {}
     [[nodiscard]] static double rolling_spin_radps(double) { return 0.0; }
     static std::optional<Eigen::Vector3d> lift_off(const Eigen::Vector3d&, const Eigen::Vector3d&) {
         return std::nullopt;

@@ -31,8 +31,12 @@ public:
     Contact touch(const Eigen::Vector3d& velocity_mps, double, const Eigen::Vector3d& normal,
                   const SurfaceType& surface, const config::FourUniforms& draws) const;
 
-    /// The friction of this stretch of sliding comes from one draw.
-    void begin_rolling() { friction_draw_ = deviate(sliding_draws_.uniforms_of(slides_++)[0], law_.spread); }
+    /// The friction of a stretch of sliding comes from one draw, of the width at the speed with which it
+    /// begins.
+    void begin_rolling(double speed_mps) {
+        friction_draw_ = deviate(sliding_draws_.uniforms_of(slides_++)[0], law_.spread);
+        first_speed_mps_ = speed_mps;
+    }
 
     [[nodiscard]] static double rolling_spin_radps(double) { return 0.0; }
     static std::optional<Eigen::Vector3d> lift_off(const Eigen::Vector3d&, const Eigen::Vector3d&) {
@@ -43,8 +47,8 @@ public:
                                           const Eigen::Vector3d& position_m,
                                           const Eigen::Vector3d& velocity_mps,
                                           const SurfaceType& surface) const {
-        return slide(terrain, triangle, plane, position_m, velocity_mps,
-                     friction(surface, velocity_mps.norm()), law_.position_tolerance_m);
+        return slide(terrain, triangle, plane, position_m, velocity_mps, friction(surface),
+                     law_.position_tolerance_m);
     }
 
     static std::optional<double> caught_on_the_way(const SurfaceType&, const RollingPiece&) {
@@ -56,13 +60,13 @@ public:
                                                const SurfaceType& surface);
 
     [[nodiscard]] GrooveLaw groove_law(const SurfaceType& surface) const {
-        return {friction(surface, 0.0), 1.0, true};
+        return {friction(surface), 1.0, true};
     }
     [[nodiscard]] std::uint32_t most_impacts() const { return law_.most_impacts; }
 
 private:
     /// Not below 0.
-    [[nodiscard]] double friction(const SurfaceType& surface, double speed_mps) const;
+    [[nodiscard]] double friction(const SurfaceType& surface) const;
 
     const Law& law_;
     double least_hop_m_;
@@ -71,6 +75,7 @@ private:
     std::uint32_t contacts_ = 0;
     std::uint32_t slides_ = 0;
     double friction_draw_ = 0.0;
+    double first_speed_mps_ = 0.0;
 };
 
 }  // namespace rockfall::pir3d

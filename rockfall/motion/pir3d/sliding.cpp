@@ -14,6 +14,7 @@ using config::gravity_mps2;
 constexpr double longest_step_s = 0.25;
 constexpr double largest_turn_rad = 0.05;
 constexpr double edge_tolerance_m = 1e-6;
+constexpr double no_time_s = 1e-9;  ///< a step this short leads nowhere
 
 Eigen::Vector3d gravity_along(const Eigen::Vector3d& normal) {
     return -gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
@@ -44,8 +45,11 @@ double longest_s(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& nor
         return std::min(longest_step_s, until_rest_s);  // straight, and exact whatever its length
     }
     const double by_turn_s = std::min(longest_step_s, largest_turn_rad * speed_mps / across);
+    // Near rest friction turns the motion into the fall line at the rate k g n_z / v, faster than any fixed
+    // step can follow: a step of more than 2.8 of its times would never settle.
+    const double turning_time_s = speed_mps / (friction * gravity_mps2 * normal.z());
     return std::max(std::min(by_turn_s, 0.5 * until_rest_s),
-                    std::min(shortest_rolling_piece_s, until_rest_s));
+                    std::min({shortest_rolling_piece_s, until_rest_s, turning_time_s}));
 }
 
 SlidingPiece piece_of(const PointState& start, const SlidingStep& step, std::uint32_t triangle) {
@@ -99,14 +103,16 @@ SlidingPiece slide(const Terrain& terrain, std::uint32_t triangle, const Plane& 
     if (out.time_s > piece.duration_s) {
         return piece;
     }
-    const double shortest_s = std::min(shortest_rolling_piece_s, piece.duration_s);
     constexpr int most_refinements = 8;
     for (int i = 0; i < most_refinements; ++i) {
         // The parabola of a step that ends nearly at the edge crosses it where the path does.
-        const double until_s = std::max(out.time_s, shortest_s);
+        const double until_s = out.time_s;
+        if (until_s < no_time_s) {
+            break;
+        }
         piece = piece_of(start, sliding_step(start, normal, friction, until_s, tolerance_m), triangle);
         const Leaving again = leaving(terrain, triangle, piece);
-        if (until_s > out.time_s || !std::isfinite(again.time_s)) {
+        if (!std::isfinite(again.time_s)) {
             break;
         }
         const double moved_m = std::abs(again.time_s - out.time_s) * piece.velocity_at(until_s).norm();
@@ -116,7 +122,7 @@ SlidingPiece slide(const Terrain& terrain, std::uint32_t triangle, const Plane& 
         }
     }
     out.time_s = std::min(out.time_s, piece.duration_s);
-    end_at_edge(piece, terrain, triangle, plane, out);
+    end_at_edge(piece, terrain, triangle, out);
     return piece;
 }
 

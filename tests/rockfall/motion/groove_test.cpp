@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "tests/rockfall/slopes.hpp"
 
@@ -75,6 +76,110 @@ TEST(Fall, SlidesOnInAGullyWhoseWallsItStrikesInTurn) {
             most_in_a_row = std::max(most_in_a_row, in_a_row);
         }
         EXPECT_LT(most_in_a_row, 3) << rock;
+    }
+}
+
+/// A straight gully over triangles whose edges follow its floor: two walls that rise to either side of y = 0.
+/// Triangle 0 is the wall at y > 0, triangle 1 the one at y < 0.
+Terrain gully_of_two_faces(double fall, double wall) {
+    std::vector<Vertex> vertices{{0.0, 0.0, 0.0},
+                                 {100.0, 0.0, -100.0 * fall},
+                                 {50.0, 50.0, -50.0 * fall + 50.0 * wall},
+                                 {50.0, -50.0, -50.0 * fall + 50.0 * wall}};
+    std::vector<Triangle> triangles{{{0, 1, 2}, {1, no_triangle, no_triangle}},
+                                    {{1, 0, 3}, {0, no_triangle, no_triangle}}};
+    return Terrain{{0.0, 0.0}, std::move(vertices), std::move(triangles)};
+}
+
+constexpr double g = 9.81;
+
+TEST(RunIfPressed, IsTheLimitOfGoingToAndFro) {
+    constexpr double fall = 0.8, wall = 0.9, friction = 0.5;
+    const Terrain terrain = gully_of_two_faces(fall, wall);
+    const Eigen::Vector3d floor = Eigen::Vector3d{1.0, 0.0, -fall}.normalized();
+    const Eigen::Vector3d start{10.0, 0.0, -10.0 * fall};
+    const auto run = run_if_pressed(terrain, 0, 1, start, 4.0 * floor, {friction, 1.0, true});
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->end, RollingEnd::edge);
+    EXPECT_LT((run->velocity_mps - 4.0 * floor).norm(), 1e-12);
+    EXPECT_LT((run->position_m(run->duration_s) - Eigen::Vector3d{100.0, 0.0, -100.0 * fall}).norm(), 1e-9);
+    // Both walls are alike: friction is that of either.
+    const double support = 1.0 / std::sqrt(1.0 + fall * fall + wall * wall);
+    const double length_m = 90.0 * std::sqrt(1.0 + fall * fall);
+    const double squared_end = 16.0 + 2.0 * g * (90.0 * fall - friction * support * length_m);
+    EXPECT_NEAR(run->velocity_at(run->duration_s).squaredNorm(), squared_end, 1e-9);
+}
+
+TEST(RunIfPressed, KeepsItsSpeedOnTheWayUpAndStops) {
+    const Terrain terrain = gully_of_two_faces(0.8, 0.9);
+    const Eigen::Vector3d uphill = Eigen::Vector3d{-1.0, 0.0, 0.8}.normalized();
+    const auto run = run_if_pressed(terrain, 1, 0, {60.0, 0.0, -48.0}, 5.0 * uphill, {0.5, 1.0, true});
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->end, RollingEnd::standstill);
+    EXPECT_GT(run->duration_s, 0.0);
+    EXPECT_LT(run->velocity_at(run->duration_s).norm(), 1e-12);
+    EXPECT_GT(run->position_m(run->duration_s).z(), -48.0);
+}
+
+TEST(RunIfPressed, SetsOffWhereGravityExceedsFriction) {
+    const Eigen::Vector3d place{60.0, 0.0, -48.0};
+    const auto steep =
+        run_if_pressed(gully_of_two_faces(0.8, 0.9), 1, 0, place, Eigen::Vector3d::Zero(), {0.5, 1.0, true});
+    ASSERT_TRUE(steep);
+    EXPECT_EQ(steep->end, RollingEnd::edge);
+    EXPECT_LT(steep->position_m(steep->duration_s).z(), -79.0);
+    const auto flat = run_if_pressed(gully_of_two_faces(0.1, 0.9), 1, 0, {60.0, 0.0, -6.0},
+                                     Eigen::Vector3d::Zero(), {0.5, 1.0, true});
+    ASSERT_TRUE(flat);
+    EXPECT_EQ(flat->end, RollingEnd::standstill);
+    EXPECT_EQ(flat->duration_s, 0.0);
+}
+
+TEST(RunIfPressed, IsNoneWhereAFaceLetsTheRockGoOrItGoesFar) {
+    const Terrain gully = gully_of_two_faces(0.8, 0.9);
+    const Terrain ridge = gully_of_two_faces(0.8, -0.9);
+    const Eigen::Vector3d start{10.0, 0.0, -8.0};
+    const Eigen::Vector3d along{3.0, 0.0, -2.4};
+    EXPECT_FALSE(run_if_pressed(ridge, 0, 1, start, along, {0.5, 1.0, true}));
+    // Fast into the wall: it climbs for longer than a moment.
+    EXPECT_FALSE(
+        run_if_pressed(gully, 0, 1, start, along + Eigen::Vector3d{0.0, -2.0, 1.8}, {0.5, 1.0, true}));
+    // Of no common edge there is nothing to tell.
+    EXPECT_FALSE(run_if_pressed(gully, 7, 1, start, along, {0.5, 1.0, true}));
+}
+
+/// Speed at the end of a steep gully of the model's own mesh, entered beside its floor.
+double speed_below_gully_mps(double wall, MotionModel model) {
+    const double fall = std::tan(40.0 * M_PI / 180.0);
+    const config::GridFrame frame{41, 21, 0.0, 0.0, 10.0, 10.0};
+    const Slope gully = testing::slope_over(
+        testing::heights_of(
+            frame, [&](double x, double y) { return 500.0 - fall * x + wall * std::abs(y - 105.0); }),
+        {0.35, 0.85});
+    FallLaw law = testing::sliding_law();
+    law.motion.model = model;
+    law.motion.classical.lateral = config::Angle{};
+    law.motion.classical.restitution_deviation = 0.0;
+    const RockStart start =
+        testing::start_at(gully, 15.0, 105.5, 0.0, 8.0 * Eigen::Vector3d{1.0, 0.0, -fall}.normalized());
+    const auto [end, log] = testing::logged_fall(gully, law, start);
+    EXPECT_EQ(end.reason, StopReason::left_terrain) << wall;
+    EXPECT_LT(log.rolls.size(), 5000U) << wall;
+    double last_mps = 0.0;
+    for (const testing::EventLog::Roll& roll : log.rolls) {
+        last_mps = roll.piece.velocity_at(roll.piece.duration_s).norm();
+    }
+    return last_mps;
+}
+
+/// Whether the walls meet more or less steeply than the faces that rocks run over a little (gradients that
+/// differ by 3) must not show.
+TEST(Fall, SlidesThroughSteepGulliesWithoutAStop) {
+    for (const MotionModel model : {MotionModel::pir3d, MotionModel::classical}) {
+        const double gentle_mps = speed_below_gully_mps(1.45, model);
+        const double steep_mps = speed_below_gully_mps(1.55, model);
+        EXPECT_GT(gentle_mps, 30.0);
+        EXPECT_NEAR(steep_mps, gentle_mps, 0.05 * gentle_mps);
     }
 }
 

@@ -143,6 +143,24 @@ TEST(SlidingRock, KeepsOneFrictionOnEachStretch) {
     EXPECT_GT(*largest, 0.6 * (1.15 - 0.3 / 50.0));
 }
 
+TEST(SlidingRock, HasTheFrictionOfTheSpeedWithWhichAStretchBegins) {
+    Law law;
+    law.uncertainty = Uncertainty::by_speed;
+    SurfaceType type;
+    type.soil = rockfall::testing::test_soil();
+    const auto friction_of = [&](std::uint64_t rock, double speed_mps) {
+        Motion motion{law, {1, 0, 0, rock}, Rock::sphere(1.0, 2700.0)};
+        motion.begin_rolling(speed_mps);
+        return motion.groove_law(type).friction;
+    };
+    // The same draw, in widths that go from 15 % at rest to 10 % from 10 m/s on.
+    for (std::uint64_t rock = 0; rock < 20; ++rock) {
+        const double at_rest = friction_of(rock, 0.0) - 0.6;
+        EXPECT_NEAR(friction_of(rock, 5.0) - 0.6, at_rest * 12.5 / 15.0, 1e-12);
+        EXPECT_NEAR(friction_of(rock, 20.0) - 0.6, at_rest * 10.0 / 15.0, 1e-12);
+    }
+}
+
 TEST(SlidingRock, StaysInThePlaneOfAProfile) {
     const Slope slope = plane_slope(40.0, {0.35, 0.85});
     FallLaw law = sliding_law();
@@ -152,6 +170,25 @@ TEST(SlidingRock, StaysInThePlaneOfAProfile) {
         const auto [end, log] =
             logged_fall(slope, law, start_at(slope, 100.0, 50.0, 1.5, {3.0, 0.0, -1.5}, 0.6, rock));
         EXPECT_NEAR(end.position_m.y() + slope.terrain.origin_m().y(), 50.0, 1e-6);
+    }
+}
+
+TEST(SlidingRock, JumpsStraightUpOnLevelGround) {
+    // A jump that leads nowhere is one as long as it is higher than the least hop: h R_N^2, h R_N^4 ...
+    const Slope flat = plane_slope(0.0, {0.5, 0.9});
+    for (const MotionModel model : {MotionModel::pir3d, MotionModel::classical}) {
+        FallLaw law = sliding_law();
+        law.motion.model = model;
+        law.motion.pir3d.least_hop = law.motion.classical.least_hop = 0.1;
+        law.motion.classical.restitution_deviation = 0.0;
+        law.motion.classical.lateral = config::Angle{};
+        Slope ground = flat;
+        ground.types[0].soil = rockfall::testing::test_soil(0.6, {0.5, 0.9});
+        const auto [end, log] =
+            logged_fall(ground, law, start_at(ground, 100.0, 50.0, 10.0, {0.0, 0.0, 0.0}, 1.0));
+        // Its centre falls by 10 m or 9.5 m; heights of 2.5, 0.625, 0.156 m pass the least hop of 0.05 m.
+        EXPECT_EQ(log.impacts.size(), 4U);
+        EXPECT_EQ(end.reason, StopReason::at_rest);
     }
 }
 

@@ -198,6 +198,38 @@ TEST(Sliding, StopsWhereTheClosedFormSaysAndCountsNoSpin) {
     EXPECT_TRUE(log.rolls[0].piece.slides);
 }
 
+TEST(Sliding, ComesToRestWhereFrictionIsJustEnoughInsteadOfCreeping) {
+    // Across a slope below the friction angle the motion turns into the fall line as it dies away, ever
+    // faster against its speed. Followed here by the same equation in steps of a thousandth of that time.
+    for (const double slope_deg : {25.0, 30.0, 30.5}) {
+        for (const double diameter_m : {0.1, 1.0}) {
+            const Slope slope = even_slope(slope_deg, 0.6);
+            const Frame frame{slope_deg};
+            const RockStart start = start_at(slope, 300.0, 150.0, 0.0, frame.velocity(4.0, 1.2), diameter_m);
+            Eigen::Vector3d place = start.position_m;
+            Eigen::Vector3d velocity = start.velocity_mps;
+            double exact_s = 0.0;
+            while (velocity.norm() > 1e-4) {
+                const double step_s = 1e-3 * velocity.norm() / (0.6 * g * frame.normal.z());
+                const Eigen::Vector3d half =
+                    velocity + 0.5 * step_s * sliding_acceleration(frame.normal, velocity.normalized(), 0.6);
+                velocity += step_s * sliding_acceleration(frame.normal, half.normalized(), 0.6);
+                place += step_s * half;
+                exact_s += step_s;
+            }
+            const auto [end, log] = logged_fall(slope, sliding_law(), start);
+            double duration_s = 0.0;
+            for (const EventLog::Roll& roll : log.rolls) {
+                duration_s += roll.piece.duration_s;
+            }
+            EXPECT_EQ(end.reason, StopReason::at_rest) << slope_deg;
+            EXPECT_LT((end.position_m - place).norm(), 0.01) << slope_deg;
+            EXPECT_NEAR(duration_s, exact_s, 0.01 * exact_s) << slope_deg;
+            EXPECT_LT(log.rolls.size(), 1000U) << slope_deg;
+        }
+    }
+}
+
 TEST(Sliding, TurnsBackUphillOnlyAboveTheFrictionAngle) {
     // atan(0.6) = 30.96 degrees. Uphill friction and slope brake together: v^2 / (2 g (k cos b + sin b)).
     for (const auto& [slope_deg, turns] : {std::pair{30.5, false}, std::pair{31.5, true}}) {
