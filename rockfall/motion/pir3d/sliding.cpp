@@ -14,7 +14,6 @@ using config::gravity_mps2;
 constexpr double longest_step_s = 0.25;
 constexpr double largest_turn_rad = 0.05;
 constexpr double edge_tolerance_m = 1e-6;
-constexpr double no_time_s = 1e-9;  ///< a step this short leads nowhere
 
 Eigen::Vector3d gravity_along(const Eigen::Vector3d& normal) {
     return -gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
@@ -107,8 +106,8 @@ SlidingPiece slide(const Terrain& terrain, std::uint32_t triangle, const Plane& 
     for (int i = 0; i < most_refinements; ++i) {
         // The parabola of a step that ends nearly at the edge crosses it where the path does.
         const double until_s = out.time_s;
-        if (until_s < no_time_s) {
-            break;
+        if ((piece.position_m(until_s) - start_m).norm() < edge_tolerance_m) {
+            break;  // at the edge already; the difference of two places so near says nothing of the way
         }
         piece = piece_of(start, sliding_step(start, normal, friction, until_s, tolerance_m), triangle);
         const Leaving again = leaving(terrain, triangle, piece);
