@@ -106,6 +106,34 @@ TableLayout logs() {
              {"energy_kj", "kJ", "energy it took from all rocks", simulated}}};
 }
 
+TableLayout grounds() {
+    constexpr const char* types =
+        "terrain.surface_types, or the shipped type; pir3d: terrain.soils, or the shipped soil";
+    constexpr const char* soils = "terrain.soils, or the shipped soil";
+    return {"grounds.csv",
+            "a ground type that occurs",
+            {{"code", "-", "code of the ground type; 0 for that of terrain.ground", "input terrain"},
+             {"ground", "text", "name of the ground type", "input terrain"},
+             {"area_share", "-", "share of the cells of the maps with ground", "counted over the cells"},
+             {"soil", "text", "soil of the ground type; pir3d", types},
+             {"r_n", "-", "coefficient of normal restitution, of the soil for pir3d", types},
+             {"r_t", "-", "coefficient of tangential restitution, of the soil for pir3d", types},
+             {"p_stop", "-", "probability that an impact stops a rock of the mean diameter; picus",
+              "terrain.stopping, else terrain.surface_types, else the shipped type"},
+             {"rolling_stops_per_m", "1/m", "rate at which such a rock is caught while it rolls; picus",
+              "terrain.stopping, else terrain.surface_types, else the shipped type"},
+             {"friction", "-", "coefficient of sliding friction; pir3d, classical",
+              "pir3d: the soil; classical: (1 - r_t) / r_t, or classical.friction_angle_deg"},
+             {"threshold_deg", "deg", "angle to the ground below which a rock slides; pir3d", soils},
+             {"dr_slow_percent", "%", "width of r_n and r_t at rest, relative to them; pir3d", soils},
+             {"dr_fast_percent", "%", "the same from limit_mps on", soils},
+             {"dk_slow_percent", "%", "width of the friction at rest, relative to it; pir3d", soils},
+             {"dk_fast_percent", "%", "the same from limit_mps on", soils},
+             {"angle_slow_deg", "deg", "width of the turn of a rebound at rest; pir3d", soils},
+             {"angle_fast_deg", "deg", "the same from limit_mps on", soils},
+             {"limit_mps", "m/s", "speed from which on the widths are constant; pir3d", soils}}};
+}
+
 TableLayout rocks() {
     const std::vector<Column> first{
         rock_column(),
@@ -216,20 +244,11 @@ Column cover_column() {
 
 const std::vector<TableLayout>& static_layouts() {
     static const std::vector<TableLayout> layouts = [] {
-        std::vector<TableLayout> all{targets(),
-                                     protection(),
-                                     target_distributions(),
-                                     runs(),
-                                     run_out(),
-                                     tree_hits_per_rock(),
-                                     stems(),
-                                     logs(),
-                                     rocks(),
-                                     arrivals(),
-                                     tree_hits(),
-                                     log_hits(),
-                                     trajectories(),
-                                     trajectories_wkt()};
+        std::vector<TableLayout> all{targets(),  protection(),   target_distributions(),
+                                     runs(),     run_out(),      tree_hits_per_rock(),
+                                     grounds(),  stems(),        logs(),
+                                     rocks(),    arrivals(),     tree_hits(),
+                                     log_hits(), trajectories(), trajectories_wkt()};
         const std::vector<TableLayout> of_nets = net_layouts();
         all.insert(all.end(), of_nets.begin(), of_nets.end());
         return all;

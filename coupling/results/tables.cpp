@@ -7,6 +7,7 @@
 
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figure_columns.hpp"
+#include "coupling/results/grounds.hpp"
 #include "coupling/results/rows.hpp"
 #include "coupling/results/static_layouts.hpp"
 
@@ -171,6 +172,8 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
           [&](std::ostream& out) { write_runs(out, figures, covers); });
     write("run_out.csv", "Rocks by run-out (plan distance from release to end) in bins of 10 m.",
           [&](std::ostream& out) { write_run_out(out, results); });
+    write("grounds.csv", "The ground types that occur, with what the motion model heeds of them.",
+          [&](std::ostream& out) { write_grounds(out, results); });
     if (results.with_forest && !results.site.logs.empty()) {
         write("logs.csv",
               "Every lying log with the hits it took, the rocks that rest at it and the energy it absorbed.",

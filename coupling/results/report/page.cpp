@@ -19,7 +19,8 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
         << "</title>\n<style>" << style() << "</style>\n</head>\n<body>\n<main>\n"
         << opening(results, figures) << answers(results, figures) << nets(results) << slope_view(results)
         << maps(results) << charts(results, figures) << along_paths(results) << key_figures(results, figures)
-        << warnings(results) << settings(results) << sources_and_files(results, files) << "</main>\n"
+        << grounds(results) << warnings(results) << settings(results) << sources_and_files(results, files)
+        << "</main>\n"
         << page_scripts::elements(scripts) << "</body>\n</html>\n";
 }
 

@@ -38,12 +38,15 @@ TEST(TableLayout, IsTheHeaderOfItsFile) {
 /// What the end of a name says of its unit.
 std::string unit_of(const std::string& name) {
     static const std::map<std::string, std::string> units{
-        {"m", "m"},         {"cm", "cm"},       {"mm", "mm"},     {"s", "s"},
-        {"mps", "m/s"},     {"kj", "kJ"},       {"percent", "%"}, {"pha", "1/ha"},
-        {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"}, {"tpha", "t/ha"}, {"m3", "m3"},
-        {"ha", "ha"},       {"degc", "degC"},   {"kg", "kg"},     {"years", "years"}};
+        {"m", "m"},         {"cm", "cm"},     {"mm", "mm"},    {"s", "s"},         {"mps", "m/s"},
+        {"kj", "kJ"},       {"percent", "%"}, {"pha", "1/ha"}, {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"},
+        {"tpha", "t/ha"},   {"m3", "m3"},     {"ha", "ha"},    {"degc", "degC"},   {"kg", "kg"},
+        {"years", "years"}, {"deg", "deg"}};
     if (name.ends_with("_eur_pha")) {
         return "EUR/ha";
+    }
+    if (name.ends_with("_per_m")) {
+        return "1/m";
     }
     const auto found = units.find(name.substr(name.rfind('_') + 1));
     return found == units.end() || name.rfind('_') == std::string::npos ? "" : found->second;

@@ -28,7 +28,7 @@ SmallRun some_rocks() {
 }
 
 TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
-    constexpr std::array units{"_m", "_cm", "_s", "_mps", "_kj", "_percent"};
+    constexpr std::array units{"_m", "_cm", "_s", "_mps", "_kj", "_percent", "_deg", "_per_m"};
     const std::vector<std::string> without{"rock",
                                            "cover",
                                            "zone",
@@ -76,7 +76,15 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
                                            "quantity",
                                            "unit",
                                            "bin_low",
-                                           "bin_high"};  // the last two: unit in its own column
+                                           "bin_high",
+                                           "code",
+                                           "ground",
+                                           "area_share",
+                                           "soil",
+                                           "r_n",
+                                           "r_t",
+                                           "p_stop",
+                                           "friction"};  // bin_low, bin_high: unit in its own column
     const SmallRun run = some_rocks();
     const TestFolder folder;
     std::vector<std::string> texts;

@@ -1,0 +1,90 @@
+#include "coupling/results/grounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "config/table/table.hpp"
+#include "coupling/results/report/sections.hpp"
+#include "tests/coupling/results/small_run.hpp"
+
+namespace coupling {
+namespace {
+
+using testing::SmallRun;
+
+/// A run over two ground types of which only the second occurs.
+SmallRun on_scree() {
+    SmallRun run;
+    rockfall::SurfaceType rock;
+    rock.label = "rock";
+    rockfall::SurfaceType scree;
+    scree.code = 7;
+    scree.label = "scree & sand";
+    scree.restitution = {0.3, 0.75};
+    scree.stopping = rockfall::StopCurve{{{1.0, 0.02}}};
+    scree.rolling_stops_per_m = rockfall::StopCurve{{{1.0, 0.004}}};
+    scree.soil = rockfall::pir3d::Soil{.name = "scree_step_1",
+                                       .restitution = {0.35, 0.8},
+                                       .friction = 0.6,
+                                       .restitution_share = {0.2, 0.1},
+                                       .friction_share = {0.3, 0.15},
+                                       .angle_rad = {0.5, 0.25},
+                                       .limit_mps = 8.0,
+                                       .threshold_tangent = 0.1};
+    run.site.slope.types = {rock, scree};
+    run.site.surface = config::Raster<std::uint8_t>{run.site.map_frame, 1};
+    return run;
+}
+
+config::Table grounds_table(const SmallRun& run) {
+    std::stringstream text;
+    write_grounds(text, run.results());
+    return config::Table::read(text, "grounds.csv");
+}
+
+TEST(Grounds, TellWhatPicusHeedsOfThoseThatOccur) {
+    const SmallRun run = on_scree();
+    const config::Table table = grounds_table(run);
+    ASSERT_EQ(table.rows(), 1U);
+    EXPECT_EQ(table.text(0, "code"), "7");
+    EXPECT_EQ(table.text(0, "ground"), "scree & sand");
+    EXPECT_EQ(table.text(0, "area_share"), "1.0000");
+    EXPECT_EQ(table.text(0, "r_n"), "0.300");
+    EXPECT_EQ(table.text(0, "p_stop"), "0.020000");
+    EXPECT_EQ(table.text(0, "rolling_stops_per_m"), "0.004000");
+    EXPECT_EQ(table.text(0, "soil"), "");
+    EXPECT_EQ(table.text(0, "friction"), "");
+}
+
+TEST(Grounds, TellTheSoilThatPir3dHeeds) {
+    SmallRun run = on_scree();
+    run.scenario->rockfall.fall.motion.model = rockfall::MotionModel::pir3d;
+    const config::Table table = grounds_table(run);
+    ASSERT_EQ(table.rows(), 1U);
+    EXPECT_EQ(table.text(0, "soil"), "scree_step_1");
+    EXPECT_EQ(table.text(0, "r_n"), "0.350");
+    EXPECT_EQ(table.text(0, "friction"), "0.600");
+    EXPECT_EQ(table.text(0, "threshold_deg"), "5.71");
+    EXPECT_EQ(table.text(0, "dr_slow_percent"), "20.00");
+    EXPECT_EQ(table.text(0, "dk_fast_percent"), "15.00");
+    EXPECT_EQ(table.text(0, "limit_mps"), "8.00");
+    EXPECT_EQ(table.text(0, "p_stop"), "");
+    const std::string html = report::grounds(run.results());
+    EXPECT_NE(html.find("scree &amp; sand"), std::string::npos) << html;
+    EXPECT_NE(html.find("<code>scree_step_1</code>"), std::string::npos) << html;
+    EXPECT_EQ(html.find("stops at an impact"), std::string::npos) << html;
+}
+
+TEST(Grounds, TellTheFrictionOfTheClassicalModel) {
+    SmallRun run = on_scree();
+    run.scenario->rockfall.fall.motion.model = rockfall::MotionModel::classical;
+    const config::Table table = grounds_table(run);
+    ASSERT_EQ(table.rows(), 1U);
+    EXPECT_EQ(table.text(0, "friction"), "0.333");
+    EXPECT_EQ(table.text(0, "r_t"), "0.750");
+    EXPECT_EQ(table.text(0, "soil"), "");
+}
+
+}  // namespace
+}  // namespace coupling
