@@ -1,6 +1,7 @@
 #include "coupling/compare/finished_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
@@ -63,6 +64,42 @@ void add_today(const fs::path& folder, std::vector<Figure>& figures) {
         figures.push_back(with_interval(key("energy_95", "_kj"), table, row, "energy_95_kj",
                                         "energy_95_low_kj", "energy_95_high_kj"));
         figures.push_back(with_interval(key("energy_99", "_kj"), table, row, "energy_99_kj", "", ""));
+    }
+}
+
+/// A figure of nets.csv; a class need not be a number ("none").
+Figure net_figure(FigureKey key, const config::Table& table, std::size_t row, const std::string& column) {
+    Figure figure{.key = std::move(key)};
+    figure.value = config::parse_number(table.text(row, column)).value_or(unknown);
+    return figure;
+}
+
+/// What nets hold and what they would need; columns that runs of earlier versions lack are left out.
+void add_nets(const fs::path& folder, std::vector<Figure>& figures) {
+    if (!has_table(folder, "nets.csv")) {
+        return;
+    }
+    const config::Table table = read_table(
+        folder, "nets.csv", {"net", "cover", "held_percent", "held_low_percent", "held_high_percent"});
+    struct Needed {
+        const char* column;
+        const char* begin;
+        const char* unit;
+    };
+    constexpr std::array needed{Needed{"class_needed", "class_needed", ""},
+                                Needed{"energy_needed_kj", "energy_needed", "_kj"},
+                                Needed{"height_needed_m", "height_needed", "_m"}};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string net = joined("net ", table.text(row, "net"));
+        const std::string end = table.text(row, "cover") == "bare" ? "_bare" : "";
+        figures.push_back(with_interval({net, "", joined("held", end, "_percent"), "today"}, table, row,
+                                        "held_percent", "held_low_percent", "held_high_percent"));
+        for (const Needed& each : needed) {
+            if (table.has(each.column)) {
+                figures.push_back(net_figure({net, "", joined(each.begin, end, each.unit), "today"}, table,
+                                             row, each.column));
+            }
+        }
     }
 }
 
@@ -255,6 +292,7 @@ FinishedRun read_finished_run(const fs::path& folder) {
     }
     if (run.summary.kind == "today") {
         add_today(folder, run.figures);
+        add_nets(folder, run.figures);
     } else if (run.summary.kind == "profile") {
         add_profile(folder, run.figures);
     } else {

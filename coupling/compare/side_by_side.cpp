@@ -213,6 +213,12 @@ SideBySide side_by_side(std::span<const FinishedRun> runs) {
     comparison.settings = disagreements(
         runs, &SummaryOfRun::settings, [](const SummaryOfRun::Setting& row) { return row.key; },
         [](const SummaryOfRun::Setting& row) { return row.value; });
+    comparison.names = comparison.letters;
+    for (const Disagreement& d : comparison.settings) {
+        for (std::size_t i = 0; i < runs.size() && d.what == "rockfall.motion"; ++i) {
+            comparison.names[i] += " " + d.values[i];
+        }
+    }
     judge(comparison, runs);
     const bool same_chance = std::all_of(runs.begin(), runs.end(), [&](const FinishedRun& run) {
         return run.summary.seed == runs.front().summary.seed &&

@@ -42,6 +42,7 @@ struct Disagreement {
 /// Finished runs side by side.
 struct SideBySide {
     std::vector<std::string> letters;         ///< "A", "B", ...
+    std::vector<std::string> names;           ///< the letters; with the motion model where models differ
     std::vector<std::string> not_comparable;  ///< why, one sentence each; empty: the runs can be compared
     std::vector<std::string> notes;           ///< what to keep in mind
     std::vector<Disagreement> inputs;
@@ -49,11 +50,11 @@ struct SideBySide {
     std::vector<Line> lines;
 };
 
-/// Requires two runs or more. Throws config::InputError (settings) for runs of different kinds and for more
-/// than 26.
 /// Whether these are runs over years of one replicate: nothing is known of the chance between replicates.
 bool all_of_one_replicate(std::span<const FinishedRun> runs);
 
+/// Requires two runs or more. Throws config::InputError (settings) for runs of different kinds and for more
+/// than 26.
 SideBySide side_by_side(std::span<const FinishedRun> runs);
 
 /// For people: runs, what differs, figures with intervals, differences to the first run.

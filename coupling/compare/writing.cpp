@@ -63,7 +63,7 @@ std::string title_of(const FigureKey& key) {
 void write_runs(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const SummaryOfRun& s = runs[i].summary;
-        out << comparison.letters[i] << "  " << runs[i].folder.string() << ": " << s.rocks << " rocks"
+        out << comparison.names[i] << "  " << runs[i].folder.string() << ": " << s.rocks << " rocks"
             << (s.years > 0 ? " a year, " : "");
         if (s.years > 0) {
             out << s.years << " years, " << s.replicates
@@ -95,8 +95,8 @@ void write_lines(std::ostream& out, const SideBySide& comparison) {
         if (title != title_of(line.key)) {
             title = title_of(line.key);
             out << '\n' << padded(title, name_width);
-            for (const std::string& letter : comparison.letters) {
-                out << padded(letter, value_width);
+            for (const std::string& name : comparison.names) {
+                out << padded(name, value_width);
             }
             for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
                 out << padded(joined(comparison.letters[i], " - A"), value_width - 7);

@@ -29,7 +29,12 @@ constexpr std::array shown_figures{
     Shown{"protection_percent", "Protection", "Rocks kept away, %"},
     Shown{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
     Shown{"reached_bare_percent", "Rocks that arrive over the bare slope", "Rocks that arrive, %"},
-    Shown{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"}};
+    Shown{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
+    Shown{"held_percent", "Rocks that a net holds", "Share of those that reach it, %"},
+    Shown{"held_bare_percent", "Rocks that a net holds over the bare slope",
+          "Share of those that reach it, %"},
+    Shown{"height_needed_m", "Height that a net needs", "Height, m"},
+    Shown{"height_needed_bare_m", "Height that a net needs over the bare slope", "Height, m"}};
 constexpr std::array shown_series{Shown{"protection_percent", "Protection", "Rocks kept away, %"},
                                   Shown{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
                                   Shown{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
@@ -72,6 +77,15 @@ std::string list_of_courses(const Lines& lines) {
     return list;
 }
 
+/// "Run: 1 A, 2 B": axes have numbers only.
+std::string list_of_runs(const SideBySide& comparison) {
+    std::string list;
+    for (std::size_t i = 0; i < comparison.letters.size(); ++i) {
+        list += joined(i > 0 ? ", " : "Run: ", std::to_string(i + 1), " ", comparison.letters[i]);
+    }
+    return list;
+}
+
 /// Where the dot of a run stands: runs side by side around their course, or one after the other.
 double place_of(std::size_t course, std::size_t run, const Lines& lines) {
     if (lines.size() == 1) {
@@ -101,9 +115,9 @@ std::string interval_chart(const Lines& lines, const Shown& shown, const SideByS
     const auto places = static_cast<double>(alone ? first.figures.size() : lines.size());
     Chart chart{joined(shown.title, ": ", first.key.target, alone && !first.key.regime.empty() ? ", " : "",
                        alone ? course_name(first.key.regime, first.key.climate) : std::string{}),
-                Axis{.title = alone ? "Run (A, B, …)" : "Regime, by its number below",
-                     .low = 0.0,
-                     .high = places + 1.0,
+                Axis{.title = alone ? list_of_runs(comparison) : "Regime, by its number below",
+                     .low = 0.5,
+                     .high = places + 0.5,
                      .whole_numbers = true},
                 axis_of(shown, lowest, highest)};
     each_figure(lines, [&](const Figure& figure, std::size_t course, std::size_t run) {
@@ -116,7 +130,7 @@ std::string interval_chart(const Lines& lines, const Shown& shown, const SideByS
         chart.add_dots(look_of(run), point);
     });
     for (std::size_t run = 0; run < first.figures.size(); ++run) {
-        chart.add_dot_name(look_of(run), comparison.letters[run]);
+        chart.add_dot_name(look_of(run), comparison.names[run]);
     }
     return chart.figure(joined(alone ? std::string{} : joined("Regimes: ", list_of_courses(lines), ". "),
                                first.key.when == "today"
@@ -199,7 +213,7 @@ std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std
         }
         chart.add_band(look_of(i), ranges);
         chart.add_line(look_of(i), points);
-        chart.add_name(look_of(i), comparison.letters[i]);
+        chart.add_name(look_of(i), comparison.names[i]);
         chart.add_end_letter(points.back().y, comparison.letters[i]);
     }
     return chart.figure(any_range

@@ -127,7 +127,7 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
                                     std::max(most_percent, 10.0 * least_percent))};
     for (const auto& [run, points] : lines) {
         chart.add_line(look_of(run), points);
-        chart.add_name(look_of(run), comparison.letters[run]);
+        chart.add_name(look_of(run), comparison.names[run]);
     }
     if (quantity.logarithmic) {
         chart.add_mark(30.0, "30 kJ");

@@ -21,7 +21,7 @@ std::string opening(std::span<const FinishedRun> runs, const SideBySide& compari
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const SummaryOfRun& run = runs[i].summary;
         html += joined(
-            "<div><dt>", comparison.letters[i], "</dt><dd>", escaped(runs[i].folder.string()),
+            "<div><dt>", escaped(comparison.names[i]), "</dt><dd>", escaped(runs[i].folder.string()),
             "<br/><span class=\"soft\">", report::grouped(run.rocks), " rocks",
             run.years > 0
                 ? joined(" a year, ", std::to_string(run.years), " years, ", std::to_string(run.replicates),
@@ -39,6 +39,12 @@ std::string opening(std::span<const FinishedRun> runs, const SideBySide& compari
     return html;
 }
 
+void add_names(const SideBySide& comparison, std::vector<std::string>& head) {
+    for (const std::string& name : comparison.names) {
+        head.push_back(escaped(name));
+    }
+}
+
 void add_rows(const std::vector<Disagreement>& list, HtmlTable& table) {
     for (const Disagreement& d : list) {
         std::vector<std::string> cells{escaped(d.what)};
@@ -54,7 +60,7 @@ std::string disagreements(const SideBySide& comparison) {
         return "<h2>What differs</h2>\n<p>Settings and inputs are the same.</p>\n";
     }
     std::vector<std::string> head{"Setting or input"};
-    head.insert(head.end(), comparison.letters.begin(), comparison.letters.end());
+    add_names(comparison, head);
     HtmlTable table{"Only what is not the same in all runs; inputs with the beginning of their hash.", head};
     add_rows(comparison.settings, table);
     add_rows(comparison.inputs, table);
@@ -93,7 +99,7 @@ std::string title_of(const FigureKey& key) {
 
 std::string figures(const SideBySide& comparison, bool over_years, bool one_replicate) {
     std::vector<std::string> head{"Figure"};
-    head.insert(head.end(), comparison.letters.begin(), comparison.letters.end());
+    add_names(comparison, head);
     for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
         head.push_back(joined(comparison.letters[i], " − A"));
     }
