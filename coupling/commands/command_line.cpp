@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "config/errors/input_error.hpp"
@@ -367,11 +368,20 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     if (arguments.empty()) {
         return parse_general("--help");
     }
-    const auto& names = command_names();
-    if (std::find(names.begin(), names.end(), arguments.front()) == names.end()) {
-        return parse_general(arguments.front());
+    // What every command takes may stand before it too.
+    const std::set<std::string> everywhere{"-q", "--quiet", "-v", "--verbose"};
+    const auto word = std::find_if_not(arguments.begin(), arguments.end(),
+                                       [&](const std::string& each) { return everywhere.contains(each); });
+    if (word == arguments.end()) {
+        refuse(config::in_quotes(arguments.front()) + " alone", "a command; see `bannwald --help`");
     }
-    return parse_command(arguments.front(), {arguments.begin() + 1, arguments.end()});
+    const auto& names = command_names();
+    if (std::find(names.begin(), names.end(), *word) == names.end()) {
+        return parse_general(*word);
+    }
+    std::vector<std::string> rest{word + 1, arguments.end()};
+    rest.insert(rest.end(), arguments.begin(), word);
+    return parse_command(*word, rest);
 }
 
 }  // namespace coupling

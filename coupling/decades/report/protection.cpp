@@ -167,12 +167,12 @@ std::string table_of(const Names& names, const Series& protection, const std::st
     const bool has_climates = names.climates.size() > 1;
     const bool one = is_one_replicate(protection);
     const std::string last = std::to_string(years.back());
-    std::vector<std::string> head{"Regime",
-                                  joined("year ", std::to_string(years.front())),
-                                  joined("year ", last),
-                                  "mean of the years",
-                                  "lowest",
-                                  "in year"};
+    const bool several = years.size() > 1;  // of one year with rocks the first is the last
+    std::vector<std::string> head{"Regime", joined("year ", std::to_string(years.front()))};
+    if (several) {
+        head.push_back(joined("year ", last));
+    }
+    head.insert(head.end(), {"mean of the years", "lowest", "in year"});
     if (compares) {
         head.push_back(joined("year ", last, " minus A", has_climates ? " in the same climate" : ""));
     }
@@ -198,11 +198,13 @@ std::string table_of(const Names& names, const Series& protection, const std::st
     for (std::size_t course = 0; course < names.courses(); ++course) {
         const auto worst = worst_year(protection, course);
         std::vector<std::string> cells{report::escaped(look_of(names, course).title()),
-                                       in_words(over_replicates(protection, course, years.front())),
-                                       in_words(over_replicates(protection, course, years.back())),
-                                       fixed(mean_of_years(protection, course), 1),
-                                       worst ? in_words(std::optional{worst->value}) : "–",
-                                       worst ? std::to_string(worst->year) : "–"};
+                                       in_words(over_replicates(protection, course, years.front()))};
+        if (several) {
+            cells.push_back(in_words(over_replicates(protection, course, years.back())));
+        }
+        cells.insert(cells.end(), {fixed(mean_of_years(protection, course), 1),
+                                   worst ? in_words(std::optional{worst->value}) : "–",
+                                   worst ? std::to_string(worst->year) : "–"});
         if (compares) {
             const std::size_t first = names.course(0, names.climate_of(course));
             cells.push_back(course == first ? ""

@@ -104,6 +104,16 @@ TEST(CommandLine, KnowsWhatToDoWithNets) {
     EXPECT_NE(message_of({"net", "try", "out", "--nets", "n.csv", "--azimuth", "1"}), "");
 }
 
+TEST(CommandLine, TakesWhatHoldsEverywhereBeforeTheCommandToo) {
+    const CommandLine line = parse_command_line({"-q", "--verbose", "run", "a.ini"});
+    EXPECT_EQ(line.command, "run");
+    EXPECT_EQ(line.argument, "a.ini");
+    EXPECT_TRUE(line.quiet);
+    EXPECT_TRUE(line.verbose);
+    EXPECT_EQ(message_of({"-q"}), "found '-q' alone, expected a command; see `bannwald --help`");
+    EXPECT_NE(message_of({"-q", "run", "a.ini", "-q"}), "");
+}
+
 TEST(CommandLine, RefusesWhatACommandDoesNotTake) {
     EXPECT_EQ(message_of({"check", "a.ini", "--overwrite"}),
               "found option '--overwrite' of check, expected one of `bannwald check --help`");
