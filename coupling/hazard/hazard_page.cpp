@@ -100,6 +100,12 @@ std::string opening(const HazardResults& results) {
                                                                  : ", on the bare slope")),
         report::fact("Intensity", energy_in_words(results.scenario.hazard.energy)),
         report::fact("Motion", report::motion_in_words(results.scenario)),
+        results.site.nets.empty()
+            ? ""
+            : report::fact("Nets",
+                           joined(report::grouped(results.site.nets.size()),
+                                  ", standing on both slopes: the levels are those with them, and what "
+                                  "they held stands on the page of each return period")),
         "</dl>\n<p class=\"lead\">The highest hazard level of all return periods:</p>\n");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");

@@ -36,12 +36,16 @@ struct Period {
 };
 
 constexpr const char* map_folder = "hazard";
+constexpr const char* folder_prefix = "return_period_";
+
+std::string folder_of(double return_period_years) {
+    return joined(folder_prefix, config::to_text(return_period_years));
+}
 
 Period open_period(const RunRequest& request, double years, const fs::path& out, config::Warnings& warnings) {
     auto scenario = scenario_of(request.scenario, request.overrides, years);
     Site site = open_site(*scenario, warnings);
-    return {years, std::move(scenario), std::move(site),
-            out / joined("return_period_", config::to_text(years))};
+    return {years, std::move(scenario), std::move(site), out / folder_of(years)};
 }
 
 /// Leaves no folder behind that it did not find and that is empty at the end: a run may end before anything
@@ -68,8 +72,9 @@ bool is_finished(const Period& period) {
 }
 
 /// Before any rock falls: what would be found wrong after the falls, and older results that must not lie
-/// beside new ones.
-void look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs::path& out) {
+/// beside new ones. True if all rocks are to fall anew: with --overwrite return periods that are finished
+/// stay where others are not.
+bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs::path& out) {
     if (fs::exists(out) && !fs::is_directory(out)) {
         config::fail(config::ExitCode::settings, {out.string()}, "the output folder is a file", "a folder");
     }
@@ -78,22 +83,44 @@ void look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
         config::fail(config::ExitCode::settings, {out.string()},
                      "the output folder holds finished results of another run", "another folder by --out");
     }
-    bool all_finished = true;
+    std::size_t finished_periods = 0;
     for (const double years : plan.return_periods_years) {
         config::Warnings told_later;
         const Period period = open_period(request, years, out, told_later);
         OutputFolder::refuse_foreign(period.folder);
         const bool finished = is_finished(period);
-        all_finished = all_finished && finished && !request.overwrite;
+        finished_periods += finished ? 1 : 0;
         if (!finished && !request.overwrite && fs::exists(period.folder / "summary.json")) {
             config::fail(config::ExitCode::settings, {period.folder.string()},
                          "finished results of other settings or inputs",
                          "another folder by --out, or --overwrite to let the rocks fall anew");
         }
     }
-    if (!all_finished) {
+    const bool all_finished = finished_periods == plan.return_periods_years.size();
+    const bool all_anew = all_finished && request.overwrite;
+    if (!all_finished || all_anew) {
         delete_entry(out / map_folder);  // it would show falls that are no longer there
     }
+    return all_anew;
+}
+
+/// Folders of return periods that hazard.blocks no longer has.
+std::vector<std::string> left_over(const HazardPlan& plan, const fs::path& out) {
+    std::set<std::string> known;
+    for (const double years : plan.return_periods_years) {
+        known.insert(folder_of(years));
+    }
+    std::vector<std::string> found;
+    std::error_code error;
+    for (fs::directory_iterator entry{out, error}, end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(folder_prefix) && !known.contains(name) &&
+            fs::exists(entry->path() / "summary.json")) {
+            found.push_back(name);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 Matrix read_matrix(Reading& reading) {
@@ -166,9 +193,9 @@ int tell_interruption() {
 }
 
 /// Falls of a return period, unless they are finished. Returns the exit code.
-int fall(const RunRequest& request, Period& period, config::Warnings& warnings) {
+int fall(const RunRequest& request, Period& period, bool anew, config::Warnings& warnings) {
     const std::string years = config::to_text(period.return_period_years);
-    if (!request.overwrite && is_finished(period)) {
+    if (!anew && is_finished(period)) {
         if (!request.quiet) {
             std::printf("return period of %s years: finished before\n", years.c_str());
         }
@@ -243,7 +270,14 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     const HazardPlan plan = read_plan(scenario);
     const fs::path out = output_folder_of(request, scenario);
     const NoEmptyFolder tidy{out};
-    look_at_folders(request, plan, out);
+    const bool all_anew = look_at_folders(request, plan, out);
+    config::Warnings of_map;
+    for (const std::string& folder : left_over(plan, out)) {
+        of_map.add(joined((out / folder).string(),
+                          ": a return period that hazard.blocks no longer has; it is "
+                          "left as it is and not part of the map"));
+    }
+    tell_warnings(of_map, request.verbose);
 
     std::optional<Period> longest;
     std::vector<FinishedPeriod> periods;
@@ -256,7 +290,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         if (InterruptGuard::requested()) {
             return tell_interruption();
         }
-        if (const int code = fall(request, period, warnings); code != 0) {
+        if (const int code = fall(request, period, all_anew, warnings); code != 0) {
             return code;
         }
         shared.add(each, warnings);
@@ -273,7 +307,11 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         longest = std::move(period);
     }
 
-    const config::Warnings all_warnings = shared.together();
+    config::Warnings all_warnings = of_map;
+    const config::Warnings of_periods = shared.together();
+    for (const std::string& sentence : of_periods.sentences()) {
+        all_warnings.add(sentence);
+    }
     HazardResults results{.scenario = scenario,
                           .site = longest->site,
                           .matrix = plan.matrix,

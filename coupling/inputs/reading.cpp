@@ -6,6 +6,7 @@
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
 
 namespace coupling {
 
@@ -45,6 +46,15 @@ config::Raster<double> Reading::grid(const std::string& key, const std::string& 
                                      const std::string& name) {
     const FileBytes bytes = open(key, role, name, "an ESRI ASCII grid");
     return config::read_ascii_grid(bytes.text(), shown(name));
+}
+
+void Reading::heed_part(const std::string& role, const std::string& part, const std::string& hash) {
+    for (InputFile& input : inputs_) {
+        if (input.role == role) {
+            input.role = joined(role, ", ", part);
+            input.hash = hash;
+        }
+    }
 }
 
 std::string Reading::text_beside(const std::string& role, const std::string& name) {

@@ -101,7 +101,7 @@ bool read_motion(Row& row, const Scenario& scenario, StartLaw& law) {
         law.azimuth = config::Angle::from_degrees(*azimuth_deg);
         if (!(law.speed_mps > 0.0)) {
             row.refuse("azimuth_deg", "azimuth_deg for a rock without speed",
-                       "speed_mps above 0, or no azimuth_deg");
+                       "speed_mps or release.start_speed_mps above 0, or no azimuth_deg");
         }
     }
     if (fall_height_m) {

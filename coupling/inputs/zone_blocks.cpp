@@ -75,6 +75,28 @@ void refuse_rocks_of_shapes(const SourceInput& input) {
     shown.throw_if_any();
 }
 
+/// The fields of a row that rocks hang on, in an order of their own: columns may change places.
+std::string fields_of(const config::Table& table, std::size_t row) {
+    std::string text;
+    for (const std::string& column : start_columns()) {
+        if (has_value(table, row, column)) {
+            text += joined(column, " ", table.text(row, column), "\n");
+        }
+    }
+    return text;
+}
+
+/// The rows of one return period, in order of zones: rows may change places too.
+std::string hash_of_rows(std::vector<ZoneBlocks> rows) {
+    std::sort(rows.begin(), rows.end(),
+              [](const ZoneBlocks& a, const ZoneBlocks& b) { return a.zone < b.zone; });
+    std::string text;
+    for (const ZoneBlocks& row : rows) {
+        text += joined("row\n", row.fields);
+    }
+    return hash_text(text);
+}
+
 std::set<std::uint32_t> zones_of(const SourceInput& input) {
     std::set<std::uint32_t> zones;
     for (const SourceShape& shape : input.shapes) {
@@ -159,7 +181,8 @@ std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
                 "one row for a zone and a return period");
             continue;
         }
-        blocks.push_back({*period, key.first, std::move(start), table.place(row, "return_period_years")});
+        blocks.push_back({*period, key.first, std::move(start), table.place(row, "return_period_years"),
+                          fields_of(table, row)});
     }
     if (table.rows() == 0) {
         problems.add(config::ExitCode::data, {table.file()}, "no rows",
@@ -188,8 +211,10 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
     const double wanted = reading.scenario().hazard.return_period_years;
     input.by_zone = true;
     input.starts.clear();
+    std::vector<ZoneBlocks> heeded;
     for (const ZoneBlocks& entry : blocks) {
         if (entry.return_period_years == wanted) {
+            heeded.push_back(entry);
             input.start_of_zone[entry.zone] = input.starts.size();
             input.starts.push_back(entry.start);
         }
@@ -200,6 +225,8 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
                      "hazard.return_period_years " + config::to_text(wanted),
                      "one of hazard.blocks: " + in_words(return_periods_of(blocks)));
     }
+    reading.heed_part("blocks", joined("rows of ", config::to_text(wanted), " years"),
+                      hash_of_rows(std::move(heeded)));
     tell_zones(input, reading);
     for (const char* key : {"release.diameter_kind", "release.diameter_m", "release.diameter_classes_m"}) {
         if (reading.scenario().options->was_set(key)) {

@@ -121,6 +121,55 @@ TEST(Hazard, IsMadeAnewWithoutNewFalls) {
     EXPECT_NE(after.find("bare,moderate,0.0000"), std::string::npos) << after;
 }
 
+TEST(Hazard, LetsOnlyThePeriodFallAnewWhoseRowsWereEdited) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    project.write("blocks.csv",
+                  "zone,diameter_m,return_period_years\n1,1.2,300\n1,0.9,100\n1,0.3,10\n1,0.5,30\n");
+    const Outcome refused = call(project, std::string{quick} + "--out out");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("return_period_100: found finished results of other settings or inputs"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_EQ(refused.err.find("return_period_10:"), std::string::npos) << refused.err;
+    const std::string anew = "run scenario.ini --set release.rocks=400 --out out --overwrite";
+    const Outcome edited = call(project, anew);
+    ASSERT_EQ(edited.code, 0) << edited.err;
+    for (const char* years : {"10", "30", "300"}) {
+        EXPECT_NE(edited.out.find("return period of " + std::string{years} + " years: finished before"),
+                  std::string::npos)
+            << edited.out;
+    }
+    EXPECT_EQ(edited.out.find("return period of 100 years: finished before"), std::string::npos)
+        << edited.out;
+    // Where nothing is left to do --overwrite means all.
+    EXPECT_EQ(call(project, anew).out.find("finished before"), std::string::npos);
+}
+
+TEST(Hazard, TellsFoldersOfReturnPeriodsThatTheTableLacks) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    project.write("blocks.csv", "return_period_years,zone,diameter_m\n10,1,0.3\n30,1,0.5\n100,1,0.8\n");
+    const Outcome fewer = call(project, std::string{quick} + "--out out");
+    ASSERT_EQ(fewer.code, 0) << fewer.err;
+    EXPECT_NE(fewer.err.find("return_period_300: a return period that hazard.blocks no longer has"),
+              std::string::npos)
+        << fewer.err;
+    EXPECT_NE(project.read("out/hazard/report.html").find("that hazard.blocks no longer has"),
+              std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(project.file("out/return_period_300/report.html")));
+}
+
+TEST(Hazard, SaysThatNetsStandOnBothSlopes) {
+    const SampleProject project;
+    add_blocks(project);
+    project.write("nets.csv", "name,height_m,class,wkt\nA,4,5,\"LINESTRING (1090 2020, 1090 2080)\"\n");
+    ASSERT_EQ(call(project, std::string{quick} + "--set nets.file=nets.csv --out out").code, 0);
+    EXPECT_NE(project.read("out/hazard/report.html").find("1, standing on both slopes"), std::string::npos);
+}
+
 TEST(Hazard, StaysWhereTheFallsCannotBeReplaced) {
     const SampleProject project;
     add_blocks(project);

@@ -208,6 +208,15 @@ TEST(SourceStart, TakesSpeedAndAzimuth) {
     EXPECT_EQ(law.diameter.mean_m(), 0.5);  // of the scenario
 }
 
+TEST(SourceStart, AnAzimuthAloneTurnsTheSpeedOfAllRocks) {
+    const Opened opened = open_line("azimuth_deg", "80", {"release.start_speed_mps=2"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const rockfall::StartLaw& law = *opened.site->sources[0].own_start;
+    EXPECT_EQ(law.speed_mps, 2.0);
+    EXPECT_DOUBLE_EQ(law.azimuth->in_degrees(), 80.0);
+    EXPECT_EQ(open_line("azimuth_deg", "80", {"release.start_speed_mps=0"}).code, config::ExitCode::data);
+}
+
 TEST(SourceStart, TakesAFallHeightInsteadOfASpeed) {
     const Opened opened = open_line("fall_height_m", "12");
     ASSERT_TRUE(opened.site) << opened.errors;
@@ -244,8 +253,8 @@ TEST(SourceStart, RefusesWhatContradictsItself) {
              {"diameter_m,mass_t", "1,2", "39: found mass_t beside diameter_m" + one},
              {"mass_t,volume_m3", "1,2", "39: found volume_m3 beside mass_t" + one},
              {"speed_mps,azimuth_deg", "0,30",
-              "39: found azimuth_deg for a rock without speed, expected speed_mps above 0, or no "
-              "azimuth_deg"},
+              "39: found azimuth_deg for a rock without speed, expected speed_mps or "
+              "release.start_speed_mps above 0, or no azimuth_deg"},
              {"mass_t", "20999",
               "37: found a rock of 24.581709143515457 m in diameter, expected a size of 0.01 to 20 m"}}) {
         const Opened opened = open_line(columns, fields);
