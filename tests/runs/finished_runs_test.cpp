@@ -68,6 +68,30 @@ TEST(Compare, DrawsRunsOfTodayOnOnePage) {
     EXPECT_FALSE(std::filesystem::exists(project.file("other.html")));
 }
 
+TEST(Compare, NamesMotionModelsAndPutsNetsSideBySide) {
+    const SampleProject project;
+    project.write("nets.csv", "name,height_m,class,wkt\nA,4,5,\"LINESTRING (1090 2020, 1090 2080)\"\n");
+    for (const char* model : {"picus", "pir3d"}) {
+        const std::string name{model};
+        ASSERT_EQ(call(project,
+                       "run scenario.ini --quiet --set release.rocks_per_source=100 --set "
+                       "nets.file=nets.csv --set rockfall.motion=" +
+                           name + " --out " + name)
+                      .code,
+                  0);
+    }
+    const Outcome outcome = call(project, "compare picus pir3d --page models.html");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* part : {"A picus", "B pir3d", "net A", "held_percent", "height_needed_m"}) {
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part << '\n' << outcome.out;
+    }
+    const std::string page = project.read("models.html");
+    EXPECT_EQ(testing::markup_fault(page), "");
+    for (const char* part : {"<dt>A picus</dt>", "Run: 1 A, 2 B", "Rocks that a net holds: net A"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+}
+
 TEST(Compare, DrawsRunsOverYearsOnOnePage) {
     const ForestProject project;
     const std::string run = "run scenario.ini --quiet --set run.years=2 --set run.replicates=2 ";
