@@ -18,10 +18,13 @@ void remember(int signal) {
     std::signal(signal, SIG_DFL);
 }
 
-/// Calls only what a signal handler may call.
-void end(int) {
-    constexpr std::string_view sentence = "bannwald: interrupted\n";
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, sentence.data(), sentence.size());
+/// Calls only what a signal handler may call. SIGTERM comes from a launcher, which sends it to all processes
+/// of a run where one of them has already told why it ends.
+void end(int signal) {
+    if (signal == SIGINT) {
+        constexpr std::string_view sentence = "bannwald: interrupted\n";
+        [[maybe_unused]] const auto written = write(STDERR_FILENO, sentence.data(), sentence.size());
+    }
     _exit(static_cast<int>(config::ExitCode::interrupted));
 }
 

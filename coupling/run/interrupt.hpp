@@ -2,8 +2,8 @@
 
 namespace coupling {
 
-/// From now on Ctrl-C and a request to terminate end the program at once, with a sentence and the exit code
-/// of an interruption: where nothing lies half-written, nothing has to be tidied up.
+/// From now on Ctrl-C and a request to terminate end the program at once with the exit code of an interruption,
+/// Ctrl-C with a sentence: where nothing lies half-written, nothing has to be tidied up.
 void end_at_interruptions();
 
 /// Turns Ctrl-C and a request to terminate into a flag that long work looks at.
