@@ -5,6 +5,7 @@
 
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/static_layouts.hpp"
+#include "rockfall/motion/classical/friction.hpp"
 #include "rockfall/release/release.hpp"
 
 namespace coupling {
@@ -45,10 +46,7 @@ GroundFigures figures_of(const SurfaceType& type, const rockfall::FallLaw& law, 
     ground.r_n = type.restitution.normal;
     ground.r_t = type.restitution.tangential;
     if (law.motion.model == MotionModel::classical) {
-        const rockfall::classical::Law& own = law.motion.classical;
-        ground.friction = own.friction == rockfall::classical::Friction::angle
-                              ? own.friction_angle_tangent
-                              : (1.0 - ground.r_t) / ground.r_t;
+        ground.friction = rockfall::classical::friction_of(type.restitution, law.motion.classical);
     } else if (law.motion.picus.stopping.by_chance) {
         ground.p_stop = type.stopping.at(diameter_m);
         ground.rolling_stops_per_m = type.rolling_stops_per_m.at(diameter_m);

@@ -105,12 +105,11 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
         }
         std::vector<ChartPoint> points =
             exceeded(found->second, rocks->second, quantity.logarithmic ? least_kj : 0.0);
-        if (points.empty()) {
-            continue;
+        if (!points.empty()) {
+            points.pop_back();  // above the largest value lies none: a logarithm has no place for it
         }
-        points.pop_back();  // above the largest value lies none: a logarithm has no place for it
-        if (points.empty()) {
-            continue;
+        if (points.size() < 2) {
+            continue;  // rocks of one bin draw no line
         }
         most_x = std::max(most_x, points.back().x);
         most_percent = std::max(most_percent, points.front().y);

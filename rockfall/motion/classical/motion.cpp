@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/random/distributions.hpp"
+#include "rockfall/motion/classical/friction.hpp"
 #include "rockfall/motion/picus.hpp"
 #include "rockfall/motion/rebound.hpp"
 
@@ -32,10 +33,7 @@ Contact Motion::touch(const Eigen::Vector3d& velocity_mps, double, const Eigen::
 }
 
 double Motion::friction(const SurfaceType& surface) const {
-    // A ground that takes all of the speed along it lets nothing slide.
-    constexpr double least_rt = 1e-3;
-    const double r_t = std::max(surface.restitution.tangential, least_rt);
-    return law_.friction == Friction::angle ? law_.friction_angle_tangent : std::max(0.0, (1.0 - r_t) / r_t);
+    return friction_of(surface.restitution, law_);
 }
 
 EdgeWay Motion::way_over_edge(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& next_normal,

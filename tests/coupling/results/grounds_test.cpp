@@ -84,6 +84,12 @@ TEST(Grounds, TellTheFrictionOfTheClassicalModel) {
     EXPECT_EQ(table.text(0, "friction"), "0.333");
     EXPECT_EQ(table.text(0, "r_t"), "0.750");
     EXPECT_EQ(table.text(0, "soil"), "");
+
+    // The figure is that of the fall, which bounds it where the ground takes all of the speed along it.
+    for (rockfall::SurfaceType& type : run.site.slope.types) {
+        type.restitution.tangential = 0.0;
+    }
+    EXPECT_EQ(grounds_table(run).text(0, "friction"), "999.000");
 }
 
 }  // namespace
