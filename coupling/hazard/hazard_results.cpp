@@ -5,6 +5,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/data_dictionary.hpp"
@@ -38,10 +39,11 @@ std::string stem_of(HazardEnergy energy) {
 namespace hazard {
 namespace {
 
+using config::percent;
+
 namespace fs = std::filesystem;
 
 constexpr double m2_per_ha = 1e4;
-constexpr double percent = 100.0;
 
 config::Raster<float> raster_of(const FinishedPeriod& period, Cover cover, const std::string& stem,
                                 const config::GridFrame& frame) {

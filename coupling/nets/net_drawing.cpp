@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/units/constants.hpp"
 #include "coupling/nets/net_figures.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/chart.hpp"
@@ -11,12 +12,13 @@
 namespace coupling::report {
 namespace {
 
+using config::j_per_kj;
+
 constexpr double left = 52.0;
 constexpr double right = 888.0;
 constexpr double top = 14.0;
 constexpr double bottom = 236.0;
 constexpr std::array<double, 3> radii{2.6, 3.8, 5.2};  ///< by energy class
-constexpr double j_per_kj = 1000.0;
 
 /// Held: disc. Over: triangle that points up. Below: triangle that points down. Broke: cross.
 std::string shape_of(rockfall::NetOutcome outcome, std::size_t energy_class, double x, double y) {

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "config/units/constants.hpp"
 #include "coupling/nets/net_classes.hpp"
 
 namespace coupling {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
+using config::j_per_kj;
 
 /// How many of `count` a share is, at least 1.
 std::size_t rank_of(double share, std::size_t count) {

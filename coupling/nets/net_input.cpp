@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/nets/net_classes.hpp"
@@ -14,10 +15,11 @@
 namespace coupling {
 namespace {
 
+using config::j_per_kj;
+
 constexpr config::NumberRange height_range_m{.low = 0.0, .high = 50.0, .low_excluded = true};
 constexpr config::NumberRange gap_range_m{.low = 0.0, .high = 50.0};
 constexpr config::NumberRange capacity_range_kj{.low = 0.0, .high = 1e6, .low_excluded = true};
-constexpr double j_per_kj = 1000.0;
 constexpr double shortest_net_m = 0.1;
 /// So far apart lie the places at which a net is looked at for ground below it.
 constexpr double ground_step_m = 1.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/units/constants.hpp"
 #include "coupling/nets/net_drawing.hpp"
 #include "coupling/nets/net_tables.hpp"
 #include "coupling/nets/net_words.hpp"
@@ -15,7 +16,8 @@
 namespace coupling::report {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
+using config::j_per_kj;
+
 /// Where the axis of energy begins: a rock of less is as good as at rest.
 constexpr double least_kj = 0.1;
 /// Of an axis: what a label at a mark needs.

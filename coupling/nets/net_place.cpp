@@ -6,6 +6,7 @@
 
 #include "config/table/table.hpp"
 #include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
 #include "coupling/nets/net_input.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/nets/net_try.hpp"
@@ -19,8 +20,9 @@
 namespace coupling {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
-constexpr double percent = 100.0;
+using config::j_per_kj;
+using config::percent;
+
 /// A coordinate to the millimetre.
 std::string to_millimetres(double length_m) {
     constexpr double mm_per_m = 1000.0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "config/units/constants.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
@@ -10,8 +11,8 @@
 namespace coupling {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
-constexpr double percent = 100.0;
+using config::j_per_kj;
+using config::percent;
 
 void add_share(CsvRow& row, const Share& share) {
     row.whole(share.part).number<4>(percent * share.value);

@@ -4,7 +4,7 @@ namespace coupling::profile {
 namespace {
 
 constexpr const char* simulated = "simulated";
-constexpr const char* counted = "counted over the simulated rocks";
+constexpr const char* counted_rocks = "counted over the simulated rocks";
 constexpr const char* from_bins = "simulated; fine bins, at most 0.4 % from the value";
 constexpr const char* from_wide_bins = "simulated; bins, at most 3.2 % from the value";
 constexpr const char* exact_interval = "Clopper and Pearson 1934";
@@ -42,7 +42,7 @@ TableLayout jumps_by_segment() {
              {"to_m", "m", "slope length to its end", "profile.segment_m"},
              {"from_distance_m", "m", "plan distance of its begin", "input terrain.profile"},
              {"to_distance_m", "m", "plan distance of its end", "input terrain.profile"},
-             {"jumps", "-", "jumps that end in it", counted},
+             {"jumps", "-", "jumps that end in it", counted_rocks},
              {"min_length_m", "m", "shortest jump, straight from impact to impact", simulated},
              {"mean_length_m", "m", "mean length of the jumps", simulated},
              {"max_length_m", "m", "longest jump", simulated},
@@ -53,8 +53,8 @@ TableLayout run_out() {
     return {"run_out.csv",
             "a distance along the profile",
             {{"distance_m", "m", "plan distance along the profile", "input terrain.profile"},
-             {"rocks_beyond", "-", "rocks whose fall ended beyond it", counted},
-             {"beyond_percent", "%", "their share of all rocks", counted},
+             {"rocks_beyond", "-", "rocks whose fall ended beyond it", counted_rocks},
+             {"beyond_percent", "%", "their share of all rocks", counted_rocks},
              {"beyond_low_percent", "%", "lower end of its 95 % interval", exact_interval},
              {"beyond_high_percent", "%", "upper end of its 95 % interval", exact_interval}}};
 }
@@ -64,8 +64,8 @@ TableLayout stations() {
             "a station",
             {{"station", "text", "name of the station", "input profile.stations"},
              {"distance_m", "m", "plan distance along the profile", "input profile.stations"},
-             {"rocks", "-", "rocks that pass it at least once", counted},
-             {"reached_percent", "%", "their share of all rocks", counted},
+             {"rocks", "-", "rocks that pass it at least once", counted_rocks},
+             {"reached_percent", "%", "their share of all rocks", counted_rocks},
              {"reached_low_percent", "%", "lower end of its 95 % interval", exact_interval},
              {"reached_high_percent", "%", "upper end of its 95 % interval", exact_interval},
              {"energy_mean_kj", "kJ",
@@ -94,7 +94,7 @@ TableLayout envelope() {
         "a stretch of the profile",
         {{"from_distance_m", "m", "plan distance of its begin", "input terrain.profile"},
          {"to_distance_m", "m", "plan distance of its end", "input terrain.profile"},
-         {"rocks", "-", "rocks that passed it", counted},
+         {"rocks", "-", "rocks that passed it", counted_rocks},
          {"energy_mean_kj", "kJ", "mean of each rock's largest kinetic energy in it", simulated},
          {"energy_95_kj", "kJ", "its 95th percentile (empty: fewer than 20 rocks)", from_wide_bins},
          {"energy_max_kj", "kJ", "its largest value", simulated},

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "config/units/constants.hpp"
 #include "coupling/profile/profile_layouts.hpp"
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/csv_row.hpp"
@@ -12,8 +13,8 @@
 namespace coupling::profile {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
-constexpr double percent = 100.0;
+using config::j_per_kj;
+using config::percent;
 
 void add_share(CsvRow& row, const Share& share) {
     row.number<4>(percent * share.value);

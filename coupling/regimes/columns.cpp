@@ -25,9 +25,9 @@ constexpr Uses cuts = uses(Treatment::thin_below, Treatment::thin_density, Treat
 constexpr Uses planting = uses(Treatment::plant, Treatment::plant_clusters);
 constexpr Uses crop = uses(Treatment::thin_crop_trees);
 constexpr Uses selecting = uses(Treatment::selection);
-constexpr Uses shaped = uses(Where::strips, Where::slits);
-constexpr Uses parted = uses(Where::stands, Where::strips, Where::slits, Where::polygons);
-constexpr Uses slits = uses(Where::slits);
+constexpr Uses of_a_shape = uses(Where::strips, Where::slits);
+constexpr Uses in_parts = uses(Where::stands, Where::strips, Where::slits, Where::polygons);
+constexpr Uses of_slits = uses(Where::slits);
 
 constexpr config::NumberRange years{.low = 0.0, .high = 10'000.0};
 constexpr config::NumberRange pause{.low = 1.0, .high = 10'000.0};
@@ -99,19 +99,19 @@ std::vector<RegimeColumn> all_columns() {
          "",
          {.low = 1.0, .high = 1000.0},
          0,
-         parted},
+         in_parts},
         {"length_m", +[](I& i) -> double& { return i.ground.length_m; }, "of a slit; usually 40-70",
-         "Wunder & Brang 2003", some_m, 0, slits},
+         "Wunder & Brang 2003", some_m, 0, of_slits},
         {"width_m", +[](I& i) -> double& { return i.ground.width_m; },
          "of a slit (usually 15-20) or a strip (30-50)", "Wunder & Brang 2003; strips practice [lit*]",
-         some_m, 0, shaped, true},
+         some_m, 0, of_a_shape, true},
         {"angle_deg",
          +[](I& i) -> double& { return i.ground.angle_deg; },
          "of the long side to the fall line: 0 straight down",
          "slits 45: Wunder & Brang 2003",
          {.low = -90.0, .high = 90.0},
          0,
-         shaped,
+         of_a_shape,
          true},
         {"gap_m",
          +[](I& i) -> double& { return i.ground.gap_m; },
@@ -120,10 +120,10 @@ std::vector<RegimeColumn> all_columns() {
          "AFZ ladder scheme; value [choice]",
          {.low = -1000.0, .high = 1000.0},
          0,
-         slits},
+         of_slits},
         {"lines_m", +[](I& i) -> double& { return i.ground.lines_m; },
          "between the middles of two ladders, two tree lengths", "AFZ ladder scheme; value [choice]", some_m,
-         0, slits},
+         0, of_slits},
         {"share", +[](I& i) -> double& { return i.share; },
          "what is taken: of the basal area (thin_below 0.15-0.3, shelter_cut 0.25-0.4), of fresh dead wood "
          "(salvage), of the young stems of other species (tend)",

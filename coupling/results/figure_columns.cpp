@@ -4,12 +4,13 @@
 #include <limits>
 #include <string>
 
+#include "config/units/constants.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
 
-constexpr double percent = 100.0;
+using config::percent;
 
 constexpr const char* simulated = "simulated";
 constexpr const char* counted = "counted over the simulated rocks";

@@ -4,8 +4,12 @@
 #include <numeric>
 #include <span>
 
+#include "config/units/constants.hpp"
+
 namespace coupling {
 namespace {
+
+using config::j_per_kj;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -46,7 +50,6 @@ Distribution distribution(const rockfall::LogBins& bins, std::span<const std::ui
     return found;
 }
 
-constexpr double j_per_kj = 1000.0;
 constexpr double per_milli = 1000.0;
 
 TargetFigures target_figures(const RunResults& results, std::size_t number) {
@@ -115,6 +118,10 @@ const char* name_of(Cover cover) {
 std::vector<Cover> covers_of(const RunResults& results) {
     return results.with_forest ? std::vector<Cover>{Cover::forest, Cover::bare}
                                : std::vector<Cover>{Cover::bare};
+}
+
+const char* title_of(Cover cover) {
+    return cover == Cover::forest ? "with forest" : "bare slope";
 }
 
 const char* name_of(rockfall::StopReason reason) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "config/units/constants.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/static_layouts.hpp"
@@ -10,7 +11,7 @@
 namespace coupling {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
+using config::j_per_kj;
 
 /// Absolute easting, northing and height to the centimetre.
 void add_place(CsvRow& row, const Eigen::Vector3d& place_m, const Eigen::Vector2d& origin_m) {
@@ -19,7 +20,7 @@ void add_place(CsvRow& row, const Eigen::Vector3d& place_m, const Eigen::Vector2
     row.number<2>(place_m.z());
 }
 
-const char* name_of(rockfall::LogOutcome outcome) {
+const char* log_outcome_name(rockfall::LogOutcome outcome) {
     switch (outcome) {
         case rockfall::LogOutcome::climbed:
             return "climbed";
@@ -33,7 +34,7 @@ const char* name_of(rockfall::LogOutcome outcome) {
     return "stopped";
 }
 
-const char* name_of(rockfall::HitType type) {
+const char* hit_type_name(rockfall::HitType type) {
     switch (type) {
         case rockfall::HitType::frontal:
             return "frontal";
@@ -112,7 +113,7 @@ void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree
     row.number<2>(static_cast<double>(hit.height_m));
     row.number<3>(static_cast<double>(hit.energy_j) / j_per_kj);
     row.number<3>(static_cast<double>(hit.loss_j) / j_per_kj);
-    row.text(name_of(hit.type)).text(hit.broken ? "yes" : "no").text(hit.stopped ? "yes" : "no");
+    row.text(hit_type_name(hit.type)).text(hit.broken ? "yes" : "no").text(hit.stopped ? "yes" : "no");
     row.end();
 }
 
@@ -126,7 +127,7 @@ void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_i
     row.whole(rock).text(log_id);
     add_place(row, hit.position_m, origin_m);
     row.number<3>(static_cast<double>(hit.energy_j) / j_per_kj);
-    row.number<3>(static_cast<double>(hit.loss_j) / j_per_kj).text(name_of(hit.outcome));
+    row.number<3>(static_cast<double>(hit.loss_j) / j_per_kj).text(log_outcome_name(hit.outcome));
     row.end();
 }
 

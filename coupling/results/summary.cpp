@@ -7,6 +7,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
 #include "coupling/decades/decade_results.hpp"
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/profile/profile_results.hpp"
@@ -15,10 +16,10 @@
 namespace coupling {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using config::j_per_kj;
+using config::percent;
 
-constexpr double percent = 100.0;
-constexpr double j_per_kj = 1000.0;
+using Json = nlohmann::ordered_json;
 
 /// What is not known becomes null. Nine digits: the rest is noise of the last bit.
 Json number(double value) {

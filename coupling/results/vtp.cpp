@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <string>
 
+#include "config/units/constants.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
+using config::j_per_kj;
 
 /// The raw blocks behind the markup, each with its length before it, least byte first.
 class Blocks {

@@ -23,7 +23,7 @@ void remember(int signal) {
 void end(int signal) {
     if (signal == SIGINT) {
         constexpr std::string_view sentence = "bannwald: interrupted\n";
-        [[maybe_unused]] const auto written = write(STDERR_FILENO, sentence.data(), sentence.size());
+        [[maybe_unused]] const auto written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
     }
     _exit(static_cast<int>(config::ExitCode::interrupted));
 }

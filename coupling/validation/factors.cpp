@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "config/units/constants.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -14,7 +15,7 @@
 namespace coupling::validation {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
+using config::j_per_kj;
 
 /// What the figures need of each series.
 struct SeriesSums {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_parts.hpp"
@@ -8,13 +9,13 @@
 namespace coupling::validation {
 namespace {
 
+using config::percent;
+
 using report::Axis;
 using report::Chart;
 using report::ChartPoint;
 using report::ChartRange;
 using report::escaped;
-
-constexpr double per_cent = 100.0;
 
 const VariantOutcome* variant_named(const CaseResult& result, const std::string& name) {
     const auto found = std::find_if(result.variants.begin(), result.variants.end(),
@@ -37,7 +38,7 @@ std::vector<ChartPoint> in_percent(const std::vector<CurvePoint>& curve) {
     std::vector<ChartPoint> points;
     points.reserve(curve.size());
     for (const CurvePoint& corner : curve) {
-        points.push_back({corner.x, per_cent * corner.y});
+        points.push_back({corner.x, percent * corner.y});
     }
     return points;
 }
@@ -85,7 +86,7 @@ std::string section_shares(const CaseResult& result) {
 std::vector<ChartRange> series_band(const VariantOutcome& variant) {
     std::vector<ChartRange> ranges;
     for (const CurvePoint& low : variant.run_out_low) {
-        ranges.push_back({low.x, per_cent * low.y, per_cent * further_than(variant.run_out_high, low.x)});
+        ranges.push_back({low.x, percent * low.y, percent * further_than(variant.run_out_high, low.x)});
     }
     return ranges;
 }
@@ -99,7 +100,7 @@ std::string run_out_chart(const CaseResult& result) {
         return "";
     }
     Chart chart{"Run-out", Axis::from_zero("Distance in plan from the start, m", most_m),
-                Axis{"% of rocks that get further", 0.0, per_cent}};
+                Axis{"% of rocks that get further", 0.0, percent}};
     const std::vector<std::size_t> order = drawing_order(result);
     // Bands of strict and default alone: those of all variants would hide each other.
     const auto has_band = [&](std::size_t i) {
@@ -145,7 +146,7 @@ void add_shares(Chart& chart, const CaseResult& result, const std::vector<double
         }
         std::vector<double> heights(edges.size() - 1, 0.0);
         for (std::size_t i = 0; i < (variant->*shares).size(); ++i) {
-            heights[std::min(i, heights.size() - 1)] += per_cent * (variant->*shares)[i];
+            heights[std::min(i, heights.size() - 1)] += percent * (variant->*shares)[i];
         }
         chart.add_steps(name, edges, heights);
         chart.add_name(name, name);
@@ -155,7 +156,7 @@ void add_shares(Chart& chart, const CaseResult& result, const std::vector<double
 void add_seen(Chart& chart, const std::string& series, const std::vector<double>& shares) {
     std::vector<ChartPoint> points;
     for (std::size_t i = 0; i < shares.size(); ++i) {
-        points.push_back({static_cast<double>(i), per_cent * shares[i]});
+        points.push_back({static_cast<double>(i), percent * shares[i]});
     }
     if (!points.empty()) {
         chart.add_dots(series, points);
@@ -185,7 +186,7 @@ double highest_percent(const CaseResult& result, std::vector<double> VariantOutc
     for (const VariantOutcome& variant : result.variants) {
         most = std::max(most, largest(variant.*shares));
     }
-    return per_cent * most;
+    return percent * most;
 }
 
 std::string tree_hit_chart(const CaseResult& result) {
@@ -199,8 +200,8 @@ std::string tree_hit_chart(const CaseResult& result) {
         edges.push_back(static_cast<double>(i) - 0.5);
     }
     const double most = std::max({highest_percent(result, &VariantOutcome::tree_hits),
-                                  per_cent * largest(result.observed_tree_hits),
-                                  per_cent * largest(result.published_tree_hits)});
+                                  percent * largest(result.observed_tree_hits),
+                                  percent * largest(result.published_tree_hits)});
     Chart chart{"Tree hits per rock", Axis{"Trees hit by a rock", -0.5, edges.back(), false, true},
                 Axis::from_zero("% of rocks", most)};
     add_shares(chart, result, edges, &VariantOutcome::tree_hits);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -11,6 +12,8 @@
 namespace coupling::validation {
 namespace {
 
+using config::percent;
+
 using report::Axis;
 using report::Chart;
 using report::ChartPoint;
@@ -18,7 +21,6 @@ using report::ChartRange;
 using report::escaped;
 using report::HtmlTable;
 
-constexpr double per_cent = 100.0;
 constexpr const char* protection = "protection_effect";
 constexpr const char* free_path = "free_path_m";
 constexpr const char* analytic = "analytic_free_path_m";
@@ -129,9 +131,9 @@ void add_protection(Chart& chart, const std::string& series, const std::string& 
     std::vector<ChartRange> ranges;
     for (const FactorRow* row : rows) {
         if (const Estimate* effect = figure_of(*row, protection)) {
-            points.push_back({row->settings[place], per_cent * effect->value});
+            points.push_back({row->settings[place], percent * effect->value});
             ranges.push_back(
-                {row->settings[place], per_cent * effect->low, per_cent * std::min(1.0, effect->high)});
+                {row->settings[place], percent * effect->low, percent * std::min(1.0, effect->high)});
         }
     }
     chart.add_line(series, points);
@@ -140,7 +142,7 @@ void add_protection(Chart& chart, const std::string& series, const std::string& 
 }
 
 Chart protection_chart(const std::string& title, Axis x) {
-    return {title, std::move(x), Axis{"Protection effect, %", 0.0, per_cent}};
+    return {title, std::move(x), Axis{"Protection effect, %", 0.0, percent}};
 }
 
 /// One chart to each value of the last setting, one line to each value of the second, over the first.

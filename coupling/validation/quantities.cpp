@@ -6,14 +6,16 @@
 #include <iomanip>
 #include <limits>
 
+#include "config/units/constants.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling::validation {
 
 namespace {
 
+using config::j_per_kj;
+
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double j_per_kj = 1000.0;
 
 /// Mean and standard deviation (n - 1) of numbers; NaN of too few.
 class Moments {

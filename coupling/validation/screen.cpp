@@ -43,7 +43,7 @@ std::string with_deviation(const Value& value, const std::string& unit) {
     return with_deviation(value.value, value.deviation, unit);
 }
 
-std::string criterion_text(const VerdictRow& row) {
+std::string printed_criterion(const VerdictRow& row) {
     return row.low && row.high
                ? joined(config::to_text(*row.low), " to ", config::to_text(*row.high), mark_of(row))
                : "";
@@ -76,7 +76,7 @@ void add_figure(AlignedTable& table, const VerdictRow& row, bool has_strict) {
     }
     cells.push_back(with_deviation(row.default_value, row.unit));
     cells.push_back(verdict_text(row.default_verdict));
-    cells.push_back(criterion_text(row));
+    cells.push_back(printed_criterion(row));
     table.add(std::move(cells));
     for (std::size_t k = 1; k < label.size(); ++k) {
         table.add({joined("  ", label[k])});

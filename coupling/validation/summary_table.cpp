@@ -64,7 +64,7 @@ const DirectionRow* same_in_default(const CaseResult& result, const DirectionRow
     return found == result.directions.end() ? nullptr : &*found;
 }
 
-void write_directions(std::ostream& out, const CaseResult& result) {
+void write_direction_rows(std::ostream& out, const CaseResult& result) {
     if (result.directions.empty()) {
         return;
     }
@@ -96,7 +96,7 @@ void write_case(std::ostream& out, const CaseResult& result) {
             write_row(out, row, result.has_strict);
         }
     }
-    write_directions(out, result);
+    write_direction_rows(out, result);
     for (const std::string& note : result.notes) {
         out << "\nNote: " << note << ".\n";
     }

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "config/units/constants.hpp"
 #include "forest/production/power.hpp"
 
 namespace forest::check_mode {
 
 namespace {
 
-constexpr double breast_height_m = 1.3;
+using config::breast_height_m;
 
 double competition_of(const Stand& stand) {
     double sum = 0.0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/random/stream.hpp"
+#include "config/units/constants.hpp"
 #include "forest/deadwood/decay.hpp"
 
 namespace forest {
@@ -179,7 +180,7 @@ std::vector<Snag> snags_of_deaths(const Stand& stand) {
 }
 
 double stem_diameter_cm(double dbh_cm, double tree_height_m, double height_m) {
-    constexpr double breast_height_m = 1.3;
+    using config::breast_height_m;
     const double taper = (tree_height_m - height_m) / (tree_height_m - breast_height_m);
     return dbh_cm * std::max(0.0, taper);
 }

@@ -11,8 +11,8 @@ namespace {
 constexpr double units_per_m2 = 1048576.0;
 
 constexpr std::size_t rings = 4;
-constexpr std::size_t points = 4;
-constexpr std::size_t columns_of_crown = rings * points;
+constexpr std::size_t ground_points = 4;
+constexpr std::size_t columns_of_crown = rings * ground_points;
 
 /// Where the points of a ring lie, as shares of the crown's radius. Every second ring is turned by an eighth
 /// of a circle, so the crown looks the same in a mirror.
@@ -26,14 +26,14 @@ constexpr std::array<double, rings> ring_area{0.125, 0.375, 0.625,
 constexpr double sqrt_half = 0.70710678118654752;
 
 std::array<Point, columns_of_crown> points_of_crown() {
-    constexpr std::array<Point, points> straight{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
-    constexpr std::array<Point, points> diagonal{
+    constexpr std::array<Point, ground_points> straight{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
+    constexpr std::array<Point, ground_points> diagonal{
         {{sqrt_half, sqrt_half}, {-sqrt_half, sqrt_half}, {-sqrt_half, -sqrt_half}, {sqrt_half, -sqrt_half}}};
     std::array<Point, columns_of_crown> all{};
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::size_t ring = i / points;
+        const std::size_t ring = i / ground_points;
         const double radius = std::sqrt(ring_area[ring]);
-        const Point at = ring % 2 == 0 ? diagonal[i % points] : straight[i % points];
+        const Point at = ring % 2 == 0 ? diagonal[i % ground_points] : straight[i % ground_points];
         all[i] = {radius * at.x, radius * at.y};
     }
     return all;
@@ -61,7 +61,7 @@ std::array<Stick, rings> sticks_of(CrownShape shape) {
         sum += sticks[ring].share;
     }
     for (Stick& stick : sticks) {
-        stick.share /= sum * static_cast<double>(points);
+        stick.share /= sum * static_cast<double>(ground_points);
     }
     return sticks;
 }
@@ -144,8 +144,8 @@ void cut(const LightTree& tree, const PaddedGround& ground, const ColumnFinder& 
     const PaddedGround::Gradient rise = ground.gradient(columns.at(tree.x_m, tree.y_m));
     const double length_m = tree.height_m - tree.crown_base_m;
     for (std::size_t ring = 0; ring < rings; ++ring) {
-        for (std::size_t point = 0; point < points; ++point) {
-            const Point at = crown_points[ring * points + point];
+        for (std::size_t point = 0; point < ground_points; ++point) {
+            const Point at = crown_points[ring * ground_points + point];
             const double x_m = tree.crown_radius_m * at.x;
             const double y_m = tree.crown_radius_m * at.y;
             // The layers follow the ground, the crown does not: down the slope it stands higher above the

@@ -25,19 +25,19 @@ constexpr float half_shade = 0.69314718F;
 
 constexpr float hours_of_step = 0.5F;
 
-constexpr std::size_t months = 12;
+constexpr std::size_t months_a_year = 12;
 
 /// Weather of the year as factors of a view, for one state of the leaves.
 struct Weights {
-    std::array<float, months> diffuse_mjpm2{};  ///< 0 in months of the other state
-    std::array<float, months> direct_mjpm2{};
-    std::array<float, months> season_direct_mjpm2{};
+    std::array<float, months_a_year> diffuse_mjpm2{};  ///< 0 in months of the other state
+    std::array<float, months_a_year> direct_mjpm2{};
+    std::array<float, months_a_year> season_direct_mjpm2{};
     float season_diffuse_mjpm2 = 0.0F;
 };
 
 Weights weights_of(const LightYear& year, bool with_leaves, bool two_states) {
     Weights weights;
-    for (std::size_t month = 0; month < months; ++month) {
+    for (std::size_t month = 0; month < months_a_year; ++month) {
         const auto diffuse = static_cast<float>(year.radiation.diffuse_mjpm2[month]);
         const auto direct = static_cast<float>(year.radiation.direct_mjpm2[month]);
         if (!two_states || year.leaves_on[month] == with_leaves) {
@@ -56,14 +56,14 @@ Weights weights_of(const LightYear& year, bool with_leaves, bool two_states) {
 struct ColumnSums {
     Layers diffuse{};
     Layers season{};
-    std::array<Layers, months> beam{};
+    std::array<Layers, months_a_year> beam{};
     float ground_diffuse = 0.0F;
     float ground_season = 0.0F;
-    std::array<float, months> ground_beam{};
+    std::array<float, months_a_year> ground_beam{};
     float open_season = 0.0F;         ///< at right angles
     float open_ground_season = 0.0F;  ///< on the ground
     float open_ground_diffuse = 0.0F;
-    std::array<float, months> open_ground_beam{};
+    std::array<float, months_a_year> open_ground_beam{};
 };
 
 /// Mean of e^-t over a cell in which t rises by tau, divided by its value in the middle: sinh(x) / x, x = tau
@@ -180,12 +180,12 @@ ColumnSums sum_used(const LightSite& site, const Canopy& canopy, const PrefixSum
 
 /// Adds the months of one state of the leaves to a column.
 void write_months(const ColumnSums& sums, const Weights& weights, std::size_t column, LightField& field) {
-    for (std::size_t month = 0; month < months; ++month) {
+    for (std::size_t month = 0; month < months_a_year; ++month) {
         const float diffuse = weights.diffuse_mjpm2[month];
         const float direct = weights.direct_mjpm2[month];
-        field.ground_mjpm2[column * months + month] +=
+        field.ground_mjpm2[column * months_a_year + month] +=
             diffuse * sums.ground_diffuse + direct * sums.ground_beam[month];
-        field.incoming_mjpm2[column * months + month] +=
+        field.incoming_mjpm2[column * months_a_year + month] +=
             diffuse * sums.open_ground_diffuse + direct * sums.open_ground_beam[month];
         float* cells = field.cells.data() + column * canopy_layers * LightField::values_of_cell + month;
         for (std::size_t l = 0; l < canopy_layers; ++l) {
@@ -232,10 +232,10 @@ LightField make_light_field(const LightSite& site, std::size_t trees) {
     field.ground_light.resize(columns);
     field.june_sun_hours.resize(columns);
     field.open_season.resize(columns);
-    field.ground_mjpm2.resize(columns * months);
-    field.incoming_mjpm2.resize(columns * months);
+    field.ground_mjpm2.resize(columns * months_a_year);
+    field.incoming_mjpm2.resize(columns * months_a_year);
     field.light_ratio.resize(trees);
-    field.absorbed_mj.resize(trees * months);
+    field.absorbed_mj.resize(trees * months_a_year);
     return field;
 }
 
@@ -248,9 +248,10 @@ void shine_on_columns(const LightSite& site, const Canopy& canopy, const LightYe
     for (std::size_t column = first; column < last; ++column) {
         std::fill_n(field.cells.begin() + static_cast<std::ptrdiff_t>(column * column_values), column_values,
                     0.0F);
-        std::fill_n(field.ground_mjpm2.begin() + static_cast<std::ptrdiff_t>(column * months), months, 0.0F);
-        std::fill_n(field.incoming_mjpm2.begin() + static_cast<std::ptrdiff_t>(column * months), months,
-                    0.0F);
+        std::fill_n(field.ground_mjpm2.begin() + static_cast<std::ptrdiff_t>(column * months_a_year),
+                    months_a_year, 0.0F);
+        std::fill_n(field.incoming_mjpm2.begin() + static_cast<std::ptrdiff_t>(column * months_a_year),
+                    months_a_year, 0.0F);
         const ColumnSums sums = sum_used(site, canopy, canopy.leaf_on(), on, column);
         write_season(sums, column, field);
         write_months(sums, on, column, field);
@@ -279,9 +280,9 @@ void shine_on_trees(const Canopy& canopy, const LightYear& year, std::span<const
             open > 0.0F ? static_cast<double>(mean[LightField::season_value] / open) / shade : 1.0;
         field.light_ratio[i] = static_cast<float>(std::clamp(ratio, 0.0, 1.0));
         const auto extinction_m2 = static_cast<float>(tree.extinction * tree.leaf_area_m2);
-        for (std::size_t month = 0; month < months; ++month) {
+        for (std::size_t month = 0; month < months_a_year; ++month) {
             const bool bare = tree.deciduous && !year.leaves_on[month];
-            field.absorbed_mj[i * months + month] = bare ? 0.0F : extinction_m2 * mean[month];
+            field.absorbed_mj[i * months_a_year + month] = bare ? 0.0F : extinction_m2 * mean[month];
         }
     }
 }
@@ -290,10 +291,10 @@ void close_budget(const LightSite& site, LightField& field) {
     const double column_m2 = site.ground().column_m() * site.ground().column_m();
     const std::size_t columns = field.ground_light.size();
     const std::size_t trees = field.light_ratio.size();
-    for (std::size_t month = 0; month < months; ++month) {
+    for (std::size_t month = 0; month < months_a_year; ++month) {
         double intercepted_mj = 0.0;
         for (std::size_t column = 0; column < columns; ++column) {
-            const std::size_t at = column * months + month;
+            const std::size_t at = column * months_a_year + month;
             intercepted_mj += column_m2 * (static_cast<double>(field.incoming_mjpm2[at]) -
                                            static_cast<double>(field.ground_mjpm2[at]));
         }
@@ -301,13 +302,13 @@ void close_budget(const LightSite& site, LightField& field) {
         std::int64_t absorbed_j = 0;
         for (std::size_t tree = 0; tree < trees; ++tree) {
             absorbed_j += static_cast<std::int64_t>(
-                1e6 * static_cast<double>(field.absorbed_mj[tree * months + month]));
+                1e6 * static_cast<double>(field.absorbed_mj[tree * months_a_year + month]));
         }
         const double absorbed_mj = 1e-6 * static_cast<double>(absorbed_j);
         field.closure[month] = absorbed_mj > 0.0 ? intercepted_mj / absorbed_mj : 1.0;
         if (site.edges() != Edges::open) {
             for (std::size_t tree = 0; tree < trees; ++tree) {
-                field.absorbed_mj[tree * months + month] *= static_cast<float>(field.closure[month]);
+                field.absorbed_mj[tree * months_a_year + month] *= static_cast<float>(field.closure[month]);
             }
         }
     }

@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "config/math/elementary.hpp"
+#include "config/units/constants.hpp"
 
 namespace forest {
 
 namespace {
 
-constexpr double breast_height_m = 1.3;
+using config::breast_height_m;
 
 double cube_root(double x) {
     return config::pow_of(x, 1.0 / 3.0);

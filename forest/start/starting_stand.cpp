@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "config/units/constants.hpp"
 #include "forest/allometry.hpp"
 #include "forest/crown.hpp"
 #include "forest/growth.hpp"
@@ -17,8 +18,9 @@ namespace forest {
 
 namespace {
 
+using config::breast_height_m;
+
 constexpr double usual_growth_cm_pyear = 0.25;
-constexpr double breast_height_m = 1.3;
 
 double usual_age_years(const Species& species, double dbh_cm) {
     return std::min(dbh_cm / usual_growth_cm_pyear, species.mortality.max_age_years);

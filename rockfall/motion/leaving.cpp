@@ -7,7 +7,7 @@
 namespace rockfall {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never_leaves = std::numeric_limits<double>::infinity();
 
 /// First time at which c0 + c1 t + c2 t^2 falls through zero; a start at or below zero counts as zero.
 double time_of_leaving(double c0, double c1, double c2) {
@@ -17,13 +17,14 @@ double time_of_leaving(double c0, double c1, double c2) {
     }
     const double discriminant = c1 * c1 - 4.0 * c2 * c0;
     if (discriminant < 0.0) {
-        return never;
+        return never_leaves;
     }
     const double root = std::sqrt(discriminant);
     if (c1 < 0.0) {
         return 2.0 * c0 / (root - c1);  // falling from the start: the nearer root
     }
-    return c2 < 0.0 ? (-c1 - root) / (2.0 * c2) : never;  // rises first, comes back only if it bends down
+    return c2 < 0.0 ? (-c1 - root) / (2.0 * c2)
+                    : never_leaves;  // rises first, comes back only if it bends down
 }
 
 /// Whether a neighbour goes on steeply up or down where a piece runs over to it.
@@ -36,7 +37,7 @@ bool is_cliff_or_wall(const Terrain& terrain, const Plane& here, std::uint32_t n
 
 Leaving leaving(const Terrain& terrain, std::uint32_t triangle, const RollingPiece& piece) {
     const Triangle& t = terrain.triangles()[triangle];
-    Leaving first{never, 0};
+    Leaving first{never_leaves, 0};
     for (int i = 0; i < 3; ++i) {
         const Vertex& a = terrain.vertices()[t.corners[i]];
         const Vertex& b = terrain.vertices()[t.corners[i == 2 ? 0 : i + 1]];

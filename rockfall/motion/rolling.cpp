@@ -12,7 +12,7 @@ namespace {
 
 using config::gravity_mps2;
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never_rests = std::numeric_limits<double>::infinity();
 constexpr double standing_mps = 1e-2;
 constexpr double largest_turn_rad = 0.03;
 constexpr double longest_curved_piece_s = 0.25;
@@ -28,7 +28,7 @@ double time_to_speed(const Eigen::Vector3d& velocity, const Eigen::Vector3d& acc
     const double b = 2.0 * velocity.dot(acceleration);
     const double c = velocity.squaredNorm() - speed * speed;
     if (c >= 0.0 || a == 0.0) {
-        return c >= 0.0 ? 0.0 : never;
+        return c >= 0.0 ? 0.0 : never_rests;
     }
     const double root = std::sqrt(b * b - 4.0 * a * c);
     return b >= 0.0 ? -2.0 * c / (b + root) : (root - b) / (2.0 * a);
@@ -41,7 +41,7 @@ double longest_piece_s(const Eigen::Vector3d& velocity, double speed_mps, const 
     const double across = (acceleration - along * direction).norm();
     const bool straight = across < 1e-9 * gravity_mps2;
     if (straight) {
-        return along < 0.0 ? speed_mps / -along : never;
+        return along < 0.0 ? speed_mps / -along : never_rests;
     }
     const double longest_s = std::min(longest_curved_piece_s, largest_turn_rad * velocity.norm() / across);
     if (along >= 0.0) {

@@ -20,25 +20,25 @@ using report::ChartRange;
 using report::escaped;
 
 /// Quantities worth a picture, with the title of their axis.
-struct Shown {
+struct ShownFigure {
     const char* quantity;
     const char* title;
     const char* axis;
 };
 constexpr std::array shown_figures{
-    Shown{"protection_percent", "Protection", "Rocks kept away, %"},
-    Shown{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
-    Shown{"reached_bare_percent", "Rocks that arrive over the bare slope", "Rocks that arrive, %"},
-    Shown{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
-    Shown{"held_percent", "Rocks that a net holds", "Share of those that reach it, %"},
-    Shown{"held_bare_percent", "Rocks that a net holds over the bare slope",
-          "Share of those that reach it, %"},
-    Shown{"height_needed_m", "Height that a net needs", "Height, m"},
-    Shown{"height_needed_bare_m", "Height that a net needs over the bare slope", "Height, m"}};
-constexpr std::array shown_series{Shown{"protection_percent", "Protection", "Rocks kept away, %"},
-                                  Shown{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
-                                  Shown{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
-                                  Shown{"volume_m3pha", "Volume", "Volume, m³/ha"}};
+    ShownFigure{"protection_percent", "Protection", "Rocks kept away, %"},
+    ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
+    ShownFigure{"reached_bare_percent", "Rocks that arrive over the bare slope", "Rocks that arrive, %"},
+    ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
+    ShownFigure{"held_percent", "Rocks that a net holds", "Share of those that reach it, %"},
+    ShownFigure{"held_bare_percent", "Rocks that a net holds over the bare slope",
+                "Share of those that reach it, %"},
+    ShownFigure{"height_needed_m", "Height that a net needs", "Height, m"},
+    ShownFigure{"height_needed_bare_m", "Height that a net needs over the bare slope", "Height, m"}};
+constexpr std::array shown_series{ShownFigure{"protection_percent", "Protection", "Rocks kept away, %"},
+                                  ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
+                                  ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
+                                  ShownFigure{"volume_m3pha", "Volume", "Volume, m³/ha"}};
 
 /// The same figure of several courses; of today there is one course.
 using Lines = std::vector<const Line*>;
@@ -61,7 +61,7 @@ bool has_interval(const Figure& figure) {
 }
 
 /// Protection lies close below 100 %, and there it is compared.
-Axis axis_of(const Shown& shown, double lowest, double highest) {
+Axis axis_of(const ShownFigure& shown, double lowest, double highest) {
     return shown.quantity == std::string_view{"protection_percent"} && std::isfinite(lowest)
                ? report::percent_axis(shown.axis, lowest, highest)
                : Axis::from_zero(shown.axis, highest);
@@ -96,7 +96,7 @@ double place_of(std::size_t course, std::size_t run, const Lines& lines) {
 }
 
 /// Empty where no run knows the figure.
-std::string interval_chart(const Lines& lines, const Shown& shown, const SideBySide& comparison) {
+std::string interval_chart(const Lines& lines, const ShownFigure& shown, const SideBySide& comparison) {
     double lowest = INFINITY;
     double highest = 1e-3;
     bool any = false;
@@ -165,8 +165,8 @@ BandsOfRun read_bands(const FinishedRun& run) {
     return bands;
 }
 
-std::string chart_over_years(const SeriesKey& key, const Shown& shown, const std::vector<BandsOfRun>& bands,
-                             const SideBySide& comparison) {
+std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
+                             const std::vector<BandsOfRun>& bands, const SideBySide& comparison) {
     double highest = 1e-3;
     double lowest = INFINITY;
     bool any = false;
@@ -247,7 +247,7 @@ p.warning{background:var(--note);border-left:4px solid #b04a00;padding:8px 12px}
 
 std::string interval_charts(const SideBySide& comparison) {
     std::string html;
-    for (const Shown& shown : shown_figures) {
+    for (const ShownFigure& shown : shown_figures) {
         std::vector<std::string> targets;
         std::map<std::string, Lines> of_target;
         for (const Line& line : comparison.lines) {
@@ -279,7 +279,7 @@ std::string over_years(std::span<const FinishedRun> runs, const SideBySide& comp
         }
     }
     std::string html;
-    for (const Shown& shown : shown_series) {
+    for (const ShownFigure& shown : shown_series) {
         for (const SeriesKey& key : keys) {
             if (key[0] == shown.quantity) {
                 html += chart_over_years(key, shown, bands, comparison);

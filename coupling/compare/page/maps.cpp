@@ -58,23 +58,24 @@ std::string figure(const Raster<float>& raster, const ColourScale& scale, const 
         report::scale_bar(sheet), report::north_arrow(sheet), "</svg>", legend, "</figure>");
 }
 
-struct Shown {
+struct ShownMap {
     const char* stem;
     const char* name;
     const char* meaning;
 };
 constexpr std::array shown_maps{
-    Shown{"Reach_probability", "Reach probability",
-          "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by powers "
-          "of ten."},
-    Shown{"E_95", "Energy, 95th percentile",
-          "Of the largest kinetic energy of each rock in a cell: one rock in twenty has more."},
-    Shown{"V_max", "Highest speed", "Of any rock in a cell."},
-    Shown{"Ph_95", "Passing height, 95th percentile",
-          "Underside of the rocks above the ground: one rock in twenty is higher."},
-    Shown{"Nr_deposited", "Where rocks come to rest", "Rocks in a cell; colours by powers of ten."}};
+    ShownMap{
+        "Reach_probability", "Reach probability",
+        "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by powers "
+        "of ten."},
+    ShownMap{"E_95", "Energy, 95th percentile",
+             "Of the largest kinetic energy of each rock in a cell: one rock in twenty has more."},
+    ShownMap{"V_max", "Highest speed", "Of any rock in a cell."},
+    ShownMap{"Ph_95", "Passing height, 95th percentile",
+             "Underside of the rocks above the ground: one rock in twenty is higher."},
+    ShownMap{"Nr_deposited", "Where rocks come to rest", "Rocks in a cell; colours by powers of ten."}};
 
-std::string row(const Shown& shown, const std::string& cover, std::span<const FinishedRun> runs,
+std::string row(const ShownMap& shown, const std::string& cover, std::span<const FinishedRun> runs,
                 const SideBySide& comparison, int& legends) {
     std::vector<std::optional<Raster<float>>> rasters;
     ValueRange range{std::numeric_limits<float>::infinity(), 0.0F};
@@ -112,7 +113,7 @@ std::string maps(std::span<const FinishedRun> runs, const SideBySide& comparison
     int legends = 0;
     for (const char* cover : {"forest", "bare"}) {
         std::string rows;
-        for (const Shown& shown : shown_maps) {
+        for (const ShownMap& shown : shown_maps) {
             rows += row(shown, cover, runs, comparison, legends);
         }
         if (!rows.empty()) {

@@ -17,7 +17,7 @@ using report::ColourScale;
 /// Years of a map that the page shows: pictures of more would make it heavy.
 constexpr std::size_t most_years = 4;
 /// Stands for the bare slope among the courses.
-constexpr std::size_t bare = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t no_regime = std::numeric_limits<std::size_t>::max();
 
 using Cells = std::vector<rockfall::CellSums>;
 using CellsOfYears = std::map<std::pair<std::size_t, std::int32_t>, Cells>;
@@ -32,7 +32,7 @@ CellsOfYears summed(const Names& names, const RunView& run, std::span<const Memb
             if (of_bare && course != run.regimes.front().course) {
                 continue;
             }
-            Cells& sum = sums[{of_bare ? bare : course, map.year}];
+            Cells& sum = sums[{of_bare ? no_regime : course, map.year}];
             sum.resize(map.cells.size());
             for (std::size_t i = 0; i < sum.size(); ++i) {
                 sum[i].add(map.cells[i]);
@@ -130,7 +130,7 @@ config::Raster<float> FallPictures::values(const RasterKind& kind, std::size_t s
 config::Raster<float> FallPictures::effect(const RasterKind& kind, std::size_t course,
                                            std::int32_t year) const {
     config::Raster<float> difference = values(kind, course, year);
-    const config::Raster<float> without = values(kind, bare, year);
+    const config::Raster<float> without = values(kind, no_regime, year);
     for (std::size_t cell = 0; cell < difference.values.size(); ++cell) {
         float& value = difference.values[cell];
         const float other = without.values[cell];
@@ -166,14 +166,14 @@ std::string FallPictures::block(const Quantity& quantity) {
         slopes.push_back(regime.course);
     }
     if (std::string_view{quantity.stem} != "Nr_tree_impacts") {
-        slopes.push_back(bare);
+        slopes.push_back(no_regime);
     }
     for (const std::int32_t year : years_) {
         for (const std::size_t slope : slopes) {
             const ValueRange here = range_of(values(kind, slope, year));
             range = {here.high > 0.0F ? std::min(range.low, here.low) : range.low,
                      std::max(range.high, here.high)};
-            if (*quantity.effect_unit != '\0' && slope != bare) {
+            if (*quantity.effect_unit != '\0' && slope != no_regime) {
                 reach = std::max(reach, report::bulk_of(effect(kind, slope, year)));
             }
         }
@@ -189,7 +189,7 @@ std::string FallPictures::block(const Quantity& quantity) {
             figures += figure(quantity, title(slope, year), values(kind, slope, year), scale);
         }
         for (const std::size_t slope : slopes) {
-            if (*quantity.effect_unit != '\0' && slope != bare) {
+            if (*quantity.effect_unit != '\0' && slope != no_regime) {
                 figures += figure(quantity, joined("forest effect, ", title(slope, year)),
                                   effect(kind, slope, year), effects);
             }

@@ -14,7 +14,7 @@ namespace {
 
 using report::place;
 
-constexpr double widest = 430.0;
+constexpr double widest_plan = 430.0;
 constexpr double highest = 480.0;
 constexpr double lettering = 13.0;
 /// A page with many regimes must stay readable for a browser.
@@ -99,7 +99,7 @@ PlanDrawing::PlanDrawing(const forest::PatchGrid& grid, const ForestGround& grou
       ground_{ground},
       frame_{shown},
       id_{std::move(id)},
-      per_m_{std::min(widest / (shown.x_east_m() - shown.x_west_m),
+      per_m_{std::min(widest_plan / (shown.x_east_m() - shown.x_west_m),
                       highest / (shown.y_north_m() - shown.y_south_m))} {
     double low_m = INFINITY;
     double high_m = -INFINITY;
@@ -170,8 +170,8 @@ std::string PlanDrawing::definitions() const {
 std::string PlanDrawing::sheet(const std::string& label, const std::string& drawing) const {
     const report::SheetSize size{width(), height(), per_m_, lettering};
     // In the middle of the figure, however narrow the forest is.
-    const double x = 0.5 * (width() - widest) - 2.0;
-    return joined("<svg class=\"sheet\" viewBox=\"", place(x), " -2 ", place(widest + 4.0), " ",
+    const double x = 0.5 * (width() - widest_plan) - 2.0;
+    return joined("<svg class=\"sheet\" viewBox=\"", place(x), " -2 ", place(widest_plan + 4.0), " ",
                   place(height() + 4.0), "\" role=\"img\" aria-label=\"", report::escaped(label),
                   "\"><g clip-path=\"url(#", id_, "-sheet)\"><use href=\"#", id_, "\"/>", drawing,
                   "</g><rect class=\"frame\"", report::attribute("width", width()),

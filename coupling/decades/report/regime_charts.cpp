@@ -7,7 +7,7 @@
 namespace coupling::decades {
 namespace {
 
-constexpr std::size_t most_points = 200;
+constexpr std::size_t most_chart_points = 200;
 
 struct RegimeChart {
     const char* title;
@@ -31,7 +31,7 @@ std::vector<Stretch> stretches_of(const RegimeChart& wanted, std::size_t years) 
         }
         return stretches;
     }
-    const std::size_t step = years / most_points + 1;
+    const std::size_t step = years / most_chart_points + 1;
     for (std::size_t year = wanted.first_year; year < years; year += step) {
         stretches.push_back({year, year});
     }

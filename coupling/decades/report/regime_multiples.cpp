@@ -13,7 +13,7 @@ using report::Chart;
 using report::ChartPoint;
 using report::ChartRange;
 
-constexpr std::size_t most_points = 100;
+constexpr std::size_t most_multiple_points = 100;
 /// Of an axis: what a word needs to stand inside an area.
 constexpr double room_for_a_word = 0.07;
 /// Where foresters begin to count.
@@ -29,7 +29,7 @@ Axis years_axis(std::size_t years) {
 
 std::vector<std::size_t> drawn_years(std::size_t years) {
     std::vector<std::size_t> drawn;
-    const std::size_t step = years / most_points + 1;
+    const std::size_t step = years / most_multiple_points + 1;
     for (std::size_t year = 0; year < years; year += step) {
         drawn.push_back(year);
     }

@@ -10,8 +10,8 @@ namespace {
 
 using report::place;
 
-constexpr double left = 84.0;
-constexpr double widest = 322.0;
+constexpr double left_edge = 84.0;
+constexpr double widest_strip = 322.0;
 /// Beside the strip, for crowns that reach over its ends.
 constexpr double beside = 24.0;
 constexpr double highest = 420.0;
@@ -25,7 +25,7 @@ struct Frame {
     double high_m;
     double per_m;
 
-    [[nodiscard]] double x_of(double distance_m) const { return left + per_m * distance_m; }
+    [[nodiscard]] double x_of(double distance_m) const { return left_edge + per_m * distance_m; }
     [[nodiscard]] double y_of(double height_m) const { return top + per_m * (high_m - height_m); }
 };
 
@@ -45,9 +45,9 @@ std::string axes_of(const Frame& frame, const Transect& strip) {
     std::string strokes;
     std::string labels;
     for (const double tick : ticks_between(frame.low_m, frame.high_m, report::nice_step(least_step_m))) {
-        grid +=
-            joined("M", place(left - beside + 4.0), " ", place(frame.y_of(tick)), "H", place(right + beside));
-        labels += joined("<text text-anchor=\"end\" x=\"", place(left - beside), "\" y=\"",
+        grid += joined("M", place(left_edge - beside + 4.0), " ", place(frame.y_of(tick)), "H",
+                       place(right + beside));
+        labels += joined("<text text-anchor=\"end\" x=\"", place(left_edge - beside), "\" y=\"",
                          place(frame.y_of(tick) + 4.5), "\">", report::fixed(tick, 0), "</text>");
     }
     for (const double tick : ticks_between(0.0, strip.length_m, report::nice_step(least_step_m))) {
@@ -59,10 +59,10 @@ std::string axes_of(const Frame& frame, const Transect& strip) {
         return joined("<text class=\"letter\" text-anchor=\"middle\" x=\"", place(x), "\" y=\"14\">", letter,
                       "</text>");
     };
-    return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left), " ",
-                  place(bottom), "H", place(right), strokes, "\"/>", labels, end(left, "P"), end(right, "Q"),
-                  "<text text-anchor=\"middle\" x=\"", place(0.5 * (left + right)), "\" y=\"",
-                  place(bottom + 38.0),
+    return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left_edge), " ",
+                  place(bottom), "H", place(right), strokes, "\"/>", labels, end(left_edge, "P"),
+                  end(right, "Q"), "<text text-anchor=\"middle\" x=\"", place(0.5 * (left_edge + right)),
+                  "\" y=\"", place(bottom + 38.0),
                   "\">Distance in plan, m</text><text text-anchor=\"middle\" "
                   "transform=\"translate(12 ",
                   place(0.5 * (top + bottom)), ")rotate(-90)\">Height above sea level, m</text>");
@@ -73,7 +73,7 @@ double ground_m(const ForestGround& ground, const Transect& strip, double distan
 }
 
 std::string ground_of(const Frame& frame, const ForestGround& ground, const Transect& strip) {
-    std::string path = joined("M", place(left), " ", place(frame.y_of(frame.low_m)));
+    std::string path = joined("M", place(left_edge), " ", place(frame.y_of(frame.low_m)));
     const auto steps = static_cast<int>(std::ceil(strip.length_m / ground_step_m));
     for (int i = 0; i <= steps; ++i) {
         const double distance_m = strip.length_m * i / std::max(steps, 1);
@@ -147,7 +147,7 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
     low_m -= 3.0;
     const double high_m = std::max(top_of(in_strip, ground, strip), top_m) + 1.0;
     const Frame frame{low_m, high_m,
-                      std::min(widest / std::max(strip.length_m, 1.0), highest / (high_m - low_m))};
+                      std::min(widest_strip / std::max(strip.length_m, 1.0), highest / (high_m - low_m))};
     DrawnTrees drawn = in_strip;
     std::string left_out;
     if (drawn.size() > most_trees) {
@@ -166,9 +166,9 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
         trees += silhouette(*tree, species.all()[tree->species], frame, ground, strip);
     }
     const double drawn_width = frame.x_of(strip.length_m) + beside;
-    const double x = 0.5 * (drawn_width - (left + widest + beside));
+    const double x = 0.5 * (drawn_width - (left_edge + widest_strip + beside));
     return {
-        joined("<svg viewBox=\"", place(x), " 0 ", place(left + widest + beside), " ",
+        joined("<svg viewBox=\"", place(x), " 0 ", place(left_edge + widest_strip + beside), " ",
                place(frame.y_of(low_m) + below), "\" role=\"img\" aria-label=\"trees seen from the side\">",
                axes_of(frame, strip), ground_of(frame, ground, strip), trees, "</svg>"),
         left_out};

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 
+#include "config/units/constants.hpp"
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/indicators.hpp"
@@ -13,13 +14,13 @@
 namespace coupling::profile {
 namespace {
 
+using config::j_per_kj;
+using config::percent;
+
 using report::Axis;
 using report::Chart;
 using report::ChartPoint;
 using report::ChartRange;
-
-constexpr double j_per_kj = 1000.0;
-constexpr double percent = 100.0;
 
 Axis distance_axis(const ProfileResults& results) {
     return {"Distance in plan, m", results.site.first_m(), results.site.last_m()};

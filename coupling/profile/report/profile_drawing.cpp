@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "config/units/constants.hpp"
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/chart.hpp"
@@ -11,18 +12,19 @@
 namespace coupling::profile {
 namespace {
 
+using config::j_per_kj;
+
 using report::Axis;
 using report::escaped;
 using report::place;
 
-constexpr double left = 70.0;
+constexpr double left_edge = 70.0;
 constexpr double top = 64.0;  // room for the names over the upper end
-constexpr double widest = 1010.0;
+constexpr double widest_sheet = 1010.0;
 constexpr double highest = 600.0;
 constexpr double below = 46.0;
 constexpr std::size_t ground_colours = 8;
 constexpr std::size_t most_drawn_paths = 100;
-constexpr double j_per_kj = 1000.0;
 
 /// The slope on paper: one scale for distance and height.
 struct Sheet {
@@ -44,14 +46,16 @@ struct Sheet {
         const double step = report::nice_step((height.high - height.low + 1.0) / 6.0);
         height.low = std::floor(height.low / step) * step;
         height.high = std::max(height.low + step, std::ceil(height.high / step - 1e-9) * step);
-        per_m = std::min(widest / (distance.high - distance.low), highest / (height.high - height.low));
+        per_m = std::min(widest_sheet / (distance.high - distance.low), highest / (height.high - height.low));
     }
     void include(double height_m) {
         height.low = std::min(height.low, height_m);
         height.high = std::max(height.high, height_m);
     }
-    [[nodiscard]] double x_of(double distance_m) const { return left + per_m * (distance_m - distance.low); }
-    [[nodiscard]] double distance_at(double x) const { return distance.low + (x - left) / per_m; }
+    [[nodiscard]] double x_of(double distance_m) const {
+        return left_edge + per_m * (distance_m - distance.low);
+    }
+    [[nodiscard]] double distance_at(double x) const { return distance.low + (x - left_edge) / per_m; }
     [[nodiscard]] double y_of(double height_m) const { return top + per_m * (height.high - height_m); }
     [[nodiscard]] double right() const { return x_of(distance.high); }
     [[nodiscard]] double bottom() const { return y_of(height.low); }
@@ -77,13 +81,13 @@ std::string axes_of(const Sheet& sheet) {
                          place(sheet.bottom() + 19.0), "\">", report::tick_text(tick), "</text>");
     }
     for (const double tick : ticks_of(sheet.height, sheet.per_m, 24.0)) {
-        grid += joined("M", place(left), " ", place(sheet.y_of(tick)), "H", place(sheet.right()));
-        labels += joined("<text text-anchor=\"end\" x=\"", place(left - 6.0), "\" y=\"",
+        grid += joined("M", place(left_edge), " ", place(sheet.y_of(tick)), "H", place(sheet.right()));
+        labels += joined("<text text-anchor=\"end\" x=\"", place(left_edge - 6.0), "\" y=\"",
                          place(sheet.y_of(tick) + 4.0), "\">", report::tick_text(tick), "</text>");
     }
-    return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left), " ",
+    return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left_edge), " ",
                   place(sheet.bottom()), "H", place(sheet.right()), strokes, "\"/>", labels,
-                  "<text text-anchor=\"middle\" x=\"", place(0.5 * (left + sheet.right())), "\" y=\"",
+                  "<text text-anchor=\"middle\" x=\"", place(0.5 * (left_edge + sheet.right())), "\" y=\"",
                   place(sheet.bottom() + 38.0), "\">", escaped(sheet.distance.title),
                   "</text><text text-anchor=\"middle\" transform=\"translate(13 ",
                   place(0.5 * (top + sheet.bottom())), ")rotate(-90)\">", escaped(sheet.height.title),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/profile/profile_settings.hpp"
 #include "coupling/results/indicators.hpp"
@@ -15,14 +16,14 @@
 namespace coupling::profile {
 namespace {
 
+using config::j_per_kj;
+
 using report::escaped;
 using report::fact;
 using report::fixed;
 using report::grouped;
 using report::HtmlTable;
 using report::three_digits;
-
-constexpr double j_per_kj = 1000.0;
 
 std::string start_in_words(const Scenario& scenario) {
     const rockfall::StartLaw law = start_law(scenario);

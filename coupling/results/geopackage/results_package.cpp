@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/geopackage/csv_rows.hpp"
@@ -14,7 +15,7 @@
 namespace coupling::geopackage {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
+using config::j_per_kj;
 
 /// One table, or several of the same columns that become one.
 struct Group {
@@ -141,8 +142,8 @@ void add_deposits(GeoPackage& package, const Group& rocks) {
         for (const std::size_t number : numbers) {
             fields.push_back(rows.fields()[number]);
         }
-        return fields[4] != name_of(rockfall::StopReason::left_terrain) &&
-               fields[4] != name_of(rockfall::StopReason::gave_up);
+        return fields[4] != coupling::name_of(rockfall::StopReason::left_terrain) &&
+               fields[4] != coupling::name_of(rockfall::StopReason::gave_up);
     };
     std::vector<std::string_view> fields;
     while (rows.next()) {

@@ -9,7 +9,7 @@
 namespace coupling::report {
 namespace {
 
-std::string range_of(const Interval& interval) {
+std::string interval_text(const Interval& interval) {
     return joined(percent(interval.low), " to ", percent(interval.high));
 }
 
@@ -63,10 +63,11 @@ std::string protection_sentence(const TargetFigures& target) {
     }
     if (effect.value < 0.0) {
         return joined("With forest <b>more</b> rocks arrive here: protection effect <b>",
-                      percent(effect.value), "</b> (95 % interval ", range_of(effect.interval), ").");
+                      percent(effect.value), "</b> (95 % interval ", interval_text(effect.interval), ").");
     }
     return joined("The forest keeps away <b>", percent(effect.value),
-                  "</b> of the rocks that would arrive (95 % interval ", range_of(effect.interval), ").");
+                  "</b> of the rocks that would arrive (95 % interval ", interval_text(effect.interval),
+                  ").");
 }
 
 bool nothing_arrives(const TargetFigures& target) {
@@ -86,7 +87,7 @@ std::string answer(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
     if (!results.with_forest) {
         return joined("<p class=\"answer\">", reaching(bare), " reach it over the bare slope (95 % interval ",
-                      range_of(bare.interval), "). Neither trees nor logs were given.</p>");
+                      interval_text(bare.interval), "). Neither trees nor logs were given.</p>");
     }
     return joined("<p class=\"answer\">", reaching(target.at(Cover::forest).share),
                   " reach it with today's forest, ", reaching(bare), " over the bare slope. ",

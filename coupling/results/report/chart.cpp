@@ -12,8 +12,8 @@
 namespace coupling::report {
 namespace {
 
-constexpr double left = 72.0;
-constexpr double right = 408.0;
+constexpr double left_edge = 72.0;
+constexpr double right_edge = 408.0;
 constexpr double top = 34.0;
 constexpr double bottom = 262.0;
 /// Between the names of two series in the drawing.
@@ -91,7 +91,7 @@ Chart::Chart(std::string title, Axis x, Axis y)
     : title_{std::move(title)}, x_{std::move(x)}, y_{std::move(y)} {}
 
 double Chart::x_of(double value) const {
-    return left + std::clamp(x_.share_of(value), 0.0, 1.0) * (right - left);
+    return left_edge + std::clamp(x_.share_of(value), 0.0, 1.0) * (right_edge - left_edge);
 }
 
 double Chart::y_of(double value) const {
@@ -172,8 +172,9 @@ void Chart::add_bar(const std::string& series, const ChartRange& range, double x
 
 void Chart::add_word(const ChartPoint& at, const std::string& word) {
     const double half = 4.0 * static_cast<double>(word.size());
-    marks_ += joined("<text class=\"word\" x=\"", place(std::clamp(x_of(at.x), left + half, right - half)),
-                     "\" y=\"", place(y_of(at.y) + 4.5), "\">", escaped(word), "</text>");
+    marks_ += joined("<text class=\"word\" x=\"",
+                     place(std::clamp(x_of(at.x), left_edge + half, right_edge - half)), "\" y=\"",
+                     place(y_of(at.y) + 4.5), "\">", escaped(word), "</text>");
     note("word", at.x, at.y, word);
 }
 
@@ -194,8 +195,8 @@ std::string Chart::end_letters() const {
     std::string svg;
     for (std::size_t i = letters.size(); i-- > 0; lowest = letters[i].y - apart) {
         letters[i].y = std::min(letters[i].y, lowest);
-        svg += joined("<text class=\"letter\" x=\"", place(right + 5.0), "\" y=\"", place(letters[i].y + 4.5),
-                      "\">", escaped(letters[i].letter), "</text>");
+        svg += joined("<text class=\"letter\" x=\"", place(right_edge + 5.0), "\" y=\"",
+                      place(letters[i].y + 4.5), "\">", escaped(letters[i].letter), "</text>");
     }
     return svg;
 }
@@ -247,21 +248,22 @@ std::string Chart::axes() const {
     std::string lines;
     for (const double tick : y_.ticks()) {
         const std::string y = place(y_of(tick));
-        lines += joined("M", place(left), " ", y, "H", place(right));
-        labels += joined("<text text-anchor=\"end\" x=\"", place(left - 6.0), "\" y=\"",
+        lines += joined("M", place(left_edge), " ", y, "H", place(right_edge));
+        labels += joined("<text text-anchor=\"end\" x=\"", place(left_edge - 6.0), "\" y=\"",
                          place(y_of(tick) + 4.0), "\">", tick_text(tick), "</text>");
     }
     const double middle = 0.5 * (top + bottom);
-    return joined("<path class=\"grid\" d=\"", lines, "\"/><path class=\"axis\" d=\"M", place(left), " ",
-                  place(bottom), "H", place(right), grid, "\"/>", labels, "<text text-anchor=\"middle\" x=\"",
-                  place(0.5 * (left + right)), "\" y=\"", place(bottom + 40.0), "\">", escaped(x_.title),
+    return joined("<path class=\"grid\" d=\"", lines, "\"/><path class=\"axis\" d=\"M", place(left_edge), " ",
+                  place(bottom), "H", place(right_edge), grid, "\"/>", labels,
+                  "<text text-anchor=\"middle\" x=\"", place(0.5 * (left_edge + right_edge)), "\" y=\"",
+                  place(bottom + 40.0), "\">", escaped(x_.title),
                   "</text><text text-anchor=\"middle\" transform=\"translate(14 ", place(middle),
                   ")rotate(-90)\">", escaped(y_.title), "</text>");
 }
 
 std::string Chart::names() const {
     std::string svg;
-    double x = left;
+    double x = left_edge;
     for (const Name& name : names_) {
         svg += joined("<path class=\"line ", name.series, "\" d=\"M", place(x), " 16h26\"/><text x=\"",
                       place(x + 32.0), "\" y=\"20\">", escaped(name.name), "</text>");

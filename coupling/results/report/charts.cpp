@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "config/units/constants.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -11,13 +12,10 @@
 namespace coupling::report {
 namespace {
 
-constexpr double j_per_kj = 1000.0;
+using config::j_per_kj;
+
 /// Where axes of energy begin: a rock of less is as good as at rest.
 constexpr double least_kj = 0.1;
-
-const char* title_of(Cover cover) {
-    return cover == Cover::forest ? "with forest" : "bare slope";
-}
 
 std::vector<double> in_percent_of(std::vector<double> counts, std::uint64_t whole) {
     for (double& count : counts) {

@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::size_t most_drawn_paths = 500;
 
-const char* title_of(Cover cover) {
-    return cover == Cover::forest ? "with forest" : "bare slope";
-}
-
 /// Puts maps into rows and gives each legend a name of its own.
 class MapPage {
 public:

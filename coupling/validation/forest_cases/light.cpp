@@ -32,12 +32,12 @@ const std::array<Columns, 2>& columns() {
 }
 
 /// A figure of the agreement on a slope.
-struct Measure {
+struct LightMeasure {
     const char* name;
     const char* label;
     double LightAgreement::*value;
 };
-constexpr std::array<Measure, 7> measures{
+constexpr std::array<LightMeasure, 7> light_measures{
     {{"energy_direct_ratio", "direct energy / reference", &LightAgreement::energy_direct_ratio},
      {"energy_diffuse_ratio", "diffuse energy / reference", &LightAgreement::energy_diffuse_ratio},
      {"ground_light", "ground light", &LightAgreement::ground_light},
@@ -46,7 +46,7 @@ constexpr std::array<Measure, 7> measures{
      {"tree_light_bias", "trees' light - reference", &LightAgreement::tree_light_bias},
      {"tree_light_rmse", "trees' light, RMSE", &LightAgreement::tree_light_rmse}}};
 
-std::string figure_name(const Columns& of, const Measure& measure, const MappedSlope& slope) {
+std::string figure_name(const Columns& of, const LightMeasure& measure, const MappedSlope& slope) {
     return joined(of.prefix, measure.name, ":", slope.name);
 }
 
@@ -102,7 +102,7 @@ Outcome compare(const MappedStand& stand, const Work& work) {
         for (std::size_t s = 0; s < slopes; ++s) {
             const MappedSlope& slope = stand.slopes[s];
             const LightAgreement& found = agreements[c * slopes + s];
-            for (const Measure& measure : measures) {
+            for (const LightMeasure& measure : light_measures) {
                 outcome.values[figure_name(of, measure, slope)] = found.*measure.value;
             }
             group.plots.push_back(scatter(slope, found));
@@ -130,7 +130,7 @@ Comparison read_light(const CaseFiles& files) {
                                std::to_string(stand->slopes.size()), " slopes, in two widths of columns");
     for (const Columns& of : columns()) {
         for (const MappedSlope& slope : stand->slopes) {
-            for (const Measure& measure : measures) {
+            for (const LightMeasure& measure : light_measures) {
                 const std::string fine = *of.prefix == '\0' ? "" : joined(", ", of.words);
                 comparison.figures.push_back({figure_name(of, measure, slope),
                                               joined(measure.label, ", ", slope_words(slope), fine), "-"});

@@ -44,26 +44,26 @@ std::string words_of(const YieldData& data, const YieldSite& site) {
 }
 
 /// A figure by the name it has in forest::yield_figures().
-struct Measure {
+struct YieldMeasure {
     const char* name;
     const char* label;
     const char* unit;
     bool of_table;  ///< simulated / table
 };
-constexpr std::array<Measure, 8> measures{{{"volume_ratio", "volume / table", "-", true},
-                                           {"dbh_ratio", "mean DBH / table", "-", true},
-                                           {"height_ratio", "mean height / table", "-", true},
-                                           {"stems_ratio", "stems / table", "-", true},
-                                           {"volume_m3pha", "volume", "m3/ha", false},
-                                           {"dbh_cm", "mean DBH", "cm", false},
-                                           {"height_m", "mean height", "m", false},
-                                           {"stems_pha", "stems", "1/ha", false}}};
+constexpr std::array<YieldMeasure, 8> yield_measures{{{"volume_ratio", "volume / table", "-", true},
+                                                      {"dbh_ratio", "mean DBH / table", "-", true},
+                                                      {"height_ratio", "mean height / table", "-", true},
+                                                      {"stems_ratio", "stems / table", "-", true},
+                                                      {"volume_m3pha", "volume", "m3/ha", false},
+                                                      {"dbh_cm", "mean DBH", "cm", false},
+                                                      {"height_m", "mean height", "m", false},
+                                                      {"stems_pha", "stems", "1/ha", false}}};
 constexpr const char* layers_volume = "layers_volume_m3pha";
 
 void add_figures(Comparison& comparison, const YieldData& data, const YieldSite& site) {
     for (const int age_years : data.ages_years) {
         const std::string words = joined(", ", words_of(data, site), ", age ", std::to_string(age_years));
-        for (const Measure& measure : measures) {
+        for (const YieldMeasure& measure : yield_measures) {
             if (!measure.of_table || !site.table.empty()) {
                 comparison.figures.push_back(
                     {measure.name + place_of(site, age_years), joined(measure.label, words), measure.unit});
