@@ -7,7 +7,7 @@
 #include "forest/allometry.hpp"
 #include "forest/crown.hpp"
 
-namespace forest {
+namespace forest::growth_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -103,4 +103,4 @@ TEST(IncrementOf, IsNothingWithoutGain) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::growth_test

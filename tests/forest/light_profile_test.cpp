@@ -6,7 +6,7 @@
 #include "forest/stand_light.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::light_profile_test {
 namespace {
 
 /// A young spruce stand whose trees are all in the two lowest layers of the light model.
@@ -92,4 +92,4 @@ TEST(CrownShareBelow, IsAVolume) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::light_profile_test

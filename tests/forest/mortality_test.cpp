@@ -6,7 +6,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::mortality_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -87,4 +87,4 @@ TEST(NaturalDeaths, NeedThreeBadYears) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::mortality_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace forest {
+namespace forest::patch_test {
 namespace {
 
 const config::GridFrame frame{.columns = 3,
@@ -42,4 +42,4 @@ TEST(PatchGrid, KnowsTheCentreOfAPatch) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::patch_test

@@ -4,7 +4,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::self_thinning_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -72,4 +72,4 @@ TEST(SelfThinning, TakesNobodyFromAnOpenStand) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::self_thinning_test

@@ -9,7 +9,7 @@
 #include "config/data/shipped_tables.hpp"
 #include "forest/species_fields.hpp"
 
-namespace forest {
+namespace forest::species_test {
 namespace {
 
 config::Table table_of(const std::string& text, const std::string& file = "species.csv") {
@@ -139,4 +139,4 @@ TEST(Light, HangsLeavesFromMayToOctoberOnBeech) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::species_test

@@ -7,7 +7,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::stand_light_test {
 namespace {
 
 StandLight light_of(const SmallForest& forest, const Stand& stand) {
@@ -76,4 +76,4 @@ TEST(LightInStand, GivesSmallTreesOfACellLessThanTallOnes) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::stand_light_test

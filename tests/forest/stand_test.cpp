@@ -6,7 +6,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::stand_test {
 namespace {
 
 Stand stand_of(std::vector<Tree> trees, int side = 2) {
@@ -124,4 +124,4 @@ TEST(Stand, BalancesItsSaplings) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::stand_test

@@ -5,7 +5,7 @@
 #include "forest/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::tables_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -67,4 +67,4 @@ TEST(YearOf, CountsLossesByTheirCause) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::tables_test

@@ -4,7 +4,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::unit_production_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -84,4 +84,4 @@ TEST(ShareProduction, FallsBackOnLeavesWhereNobodyHasLight) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::unit_production_test

@@ -7,7 +7,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::wounds_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -188,4 +188,4 @@ TEST(Heal, ClosesWoundsInTheLightAndLetsRotSpread) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::wounds_test

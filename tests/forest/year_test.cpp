@@ -9,7 +9,7 @@
 #include "forest/tables.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::year_test {
 namespace {
 
 void expect_invariants(const Stand& before, const Stand& after, const SpeciesTable& species) {
@@ -204,4 +204,4 @@ TEST(GrowYear, KillsASmallShareOfTreesWithoutCrowding) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::year_test

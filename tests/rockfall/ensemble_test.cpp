@@ -9,7 +9,7 @@
 #include "tests/rockfall/ensemble_scene.hpp"
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::ensemble_test {
 namespace {
 
 using testing::same_but_for_marks;
@@ -280,4 +280,4 @@ TEST(Allot, SharesByWeightToTheRock) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::ensemble_test

@@ -11,7 +11,7 @@
 #include "rockfall/obstacles/log_index.hpp"
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::log_falls_test {
 namespace {
 
 using testing::deterministic_law;
@@ -267,4 +267,4 @@ TEST(FallOverLogs, FreshWindthrowHoldsSmallRocksThatThePlainStandLetsPass) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::log_falls_test

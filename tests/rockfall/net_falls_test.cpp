@@ -9,7 +9,7 @@
 #include "config/units/constants.hpp"
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::net_falls_test {
 namespace {
 
 using config::gravity_mps2;
@@ -201,4 +201,4 @@ RC_GTEST_PROP(FallPastANet, NeverGainsEnergyAtANet, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::net_falls_test

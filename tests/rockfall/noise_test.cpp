@@ -11,7 +11,7 @@
 #include "rockfall/terrain/contact_zone.hpp"
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::noise_test {
 namespace {
 
 using testing::deterministic_law;
@@ -91,4 +91,4 @@ TEST(RunOutOnNoisyGround, HangsOnTheNoiseWithoutTheContactZone) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::noise_test

@@ -4,7 +4,7 @@
 
 #include "tests/rockfall/ensemble_scene.hpp"
 
-namespace rockfall {
+namespace rockfall::one_slope_test {
 namespace {
 
 using testing::same_but_for_marks;
@@ -34,4 +34,4 @@ TEST(OneSlopeWorker, CountsWhatAWorkerCountsOnThatSlope) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::one_slope_test

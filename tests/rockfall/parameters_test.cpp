@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace rockfall {
+namespace rockfall::parameters_test {
 namespace {
 
 /// The settings of a scenario that says this about rockfall.
@@ -74,7 +74,8 @@ TEST(RockfallParameters, TheDefaultsOfTheLawsAreThoseOfTheSettings) {
                      law.jump_angle.coefficient.in_degrees());
     EXPECT_DOUBLE_EQ(read.fall.motion.picus.jump_angle.cap.in_degrees(), law.jump_angle.cap.in_degrees());
     EXPECT_DOUBLE_EQ(read.fall.motion.picus.lateral.at_rest.in_degrees(), law.lateral.at_rest.in_degrees());
-    EXPECT_DOUBLE_EQ(read.fall.motion.picus.lateral.when_fast.in_degrees(), law.lateral.when_fast.in_degrees());
+    EXPECT_DOUBLE_EQ(read.fall.motion.picus.lateral.when_fast.in_degrees(),
+                     law.lateral.when_fast.in_degrees());
     EXPECT_NEAR(read.fall.motion.picus.rolling.edge_angle_tangent, law.rolling.edge_angle_tangent, 1e-4);
     EXPECT_EQ(read.fall.motion.picus.stopping.most_impacts, law.stopping.most_impacts);
 }
@@ -126,4 +127,4 @@ TEST(DeviationMatrix, RefusesSharesThatDoNotSumToOne) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::parameters_test

@@ -10,7 +10,7 @@
 #include "tests/rockfall/slopes.hpp"
 #include "tests/rockfall/terrain/profiles.hpp"
 
-namespace rockfall {
+namespace rockfall::profile_falls_test {
 namespace {
 
 using testing::deterministic_law;
@@ -254,4 +254,4 @@ TEST(FallAlongAProfile, RestsBeforeACounterSlope) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::profile_falls_test

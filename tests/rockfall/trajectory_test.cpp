@@ -8,7 +8,7 @@
 #include "config/random/distributions.hpp"
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::trajectory_test {
 namespace {
 
 using testing::deterministic_law;
@@ -318,4 +318,4 @@ TEST(Fall, DependsOnItsKeyAlone) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::trajectory_test

@@ -5,7 +5,7 @@
 
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::bad_input_test {
 namespace {
 
 /// What is wrong with the project and what the program has to say about it.
@@ -133,4 +133,4 @@ TEST(ProgramOverResults, RefusesUnlessToldToOverwrite) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::bad_input_test

@@ -5,7 +5,7 @@
 
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::broken_off_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ TEST(Interruption, GoesOnWithinASource) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::broken_off_test

@@ -8,7 +8,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::climates_test {
 namespace {
 
 /// Two regimes, two climates, two replicates.
@@ -163,4 +163,4 @@ TEST(Climates, AreToldByCheckAndComparedBetweenRuns) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::climates_test

@@ -6,7 +6,7 @@
 
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::commands_test {
 namespace {
 
 TEST(Program, WritesAnExampleThatItCanRead) {
@@ -104,4 +104,4 @@ TEST(Program, NamesTheFilesWorthOpening) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::commands_test

@@ -16,7 +16,7 @@
 #include "coupling/results/static_layouts.hpp"
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::data_dictionary_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ TEST(DataDictionary, IsPrintedByTheProgram) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::data_dictionary_test

@@ -8,7 +8,7 @@
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::finished_runs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,4 +185,4 @@ TEST(Completion, OffersCommandsOptionsSettingsAndFiles) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::finished_runs_test

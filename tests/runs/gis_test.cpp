@@ -13,7 +13,7 @@
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::gis_test {
 namespace {
 
 /// EPSG:31287 as ESRI writes it: no authority in the text.
@@ -231,4 +231,4 @@ TEST(GisFiles, NameInTheLayerTreeOnlyWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::gis_test

@@ -6,7 +6,7 @@
 #include "coupling/results/data_dictionary.hpp"
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::hazard_test {
 namespace {
 
 void add_blocks(const SampleProject& project) {
@@ -293,4 +293,4 @@ TEST(Hazard, IsNotComparedAsARun) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::hazard_test

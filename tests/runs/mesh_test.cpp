@@ -14,7 +14,7 @@
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::mesh_test {
 namespace {
 
 /// The slope of the sample project with waves across it, as a grid and as meshes of the same triangles.
@@ -96,4 +96,4 @@ TEST_F(MeshRun, IsToldByInfo) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::mesh_test

@@ -6,7 +6,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::nets_test {
 namespace {
 
 void add_nets(const SampleProject& project) {
@@ -353,4 +353,4 @@ TEST(Nets, ThatCannotStandEndTheRunAndLeaveNothing) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::nets_test

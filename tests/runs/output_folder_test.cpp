@@ -5,7 +5,7 @@
 
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,4 +34,4 @@ TEST(OutputFolder, HoldsNothingOfARunThatWasKilledWhileItWrote) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::output_folder_test

@@ -5,7 +5,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::paths_test {
 namespace {
 
 TEST(Paths, OfRocksThatTheUserNamesAreKept) {
@@ -34,4 +34,4 @@ TEST(Paths, OfRocksThatThereAreNotAreRefused) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::paths_test

@@ -10,7 +10,7 @@
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::profile_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -215,4 +215,4 @@ INSTANTIATE_TEST_SUITE_P(All, BadProfiles, ::testing::ValuesIn(bad_profiles),
                          [](const auto& bad) { return bad.param.name; });
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::profile_test

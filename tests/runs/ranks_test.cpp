@@ -5,7 +5,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::ranks_test {
 namespace {
 
 /// As root in a container, with more ranks than processors; libraries of MPI keep memory to their end.
@@ -148,4 +148,4 @@ TEST(WithoutMpi, SeveralProcessesAreRefused) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::ranks_test

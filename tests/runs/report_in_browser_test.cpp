@@ -9,7 +9,7 @@
 #include "coupling/results/joined.hpp"
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::report_in_browser_test {
 namespace {
 
 /// What a browser made of a page: its document when all scripts have run, and what they complained about.
@@ -112,4 +112,4 @@ TEST(ReportInBrowser, ShowsTheExampleOverYearsWithoutAComplaint) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::report_in_browser_test

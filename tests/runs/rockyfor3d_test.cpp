@@ -12,7 +12,7 @@
 #include "config/table/table.hpp"
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::rockyfor3d_test {
 namespace {
 
 using config::Raster;
@@ -225,4 +225,4 @@ TEST(FromRockyfor3d, TellsEveryFileThatIsMissingAndEveryValueOutOfRange) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::rockyfor3d_test

@@ -6,7 +6,7 @@
 
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::same_bytes_test {
 namespace {
 
 /// Runs into a folder of its own and compares all files with those of the first run.
@@ -109,4 +109,4 @@ TEST(Results, ChangeWithTheSeed) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::same_bytes_test

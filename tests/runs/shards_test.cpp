@@ -4,7 +4,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::shards_test {
 namespace {
 
 const std::string members = std::string{four_members} + "--set run.years=6 ";
@@ -76,4 +76,4 @@ TEST(Shards, NeedYears) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::shards_test

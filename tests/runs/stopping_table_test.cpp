@@ -5,7 +5,7 @@
 
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::stopping_table_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST(StoppingTable, TellsWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::stopping_table_test

@@ -12,7 +12,7 @@
 #include "coupling/validation/write_results.hpp"
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::validate_test {
 namespace {
 
 const std::string even_cases = "--cases '" BANNWALD_SOURCE_DIR "/tests/runs/cases' ";
@@ -230,4 +230,4 @@ TEST(Validate, ReplacesOnlyItsOwnResults) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::validate_test

@@ -5,7 +5,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::years_broken_off_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ TEST(Years, LeaveNothingWhenInterruptedBeforeAMemberIsThrough) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::years_broken_off_test

@@ -7,7 +7,7 @@
 #include "tests/coupling/inputs/forest_project.hpp"
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::years_input_test {
 namespace {
 
 /// What is wrong with a project whose forest grows, and what the program has to say about it.
@@ -210,4 +210,4 @@ TEST(YearsInput, WritesSpeciesAsTablesDo) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::years_input_test

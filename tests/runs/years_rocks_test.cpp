@@ -8,7 +8,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::years_rocks_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -272,4 +272,4 @@ TEST(Regimes, AClearCutAboveTheTargetLowersItsProtectionAtOnce) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::years_rocks_test

@@ -12,7 +12,7 @@
 
 #include "config/grid/ascii_grid.hpp"
 
-namespace coupling {
+namespace coupling::years_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,4 +192,4 @@ TEST(BareGround, BeginsWithoutAnyTree) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::years_test

@@ -11,7 +11,7 @@
 
 #include "config/table/table.hpp"
 
-namespace config {
+namespace config::shipped_tables_test {
 namespace {
 
 std::vector<std::string> tables_in_the_folder() {
@@ -49,4 +49,4 @@ TEST(ShippedTables, RefuseANameThatIsNotShipped) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::shipped_tables_test

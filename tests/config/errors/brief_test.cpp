@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace config {
+namespace config::brief_test {
 namespace {
 
 std::vector<Problem> problems(std::size_t count, const std::string& file, const std::string& expected) {
@@ -50,4 +50,4 @@ TEST(Brief, TakesSentencesThatDifferInNumbersForOneKind) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::brief_test

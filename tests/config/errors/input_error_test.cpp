@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace config {
+namespace config::input_error_test {
 namespace {
 
 TEST(ToString, NamesFileLineColumnFoundAndExpected) {
@@ -82,4 +82,4 @@ TEST(PlaceIn, GoesOnFromThePlaceOfTheFirstByte) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::input_error_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace config {
+namespace config::shape_test {
 namespace {
 
 const GridFrame frame{.columns = 12,
@@ -174,4 +174,4 @@ RC_GTEST_PROP(CellsAlongLine, TakesNoCellThatTheLineDoesNotTouch, ()) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::shape_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace config {
+namespace config::wkt_test {
 namespace {
 
 Shape shape_of(const std::string& text) {
@@ -92,4 +92,4 @@ TEST(WktHeights, AreThoseOfAllPointsOfAPartOrNone) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::wkt_test

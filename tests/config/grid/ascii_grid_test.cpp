@@ -10,7 +10,7 @@
 
 #include "config/errors/input_error.hpp"
 
-namespace config {
+namespace config::ascii_grid_test {
 namespace {
 
 const std::string header =
@@ -241,4 +241,4 @@ TEST(WriteAsciiGrid, WritesFloatsAsShortAsTheyCanBe) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::ascii_grid_test

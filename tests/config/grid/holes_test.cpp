@@ -9,7 +9,7 @@
 #include <numeric>
 #include <string>
 
-namespace config {
+namespace config::holes_test {
 namespace {
 
 /// 'x' a height, '.' none.
@@ -67,4 +67,4 @@ TEST(HolesOf, AFramedGridAreAllItsCellsWithoutValue) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::holes_test

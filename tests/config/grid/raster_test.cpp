@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace config {
+namespace config::raster_test {
 namespace {
 
 const GridFrame frame{
@@ -41,4 +41,4 @@ TEST(SamePlace, ForgivesAHundredthOfACell) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::raster_test

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace config {
+namespace config::ini_test {
 namespace {
 
 std::vector<IniEntry> entries_of(const std::string& text, Problems& problems) {
@@ -90,4 +90,4 @@ TEST(ReadOverride, RefusesWhatIsNoAssignment) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::ini_test

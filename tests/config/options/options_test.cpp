@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace config {
+namespace config::options_test {
 namespace {
 
 enum class Motion { picus, pir3d };
@@ -283,4 +283,4 @@ TEST(WriteIni, KeepsFreeSections) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::options_test

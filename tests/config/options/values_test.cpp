@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace config {
+namespace config::values_test {
 namespace {
 
 TEST(NumberIn, HoldsTheRange) {
@@ -54,4 +54,4 @@ TEST(NumbersIn, HoldsTheRangeForEach) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::values_test

@@ -10,7 +10,7 @@
 
 #include "config/random/stream.hpp"
 
-namespace config {
+namespace config::distributions_test {
 namespace {
 
 constexpr double tolerance = 1e-13;  // that of config::log2_of
@@ -126,4 +126,4 @@ TEST(DiscreteDistribution, NeverDrawsAWeightOfZero) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::distributions_test

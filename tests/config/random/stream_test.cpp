@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace config {
+namespace config::stream_test {
 namespace {
 
 constexpr double bits_32 = 4294967296.0;
@@ -123,4 +123,4 @@ TEST(RandomStream, GivesUncorrelatedNumbersToAnEvent) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::stream_test

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace config {
+namespace config::table_test {
 namespace {
 
 Table table_of(const std::string& text) {
@@ -127,4 +127,4 @@ RC_GTEST_PROP(CsvField, ReadsBackAsWritten, (const std::vector<std::string>& fie
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::table_test

@@ -4,7 +4,7 @@
 
 #include "config/errors/input_error.hpp"
 
-namespace config {
+namespace config::gunzip_test {
 namespace {
 
 /// `printf 'ncols 3\nnrows 2\n' | gzip -9n`
@@ -52,4 +52,4 @@ TEST(Gunzip, RefusesWhatIsNotGzip) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::gunzip_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace config {
+namespace config::numbers_test {
 namespace {
 
 TEST(ParseNumber, TakesDecimalAndScientificNotation) {
@@ -60,4 +60,4 @@ TEST(NumberRange, KnowsWhetherItsLowerEndBelongsToIt) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::numbers_test

@@ -6,7 +6,7 @@
 
 #include "config/errors/input_error.hpp"
 
-namespace config {
+namespace config::reading_test {
 namespace {
 
 std::string read(const std::string& bytes) {
@@ -29,4 +29,4 @@ TEST(Trimmed, TakesBlanksOffBothEnds) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::reading_test

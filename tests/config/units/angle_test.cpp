@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace config {
+namespace config::angle_test {
 namespace {
 
 TEST(Angle, ReadsTheSameInBothUnits) {
@@ -14,4 +14,4 @@ TEST(Angle, ReadsTheSameInBothUnits) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::angle_test

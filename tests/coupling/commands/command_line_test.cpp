@@ -4,7 +4,7 @@
 
 #include "config/errors/input_error.hpp"
 
-namespace coupling {
+namespace coupling::command_line_test {
 namespace {
 
 std::string message_of(const std::vector<std::string>& arguments) {
@@ -128,4 +128,4 @@ TEST(CommandLine, RefusesWhatACommandDoesNotTake) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::command_line_test

@@ -7,7 +7,7 @@
 #include "config/errors/input_error.hpp"
 #include "tests/coupling/inputs/sample_project.hpp"
 
-namespace coupling {
+namespace coupling::info_test {
 namespace {
 
 std::string info_on(const std::string& name) {
@@ -54,4 +54,4 @@ TEST(Info, ListsTheColumnsOfRegimesAndPrintsShippedOnes) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::info_test

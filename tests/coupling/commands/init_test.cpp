@@ -7,7 +7,7 @@
 #include "coupling/examples/embedded.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::init_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,4 +68,4 @@ TEST(Estimate, CountsTheMapsOfEveryThread) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::init_test

@@ -6,7 +6,7 @@
 
 #include "config/errors/input_error.hpp"
 
-namespace coupling::compare {
+namespace coupling::compare::side_by_side_test {
 namespace {
 
 Figure with_interval(double value, double low, double high) {
@@ -148,4 +148,4 @@ TEST(SideBySide, ShowsFiguresThatOnlyOneRunHas) {
 }
 
 }  // namespace
-}  // namespace coupling::compare
+}  // namespace coupling::compare::side_by_side_test

@@ -7,7 +7,7 @@
 #include "coupling/inputs/forest_site.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::bare_falls_test {
 namespace {
 
 /// A slope with rocks in each second of 44 years.
@@ -87,4 +87,4 @@ TEST(BareFalls, OfOtherSettingsOrCutOffAreRefused) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::bare_falls_test

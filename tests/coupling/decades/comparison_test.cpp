@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coupling::decades {
+namespace coupling::decades::comparison_test {
 namespace {
 
 /// Two regimes, three replicates; the second regime lacks year 1 in its last replicate.
@@ -68,4 +68,4 @@ TEST(Comparison, FindsTheWorstYearOnTheBadSide) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::comparison_test

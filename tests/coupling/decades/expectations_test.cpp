@@ -10,7 +10,7 @@
 #include "coupling/decades/simulate.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::expectations_test {
 namespace {
 
 constexpr std::uint32_t replicates = 6;
@@ -252,4 +252,4 @@ TEST(ClearCutStrip, LowersProtectionAtOnceAndDecadesBringItBack) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::expectations_test

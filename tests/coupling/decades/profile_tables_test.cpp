@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling::decades {
+namespace coupling::decades::profile_tables_test {
 namespace {
 
 const forest::TargetProfile profile = *forest::target_profile(0.5);
@@ -41,4 +41,4 @@ TEST(ShareMet, TakesAForestWithoutUnitsAsOneStand) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::profile_tables_test

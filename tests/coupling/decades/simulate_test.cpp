@@ -12,7 +12,7 @@
 #include "forest/deadwood/deadwood.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::simulate_test {
 namespace {
 
 constexpr std::int32_t years = 25;
@@ -110,8 +110,8 @@ TEST_F(Members, LoseNoTreeWithoutACause) {
             EXPECT_NEAR(stems[year], stems[year - 1] + in - stems[year + 1000], 1e-6) << year;
         }
     }
-    for (const forest::Cause cause : {forest::Cause::background, forest::Cause::wind,
-                                      forest::Cause::beetle, forest::Cause::rock, forest::Cause::felled}) {
+    for (const forest::Cause cause : {forest::Cause::background, forest::Cause::wind, forest::Cause::beetle,
+                                      forest::Cause::rock, forest::Cause::felled}) {
         EXPECT_TRUE(causes.contains(cause)) << forest::name_of(cause) << " has not been put to the test";
     }
 }
@@ -170,4 +170,4 @@ TEST_F(Members, TellTheWoodThatTheirTreesHave) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::simulate_test

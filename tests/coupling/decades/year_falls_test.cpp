@@ -6,7 +6,7 @@
 
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::year_falls_test {
 namespace {
 
 /// A slope with rocks and a forest from stand records.
@@ -113,4 +113,4 @@ TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::year_falls_test

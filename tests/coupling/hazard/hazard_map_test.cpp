@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace coupling::hazard {
+namespace coupling::hazard::hazard_map_test {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
@@ -133,4 +133,4 @@ TEST(SharesOf, ATargetAddUpToOne) {
 }
 
 }  // namespace
-}  // namespace coupling::hazard
+}  // namespace coupling::hazard::hazard_map_test

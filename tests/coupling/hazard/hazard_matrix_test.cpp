@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace coupling::hazard {
+namespace coupling::hazard::hazard_matrix_test {
 namespace {
 
 Matrix matrix_of(const std::string& rows) {
@@ -95,4 +95,4 @@ TEST(HazardMatrix, TellsWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace coupling::hazard
+}  // namespace coupling::hazard::hazard_matrix_test

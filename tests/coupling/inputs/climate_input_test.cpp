@@ -8,7 +8,7 @@
 #include "forest/climate/summary.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling {
+namespace coupling::climate_input_test {
 namespace {
 
 using config::ExitCode;
@@ -159,4 +159,4 @@ TEST(Climate, TellsFaultsOfItsTable) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::climate_input_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling {
+namespace coupling::climate_variants_test {
 namespace {
 
 const std::vector<std::string> with_variants{"climate.variants=climates.csv"};
@@ -172,4 +172,4 @@ TEST(ClimateVariants, NameTheClimateWhoseSeriesEndsBeforeTheRun) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::climate_variants_test

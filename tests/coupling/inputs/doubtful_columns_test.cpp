@@ -7,7 +7,7 @@
 #include "coupling/inputs/source_start.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::doubtful_columns_test {
 namespace {
 
 bool has(const std::vector<std::string>& warnings, const std::string& wanted) {
@@ -62,4 +62,4 @@ TEST(DoubtColumns, TellsThoseOfSourcesAndRefusesThemWhereInputsAreStrict) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::doubtful_columns_test

@@ -4,7 +4,7 @@
 
 #include "tests/coupling/inputs/sample_project.hpp"
 
-namespace coupling {
+namespace coupling::file_bytes_test {
 namespace {
 
 TEST(Fnv1a, HashesAsPublished) {
@@ -40,4 +40,4 @@ TEST(FileBytes, TellWhyAFileCannotBeOpened) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::file_bytes_test

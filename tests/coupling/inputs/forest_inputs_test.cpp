@@ -8,7 +8,7 @@
 #include "config/data/shipped_tables.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling {
+namespace coupling::forest_inputs_test {
 namespace {
 
 using config::ExitCode;
@@ -256,4 +256,4 @@ TEST(Soils, NeedATypeForEachCodeAndACodeForEachPatch) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::forest_inputs_test

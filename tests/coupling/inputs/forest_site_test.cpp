@@ -7,7 +7,7 @@
 
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling {
+namespace coupling::forest_site_test {
 namespace {
 
 using config::ExitCode;
@@ -105,4 +105,4 @@ TEST(ForestSite, NeedsNoRocksWhereNoneFall) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::forest_site_test

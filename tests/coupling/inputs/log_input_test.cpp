@@ -4,7 +4,7 @@
 
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::log_input_test {
 namespace {
 
 using config::ExitCode;
@@ -125,4 +125,4 @@ TEST(Logs, MeanNothingAlongAProfile) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::log_input_test

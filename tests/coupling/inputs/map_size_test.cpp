@@ -4,7 +4,7 @@
 
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::map_size_test {
 namespace {
 
 TEST(MapSize, RefusesCellsThatNoMapFitsWithTheSizeThatWould) {
@@ -35,4 +35,4 @@ TEST(MapSize, KnowsHowMuchMemoryThereIs) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::map_size_test

@@ -7,7 +7,7 @@
 #include "coupling/inputs/surface_types.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::pir3d_soils_test {
 namespace {
 
 using config::ExitCode;
@@ -115,4 +115,4 @@ TEST(MotionModel, TellsOfSettingsOfTheOther) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::pir3d_soils_test

@@ -7,7 +7,7 @@
 
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::release_input_test {
 namespace {
 
 using config::ExitCode;
@@ -289,4 +289,4 @@ TEST(SourceStart, SaysThatTheNumberOfRocksHasNoEffect) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::release_input_test

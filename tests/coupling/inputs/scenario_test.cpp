@@ -6,7 +6,7 @@
 
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::scenario_test {
 namespace {
 
 using config::ExitCode;
@@ -112,4 +112,4 @@ TEST(StartLaw, LeavesOutClassesThatNeverOccur) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::scenario_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::site_test {
 namespace {
 
 using config::ExitCode;
@@ -94,4 +94,4 @@ TEST(Site, KnowsItsInputsByTheirBytes) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::site_test

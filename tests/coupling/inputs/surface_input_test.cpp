@@ -5,7 +5,7 @@
 #include "coupling/inputs/surface_types.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::surface_input_test {
 namespace {
 
 using config::ExitCode;
@@ -199,4 +199,4 @@ TEST(ShippedSurfaces, AreThoseOfThePaper) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::surface_input_test

@@ -4,7 +4,7 @@
 
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::target_input_test {
 namespace {
 
 using config::ExitCode;
@@ -47,10 +47,11 @@ TEST(Targets, WhollyOffTheTerrainAreRefused) {
     project.write("targets.csv", "target_id,name,wkt\nroad,road,\"LINESTRING (91010 2010, 91090 2010)\"\n");
     const Opened opened = open(project);
     EXPECT_FALSE(opened.site);
-    EXPECT_EQ(opened.errors,
-              "targets.csv: found target 'road' with no vertex on the terrain, expected coordinates of the DEM: "
-              "no rock can arrive there");
+    EXPECT_EQ(
+        opened.errors,
+        "targets.csv: found target 'road' with no vertex on the terrain, expected coordinates of the DEM: "
+        "no rock can arrive there");
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::target_input_test

@@ -7,7 +7,7 @@
 
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::terrain_input_test {
 namespace {
 
 using config::ExitCode;
@@ -145,4 +145,4 @@ TEST(MapFrame, CoversTheExtentFromTheSameCorner) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::terrain_input_test

@@ -5,7 +5,7 @@
 #include "coupling/inputs/species_table.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::tree_input_test {
 namespace {
 
 using config::ExitCode;
@@ -213,4 +213,4 @@ TEST(SpeciesTable, LetsOnlySpeciesWithParametersStandIn) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::tree_input_test

@@ -8,7 +8,7 @@
 
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::zone_blocks_test {
 namespace {
 
 using config::ExitCode;
@@ -128,4 +128,4 @@ TEST(ZoneBlocks, ThatGetSmallerAreDoubted) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::zone_blocks_test

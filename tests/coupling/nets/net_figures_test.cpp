@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coupling {
+namespace coupling::net_figures_test {
 namespace {
 
 NetRow row(std::uint64_t rock, float energy_kj, float height_m, rockfall::NetOutcome outcome,
@@ -105,4 +105,4 @@ TEST(FindNeeds, TakesEnergyAndHeightAsOneRequirement) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::net_figures_test

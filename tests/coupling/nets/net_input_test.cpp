@@ -7,7 +7,7 @@
 #include "coupling/nets/net_classes.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling {
+namespace coupling::net_input_test {
 namespace {
 
 using config::ExitCode;
@@ -147,4 +147,4 @@ TEST(NetClasses, GrowAndEndOpen) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::net_input_test

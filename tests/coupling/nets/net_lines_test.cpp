@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling {
+namespace coupling::net_lines_test {
 namespace {
 
 const PlanLine east{{0.0, 0.0}, {10.0, 0.0}};
@@ -36,4 +36,4 @@ TEST(MeetsItself, TellsLinesThatCrossOrFoldBackFromThoseThatClose) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::net_lines_test

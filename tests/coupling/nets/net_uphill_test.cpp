@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling {
+namespace coupling::net_uphill_test {
 namespace {
 
 /// A square of 100 m that falls towards the east.
@@ -63,4 +63,4 @@ TEST(Uphill, GoesAlongAGivenAzimuth) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::net_uphill_test

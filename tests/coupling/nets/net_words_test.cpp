@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling {
+namespace coupling::net_words_test {
 namespace {
 
 /// The figures of a net that holds `reached` rocks of 10 kJ at some height.
@@ -42,4 +42,4 @@ TEST(NetInWords, TellsOfRocksThatAreNotKnown) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::net_words_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace coupling::page_scripts {
+namespace coupling::page_scripts::json_text_test {
 namespace {
 
 TEST(JsonText, NeverEndsTheScriptItStandsIn) {
@@ -30,4 +30,4 @@ TEST(JsonText, PacksTheLowerByteFirst) {
 }
 
 }  // namespace
-}  // namespace coupling::page_scripts
+}  // namespace coupling::page_scripts::json_text_test

@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-namespace coupling::page_scripts {
+namespace coupling::page_scripts::page_scripts_test {
 namespace {
 
 const std::filesystem::path room{BANNWALD_SOURCE_DIR "/coupling/page_scripts"};
@@ -74,4 +74,4 @@ TEST(Policy, AllowsThePagesOwnScriptsByTheirHashAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace coupling::page_scripts
+}  // namespace coupling::page_scripts::page_scripts_test

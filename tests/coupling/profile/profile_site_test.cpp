@@ -8,7 +8,7 @@
 #include "coupling/profile/profile_settings.hpp"
 #include "tests/coupling/profile/profile_project.hpp"
 
-namespace coupling::profile {
+namespace coupling::profile::profile_site_test {
 namespace {
 
 struct Project : SampleProject {
@@ -123,4 +123,4 @@ TEST(ProfileSettings, NeedAProfile) {
 }
 
 }  // namespace
-}  // namespace coupling::profile
+}  // namespace coupling::profile::profile_site_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/profile/profile_project.hpp"
 
-namespace coupling::profile {
+namespace coupling::profile::profile_tally_test {
 namespace {
 
 TEST(Moments, AreThoseOfAllNumbersTogether) {
@@ -114,4 +114,4 @@ TEST(ProfileTally, TakesStationsFromArrivals) {
 }
 
 }  // namespace
-}  // namespace coupling::profile
+}  // namespace coupling::profile::profile_tally_test

@@ -9,7 +9,7 @@
 #include "forest/tables.hpp"
 #include "tests/coupling/regimes/regime_forest.hpp"
 
-namespace coupling {
+namespace coupling::apply_test {
 namespace {
 
 /// A regime of one row at work in one year.
@@ -293,4 +293,4 @@ TEST(ShippedRegimes, KeepTheBooksAndDoWhatTheyAreNamedFor) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::apply_test

@@ -9,7 +9,7 @@
 #include "forest/treatment/selection.hpp"
 #include "tests/coupling/regimes/regime_forest.hpp"
 
-namespace coupling {
+namespace coupling::due_test {
 namespace {
 
 /// Years of a list in which a row comes to an area, on a stand that does not change.
@@ -103,4 +103,4 @@ TEST(AgeOf, IsThatOfTheThickestHundredPerHectare) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::due_test

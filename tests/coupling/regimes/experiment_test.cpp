@@ -13,7 +13,7 @@
 #include "forest/tables.hpp"
 #include "tests/coupling/regimes/regime_forest.hpp"
 
-namespace coupling {
+namespace coupling::experiment_test {
 namespace {
 
 constexpr int years = 100;
@@ -96,4 +96,4 @@ TEST(RegimeExperiment, DISABLED_HundredYearsOfEachShippedRegime) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::experiment_test

@@ -5,7 +5,7 @@
 #include "coupling/regimes/shipped.hpp"
 #include "tests/coupling/regimes/regime_forest.hpp"
 
-namespace coupling {
+namespace coupling::regime_test {
 namespace {
 
 bool has(const std::string& text, const std::string& part) {
@@ -163,4 +163,4 @@ TEST(ShippedRegimes, OpenTheShareOfTheGroundTheySayInEachEntry) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::regime_test

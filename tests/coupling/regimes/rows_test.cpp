@@ -9,7 +9,7 @@
 #include "coupling/regimes/columns.hpp"
 #include "tests/coupling/regimes/regime_forest.hpp"
 
-namespace coupling {
+namespace coupling::rows_test {
 namespace {
 
 std::string problems_in(const std::string& text) {
@@ -155,4 +155,4 @@ TEST(RegimeColumns, AreAllInTheTheoryChapter) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::rows_test

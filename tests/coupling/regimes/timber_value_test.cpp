@@ -4,7 +4,7 @@
 
 #include "tests/coupling/regimes/regime_forest.hpp"
 
-namespace coupling {
+namespace coupling::timber_value_test {
 namespace {
 
 const std::string price_head =
@@ -85,4 +85,4 @@ TEST(ReadPrices, TakesTheShippedOnes) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::timber_value_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling {
+namespace coupling::colours_test {
 namespace {
 
 TEST(Palettes, GrowDarkerFromEndToEndSoThatBlackAndWhiteKeepsTheirOrder) {
@@ -40,4 +40,4 @@ TEST(ToHex, IsWhatHtmlReads) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::colours_test

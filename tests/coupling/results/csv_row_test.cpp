@@ -7,7 +7,7 @@
 
 #include "coupling/results/joined.hpp"
 
-namespace coupling {
+namespace coupling::csv_row_test {
 namespace {
 
 template <class Fill>
@@ -57,4 +57,4 @@ TEST(CsvRow, HoldsRowsLongerThanItsBuffer) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::csv_row_test

@@ -4,7 +4,7 @@
 
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::figures_test {
 namespace {
 
 using testing::SmallRun;
@@ -110,4 +110,4 @@ TEST(FiguresOf, AnEmptyRunHasNoFiguresAndDoesNotFail) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::figures_test

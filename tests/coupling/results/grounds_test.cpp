@@ -8,7 +8,7 @@
 #include "coupling/results/report/sections.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::grounds_test {
 namespace {
 
 using testing::SmallRun;
@@ -93,4 +93,4 @@ TEST(Grounds, TellTheFrictionOfTheClassicalModel) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::grounds_test

@@ -7,7 +7,7 @@
 
 #include "config/random/stream.hpp"
 
-namespace coupling {
+namespace coupling::indicators_test {
 namespace {
 
 config::RandomStream stream_of(std::uint64_t trial) {
@@ -228,4 +228,4 @@ TEST(PercentileIsKnown, FromTheRockOnThatLiesAboveIt) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::indicators_test

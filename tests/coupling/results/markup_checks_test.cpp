@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling::testing {
+namespace coupling::testing::markup_checks_test {
 namespace {
 
 TEST(MarkupFault, FindsNothingInGoodMarkup) {
@@ -19,4 +19,4 @@ TEST(MarkupFault, FindsWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace coupling::testing
+}  // namespace coupling::testing::markup_checks_test

@@ -5,7 +5,7 @@
 #include "config/errors/input_error.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::out_file_test {
 namespace {
 
 using config::ExitCode;
@@ -66,4 +66,4 @@ TEST(MakeFolder, NamesTheFolderThatCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::out_file_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/results/markup_checks.hpp"
 
-namespace coupling {
+namespace coupling::raster_style_test {
 namespace {
 
 std::string style_of(const char* stem, ValueRange range) {
@@ -52,4 +52,4 @@ TEST(WriteDifferenceStyle, HasZeroInTheMiddle) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::raster_style_test

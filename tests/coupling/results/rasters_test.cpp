@@ -7,7 +7,7 @@
 #include "config/grid/ascii_grid.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::rasters_test {
 namespace {
 
 using testing::SmallRun;
@@ -225,4 +225,4 @@ TEST(WriteRasters, TellsWhichFileCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::rasters_test

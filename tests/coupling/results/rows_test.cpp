@@ -6,7 +6,7 @@
 
 #include "config/table/table.hpp"
 
-namespace coupling {
+namespace coupling::rows_test {
 namespace {
 
 using rockfall::Cover;
@@ -124,4 +124,4 @@ TEST(WritePathWkt, LeavesOutWhatIsNoLine) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::rows_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling {
+namespace coupling::stop_causes_test {
 namespace {
 
 TEST(SharesByCause, AddUpToAllRocksAndTakeTheReasonsOfTheGroundTogether) {
@@ -46,4 +46,4 @@ TEST(StopCause, OfEveryReasonHasAName) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::stop_causes_test

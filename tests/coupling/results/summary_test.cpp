@@ -7,7 +7,7 @@
 
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::summary_test {
 namespace {
 
 using testing::SmallRun;
@@ -57,4 +57,4 @@ TEST(WriteSummary, OfAnEmptyRunIsJsonWithoutFigures) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::summary_test

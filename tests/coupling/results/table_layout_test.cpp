@@ -13,7 +13,7 @@
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/static_layouts.hpp"
 
-namespace coupling {
+namespace coupling::table_layout_test {
 namespace {
 
 TEST(TableLayout, IsFoundByItsFile) {
@@ -80,4 +80,4 @@ TEST(FolderPattern, ReplacesRegimeAndYear) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::table_layout_test

@@ -10,7 +10,7 @@
 #include "coupling/results/rows.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::tables_test {
 namespace {
 
 using testing::SmallRun;
@@ -180,4 +180,4 @@ TEST(WriteTables, LeaveOutTheForestWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::tables_test

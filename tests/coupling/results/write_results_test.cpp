@@ -8,7 +8,7 @@
 #include "coupling/results/rows.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::write_results_test {
 namespace {
 
 using testing::SmallRun;
@@ -97,4 +97,4 @@ TEST(WriteResults, TellsWhichFileCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::write_results_test

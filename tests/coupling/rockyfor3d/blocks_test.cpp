@@ -5,7 +5,7 @@
 #include "config/errors/input_error.hpp"
 #include "coupling/rockyfor3d/grounds.hpp"
 
-namespace coupling::rockyfor3d {
+namespace coupling::rockyfor3d::blocks_test {
 namespace {
 
 /// A folder of 10 x 10 cells with the same block in every source of `sources`.
@@ -103,4 +103,4 @@ TEST(Grounds, AreOneForEachSoilAndRoughness) {
 }
 
 }  // namespace
-}  // namespace coupling::rockyfor3d
+}  // namespace coupling::rockyfor3d::blocks_test

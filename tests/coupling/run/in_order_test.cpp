@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace coupling {
+namespace coupling::in_order_test {
 namespace {
 
 /// The pieces as they were handed on, by as many workers as wanted; every seventh piece takes its time.
@@ -96,4 +96,4 @@ TEST(InterruptGuard, BeginsAnew) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::in_order_test

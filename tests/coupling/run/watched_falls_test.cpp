@@ -6,7 +6,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace coupling {
+namespace coupling::watched_falls_test {
 namespace {
 
 using rockfall::Cover;
@@ -178,4 +178,4 @@ TEST(WatchFalls, PassesOnWhatTheSinkThrows) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::watched_falls_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace coupling {
+namespace coupling::pictures_test {
 namespace {
 
 using rockfall::BlockCover;
@@ -133,4 +133,4 @@ TEST(SurfacePly, HoldsClosedSpheresThatLieAsTheBlocksDo) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::pictures_test

@@ -8,7 +8,7 @@
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/stopping_input.hpp"
 
-namespace coupling {
+namespace coupling::stopping_figures_test {
 namespace {
 
 SurfaceRecipe talus() {
@@ -114,4 +114,4 @@ TEST(ShippedStoppingTable, HasTheUsualDiametersForEverySurface) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::stopping_figures_test

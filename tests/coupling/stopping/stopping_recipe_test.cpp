@@ -8,7 +8,7 @@
 #include "config/errors/input_error.hpp"
 #include "coupling/inputs/surface_types.hpp"
 
-namespace coupling {
+namespace coupling::stopping_recipe_test {
 namespace {
 
 std::vector<SurfaceRecipe> recipe_of(const std::string& text) {
@@ -93,4 +93,4 @@ TEST(StoppingRecipe, OfTheProgramDescribesEveryShippedGroundType) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::stopping_recipe_test

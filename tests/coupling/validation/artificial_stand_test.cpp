@@ -5,7 +5,7 @@
 #include "coupling/validation/validation_case.hpp"
 #include "tests/coupling/validation/case_texts.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::artificial_stand_test {
 namespace {
 
 constexpr StandArea area{0.0, 200.0, 100.0};  // 2 ha
@@ -74,4 +74,4 @@ TEST(HeightOfDbh, RisesMoreAndMoreSlowly) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::artificial_stand_test

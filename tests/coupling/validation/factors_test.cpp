@@ -7,7 +7,7 @@
 #include "coupling/validation/page_parts.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::factors_test {
 namespace {
 
 /// A steep even slope on which 40 rocks fall through each of five stands, for two settings.
@@ -197,4 +197,4 @@ TEST(FactorsPart, ShowsEachDirectionOnceWithBothVerdicts) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::factors_test

@@ -5,7 +5,7 @@
 #include "coupling/validation/validation_case.hpp"
 #include "tests/coupling/validation/case_texts.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::falls_test {
 namespace {
 
 Ensembles fall(const CaseFiles& files, const std::vector<std::string>& overrides, int threads = 1,
@@ -90,4 +90,4 @@ TEST(JumpSums, KeepShortestAndLongest) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::falls_test

@@ -6,7 +6,7 @@
 #include "coupling/validation/page_parts.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::page_plots_test {
 namespace {
 
 std::size_t count(const std::string& text, const std::string& what) {
@@ -59,4 +59,4 @@ TEST(PlotsPart, IsWellFormedOnThePage) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::page_plots_test

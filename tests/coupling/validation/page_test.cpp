@@ -10,7 +10,7 @@
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/coupling/validation/sample_cases.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::page_test {
 namespace {
 
 std::string page_of(std::span<const CaseResult> cases) {
@@ -200,4 +200,4 @@ TEST(FigureText, KeepsAShareNearOneApartFromOne) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::page_test

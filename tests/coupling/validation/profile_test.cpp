@@ -4,7 +4,7 @@
 
 #include "config/errors/input_error.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::profile_test {
 namespace {
 
 TEST(ReadProfile, PutsPiecesOneBelowTheOther) {
@@ -71,4 +71,4 @@ TEST(SlopeLength, AddsUpThePieces) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::profile_test

@@ -4,7 +4,7 @@
 
 #include "coupling/validation/outcome.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::quantities_test {
 namespace {
 
 using rockfall::StopReason;
@@ -181,4 +181,4 @@ TEST(ValuesOf, TakesMeanAndDeviationOverSeries) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::quantities_test

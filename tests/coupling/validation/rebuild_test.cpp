@@ -6,7 +6,7 @@
 #include "coupling/validation/validation_case.hpp"
 #include "tests/coupling/validation/case_texts.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::rebuild_test {
 namespace {
 
 using testing::even_slope;
@@ -84,4 +84,4 @@ TEST(ProfileMode, FindsTheFixedPointOfJumps) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::rebuild_test

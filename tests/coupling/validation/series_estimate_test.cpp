@@ -7,7 +7,7 @@
 
 #include "config/random/stream.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::series_estimate_test {
 namespace {
 
 TEST(RatioOf, IsTheMeanWithItsTextbookIntervalWhereDenominatorsAreOne) {
@@ -91,4 +91,4 @@ TEST(RatioOf, CoversTheTruthAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::series_estimate_test

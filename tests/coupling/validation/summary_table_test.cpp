@@ -7,7 +7,7 @@
 
 #include "coupling/validation/verdict.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::summary_table_test {
 namespace {
 
 /// The text of the README between the lines that frame the summary; "" without them.
@@ -104,4 +104,4 @@ TEST(Summary, ShowsAMissInBoldAndGivesItsCause) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::summary_table_test

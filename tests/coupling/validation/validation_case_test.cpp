@@ -6,7 +6,7 @@
 
 #include "tests/coupling/validation/case_texts.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::validation_case_test {
 namespace {
 
 using testing::even_slope;
@@ -156,4 +156,4 @@ TEST(ShippedCases, CanAllBeRead) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::validation_case_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/validation/case_texts.hpp"
 
-namespace coupling::validation {
+namespace coupling::validation::verdict_test {
 namespace {
 
 ValidationCase judged() {
@@ -73,4 +73,4 @@ TEST(FlipsOf, CompareWithTheUnmovedSlopeOfAsFewRocks) {
 }
 
 }  // namespace
-}  // namespace coupling::validation
+}  // namespace coupling::validation::verdict_test

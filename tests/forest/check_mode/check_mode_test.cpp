@@ -8,7 +8,7 @@
 #include "config/text/numbers.hpp"
 #include "tests/forest/check_mode/reference.hpp"
 
-namespace forest::check_mode {
+namespace forest::check_mode::check_mode_test {
 namespace {
 
 const std::string beech = "Fagus sylvatica";
@@ -251,4 +251,4 @@ TEST(CheckMode, GivesTheSheetsFiguresOfPineInJune) {
 }
 
 }  // namespace
-}  // namespace forest::check_mode
+}  // namespace forest::check_mode::check_mode_test

@@ -6,7 +6,7 @@
 
 #include "tests/forest/check_mode/reference.hpp"
 
-namespace forest::check_mode {
+namespace forest::check_mode::inputs_test {
 namespace {
 
 config::Table table_of(const std::string& text) {
@@ -81,4 +81,4 @@ TEST(CheckModeTables, NameSpeciesWithoutParameters) {
 }
 
 }  // namespace
-}  // namespace forest::check_mode
+}  // namespace forest::check_mode::inputs_test

@@ -6,7 +6,7 @@
 
 #include "tests/forest/check_mode/reference.hpp"
 
-namespace forest::check_mode {
+namespace forest::check_mode::light_test {
 namespace {
 
 TEST(CrownBody, IsThatOfTheKnownSolids) {
@@ -90,4 +90,4 @@ TEST(AbsorbByLayers, GivesTheHigherLayerFirst) {
 }
 
 }  // namespace
-}  // namespace forest::check_mode
+}  // namespace forest::check_mode::light_test

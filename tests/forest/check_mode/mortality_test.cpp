@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace forest::check_mode {
+namespace forest::check_mode::mortality_test {
 namespace {
 
 const SelfThinning limit{400.0, 1.5};
@@ -29,4 +29,4 @@ TEST(SelfThinning, TakesMoreTreesWhereTheDyingAreSmall) {
 }
 
 }  // namespace
-}  // namespace forest::check_mode
+}  // namespace forest::check_mode::mortality_test

@@ -5,7 +5,7 @@
 #include "forest/production/vapour.hpp"
 #include "tests/forest/climate/weather.hpp"
 
-namespace forest {
+namespace forest::change_test {
 namespace {
 
 TEST(Warmed, KeepsRelativeHumidity) {
@@ -98,4 +98,4 @@ TEST(ClimateChange, AddsTemperatureAndMultipliesRain) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::change_test

@@ -4,7 +4,7 @@
 
 #include "tests/forest/climate/weather.hpp"
 
-namespace forest {
+namespace forest::co2_test {
 namespace {
 
 TEST(Co2Series, RunsStraightBetweenItsYears) {
@@ -28,4 +28,4 @@ TEST(Co2Series, WantsRisingYearsAndPartsPerMillion) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::co2_test

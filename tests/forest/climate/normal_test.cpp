@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace forest {
+namespace forest::normal_test {
 namespace {
 
 TEST(NormalProbability, AgreesWithTheErrorFunction) {
@@ -24,4 +24,4 @@ TEST(MeanAbove, IsTheExcessFarAboveAndNothingFarBelow) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::normal_test

@@ -6,7 +6,7 @@
 
 #include "tests/forest/climate/weather.hpp"
 
-namespace forest {
+namespace forest::sequence_test {
 namespace {
 
 TEST(YearSequence, RepeatsItsWindowAfterTheSeries) {
@@ -57,4 +57,4 @@ TEST(YearWindow, MustLieInTheSeries) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::sequence_test

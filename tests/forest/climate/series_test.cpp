@@ -5,7 +5,7 @@
 #include "forest/production/vapour.hpp"
 #include "tests/forest/climate/weather.hpp"
 
-namespace forest {
+namespace forest::series_test {
 namespace {
 
 struct Reading {
@@ -148,4 +148,4 @@ TEST(Climate, OfSeveralElevationsIsOneSeriesEach) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::series_test

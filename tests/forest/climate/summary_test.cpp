@@ -4,7 +4,7 @@
 
 #include "tests/forest/climate/weather.hpp"
 
-namespace forest {
+namespace forest::summary_test {
 namespace {
 
 TEST(ClimateSummary, AddsUpAYear) {
@@ -57,4 +57,4 @@ TEST(ClimateSummary, OfAFrozenYearHasNoGrowingSeason) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::summary_test

@@ -9,7 +9,7 @@
 #include "forest/deadwood/decay.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::deadwood_test {
 namespace {
 
 class DeadWood : public testing::Test {
@@ -226,4 +226,4 @@ TEST(LogOfPiece, IsACutOfACone) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::deadwood_test

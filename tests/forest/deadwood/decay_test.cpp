@@ -6,7 +6,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::decay_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -71,4 +71,4 @@ TEST(StrengthShare, FallsFasterThanDensityAndEndsForStumpsAtTwentyYears) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::decay_test

@@ -6,7 +6,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::beetle_season_test {
 namespace {
 
 const config::Angle alps = config::Angle::from_degrees(47.0);
@@ -84,4 +84,4 @@ TEST(WinterSurvival, FallsWithColdDays) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::beetle_season_test

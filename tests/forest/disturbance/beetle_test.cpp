@@ -8,7 +8,7 @@
 #include "forest/disturbance/beetle_season.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::beetle_test {
 namespace {
 
 ClimateYear moved_year(double kelvin) {
@@ -237,4 +237,4 @@ TEST_F(Beetles, FlyAsOftenAsTheirBroodsAllow) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::beetle_test

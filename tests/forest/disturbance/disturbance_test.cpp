@@ -8,7 +8,7 @@
 #include "config/options/options.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::disturbance_test {
 namespace {
 
 constexpr DisturbanceLaw everything{.wind = true,
@@ -163,4 +163,4 @@ TEST(DisturbanceSettings, AreOffByDefaultAndReadFromTheirSection) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::disturbance_test

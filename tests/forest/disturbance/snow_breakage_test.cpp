@@ -6,7 +6,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::snow_breakage_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -77,4 +77,4 @@ TEST(BreakBySnow, ComesInAsManyYearsAsItsChanceSays) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::snow_breakage_test

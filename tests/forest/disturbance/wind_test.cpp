@@ -10,7 +10,7 @@
 #include "forest/deadwood/deadwood.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::wind_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -140,4 +140,4 @@ TEST(ThrowByWind, SparesThinTreesAndBroadleavesMore) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::wind_test

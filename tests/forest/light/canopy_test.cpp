@@ -6,6 +6,7 @@
 
 #include "tests/forest/light/stands.hpp"
 
+namespace canopy_test {
 namespace {
 
 using forest::Canopy;
@@ -136,3 +137,5 @@ RC_GTEST_PROP(Canopy, KeepsAllLeavesAndAllShares, ()) {
 }
 
 }  // namespace
+
+}  // namespace canopy_test

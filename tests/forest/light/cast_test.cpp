@@ -6,6 +6,7 @@
 
 #include "tests/forest/light/stands.hpp"
 
+namespace cast_test {
 namespace {
 
 using forest::Canopy;
@@ -152,3 +153,5 @@ TEST(CastColumn, EndsInRisingGround) {
 }
 
 }  // namespace
+
+}  // namespace cast_test

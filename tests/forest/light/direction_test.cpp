@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+namespace direction_test {
 namespace {
 
 using config::Angle;
@@ -46,3 +47,5 @@ TEST(GroundNormal, LeansTheWayTheSlopeFaces) {
 }
 
 }  // namespace
+
+}  // namespace direction_test

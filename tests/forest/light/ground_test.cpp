@@ -4,6 +4,7 @@
 
 #include "tests/forest/light/stands.hpp"
 
+namespace ground_test {
 namespace {
 
 using forest::Edges;
@@ -67,3 +68,5 @@ TEST(PaddedGround, TakesASingleColumn) {
 }
 
 }  // namespace
+
+}  // namespace ground_test

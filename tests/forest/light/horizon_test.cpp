@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+namespace horizon_test {
 namespace {
 
 using config::Angle;
@@ -56,3 +57,5 @@ TEST(Horizon, LooksPastCellsWithoutHeight) {
 }
 
 }  // namespace
+
+}  // namespace horizon_test

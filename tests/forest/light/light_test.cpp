@@ -9,6 +9,7 @@
 
 #include "tests/forest/light/stands.hpp"
 
+namespace light_test {
 namespace {
 
 using forest::Canopy;
@@ -259,3 +260,5 @@ TEST(Light, ComesInAtOpenEdges) {
 }
 
 }  // namespace
+
+}  // namespace light_test

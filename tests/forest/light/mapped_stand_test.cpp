@@ -7,6 +7,7 @@
 #include <iostream>
 #include <sstream>
 
+namespace mapped_stand_test {
 namespace {
 
 using forest::LightAgreement;
@@ -78,3 +79,5 @@ TEST(CompareLight, AgreesCloserInColumnsOfFiveMetres) {
 }
 
 }  // namespace
+
+}  // namespace mapped_stand_test

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+namespace sky_test {
 namespace {
 
 using config::Angle;
@@ -140,3 +141,5 @@ TEST(SlopeRadiation, LosesWhatTheHorizonHides) {
 }
 
 }  // namespace
+
+}  // namespace sky_test

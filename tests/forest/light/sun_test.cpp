@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+namespace sun_test {
 namespace {
 
 using config::Angle;
@@ -68,3 +69,5 @@ TEST(SplitRadiation, TakesPolarNight) {
 }
 
 }  // namespace
+
+}  // namespace sun_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace forest {
+namespace forest::allocation_test {
 namespace {
 
 TEST(RootShare, RunsFromTheHighestOnBadSitesToTheLowestOnGood) {
@@ -35,4 +35,4 @@ TEST(ByAge, IsHalfWayAtItsAge) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::allocation_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace forest {
+namespace forest::day_length_test {
 namespace {
 
 double hours(double latitude_deg, int month) {
@@ -37,4 +37,4 @@ TEST(DayLength, KnowsPolarDayAndNight) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::day_length_test

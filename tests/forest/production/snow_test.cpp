@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace forest {
+namespace forest::snow_test {
 namespace {
 
 TEST(SnowShare, IsHalfAtTheDividingTemperature) {
@@ -18,4 +18,4 @@ TEST(MeltCapacity, IsThatOfDegreeDaysInSummerAndOfWarmDaysInWinter) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::snow_test

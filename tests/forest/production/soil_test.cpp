@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace forest {
+namespace forest::soil_test {
 namespace {
 
 const SoilTexture silty_clay_loam{10.0, 60.0, 30.0};
@@ -68,4 +68,4 @@ TEST(SoilTypes, ShipFourFromScreeToDeepLoam) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::soil_test

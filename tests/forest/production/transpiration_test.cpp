@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace forest {
+namespace forest::transpiration_test {
 namespace {
 
 const EvaporationDay june{30.0, 57600.0, 200.0, 1.0};
@@ -45,4 +45,4 @@ TEST(InterceptionShare, RisesToItsLeafAreaAndStays) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::transpiration_test

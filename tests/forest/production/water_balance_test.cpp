@@ -7,7 +7,7 @@
 #include "config/random/stream.hpp"
 #include "forest/production/day_length.hpp"
 
-namespace forest {
+namespace forest::water_balance_test {
 namespace {
 
 const config::Angle tyrol = config::Angle::from_degrees(47.0);
@@ -136,4 +136,4 @@ TEST(DroughtSum, CountsWarmMonthsOnly) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::water_balance_test

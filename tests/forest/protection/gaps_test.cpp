@@ -7,7 +7,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::gaps_test {
 namespace {
 
 /// Ten metres of map on a slope of 45 degrees.
@@ -155,4 +155,4 @@ TEST(OpenPatches, AreThoseWithoutAStemThatCounts) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::gaps_test

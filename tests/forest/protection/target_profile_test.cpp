@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace forest {
+namespace forest::target_profile_test {
 namespace {
 
 /// So many stems per hectare of a diameter.
@@ -55,4 +55,4 @@ TEST(Check, MissesWithOneGapThatIsTooLong) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::target_profile_test

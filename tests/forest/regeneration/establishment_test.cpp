@@ -4,7 +4,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::establishment_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -91,4 +91,4 @@ TEST(SeedBed, IsBetterOnRottenWoodAndWorseUnderHerbs) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::establishment_test

@@ -7,7 +7,7 @@
 #include "forest/regeneration/saplings.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::regeneration_test {
 namespace {
 
 /// A dense old spruce stand, but for a slit of two by five patches in the middle.
@@ -226,4 +226,4 @@ TEST(AfterYearOfHerbs, SpreadsThemAfterThreeOpenYearsAndDarkensThemAway) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::regeneration_test

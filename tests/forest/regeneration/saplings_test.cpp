@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace forest {
+namespace forest::saplings_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -121,4 +121,4 @@ TEST(RoomOfStem, IsThatOfTheDensityLine) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::saplings_test

@@ -7,7 +7,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::seed_rain_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -94,4 +94,4 @@ TEST(SeedRain, ComesFromOldLitTreesAndFromOutside) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::seed_rain_test

@@ -9,7 +9,7 @@
 #include "forest/tables.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::starting_stand_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -163,4 +163,4 @@ TEST(TreesFromList, CountsWhatItCannotTake) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::starting_stand_test

@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-namespace forest {
+namespace forest::comparison_test {
 namespace {
 
 config::Table shipped(const std::string& name) {
@@ -174,4 +174,4 @@ TEST(TrialAt, AsksForTheElevationOfTheClimate) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::comparison_test

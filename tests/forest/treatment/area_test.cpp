@@ -9,7 +9,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::area_test {
 namespace {
 
 config::Angle degrees(double value) {
@@ -104,4 +104,4 @@ TEST(Strips, CoverTheForestOnceInAllEntries) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::area_test

@@ -9,7 +9,7 @@
 #include "forest/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::felling_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -144,4 +144,4 @@ TEST(Timber, AddsUp) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::felling_test

@@ -6,7 +6,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::groups_test {
 namespace {
 
 /// Ten trees on every patch; on one patch they are thicker.
@@ -70,4 +70,4 @@ TEST(RipestGroups, StayInTheirArea) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::groups_test

@@ -11,7 +11,7 @@
 #include "forest/self_thinning.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::selection_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -189,4 +189,4 @@ TEST(RelativeDensity, IsOneOnTheLineOfMostStems) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::selection_test

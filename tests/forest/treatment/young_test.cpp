@@ -7,7 +7,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::young_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -84,4 +84,4 @@ TEST(PatchesWithFewer, CountWhatHasEstablished) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::young_test

@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-namespace forest {
+namespace forest::comparison_test {
 namespace {
 
 config::Table shipped(const std::string& name) {
@@ -123,4 +123,4 @@ TEST(CompareYields, AsksForTheClimateOfEachSite) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::comparison_test

@@ -4,7 +4,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::flight_test {
 namespace {
 
 bool touches(const Terrain& terrain, std::uint32_t triangle, const Eigen::Vector2d& point_m) {
@@ -39,4 +39,4 @@ TEST(Fly, FollowsAnEdgeFromWhicheverTriangleItBeginsIn) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::flight_test

@@ -7,7 +7,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::groove_test {
 namespace {
 
 /// A gully that falls by 4 in 5 along x, its walls rising by 1 in 2 to either side.
@@ -184,4 +184,4 @@ TEST(Fall, SlidesThroughSteepGulliesWithoutAStop) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::groove_test

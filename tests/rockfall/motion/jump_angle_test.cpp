@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace rockfall {
+namespace rockfall::jump_angle_test {
 namespace {
 
 JumpAngleLaw fitted() {
@@ -38,4 +38,4 @@ TEST(JumpAngle, ScattersByItsLogarithm) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::jump_angle_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockfall {
+namespace rockfall::on_face_test {
 namespace {
 
 /// A face that falls by 3 in 4 along x.
@@ -31,4 +31,4 @@ TEST(TurnedInPlan, GoesCounterClockwiseAndLeavesTheRise) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::on_face_test

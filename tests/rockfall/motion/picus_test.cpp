@@ -7,7 +7,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::picus_test {
 namespace {
 
 using testing::deterministic_law;
@@ -154,4 +154,4 @@ RC_GTEST_PROP(MeetGround, NeverGainsEnergyAndNeverPointsIntoTheGround, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::picus_test

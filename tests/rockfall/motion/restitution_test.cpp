@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockfall {
+namespace rockfall::restitution_test {
 namespace {
 
 constexpr Restitution fine_debris{0.30, 0.75};
@@ -32,4 +32,4 @@ TEST(WithNoise, NeverMakesAContactASourceOfEnergy) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::restitution_test

@@ -8,7 +8,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::rolling_test {
 namespace {
 
 using testing::deterministic_law;
@@ -128,4 +128,4 @@ TEST(RollingPiece, TellsWhenAShareOfItsWayIsCovered) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::rolling_test

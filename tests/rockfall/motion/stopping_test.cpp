@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockfall {
+namespace rockfall::stopping_test {
 namespace {
 
 TEST(StopCurve, IsStraightInTheLogarithmOfDiameterAndConstantBeyond) {
@@ -20,4 +20,4 @@ TEST(StopCurve, TimesAFactorIsCutOff) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::stopping_test

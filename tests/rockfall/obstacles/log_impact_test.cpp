@@ -10,7 +10,7 @@
 #include "rockfall/motion/picus.hpp"
 #include "rockfall/obstacles/stem.hpp"
 
-namespace rockfall {
+namespace rockfall::log_impact_test {
 namespace {
 
 const Rock rock = Rock::sphere(0.8, 2700.0);
@@ -166,4 +166,4 @@ RC_GTEST_PROP(MeetLog, IsTheSameInAMirror, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::log_impact_test

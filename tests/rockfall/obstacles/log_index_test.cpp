@@ -9,7 +9,7 @@
 #include "rockfall/obstacles/stem.hpp"
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::log_index_test {
 namespace {
 
 using testing::plane_slope;
@@ -253,4 +253,4 @@ TEST(LogIndex, HoldsHalfWhereNothingHoldsTheLog) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::log_index_test

@@ -7,7 +7,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::stem_index_test {
 namespace {
 
 using testing::plane_slope;
@@ -174,4 +174,4 @@ RC_GTEST_PROP(StemIndex, FindsWhatALookAtEveryStemFinds, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::stem_index_test

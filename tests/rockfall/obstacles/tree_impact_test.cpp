@@ -6,7 +6,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::tree_impact_test {
 namespace {
 
 PlacedStem fir(double dbh_cm) {
@@ -105,4 +105,4 @@ TEST(MeetStem, HasLessStrengthHigherUp) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::tree_impact_test

@@ -7,7 +7,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::release_test {
 namespace {
 
 using testing::plane_slope;
@@ -148,4 +148,4 @@ TEST(DiameterRange, GoesOverTheRocksOfAllSources) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::release_test

@@ -7,7 +7,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::footprint_test {
 namespace {
 
 using testing::deterministic_law;
@@ -177,4 +177,4 @@ TEST(Footprint, MeasuresRunOutAndPathOfASlidingLine) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::footprint_test

@@ -8,7 +8,7 @@
 #include "rockfall/terrain/profile_strip.hpp"
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::jump_log_test {
 namespace {
 
 using testing::deterministic_law;
@@ -141,4 +141,4 @@ TEST(JumpLog, BeginsEachRockAnew) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::jump_log_test

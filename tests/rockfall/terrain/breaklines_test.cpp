@@ -8,7 +8,7 @@
 
 #include "rockfall/terrain/mesh.hpp"
 
-namespace rockfall {
+namespace rockfall::breaklines_test {
 namespace {
 
 /// Whether two places in terrain coordinates are joined by an edge.
@@ -76,4 +76,4 @@ TEST(Breaklines, OfNoneAreScatteredPoints) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::breaklines_test

@@ -9,7 +9,7 @@
 #include "rockfall/terrain/mesh.hpp"
 #include "tests/rockfall/terrain/sample_slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::contact_zone_test {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
@@ -126,4 +126,4 @@ TEST(ContactZone, TakesTheNoiseOutOfTheFacets) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::contact_zone_test

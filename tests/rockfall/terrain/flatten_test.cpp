@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockfall {
+namespace rockfall::flatten_test {
 namespace {
 
 /// A row of four unit squares, each cut in two, listed from the wrong end and with a vertex that nobody uses.
@@ -47,4 +47,4 @@ TEST(AlongHilbertCurve, KeepsPlacesHeightsAndOrigin) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::flatten_test

@@ -6,7 +6,7 @@
 
 #include "tests/rockfall/terrain/sample_slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::grid_ground_test {
 namespace {
 
 using config::Cell;
@@ -50,4 +50,4 @@ TEST(OutlineCells, SurroundAHole) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::grid_ground_test

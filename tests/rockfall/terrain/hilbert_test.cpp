@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-namespace rockfall {
+namespace rockfall::hilbert_test {
 namespace {
 
 using Place = std::pair<std::uint32_t, std::uint32_t>;
@@ -73,4 +73,4 @@ TEST(HilbertOrder, StretchesTheCurveOverTheExtent) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::hilbert_test

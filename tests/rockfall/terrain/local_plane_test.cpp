@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockfall {
+namespace rockfall::local_plane_test {
 namespace {
 
 TEST(LocalPlane, PassesThroughThreePoints) {
@@ -37,4 +37,4 @@ TEST(LocalPlane, IsUnknownForPointsInALine) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::local_plane_test

@@ -9,7 +9,7 @@
 
 #include "tests/rockfall/terrain/sample_slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::mesh_test {
 namespace {
 
 /// Each triangle counter-clockwise, each neighbour across the same two corners and back.
@@ -266,4 +266,4 @@ TEST(TriangulatePoints, MakeNothingOfALine) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::mesh_test

@@ -11,7 +11,7 @@
 #include "tests/rockfall/slopes.hpp"
 #include "tests/rockfall/terrain/profiles.hpp"
 
-namespace rockfall {
+namespace rockfall::profile_strip_test {
 namespace {
 
 using testing::even_profile;
@@ -142,4 +142,4 @@ TEST(ContactZoneOfAProfile, IsThatOfTheSlopeInTheMiddleOfTheStrip) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::profile_strip_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace rockfall {
+namespace rockfall::surface_test {
 namespace {
 
 /// 3 columns of 10 m and 2 rows of 5 m from (100, 200).
@@ -64,4 +64,4 @@ TEST(SurfaceMap, CanBeTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::surface_test

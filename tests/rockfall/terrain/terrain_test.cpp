@@ -10,7 +10,7 @@
 #include "tests/rockfall/terrain/cgal_oracle.hpp"
 #include "tests/rockfall/terrain/sample_slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::terrain_test {
 namespace {
 
 bool covers(const Terrain& terrain, std::uint32_t triangle, double x_m, double y_m) {
@@ -172,4 +172,4 @@ TEST(Terrain, PlanesPassThroughTheirThreeCorners) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::terrain_test

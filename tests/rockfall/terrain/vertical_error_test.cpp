@@ -5,7 +5,7 @@
 
 #include "tests/rockfall/terrain/sample_slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::vertical_error_test {
 namespace {
 
 using config::Cell;
@@ -58,4 +58,4 @@ RC_GTEST_PROP(LargestVerticalError, EqualsATestOfEveryCell, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::vertical_error_test

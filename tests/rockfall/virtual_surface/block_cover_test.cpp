@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-namespace rockfall {
+namespace rockfall::block_cover_test {
 namespace {
 
 /// Distance of two blocks in plan, over the border where that is shorter.
@@ -173,4 +173,4 @@ RC_GTEST_PROP(LayBlocks, NeverOverlapInPlanAndCountTheirCoverExactly, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::block_cover_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rockfall {
+namespace rockfall::estimate_test {
 namespace {
 
 TEST(StopProbability, HasTheErrorOfTheDifferencesBetweenSurfaces) {
@@ -55,4 +55,4 @@ TEST(StopProbability, CoversTheTruthAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::estimate_test

@@ -14,7 +14,7 @@
 
 #include "rockfall/virtual_surface/estimate.hpp"
 
-namespace rockfall {
+namespace rockfall::plots_test {
 namespace {
 
 constexpr std::uint32_t surfaces = 8;
@@ -170,4 +170,4 @@ TEST(Plots, ShowTheEffectOfBurial) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::plots_test

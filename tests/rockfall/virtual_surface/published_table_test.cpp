@@ -11,7 +11,7 @@
 
 #include "rockfall/virtual_surface/estimate.hpp"
 
-namespace rockfall {
+namespace rockfall::published_table_test {
 namespace {
 
 constexpr std::uint32_t surfaces = 32;
@@ -150,4 +150,4 @@ TEST(StopProbability, RisesWithCoverAndFallsAgain) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::published_table_test

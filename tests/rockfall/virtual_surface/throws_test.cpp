@@ -9,7 +9,7 @@
 #include "rockfall/virtual_surface/estimate.hpp"
 #include "rockfall/virtual_surface/sweep.hpp"
 
-namespace rockfall {
+namespace rockfall::throws_test {
 namespace {
 
 const double central_sine = std::sin(config::Angle::from_degrees(25.0).in_radians());
@@ -268,4 +268,4 @@ RC_GTEST_PROP(Sweep, FindsWhatALookAtEveryBlockFinds, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::throws_test

@@ -9,7 +9,7 @@
 #include "tests/coupling/decades/report/some_years.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::decade_page_test {
 namespace {
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -211,4 +211,4 @@ TEST(WriteDecadePage, StaysOfModerateSize) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::decade_page_test

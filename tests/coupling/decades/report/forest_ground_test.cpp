@@ -6,7 +6,7 @@
 
 #include "tests/forest/small_forest.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::forest_ground_test {
 namespace {
 
 using forest::square_of_forest;
@@ -91,4 +91,4 @@ TEST(TransectOf, RunsEastOnFlatGroundAndEndsWhereTheForestDoes) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::forest_ground_test

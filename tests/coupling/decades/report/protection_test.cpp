@@ -6,7 +6,7 @@
 #include "tests/coupling/decades/report/some_years.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::protection_test {
 namespace {
 
 /// One regime and a road; the arrivals of a replicate are the same in years 0 and 10.
@@ -78,4 +78,4 @@ TEST(ArrivalsOf, SumsOverTheReplicatesOfACourseInAYear) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::protection_test

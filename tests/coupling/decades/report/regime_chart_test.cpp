@@ -5,7 +5,7 @@
 #include "coupling/results/joined.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::regime_chart_test {
 namespace {
 
 std::vector<RegimeCurve> curves_of(std::size_t count) {
@@ -70,4 +70,4 @@ TEST(RegimeChart, GivesEachClimateAChartAtTheSameScale) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::regime_chart_test

@@ -4,7 +4,7 @@
 
 #include "tests/coupling/decades/report/some_years.hpp"
 
-namespace coupling::decades {
+namespace coupling::decades::series_test {
 namespace {
 
 TEST(BandOf, LiesStraightBetweenOrderStatistics) {
@@ -79,4 +79,4 @@ TEST(StemsFrom12Cm, LeavesOutTheFirstThreeClasses) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::series_test

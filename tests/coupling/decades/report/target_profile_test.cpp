@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling::decades {
+namespace coupling::decades::target_profile_test {
 namespace {
 
 const forest::SpeciesTable table = forest::SpeciesTable::shipped();
@@ -51,4 +51,4 @@ TEST(StandsAgainstRocks, SayThatNoProfileSpeaksOfSuchRocks) {
 }
 
 }  // namespace
-}  // namespace coupling::decades
+}  // namespace coupling::decades::target_profile_test

@@ -4,7 +4,7 @@
 
 #include "config/errors/input_error.hpp"
 
-namespace coupling::meshes {
+namespace coupling::meshes::mesh_file_test {
 namespace {
 
 const std::string head =
@@ -197,4 +197,4 @@ TEST(Contours, AreReadWithHeightsOfPointsOrRows) {
 }
 
 }  // namespace
-}  // namespace coupling::meshes
+}  // namespace coupling::meshes::mesh_file_test

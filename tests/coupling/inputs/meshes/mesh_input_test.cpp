@@ -11,7 +11,7 @@
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling::meshes {
+namespace coupling::meshes::mesh_input_test {
 namespace {
 
 using config::ExitCode;
@@ -290,4 +290,4 @@ TEST(MeshInput, TakesContoursWhoseLinesAreEdges) {
 }
 
 }  // namespace
-}  // namespace coupling::meshes
+}  // namespace coupling::meshes::mesh_input_test

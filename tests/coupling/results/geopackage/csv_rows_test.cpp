@@ -6,7 +6,7 @@
 
 #include "coupling/results/csv_row.hpp"
 
-namespace coupling::geopackage {
+namespace coupling::geopackage::csv_rows_test {
 namespace {
 
 TEST(CsvRows, ReadWhatCsvRowWrote) {
@@ -38,4 +38,4 @@ TEST(ColumnTypes, ComeFromTheValuesButKeysAreWords) {
 }
 
 }  // namespace
-}  // namespace coupling::geopackage
+}  // namespace coupling::geopackage::csv_rows_test

@@ -8,7 +8,7 @@
 #include "config/errors/input_error.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling::geopackage {
+namespace coupling::geopackage::package_test {
 namespace {
 
 using testing::TestFolder;
@@ -168,4 +168,4 @@ TEST(Geometry, GivesHolesToTheAreaAroundThem) {
 }
 
 }  // namespace
-}  // namespace coupling::geopackage
+}  // namespace coupling::geopackage::package_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/results/markup_checks.hpp"
 
-namespace coupling::report {
+namespace coupling::report::chart_test {
 namespace {
 
 TEST(Axis, FromZeroEndsAtARoundNumber) {
@@ -90,4 +90,4 @@ TEST(Chart, KeepsMarksOutsideTheAxisAway) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::chart_test

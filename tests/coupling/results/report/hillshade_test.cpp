@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coupling::report {
+namespace coupling::report::hillshade_test {
 namespace {
 
 const config::GridFrame frame{5, 5, 0.0, 0.0, 10.0, 10.0};
@@ -50,4 +50,4 @@ TEST(Illumination, IsUnknownWithoutHeights) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::hillshade_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coupling::report {
+namespace coupling::report::labels_test {
 namespace {
 
 const NamedShape road{"road", {{{0.0, 500.0}, {500.0, 500.0}, {1000.0, 500.0}}}};
@@ -41,4 +41,4 @@ TEST(PlaceNames, FindsSomePlaceOnASheetThatIsTooSmall) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::labels_test

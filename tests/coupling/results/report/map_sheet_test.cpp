@@ -7,7 +7,7 @@
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling::report {
+namespace coupling::report::map_sheet_test {
 namespace {
 
 TEST(InBlocks, ShowsTheValueFarthestFromZero) {
@@ -62,4 +62,4 @@ TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::map_sheet_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace coupling::report {
+namespace coupling::report::markup_test {
 namespace {
 
 TEST(Escaped, LeavesNoTagBehind) {
@@ -53,4 +53,4 @@ TEST(NiceStep, IsOneTwoOrFiveTimesAPowerOfTen) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::markup_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling::report {
+namespace coupling::report::outlines_test {
 namespace {
 
 TEST(PathText, GoesOnWhereTheLastLineEnded) {
@@ -57,4 +57,4 @@ TEST(Outlines, OfNothingAreNothing) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::outlines_test

@@ -8,7 +8,7 @@
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling::report {
+namespace coupling::report::page_test {
 namespace {
 
 using testing::SmallRun;
@@ -124,4 +124,4 @@ TEST(WritePage, CarriesHashesProjectionVersionAndSeed) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::page_test

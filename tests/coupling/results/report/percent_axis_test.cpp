@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling::report {
+namespace coupling::report::percent_axis_test {
 namespace {
 
 TEST(PercentAxis, BeginsBelowTheSmallestWhereAllAreHighAndSaysSo) {
@@ -28,4 +28,4 @@ TEST(PercentAxis, HoldsValuesThatAreAllTheSame) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::percent_axis_test

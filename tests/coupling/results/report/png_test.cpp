@@ -6,7 +6,7 @@
 
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling::report {
+namespace coupling::report::png_test {
 namespace {
 
 const IndexedPicture flag{3, 2, {1, 2, 0, 2, 2, 1}, {{255, 255, 255}, {200, 0, 0}, {0, 0, 120}}};
@@ -58,4 +58,4 @@ TEST(Base64, AgreesWithTheExamplesOfRfc4648) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::png_test

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace coupling::report {
+namespace coupling::report::rebin_test {
 namespace {
 
 using rockfall::fine_energy_bins;
@@ -51,4 +51,4 @@ TEST(Exceeded, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::rebin_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/results/markup_checks.hpp"
 
-namespace coupling::report {
+namespace coupling::report::scale_test {
 namespace {
 
 TEST(ColourScale, ShowsNothingWhereThereIsNoValue) {
@@ -52,4 +52,4 @@ TEST(Legend, IsWellFormed) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::scale_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/results/markup_checks.hpp"
 
-namespace coupling::report {
+namespace coupling::report::scene_test {
 namespace {
 
 config::Raster<double> some_ground() {
@@ -91,4 +91,4 @@ TEST(SceneFigure, WritesTreesOfACommonStartOnce) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::scene_test

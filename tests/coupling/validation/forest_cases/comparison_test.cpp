@@ -9,7 +9,7 @@
 #include "coupling/validation/validate.hpp"
 #include "coupling/validation/verdict.hpp"
 
-namespace coupling::validation::forest_cases {
+namespace coupling::validation::forest_cases::comparison_test {
 namespace {
 
 CaseFiles shipped(const std::string& name) {
@@ -243,4 +243,4 @@ TEST(ForestCase, NamesAMissingTableAndAnUnknownFigure) {
 }
 
 }  // namespace
-}  // namespace coupling::validation::forest_cases
+}  // namespace coupling::validation::forest_cases::comparison_test

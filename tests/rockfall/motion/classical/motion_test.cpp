@@ -6,7 +6,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall::classical {
+namespace rockfall::classical::motion_test {
 namespace {
 
 using rockfall::testing::deterministic_law;
@@ -133,4 +133,4 @@ TEST(ClassicalFall, GoesOnDownAnySlopeSteeperThanItsFriction) {
 }
 
 }  // namespace
-}  // namespace rockfall::classical
+}  // namespace rockfall::classical::motion_test

@@ -7,10 +7,10 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall::pir3d {
+namespace rockfall::pir3d::impact_test {
 namespace {
 
-using testing::test_soil;
+using rockfall::testing::test_soil;
 
 const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
@@ -114,4 +114,4 @@ TEST(ExceedsThreshold, MeasuresTheAngleToTheVerticalProjection) {
 }
 
 }  // namespace
-}  // namespace rockfall::pir3d
+}  // namespace rockfall::pir3d::impact_test

@@ -6,19 +6,19 @@
 
 #include "tests/rockfall/motion/pir3d/bent_slopes.hpp"
 
-namespace rockfall::pir3d {
+namespace rockfall::pir3d::motion_test {
 namespace {
 
+using rockfall::pir3d::testing::edge_x_m;
+using rockfall::pir3d::testing::transitions;
+using rockfall::pir3d::testing::Way;
+using rockfall::pir3d::testing::way_of;
 using rockfall::testing::EventLog;
 using rockfall::testing::logged_fall;
 using rockfall::testing::plane_slope;
 using rockfall::testing::sliding_law;
 using rockfall::testing::start_at;
 using rockfall::testing::test_soil;
-using testing::edge_x_m;
-using testing::transitions;
-using testing::Way;
-using testing::way_of;
 
 /// The last roll that ends at the edge between the two faces.
 const RollingPiece& before_edge(const Way& way) {
@@ -205,4 +205,4 @@ TEST(SlidingRock, ComesToRestOnFlatGround) {
 }
 
 }  // namespace
-}  // namespace rockfall::pir3d
+}  // namespace rockfall::pir3d::motion_test

@@ -10,11 +10,11 @@
 
 #include "tests/rockfall/motion/pir3d/bent_slopes.hpp"
 
-namespace rockfall::pir3d {
+namespace rockfall::pir3d::picture_test {
 namespace {
 
-using testing::Transition;
-using testing::Way;
+using rockfall::pir3d::testing::Transition;
+using rockfall::pir3d::testing::Way;
 
 constexpr double panel_width = 300.0, panel_height = 190.0, shown_m = 24.0, first_x_m = 44.0;
 constexpr double per_m = panel_width / shown_m;
@@ -124,4 +124,4 @@ TEST(TransitionPicture, IsWhatTheRocksDo) {
 }
 
 }  // namespace
-}  // namespace rockfall::pir3d
+}  // namespace rockfall::pir3d::picture_test

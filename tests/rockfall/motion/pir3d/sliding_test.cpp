@@ -6,15 +6,15 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall::pir3d {
+namespace rockfall::pir3d::sliding_test {
 namespace {
 
-using testing::EventLog;
-using testing::logged_fall;
-using testing::plane_slope;
-using testing::sliding_law;
-using testing::start_at;
-using testing::test_soil;
+using rockfall::testing::EventLog;
+using rockfall::testing::logged_fall;
+using rockfall::testing::plane_slope;
+using rockfall::testing::sliding_law;
+using rockfall::testing::start_at;
+using rockfall::testing::test_soil;
 
 constexpr double g = 9.81;
 
@@ -276,4 +276,4 @@ TEST(Sliding, EndsAtTheEdgeOfItsTriangle) {
 }
 
 }  // namespace
-}  // namespace rockfall::pir3d
+}  // namespace rockfall::pir3d::sliding_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockfall {
+namespace rockfall::net_impact_test {
 namespace {
 
 const Rock rock = Rock::sphere(1.0, 2700.0);
@@ -29,4 +29,4 @@ TEST(SpeedFactorBehind, LeavesTheEnergyAboveTheCapacity) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::net_impact_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rockfall {
+namespace rockfall::net_index_test {
 namespace {
 
 using Line = std::vector<Eigen::Vector2d>;
@@ -102,4 +102,4 @@ RC_GTEST_PROP(NetIndex, AgreesWithAFineWalkAlongThePath, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::net_index_test

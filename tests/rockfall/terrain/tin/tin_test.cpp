@@ -12,7 +12,7 @@
 #include "rockfall/terrain/tin/edges.hpp"
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall {
+namespace rockfall::tin_test {
 namespace {
 
 using testing::heights_of;
@@ -398,4 +398,4 @@ TEST(FallOverAWall, LandsAtItsFootWithTheEnergyOfItsHeight) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::tin_test
