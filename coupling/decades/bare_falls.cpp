@@ -28,10 +28,10 @@ bool YearBlocks::with_cells(std::int32_t year) const {
     return std::find(map_years_.begin(), map_years_.end(), year) != map_years_.end();
 }
 
-const BareYear& BareFalls::at(std::int32_t year) {
+const exchange::BareYear& BareFalls::at(std::int32_t year) {
     const auto held = [&] {
         return std::find_if(held_.begin(), held_.end(),
-                            [&](const BareYear& bare) { return bare.year == year; });
+                            [&](const exchange::BareYear& bare) { return bare.year == year; });
     };
     auto found = held();
     if (found == held_.end()) {
@@ -41,7 +41,7 @@ const BareYear& BareFalls::at(std::int32_t year) {
     return *found;
 }
 
-void make_bare_falls(const RockSeason& rocks, const YearBlocks& blocks,
+void make_bare_falls(const exchange::YearlyRockfall& rocks, const YearBlocks& blocks,
                      std::span<const std::uint32_t> replicates, const Parts& parts, const Shard& shard,
                      const Crew& crew) {
     std::vector<std::uint64_t> missing;
@@ -62,19 +62,20 @@ void make_bare_falls(const RockSeason& rocks, const YearBlocks& blocks,
     for (const std::uint64_t piece : missing) {
         years += blocks.years(piece % blocks.count()).size();
     }
-    share_out(crew, {RankGroup::Work::bare_slope, "falling over the bare slope", missing.size(), years},
-              [&](std::size_t i, int threads, const std::function<void()>& step_done) {
-                  const auto replicate = static_cast<std::uint32_t>(missing[i] / blocks.count());
-                  const std::size_t block = missing[i] % blocks.count();
-                  if (!parts.has_bare(replicate, block)) {  // by another shard in the meantime
-                      std::vector<BareYear> bare;
-                      for (const std::int32_t year : blocks.years(block)) {
-                          bare.push_back(rocks.fall_bare(replicate, year, blocks.with_cells(year), threads));
-                          step_done();
-                      }
-                      parts.keep_bare(replicate, block, bare);
-                  }
-              });
+    share_out(
+        crew, {RankGroup::Work::bare_slope, "falling over the bare slope", missing.size(), years},
+        [&](std::size_t i, int threads, const std::function<void()>& step_done) {
+            const auto replicate = static_cast<std::uint32_t>(missing[i] / blocks.count());
+            const std::size_t block = missing[i] % blocks.count();
+            if (!parts.has_bare(replicate, block)) {  // by another shard in the meantime
+                std::vector<exchange::BareYear> bare;
+                for (const std::int32_t year : blocks.years(block)) {
+                    bare.push_back(rocks.simulate_bare(replicate, year, blocks.with_cells(year), threads));
+                    step_done();
+                }
+                parts.keep_bare(replicate, block, bare);
+            }
+        });
 }
 
 }  // namespace coupling::decades

@@ -6,7 +6,7 @@
 
 #include "coupling/decades/parts.hpp"
 #include "coupling/decades/share_out.hpp"
-#include "coupling/decades/year_falls.hpp"
+#include "coupling/exchange/yearly_rockfall.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/run/run.hpp"
 
@@ -35,18 +35,18 @@ public:
     BareFalls(const YearBlocks& blocks, const Parts& parts, std::uint32_t replicate)
         : blocks_{blocks}, parts_{parts}, replicate_{replicate} {}
     /// Requires a year with rocks whose part was made. Throws config::InputError (file) if it is damaged.
-    const BareYear& at(std::int32_t year);
+    const exchange::BareYear& at(std::int32_t year);
 
 private:
     const YearBlocks& blocks_;
     const Parts& parts_;
     std::uint32_t replicate_;
-    std::vector<BareYear> held_;
+    std::vector<exchange::BareYear> held_;
 };
 
 /// Lets the rocks of these replicates fall over the bare slope, as far as there are no parts yet, shared with
 /// the other ranks and with shards that use the same folder (of which this is `shard`).
-void make_bare_falls(const RockSeason& rocks, const YearBlocks& blocks,
+void make_bare_falls(const exchange::YearlyRockfall& rocks, const YearBlocks& blocks,
                      std::span<const std::uint32_t> replicates, const Parts& parts, const Shard& shard,
                      const Crew& crew);
 

@@ -11,12 +11,12 @@ constexpr std::uint64_t magic = 0x31304552'41424E42ULL;  // "BNBARE01", least by
 }  // namespace
 
 void write_bare_part(const std::filesystem::path& file, const std::string& hash,
-                     std::span<const BareYear> years) {
+                     std::span<const exchange::BareYear> years) {
     const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
     begin_part(out, magic, hash);
     out.value(static_cast<std::uint64_t>(years.size()));
-    for (const BareYear& bare : years) {
+    for (const exchange::BareYear& bare : years) {
         out.value(bare.year);
         write(out, bare.run);
         out.value(static_cast<std::uint64_t>(bare.targets.size()));
@@ -29,11 +29,11 @@ void write_bare_part(const std::filesystem::path& file, const std::string& hash,
     close_and_rename(out, temporary, file);
 }
 
-std::vector<BareYear> read_bare_part(const std::filesystem::path& file, const std::string& hash) {
+std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file, const std::string& hash) {
     ByteReader in{file};
     check_begin(in, magic, hash, file);
-    std::vector<BareYear> years(in.count_of(sizeof(std::int32_t)));
-    for (BareYear& bare : years) {
+    std::vector<exchange::BareYear> years(in.count_of(sizeof(std::int32_t)));
+    for (exchange::BareYear& bare : years) {
         bare.year = in.value<std::int32_t>();
         read(in, bare.run);
         bare.targets.resize(in.count_of(sizeof(std::uint64_t)));

@@ -9,6 +9,7 @@
 #include "coupling/decades/parts.hpp"
 #include "coupling/decades/share_out.hpp"
 #include "coupling/decades/simulate.hpp"
+#include "coupling/exchange/stems_and_logs.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -37,7 +38,7 @@ std::vector<Member> members_of(const Scenario& scenario, const Names& names) {
 std::vector<rockfall::Stem> standing_stems(const ForestSite& forest) {
     std::vector<rockfall::Stem> stems;
     for (const TreeRecord& tree : forest.obstacles) {
-        if (tree.stem.dbh_cm >= least_obstacle_cm) {
+        if (tree.stem.dbh_cm >= exchange::least_obstacle_cm) {
             stems.push_back(tree.stem);
         }
     }
@@ -107,7 +108,7 @@ void refuse_gaps(std::span<const Member> missing, const Names& names) {
 }
 
 /// The rocks that really fall are drawn from the simulated ones.
-void refuse_too_many_rocks(const Scenario& scenario, const std::optional<RockSeason>& rocks) {
+void refuse_too_many_rocks(const Scenario& scenario, const std::optional<exchange::YearlyRockfall>& rocks) {
     if (rocks && scenario.forest.feedback &&
         scenario.forest.rocks_per_year > static_cast<double>(rocks->rocks())) {
         config::fail(config::ExitCode::settings, scenario.options->place_of("feedback.rocks_per_year"),
@@ -208,7 +209,7 @@ public:
                 write(*folder);
             }
             ranks_.meet();
-        } catch (const Interrupted&) {
+        } catch (const exchange::Interrupted&) {
             // While the folder is still there for the others.
             if (ranks_.fail(true)) {
                 std::fprintf(stderr, parts_.any() ? "bannwald: interrupted; the finished parts are kept, "
@@ -272,7 +273,7 @@ private:
     Parts parts_;
     Names names_;
     std::vector<Member> members_;
-    std::optional<RockSeason> rocks_;
+    std::optional<exchange::YearlyRockfall> rocks_;
     YearBlocks blocks_;
     Decades decades_;
 };
@@ -286,7 +287,7 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
     try {
         return DecadeRun{request, scenario, site, management, warnings, ranks}.run();
-    } catch (const Interrupted&) {
+    } catch (const exchange::Interrupted&) {
         return static_cast<int>(config::ExitCode::interrupted);
     }
 }

@@ -32,7 +32,8 @@ std::optional<MemberYears> Parts::read(const Member& member) const {
     return read_part(of(member), hash_);
 }
 
-void Parts::keep_bare(std::uint32_t replicate, std::size_t block, std::span<const BareYear> years) const {
+void Parts::keep_bare(std::uint32_t replicate, std::size_t block,
+                      std::span<const exchange::BareYear> years) const {
     const std::lock_guard lock{mutex_};
     write_marker(OutputFolder::checkpoint_of(folder_), hash_);
     write_bare_part(of_bare(replicate, block), hash_, years);
@@ -42,7 +43,7 @@ bool Parts::has_bare(std::uint32_t replicate, std::size_t block) const {
     return std::filesystem::exists(of_bare(replicate, block));
 }
 
-std::vector<BareYear> Parts::read_bare(std::uint32_t replicate, std::size_t block) const {
+std::vector<exchange::BareYear> Parts::read_bare(std::uint32_t replicate, std::size_t block) const {
     return read_bare_part(of_bare(replicate, block), hash_);
 }
 

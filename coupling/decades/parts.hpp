@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coupling/decades/records.hpp"
-#include "coupling/decades/year_falls.hpp"
+#include "coupling/exchange/yearly_rockfall.hpp"
 
 namespace coupling::decades {
 
@@ -31,9 +31,10 @@ public:
     [[nodiscard]] std::optional<MemberYears> read(const Member& member) const;
 
     /// The same of a block of years over the bare slope (bare_falls.hpp).
-    void keep_bare(std::uint32_t replicate, std::size_t block, std::span<const BareYear> years) const;
+    void keep_bare(std::uint32_t replicate, std::size_t block,
+                   std::span<const exchange::BareYear> years) const;
     [[nodiscard]] bool has_bare(std::uint32_t replicate, std::size_t block) const;
-    [[nodiscard]] std::vector<BareYear> read_bare(std::uint32_t replicate, std::size_t block) const;
+    [[nodiscard]] std::vector<exchange::BareYear> read_bare(std::uint32_t replicate, std::size_t block) const;
 
 private:
     [[nodiscard]] std::filesystem::path of(const Member& member) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "coupling/decades/year_falls.hpp"
+#include "coupling/exchange/stems_and_logs.hpp"
 #include "forest/allometry.hpp"
 #include "forest/deadwood/deadwood.hpp"
 #include "forest/patch.hpp"
@@ -181,7 +181,7 @@ void record_dead_wood(const forest::Stand& stand, std::int32_t year, MemberYears
                                   .x_m = log.x_m,
                                   .y_m = log.y_m,
                                   .thick_cm = static_cast<float>(log.thick_end_cm),
-                                  .plan_m = static_cast<float>(plan_length_m(log, stand.grid())),
+                                  .plan_m = static_cast<float>(exchange::plan_length_m(log, stand.grid())),
                                   .direction_rad = static_cast<float>(log.direction_rad)});
     }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "coupling/decades/year_falls.hpp"
+#include "coupling/exchange/yearly_rockfall.hpp"
 #include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/progress.hpp"
@@ -21,7 +21,7 @@ void share_out(const Crew& crew, const Pieces& pieces, const DoPiece& work) {
     const auto step_done = [&] {
         told(1);
         if (InterruptGuard::requested()) {
-            throw Interrupted{};
+            throw exchange::Interrupted{};
         }
         if (crew.ranks.stopped()) {
             throw FailedElsewhere{};

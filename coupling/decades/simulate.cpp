@@ -4,10 +4,11 @@
 #include <map>
 #include <optional>
 
-#include "config/random/stream.hpp"
+#include "config/units/constants.hpp"
+#include "coupling/decades/record_falls.hpp"
 #include "coupling/decades/record_forest.hpp"
 #include "coupling/decades/record_work.hpp"
-#include "forest/year.hpp"
+#include "coupling/exchange/run_year.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -16,29 +17,21 @@ bool contains(const std::vector<int>& years, std::int32_t year) {
     return std::find(years.begin(), years.end(), year) != years.end();
 }
 
-/// Yearly mean temperature of the patches.
-double mean_temperature_degc(const forest::Site& site, const YearWeather& weather) {
-    double sum = 0.0;
-    double patches = 0.0;
-    for (std::size_t u = 0; u < site.units().size(); ++u) {
-        const auto count = static_cast<double>(site.units()[u].patches.size());
-        for (const forest::ClimateMonth& month : weather.units[u].months) {
-            sum += count * month.tave_degc / 12.0;
-        }
-        patches += count;
-    }
-    return sum / patches;
-}
-
-/// A member on its way through the years.
-class Life {
+/// A member on its way through the years: simulates each and keeps its figures.
+class MemberRun {
 public:
-    Life(const Decades& decades, Member member, int threads)
+    MemberRun(const Decades& decades, Member member, int threads)
         : decades_{decades},
           settings_{decades.scenario.forest},
           member_{member},
           threads_{threads},
-          stand_{decades.forest.start(decades.scenario.seed, member.replicate)},
+          state_{decades.forest.start(decades.scenario.seed, member.replicate), {}},
+          site_{decades.forest,
+                decades.management.regimes[member.regime],
+                member.climate,
+                {decades.scenario.seed, member.replicate},
+                [this](const forest::Stand& stand, std::int32_t year) { return simulate_rocks(stand, year); },
+                real_rock_share(decades)},
           tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.years)},
           map_years_{chosen_years(settings_.map_years, decades.scenario.years)} {
         kept_.member = member;
@@ -46,41 +39,41 @@ public:
             bare_.emplace(*decades.blocks, *decades.parts, member.replicate);
         }
     }
+    MemberRun(const MemberRun&) = delete;  // site_ refers to this object
+    MemberRun& operator=(const MemberRun&) = delete;
 
-    void begin() {
-        record_year(stand_, species(), 0, std::nullopt, 0.0, kept_);
-        const FallsOfYear falls = let_rocks_fall(0);
-        record_lists(0, falls);
-        hurt_trees(falls, 0);
-        manage(0);
-        record_losses(stand_, species(), 0, settings_.list_all_removed, kept_);
+    void simulate_start() {
+        record_year(state_.stand, species(), 0, std::nullopt, 0.0, kept_);
+        const std::size_t first_tree = kept_.trees.size();
+        record_lists(0);  // as the forest stood before its first rocks
+        const exchange::YearOutcome outcome = exchange::run_start(state_, site_);
+        record_rocks(outcome.falls, 0, first_tree);
+        record_work(outcome.work, site_.regime, decades_.management.prices, 0, kept_);
+        record_losses(state_.stand, species(), 0, settings_.list_all_removed, kept_);
     }
 
-    void pass(std::int32_t year) {
-        const ForestSite& forest = decades_.forest;
-        const YearWeather weather = forest.weather(member_.climate, stand_.year() + 1, member_.replicate);
-        const forest::YearReport report =
-            forest::grow_year(stand_, forest.place, species(), weather.view(), forest.parameters,
-                              {decades_.scenario.seed, member_.replicate});
-        manage(year);
-        const FallsOfYear falls = let_rocks_fall(year);
-        hurt_trees(falls, year);
-        record_year(stand_, species(), year, report, mean_temperature_degc(forest.place, weather), kept_);
-        record_losses(stand_, species(), year, settings_.list_all_removed, kept_);
-        record_lists(year, falls);
+    void simulate_year(std::int32_t year) {
+        const exchange::YearOutcome outcome = exchange::run_year(state_, site_, year);
+        record_work(outcome.work, site_.regime, decades_.management.prices, year, kept_);
+        record_year(state_.stand, species(), year, outcome.growth, outcome.mean_temperature_degc, kept_);
+        record_losses(state_.stand, species(), year, settings_.list_all_removed, kept_);
+        const std::size_t first_tree = kept_.trees.size();
+        record_lists(year);
+        record_rocks(outcome.falls, year, first_tree);
     }
 
     MemberYears take() { return std::move(kept_); }
 
 private:
-    [[nodiscard]] const forest::SpeciesTable& species() const { return decades_.forest.species.table; }
-
-    void manage(std::int32_t year) {
-        const Regime& regime = decades_.management.regimes[member_.regime];
-        record_work(apply(regime, year, stand_, species(), regime_state_,
-                          {decades_.scenario.seed, member_.replicate}),
-                    regime, decades_.management.prices, year, kept_);
+    /// 0 without feedback.
+    static double real_rock_share(const Decades& decades) {
+        const ForestSettings& settings = decades.scenario.forest;
+        return settings.feedback && decades.rocks != nullptr
+                   ? settings.rocks_per_year / static_cast<double>(decades.rocks->rocks())
+                   : 0.0;
     }
+
+    [[nodiscard]] const forest::SpeciesTable& species() const { return decades_.forest.species.table; }
 
     /// The start is year 0, and a year with rocks.
     [[nodiscard]] bool has_rocks(std::int32_t year) const {
@@ -92,63 +85,51 @@ private:
         return member_.replicate == 0 && contains(tree_list_years_, year);
     }
 
-    /// Without rocks in a year nothing fell.
-    FallsOfYear let_rocks_fall(std::int32_t year) {
+    exchange::YearFalls simulate_rocks(const forest::Stand& stand, std::int32_t year) {
         if (!has_rocks(year)) {
             return {};
         }
         const bool with_paths = is_shown(year);
-        FallsOfYear falls =
-            bare_ ? decades_.rocks->fall(stand_, bare_->at(year), member_.replicate, with_paths, threads_)
-                  : decades_.rocks->fall(stand_, member_.replicate, year, with_paths, threads_);
+        return bare_
+                   ? decades_.rocks->simulate(stand, bare_->at(year), member_.replicate, with_paths, threads_)
+                   : decades_.rocks->simulate(stand, member_.replicate, year, with_paths, threads_);
+    }
+
+    /// Figures, cells and paths of a year's rocks, and what they did to the listed trees from `first_tree`
+    /// on.
+    void record_rocks(const exchange::YearFalls& falls, std::int32_t year, std::size_t first_tree) {
+        if (!has_rocks(year)) {
+            return;
+        }
         record_falls(falls, year, kept_);
         record_paths(falls, year, kept_);
         if (contains(map_years_, year)) {
             record_cells(falls, year, kept_);
         }
-        return falls;
-    }
-
-    /// Of the simulated rocks some really fall: those hurt trees.
-    void hurt_trees(const FallsOfYear& falls, std::int32_t year) {
-        if (!settings_.feedback || falls.hits.empty()) {
-            return;
+        std::map<std::uint64_t, rockfall::StemTally> loads;
+        for (const exchange::TreeLoad& load : falls.loads) {
+            loads[forest::number_of(load.tree)] = load.tally;
         }
-        const double share = settings_.rocks_per_year / static_cast<double>(decades_.rocks->rocks());
-        std::vector<forest::Impact> impacts;
-        for (const RockHit& hit : falls.hits) {
-            const config::StreamKey key{decades_.scenario.seed, member_.replicate,
-                                        static_cast<std::uint16_t>(year), hit.rock};
-            if (config::RandomStream{key, config::Purpose::real_rock}.uniform() < share) {
-                impacts.push_back(hit.impact);
+        for (std::size_t i = first_tree; i < kept_.trees.size(); ++i) {
+            const auto load = loads.find(kept_.trees[i].tree);
+            if (load != loads.end()) {
+                kept_.trees[i].rock_hits = load->second.hits;
+                kept_.trees[i].rock_energy_kj =
+                    static_cast<float>(static_cast<double>(load->second.energy_j) / config::j_per_kj);
             }
         }
-        forest::wound(stand_, species(), impacts, decades_.forest.parameters.uprooting,
-                      decades_.scenario.seed, member_.replicate);
     }
 
-    void record_lists(std::int32_t year, const FallsOfYear& falls) {
+    /// Trees, dead wood and patches of chosen years.
+    void record_lists(std::int32_t year) {
         if (contains(tree_list_years_, year)) {
-            std::map<std::uint64_t, rockfall::StemTally> takes;
-            for (const StemTake& take : falls.takes) {
-                takes[forest::number_of(take.tree)] = take.tally;
-            }
-            const std::size_t first = kept_.trees.size();
-            record_trees(stand_, year, kept_);
+            record_trees(state_.stand, year, kept_);
             if (is_shown(year)) {
-                record_dead_wood(stand_, year, kept_);
-            }
-            for (std::size_t i = first; i < kept_.trees.size(); ++i) {
-                const auto take = takes.find(kept_.trees[i].tree);
-                if (take != takes.end()) {
-                    kept_.trees[i].rock_hits = take->second.hits;
-                    kept_.trees[i].rock_energy_kj =
-                        static_cast<float>(static_cast<double>(take->second.energy_j) / 1000.0);
-                }
+                record_dead_wood(state_.stand, year, kept_);
             }
         }
         if (contains(map_years_, year)) {
-            record_patches(stand_, species(), year, kept_);
+            record_patches(state_.stand, species(), year, kept_);
         }
     }
 
@@ -156,8 +137,8 @@ private:
     const ForestSettings& settings_;
     Member member_;
     int threads_;
-    forest::Stand stand_;
-    RegimeState regime_state_;
+    exchange::MemberState state_;
+    exchange::MemberSite site_;
     std::vector<int> tree_list_years_;
     std::vector<int> map_years_;
     std::optional<BareFalls> bare_;  ///< where they are shared
@@ -168,13 +149,13 @@ private:
 
 MemberYears simulate(const Decades& decades, Member member, int threads,
                      const std::function<void()>& year_done) {
-    Life life{decades, member, threads};
-    life.begin();
+    MemberRun run{decades, member, threads};
+    run.simulate_start();
     for (std::int32_t year = 1; year <= static_cast<std::int32_t>(decades.scenario.years); ++year) {
-        life.pass(year);
+        run.simulate_year(year);
         year_done();
     }
-    return life.take();
+    return run.take();
 }
 
 }  // namespace coupling::decades

@@ -6,7 +6,7 @@
 #include "coupling/decades/management.hpp"
 #include "coupling/decades/parts.hpp"
 #include "coupling/decades/records.hpp"
-#include "coupling/decades/year_falls.hpp"
+#include "coupling/exchange/yearly_rockfall.hpp"
 #include "coupling/inputs/forest_site.hpp"
 #include "coupling/inputs/scenario.hpp"
 
@@ -17,7 +17,7 @@ struct Decades {
     const Scenario& scenario;
     const ForestSite& forest;
     const Management& management;
-    const RockSeason* rocks = nullptr;  ///< nullptr: no rockfall
+    const exchange::YearlyRockfall* rocks = nullptr;  ///< nullptr: no rockfall
     /// Where their falls over the bare slope lie; nullptr: each member lets them fall itself.
     const YearBlocks* blocks = nullptr;
     const Parts* parts = nullptr;

@@ -29,14 +29,14 @@ public:
         scenario_ = coupling::read_scenario(folder_ / "scenario.ini", overrides());
         site_ = std::make_unique<coupling::Site>(coupling::open_site(*scenario_, warnings_));
         management_ = decades::read_management(*scenario_, *site_->forest, warnings_);
-        rocks_ = std::make_unique<decades::RockSeason>(
+        rocks_ = std::make_unique<exchange::YearlyRockfall>(
             *scenario_, *site_, site_->forest->species.fracture_energy, std::vector<rockfall::Stem>{});
         blocks_ = std::make_unique<decades::YearBlocks>(*scenario_);
         fs::create_directories(folder_ / "parts");
         parts_ = std::make_unique<decades::Parts>(folder_ / "parts", "benchmark");
-        std::vector<decades::BareYear> bare;
+        std::vector<exchange::BareYear> bare;
         for (const std::int32_t year : blocks_->years(0)) {
-            bare.push_back(rocks_->fall_bare(0, year, blocks_->with_cells(year), 1));
+            bare.push_back(rocks_->simulate_bare(0, year, blocks_->with_cells(year), 1));
         }
         parts_->keep_bare(0, 0, bare);
     }
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] decades::Decades decades() const {
         return {*scenario_, *site_->forest, management_, rocks_.get(), blocks_.get(), parts_.get()};
     }
-    [[nodiscard]] const decades::RockSeason& rocks() const { return *rocks_; }
+    [[nodiscard]] const exchange::YearlyRockfall& rocks() const { return *rocks_; }
     [[nodiscard]] forest::Stand stand() const { return site_->forest->start(1, 0); }
     [[nodiscard]] const fs::path& folder() const { return folder_; }
 
@@ -63,7 +63,7 @@ private:
     std::unique_ptr<coupling::Scenario> scenario_;
     std::unique_ptr<coupling::Site> site_;
     decades::Management management_;
-    std::unique_ptr<decades::RockSeason> rocks_;
+    std::unique_ptr<exchange::YearlyRockfall> rocks_;
     std::unique_ptr<decades::YearBlocks> blocks_;
     std::unique_ptr<decades::Parts> parts_;
 };
@@ -80,16 +80,16 @@ void count_rocks(State& state) {
 
 void rock_year_bare(State& state) {
     for (auto _ : state) {
-        DoNotOptimize(small().rocks().fall_bare(0, 1, false, 1));
+        DoNotOptimize(small().rocks().simulate_bare(0, 1, false, 1));
     }
     count_rocks(state);
 }
 
 void rock_year_forest(State& state) {
     const forest::Stand stand = small().stand();
-    const decades::BareYear bare = small().rocks().fall_bare(0, 1, false, 1);
+    const exchange::BareYear bare = small().rocks().simulate_bare(0, 1, false, 1);
     for (auto _ : state) {
-        DoNotOptimize(small().rocks().fall(stand, bare, 0, false, 1));
+        DoNotOptimize(small().rocks().simulate(stand, bare, 0, false, 1));
     }
     count_rocks(state);
 }

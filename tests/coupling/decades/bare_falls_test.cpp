@@ -15,7 +15,7 @@ struct BareSlope {
     ForestProject project;
     Opened opened{open(project, {"release.rocks=200", "run.years=44", "run.rockfall_every=2",
                                  "climate.sequence=repeat", "output.map_years=0, 18"})};
-    RockSeason season{*opened.scenario, *opened.site, {}, {}};
+    exchange::YearlyRockfall season{*opened.scenario, *opened.site, {}, {}};
     YearBlocks blocks{*opened.scenario};
     Parts parts{project.folder(), "0123456789abcdef"};
 };
@@ -44,8 +44,9 @@ TEST(BareFalls, ComeBackFromTheirPartsAsTheyWere) {
     EXPECT_FALSE(slope.parts.has_bare(0, 0));
     BareFalls falls{slope.blocks, slope.parts, 1};
     for (const std::int32_t year : {0, 18, 20, 44}) {
-        const BareYear expected = slope.season.fall_bare(1, year, slope.blocks.with_cells(year), 1);
-        const BareYear& found = falls.at(year);
+        const exchange::BareYear expected =
+            slope.season.simulate_bare(1, year, slope.blocks.with_cells(year), 1);
+        const exchange::BareYear& found = falls.at(year);
         EXPECT_EQ(found.year, year);
         EXPECT_GT(expected.run.rocks, 190U);
         EXPECT_EQ(found.run.rocks, expected.run.rocks);
@@ -64,7 +65,7 @@ TEST(BareFalls, ComeBackFromTheirPartsAsTheyWere) {
 
 TEST(BareFalls, MarkEachArrivalOfARock) {
     const BareSlope slope;
-    const BareYear bare = slope.season.fall_bare(0, 1, false, 1);
+    const exchange::BareYear bare = slope.season.simulate_bare(0, 1, false, 1);
     for (std::size_t target = 0; target < bare.targets.size(); ++target) {
         std::uint64_t marked = 0;
         for (std::uint64_t rock = 0; rock < slope.season.rocks(); ++rock) {
@@ -77,7 +78,7 @@ TEST(BareFalls, MarkEachArrivalOfARock) {
 
 TEST(BareFalls, OfOtherSettingsOrCutOffAreRefused) {
     const BareSlope slope;
-    const std::vector<BareYear> bare{slope.season.fall_bare(0, 0, false, 1)};
+    const std::vector<exchange::BareYear> bare{slope.season.simulate_bare(0, 0, false, 1)};
     slope.parts.keep_bare(0, 0, bare);
     const Parts others{slope.project.folder(), "fedcba9876543210"};
     EXPECT_THROW(static_cast<void>(others.read_bare(0, 0)), config::InputError);

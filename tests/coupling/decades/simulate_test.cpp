@@ -53,7 +53,8 @@ protected:
         const ForestSite& forest = *opened.site->forest;
         config::Warnings warnings;
         const Management management = read_management(*opened.scenario, forest, warnings);
-        const RockSeason rocks{*opened.scenario, *opened.site, forest.species.fracture_energy, {}};
+        const exchange::YearlyRockfall rocks{
+            *opened.scenario, *opened.site, forest.species.fracture_energy, {}};
         const Decades decades{*opened.scenario, forest, management, &rocks};
         members = new std::vector<MemberYears>;
         for (std::uint32_t regime = 0; regime < management.regimes.size(); ++regime) {

@@ -1,12 +1,13 @@
-#include "coupling/decades/year_falls.hpp"
+#include "coupling/exchange/yearly_rockfall.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
+#include "coupling/decades/record_falls.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
-namespace coupling::decades::year_falls_test {
+namespace coupling::exchange::yearly_rockfall_test {
 namespace {
 
 /// A slope with rocks and a forest from stand records.
@@ -16,8 +17,8 @@ struct RockySlope {
           season{*opened.scenario, *opened.site, forest().species.fracture_energy, {}} {}
 
     [[nodiscard]] const ForestSite& forest() const { return *opened.site->forest; }
-    [[nodiscard]] FallsOfYear fall(const forest::Stand& stand) const {
-        return season.fall(stand, 0, 1, true, 1);
+    [[nodiscard]] YearFalls fall(const forest::Stand& stand) const {
+        return season.simulate(stand, 0, 1, true, 1);
     }
     [[nodiscard]] forest::Stand without_trees() const {
         return {forest().grid, forest().species.table.size(), {}, forest().first_year() - 1};
@@ -25,11 +26,11 @@ struct RockySlope {
 
     ForestProject project;
     Opened opened;
-    RockSeason season;
+    YearlyRockfall season;
 };
 
 /// The first tree that each rock meets.
-std::map<std::uint64_t, forest::Impact> first_hits(const FallsOfYear& falls) {
+std::map<std::uint64_t, forest::Impact> first_hits(const YearFalls& falls) {
     std::map<std::uint64_t, forest::Impact> first;
     for (const RockHit& hit : falls.hits) {
         first.try_emplace(hit.rock, hit.impact);
@@ -62,14 +63,14 @@ TEST(RocksOfAYear, TellHitsByWhatASoundStemTakes) {
 TEST(RocksOfAYear, KeepSomePathsThatChangeNothing) {
     const RockySlope slope;
     const forest::Stand stand = slope.forest().start(1, 0);
-    const FallsOfYear with = slope.fall(stand);
-    const FallsOfYear without = slope.season.fall(stand, 0, 1, false, 1);
+    const YearFalls with = slope.fall(stand);
+    const YearFalls without = slope.season.simulate(stand, 0, 1, false, 1);
     EXPECT_TRUE(without.paths.empty());
     ASSERT_FALSE(with.paths.empty());
     EXPECT_LE(with.paths.size(), most_paths);
     EXPECT_EQ(with.hits.size(), without.hits.size());
-    MemberYears kept;
-    record_paths(with, 1, kept);
+    decades::MemberYears kept;
+    decades::record_paths(with, 1, kept);
     std::size_t corners = 0;
     for (const rockfall::PathRecord& path : with.paths) {
         EXPECT_EQ(path.cover, Cover::forest);
@@ -101,7 +102,7 @@ TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
                         .year = stand.year()});
     }
     stand.add_logs(logs);
-    const FallsOfYear falls = slope.fall(stand);
+    const YearFalls falls = slope.fall(stand);
     ASSERT_TRUE(falls.with_forest);
     ASSERT_EQ(falls.tally.logs.size(), 4U);
     EXPECT_GT(falls.tally.logs[0].hits, 50U);
@@ -113,4 +114,4 @@ TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
 }
 
 }  // namespace
-}  // namespace coupling::decades::year_falls_test
+}  // namespace coupling::exchange::yearly_rockfall_test

@@ -1,0 +1,46 @@
+#include "coupling/decades/record_falls.hpp"
+
+#include <utility>
+
+namespace coupling::decades {
+
+void record_falls(const exchange::YearFalls& falls, std::int32_t year, MemberYears& kept) {
+    const auto bare = static_cast<std::size_t>(Cover::bare);
+    // Without a single stem the slope with forest is the bare slope.
+    const std::size_t forest = falls.with_forest ? static_cast<std::size_t>(Cover::forest) : bare;
+    for (const auto& [cover, counted] : {std::pair{Cover::forest, forest}, std::pair{Cover::bare, bare}}) {
+        kept.slopes.push_back({year, cover, figures_of(falls.tally.runs[counted])});
+    }
+    const std::uint64_t rocks = falls.tally.runs[bare].rocks;
+    for (std::uint32_t t = 0; t < falls.tally.targets.size(); ++t) {
+        const rockfall::TargetTally& target = falls.tally.targets[t];
+        TargetRow row;
+        row.year = year;
+        row.target = t;
+        const std::uint64_t with = target.by_cover[forest].reached;
+        const std::uint64_t without = target.by_cover[bare].reached;
+        const std::uint64_t both = falls.with_forest ? target.reached_both : without;
+        row.paired = {both, with - both, without - both};
+        row.forest = figures_of(target.by_cover[forest], rocks);
+        row.bare = figures_of(target.by_cover[bare], rocks);
+        kept.targets.push_back(row);
+    }
+}
+
+void record_cells(const exchange::YearFalls& falls, std::int32_t year, MemberYears& kept) {
+    const auto bare = static_cast<std::size_t>(Cover::bare);
+    const std::size_t forest = falls.with_forest ? static_cast<std::size_t>(Cover::forest) : bare;
+    kept.maps.push_back({year, Cover::forest, falls.tally.cells[forest].cells});
+    kept.maps.push_back({year, Cover::bare, falls.tally.cells[bare].cells});
+}
+
+void record_paths(const exchange::YearFalls& falls, std::int32_t year, MemberYears& kept) {
+    for (const rockfall::PathRecord& path : falls.paths) {
+        for (const rockfall::PathPoint& point : path.points) {
+            kept.paths.push_back({year, point.energy_j / 1000.0F, path.rock, point.position_m.x(),
+                                  point.position_m.y(), point.position_m.z()});
+        }
+    }
+}
+
+}  // namespace coupling::decades

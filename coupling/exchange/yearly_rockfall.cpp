@@ -1,0 +1,123 @@
+#include "coupling/exchange/yearly_rockfall.hpp"
+
+#include <utility>
+
+#include "coupling/exchange/stems_and_logs.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/run/fall_rocks.hpp"
+
+namespace coupling::exchange {
+
+YearlyRockfall::YearlyRockfall(const Scenario& scenario, const Site& site,
+                               std::vector<double> fracture_energy, std::vector<rockfall::Stem> standing)
+    : scenario_{scenario},
+      site_{site},
+      frame_{site.map_frame_on_terrain()},
+      start_{start_law(scenario)},
+      chunks_{rockfall::plan_chunks(site.sources)},
+      fracture_energy_{std::move(fracture_energy)},
+      standing_{std::move(standing)},
+      nets_{site.standing_nets()},
+      rocks_{site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks} {}
+
+rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems, std::uint32_t replicate,
+                                                std::int32_t year) const {
+    rockfall::Assessment assessment{site_.slope,   stems,         site_.sources,
+                                    site_.targets, start_,        scenario_.rockfall.fall,
+                                    frame_,        scenario_.seed};
+    assessment.nets = &nets_;
+    assessment.replicate = replicate;
+    assessment.year = static_cast<std::uint16_t>(year);
+    return assessment;
+}
+
+BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,
+                                       int threads) const {
+    const rockfall::StemIndex none;
+    const rockfall::Assessment falls = assessment(none, replicate, year);
+    BareYear bare;
+    bare.year = year;
+    bare.targets.resize(site_.targets.size());
+    bare.arrived.resize((rocks_ * site_.targets.size() + 63) / 64);
+    const auto keep_arrivals = [&](const rockfall::ChunkRows& rows) {
+        auto arrival = rows.arrivals[index_of(Cover::bare)].begin();
+        for (const rockfall::RockRecord& rock : rows.rocks[index_of(Cover::bare)]) {
+            for (std::size_t target = 0; target < bare.targets.size(); ++target, ++arrival) {
+                if (arrival->reached) {
+                    bare.mark_arrived(rock.rock, target);
+                }
+            }
+        }
+    };
+    rockfall::EnsembleTally tally{frame_, site_.targets.size(), 0};
+    if (fall_rocks_over(Cover::bare, falls, chunks_, threads, tally, keep_arrivals) == Ended::interrupted) {
+        throw Interrupted{};
+    }
+    bare.run = std::move(tally.runs[index_of(Cover::bare)]);
+    for (std::size_t target = 0; target < bare.targets.size(); ++target) {
+        bare.targets[target] = std::move(tally.targets[target].by_cover[index_of(Cover::bare)]);
+    }
+    if (with_cells) {
+        bare.cells = std::move(tally.cells[index_of(Cover::bare)].cells);
+    }
+    return bare;
+}
+
+YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
+                                   bool with_paths, int threads) const {
+    const Obstacles obstacles = stems_and_logs_of(stand, fracture_energy_, standing_);
+    const double largest_radius_m = 0.5 * rockfall::diameter_range(start_, site_.sources).largest_m;
+    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
+                                    scenario_.rockfall.fall.tree.taper};
+    const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,
+                                  scenario_.rockfall.fall.log.loose_share};
+    rockfall::Assessment through_forest = assessment(stems, replicate, bare.year);
+    through_forest.logs = &logs;
+    through_forest.path_every = with_paths ? (rocks_ + most_paths - 1) / most_paths : 0;
+
+    YearFalls falls{.tally = {frame_, site_.targets.size(), stems.placed().size(), logs.count()},
+                    .loads = {},
+                    .hits = {},
+                    .paths = {}};
+    falls.with_forest = !through_forest.only_bare();
+    const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
+        falls.paths.insert(falls.paths.end(), rows.paths.begin(), rows.paths.end());
+        const auto& rocks = rows.rocks[index_of(Cover::forest)];
+        auto arrival = rows.arrivals[index_of(Cover::forest)].begin();
+        for (const rockfall::RockRecord& fallen : rocks) {
+            for (std::size_t target = 0; target < bare.targets.size(); ++target, ++arrival) {
+                const bool both = arrival->reached && bare.has_arrived(fallen.rock, target);
+                falls.tally.targets[target].reached_both += both ? 1 : 0;
+            }
+        }
+        auto rock = rocks.begin();
+        for (const auto& [number, hit] : rows.tree_hits) {
+            while (rock->rock != number) {
+                ++rock;
+            }
+            const forest::Tree* tree = obstacles.trees[hit.stem];
+            if (tree == nullptr) {
+                continue;
+            }
+            falls.hits.push_back({number, impact_on(*tree, hit, stems.placed()[hit.stem], *rock,
+                                                    fracture_energy_[forest::index_of(tree->species)])});
+        }
+    };
+    if (falls.with_forest && fall_rocks_over(Cover::forest, through_forest, chunks_, threads, falls.tally,
+                                             keep_hits) == Ended::interrupted) {
+        throw Interrupted{};
+    }
+    falls.tally.runs[index_of(Cover::bare)] = bare.run;
+    for (std::size_t target = 0; target < bare.targets.size(); ++target) {
+        falls.tally.targets[target].by_cover[index_of(Cover::bare)] = bare.targets[target];
+    }
+    falls.tally.cells[index_of(Cover::bare)].cells = bare.cells;
+    for (std::size_t i = 0; i < obstacles.trees.size(); ++i) {
+        if (obstacles.trees[i] != nullptr && falls.tally.stems[i].hits > 0) {
+            falls.loads.push_back({obstacles.trees[i]->id, falls.tally.stems[i]});
+        }
+    }
+    return falls;
+}
+
+}  // namespace coupling::exchange
