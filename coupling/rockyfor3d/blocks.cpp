@@ -10,8 +10,8 @@
 namespace coupling::rockyfor3d {
 namespace {
 
-constexpr int ignored_rim = 2;  ///< rows and columns
-constexpr double metres_per_size = 0.01;
+constexpr int ignored_rim = 2;             ///< rows and columns
+constexpr double sizes_per_metre = 100.0;  ///< dividing by it rounds correctly: 115 cm are 1.15 m
 
 bool in_rim(const config::GridFrame& frame, std::size_t index) {
     const config::Cell cell = frame.cell_of(index);
@@ -78,7 +78,7 @@ Blocks blocks_of(const Folder& folder, std::size_t most_classes) {
     const auto classes_by = [&](long long width) {
         std::map<long long, std::vector<std::size_t>> by_size;
         for (const std::size_t i : sources) {
-            const long long size = std::max(1LL, std::llround(diameter_at(folder, i) / metres_per_size));
+            const long long size = std::max(1LL, std::llround(diameter_at(folder, i) * sizes_per_metre));
             by_size[size / width].push_back(i);
         }
         return by_size;
@@ -88,10 +88,11 @@ Blocks blocks_of(const Folder& folder, std::size_t most_classes) {
     while (by_size.size() > most_classes) {
         by_size = classes_by(++width);
     }
-    blocks.class_width_m = width == 1 ? 0.0 : static_cast<double>(width) * metres_per_size;
+    blocks.class_width_m = width == 1 ? 0.0 : static_cast<double>(width) / sizes_per_metre;
     for (const auto& [size, cells] : by_size) {
-        const double diameter_m = width == 1 ? static_cast<double>(size) * metres_per_size
-                                             : (static_cast<double>(size) + 0.5) * blocks.class_width_m;
+        const double diameter_m = width == 1
+                                      ? static_cast<double>(size) / sizes_per_metre
+                                      : static_cast<double>((2 * size + 1) * width) / (2.0 * sizes_per_metre);
         blocks.classes.push_back({diameter_m, cells.size()});
         for (const std::size_t i : cells) {
             blocks.zones.values[i] = static_cast<double>(blocks.classes.size());

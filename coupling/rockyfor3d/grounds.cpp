@@ -47,8 +47,14 @@ double mean_roughness_m(const Ground& ground) {
 /// Soil type and three heights in steps.
 using Kind = std::array<long long, 4>;
 
-std::map<Kind, std::vector<std::size_t>> kinds_by(const Folder& folder, double step_m) {
-    const auto steps = [&](double height_m) { return std::llround(height_m / step_m); };
+/// Whole centimetres in metres, correctly rounded: 115 steps of 0.01 m would be 1.1500000000000001 m.
+double metres(long long cm) {
+    constexpr double cm_per_m = 100.0;
+    return static_cast<double>(cm) / cm_per_m;
+}
+
+std::map<Kind, std::vector<std::size_t>> kinds_by(const Folder& folder, long long step_cm) {
+    const auto steps = [&](double height_m) { return std::llround(height_m / metres(step_cm)); };
     std::map<Kind, std::vector<std::size_t>> kinds;
     for (std::size_t i = 0; i < folder.dem.values.size(); ++i) {
         if (!std::isnan(folder.dem.values[i])) {
@@ -77,24 +83,23 @@ std::string like_ground(int soil_type, double mean_roughness_m) {
 Grounds grounds_of(const Folder& folder, double rock_radius_m, std::size_t most_types) {
     Grounds grounds;
     grounds.codes = config::Raster<double>{folder.dem.frame, std::nan("")};
-    constexpr double finest_m = 0.01;
-    double step_m = finest_m;
-    auto kinds = kinds_by(folder, step_m);
-    for (const double coarser_m : {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 100.0}) {
+    long long step_cm = 1;
+    auto kinds = kinds_by(folder, step_cm);
+    for (const long long coarser_cm : {5, 10, 25, 50, 100, 200, 500, 1000, 2500, 10'000}) {
         if (kinds.size() <= most_types) {
             break;
         }
-        step_m = coarser_m;
-        grounds.step_m = step_m;
-        kinds = kinds_by(folder, step_m);
+        step_cm = coarser_cm;
+        grounds.step_m = metres(step_cm);
+        kinds = kinds_by(folder, step_cm);
     }
     for (const auto& [kind, cells] : kinds) {
         Ground ground;
         ground.code = static_cast<int>(grounds.types.size()) + 1;
         ground.soil_type = static_cast<int>(kind[0]);
-        ground.rg70_m = static_cast<double>(kind[1]) * step_m;
-        ground.rg20_m = static_cast<double>(kind[2]) * step_m;
-        ground.rg10_m = static_cast<double>(kind[3]) * step_m;
+        ground.rg70_m = metres(kind[1] * step_cm);
+        ground.rg20_m = metres(kind[2] * step_cm);
+        ground.rg10_m = metres(kind[3] * step_cm);
         ground.r_n = soil_types.at(static_cast<std::size_t>(ground.soil_type)).r_n;
         ground.r_t = tangential_share(ground.rg70_m, ground.rg20_m, ground.rg10_m, rock_radius_m);
         const bool stops_all = ground.rg70_m >= stops_all_m;

@@ -65,7 +65,9 @@ public:
 
     /// The first log that a rock meets between the start of a flight and `until_s`, the rock moving towards
     /// it. Logs that are `ignored` (met and not yet left) or marked in `gone` (empty: none) are passed over.
-    /// A log is met when a millimetre is left between the two.
+    /// A log is met when a millimetre is left between the two. A rock that begins within a log (released
+    /// there, or turned into it) may leave it; it meets the log once it moves towards its axis, as deep as it
+    /// is then, at most a centimetre of way later.
     [[nodiscard]] std::optional<LogHit> first_hit(const Flight& flight, double until_s, double rock_radius_m,
                                                   std::span<const std::uint32_t> ignored,
                                                   std::span<const std::uint8_t> gone) const;

@@ -5,19 +5,12 @@
 #include <limits>
 
 #include "rockfall/tally/ground_below.hpp"
+#include "rockfall/tally/path_length.hpp"
 
 namespace rockfall {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-
-/// Length of a parabola between two times, by Simpson's rule on the speed (error below 0.1 % for a jump).
-double path_length_m(const Flight& flight, double until_s) {
-    const double begin = std::sqrt(flight.squared_speed_at(0.0));
-    const double middle = std::sqrt(flight.squared_speed_at(0.5 * until_s));
-    const double end = std::sqrt(flight.squared_speed_at(until_s));
-    return until_s / 6.0 * (begin + 4.0 * middle + end);
-}
 
 /// The straight plan view of a path as it goes from grid cell to grid cell.
 class CellSteps {

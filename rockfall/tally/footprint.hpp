@@ -20,7 +20,7 @@ struct RockRecord {
     float diameter_m = 0.0F;
     Eigen::Vector3d start_m = Eigen::Vector3d::Zero();  ///< in coordinates of the terrain
     Eigen::Vector3d end_m = Eigen::Vector3d::Zero();
-    double path_m = 0.0;  ///< length of the path in space
+    double path_m = 0.0;  ///< length of the path in space: arcs of flights, straight pieces on the ground
     double time_s = 0.0;
     double max_speed_mps = 0.0;
     double max_energy_j = 0.0;       ///< translation and rotation

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -60,6 +61,20 @@ public:
         write("rocky/" + name, text.str());
     }
     [[nodiscard]] const config::GridFrame& frame() const { return frame_; }
+
+    void make_all_blocks_spheres_of(double diameter_m) const {
+        const Raster<double> density = grid_of("rocky/rockdensity.asc");
+        Raster<double> shape{frame_};
+        Raster<double> axis{frame_};
+        for (std::size_t i = 0; i < density.values.size(); ++i) {
+            shape.values[i] = density.values[i] > 0.0 ? 3.0 : 0.0;
+            axis.values[i] = density.values[i] > 0.0 ? diameter_m : 0.0;
+        }
+        save("blshape.asc", shape);
+        for (const char* name : {"d1.asc", "d2.asc", "d3.asc"}) {
+            save(name, axis);
+        }
+    }
 
     /// Statistical forest: 400 stems/ha in the northern half.
     void add_forest_rasters() const {
@@ -170,6 +185,18 @@ TEST(FromRockyfor3d, DrawsAForestFromRastersTheSameEachTime) {
     const auto count = static_cast<double>(trees.rows());
     EXPECT_NEAR(sum_cm / count, 30.0, 4.0 * 8.0 / std::sqrt(count) + 0.05);
     EXPECT_NE(project.read("made/README.md").find("artificial"), std::string::npos);
+}
+
+/// A product of 115 and 0.01 is 1.1500000000000001.
+TEST(FromRockyfor3d, WritesLengthsWithoutFalseDigits) {
+    const RockyFolder project;
+    project.make_all_blocks_spheres_of(1.15);
+    ASSERT_EQ(call(project, "init made --from-rockyfor3d rocky --quiet").code, 0);
+    for (const char* file : {"scenario.ini", "README.md", "surface_types.csv"}) {
+        const std::string text = project.read(std::string{"made/"} + file);
+        EXPECT_FALSE(std::regex_search(text, std::regex{"[.][0-9]{5}"})) << file;
+    }
+    EXPECT_NE(project.read("made/scenario.ini").find("\ndiameter_m = 1.15\n"), std::string::npos);
 }
 
 TEST(FromRockyfor3d, TakesTheTreeFileBeforeRastersAndSaysSo) {

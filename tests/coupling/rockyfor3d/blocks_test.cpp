@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/numbers.hpp"
 #include "coupling/rockyfor3d/grounds.hpp"
 
 namespace coupling::rockyfor3d::blocks_test {
@@ -70,6 +71,57 @@ TEST(Blocks, ComeInClassesWhereThereAreManySizes) {
     EXPECT_EQ(few.cells(), 5U);
     EXPECT_GT(few.class_width_m, 0.0);
     EXPECT_NEAR(few.mean_diameter_m(), exact.mean_diameter_m(), few.class_width_m);
+}
+
+/// A length in whole half centimetres has at most three decimals.
+bool is_short(double length_m) {
+    const std::string text = config::to_text(length_m);
+    const std::size_t point = text.find('.');
+    return point == std::string::npos || text.size() - point <= 4;
+}
+
+TEST(Blocks, HaveSizesInWholeCentimetresThatPrintSo) {
+    Folder folder = folder_with({{5, 5}});
+    for (int cm = 1; cm <= 1000; ++cm) {
+        folder.d1.at({5, 5}) = folder.d2.at({5, 5}) = folder.d3.at({5, 5}) = 0.01 * cm + 0.001;
+        const double diameter_m = blocks_of(folder).classes.front().diameter_m;
+        EXPECT_NEAR(diameter_m, 0.01 * cm, 1e-9);
+        EXPECT_TRUE(is_short(diameter_m)) << config::to_text(diameter_m);
+    }
+}
+
+TEST(Blocks, HaveClassesThatPrintShort) {
+    Folder folder =
+        folder_with({{2, 2}, {3, 2}, {4, 2}, {5, 2}, {6, 2}, {2, 3}, {3, 3}, {4, 3}, {5, 3}, {6, 3}});
+    double size_m = 0.31;
+    for (std::size_t i = 0; i < folder.d1.values.size(); ++i) {
+        if (folder.rock_density.values[i] > 0.0) {
+            folder.d1.values[i] = folder.d2.values[i] = folder.d3.values[i] = size_m;
+            size_m += 0.37;
+        }
+    }
+    for (std::size_t most = 1; most <= 9; ++most) {
+        const Blocks blocks = blocks_of(folder, most);
+        EXPECT_TRUE(is_short(blocks.class_width_m)) << config::to_text(blocks.class_width_m);
+        for (const BlockClass& block : blocks.classes) {
+            EXPECT_TRUE(is_short(block.diameter_m)) << config::to_text(block.diameter_m);
+        }
+    }
+}
+
+TEST(Grounds, HaveHeightsInWholeCentimetresThatPrintSo) {
+    Folder folder = folder_with({});
+    for (std::size_t i = 0; i < folder.dem.values.size(); ++i) {
+        folder.soil_type.values[i] = 3.0;
+        folder.rg70.values[i] = 0.01 * static_cast<double>(i) + 0.001;
+    }
+    for (const std::size_t most : {1000U, 50U, 20U, 10U, 3U, 1U}) {
+        const Grounds grounds = grounds_of(folder, 0.5, most);
+        EXPECT_TRUE(is_short(grounds.step_m)) << config::to_text(grounds.step_m);
+        for (const Ground& ground : grounds.types) {
+            EXPECT_TRUE(is_short(ground.rg70_m)) << config::to_text(ground.rg70_m);
+        }
+    }
 }
 
 TEST(TangentialShare, FallsWithRoughnessAndForSmallRocks) {

@@ -240,6 +240,22 @@ TEST(CheckMode, TakesTheOtherHeightLawToo) {
                 1.3 + 30.0 * std::exp(-12.0 / dbh_cm) + 0.001 * competition * dbh_cm, 1e-8);
 }
 
+TEST(CheckMode, StaysFiniteWhereLeavesMatureWithinAYear) {
+    // Published sets of birch, cembra pine and Scots pine have tSLA = 1 year, that of birch and cembra pine
+    // with SLA0 above SLA1: at the age of 43 years nothing is left of the young leaves.
+    for (const std::string& species : {beech, pine}) {
+        Inputs inputs = demonstration({species});
+        ByAge& sla = inputs.parameters[0].sla_m2pkg;
+        sla = {.young = 2.0 * sla.mature, .mature = sla.mature, .half_years = 1.0};
+        for (const Row& row : run(inputs, {})) {
+            for (const Column& column : columns()) {
+                ASSERT_TRUE(std::isfinite(column.of(row))) << column.name << " of " << species;
+            }
+            ASSERT_DOUBLE_EQ(row.state.age.sla_m2pkg, sla.mature) << species;
+        }
+    }
+}
+
 TEST(CheckMode, GivesTheSheetsFiguresOfPineInJune) {
     const std::vector<Row> rows = run(demonstration({pine}), {});
     const Row& june = rows[5];

@@ -34,5 +34,20 @@ TEST(ByAge, IsHalfWayAtItsAge) {
     EXPECT_DOUBLE_EQ(by_age(5.0, 24.0, 18.0, 0.0, 1.0), 18.0);
 }
 
+TEST(ByAge, StaysBetweenItsValuesAtAnyAge) {
+    // Published sets of birch, cembra pine and Scots pine have a half-way age of 1 year, so the exponential
+    // underflows at the age of 32 years.
+    for (const double power_of_age : {1.0, 2.0, 3.0}) {
+        double before = 24.0;
+        for (int year = 0; year <= 1000; ++year) {
+            const double value = by_age(year, 24.0, 18.0, 1.0, power_of_age);
+            ASSERT_GE(value, 18.0) << year;
+            ASSERT_LE(value, before) << year;
+            before = value;
+        }
+        EXPECT_DOUBLE_EQ(before, 18.0);
+    }
+}
+
 }  // namespace
 }  // namespace forest::allocation_test

@@ -145,6 +145,15 @@ TEST(LogIndex, MeetsTheMeanFreePathOfLines) {
     EXPECT_NEAR(travelled_m / hits, expected_m, 0.03 * expected_m);
 }
 
+/// So near a rock touches a log.
+constexpr double touching_m = 1e-3;
+
+/// How a rock lies to a piece of a log.
+struct Lying {
+    double gap_m;
+    bool moves_towards;
+};
+
 RC_GTEST_PROP(LogIndex, FindsWhatALookInSmallStepsFinds, ()) {
     static const std::vector<Log> field = [] {
         std::vector<Log> logs;
@@ -170,32 +179,61 @@ RC_GTEST_PROP(LogIndex, FindsWhatALookInSmallStepsFinds, ()) {
     constexpr double until_s = 0.8;
     const auto found = logs.first_hit(flight, until_s, rock_radius_m, {}, {});
 
-    // Depth of the rock in the deepest piece, in steps of 4 ms; pieces that it leaves at the start do not
-    // count.
-    const auto depth_m = [&](double time_s) {
-        double deepest_m = -1e9;
-        for (const LogPiece& piece : logs.pieces()) {
-            const Eigen::Vector3d centre_m = flight.position_m(time_s) + rock_radius_m * piece.normal;
-            const Eigen::Vector3d off_m = centre_m - piece.nearest_to(centre_m);
-            if (flight.velocity_at(time_s).dot(off_m) < 0.0) {
-                deepest_m = std::max(deepest_m, rock_radius_m + piece.radius_m - off_m.norm());
-            }
-        }
-        return deepest_m;
+    const double fastest_mps =
+        std::sqrt(std::max(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s)));
+    const auto lies = [&](const LogPiece& piece, double time_s) {
+        const Eigen::Vector3d centre_m = flight.position_m(time_s) + rock_radius_m * piece.normal;
+        const Eigen::Vector3d off_m = centre_m - piece.nearest_to(centre_m);
+        constexpr double grazing = 2e-6;
+        return Lying{off_m.norm() - rock_radius_m - piece.radius_m,
+                     flight.velocity_at(time_s).dot(off_m) < -grazing * fastest_mps * off_m.norm()};
+    };
+    // Within a log a rock is met as soon as it moves towards it: a centimetre of way earlier it was still
+    // within and leaving.
+    const auto was_leaving = [&](const LogPiece& piece, double time_s) {
+        const double look_again_s = 0.0101 / std::sqrt(flight.squared_speed_at(time_s));
+        const Lying before = lies(piece, std::max(0.0, time_s - look_again_s));
+        return before.gap_m <= touching_m && !before.moves_towards;
     };
     const double end_s = found ? found->time_s : until_s;
+    std::vector<LogPiece> near;  // all that the rock could touch
+    for (const LogPiece& piece : logs.pieces()) {
+        if (lies(piece, 0.0).gap_m < fastest_mps * end_s + touching_m) {
+            near.push_back(piece);
+        }
+    }
     for (double time_s = 0.0; time_s < end_s - 1e-9; time_s += 4e-3) {
-        // It is moved on by a centimetre where it touches without moving closer.
-        RC_ASSERT(depth_m(time_s) <= 0.01);
+        for (const LogPiece& piece : near) {
+            const Lying now = lies(piece, time_s);
+            RC_ASSERT(now.gap_m >= 0.0 || !now.moves_towards || was_leaving(piece, time_s));
+        }
     }
     if (found) {
         const LogPiece& piece = logs.pieces()[found->piece];
-        const Eigen::Vector3d centre_m = flight.position_m(found->time_s) + rock_radius_m * piece.normal;
-        const double gap_m = (centre_m - piece.nearest_to(centre_m)).norm() - rock_radius_m - piece.radius_m;
-        RC_ASSERT(gap_m <= 1e-3);
-        RC_ASSERT(found->time_s == 0.0 || gap_m > -0.01);
+        const double gap_m = lies(piece, found->time_s).gap_m;
+        RC_ASSERT(gap_m <= touching_m);
+        RC_ASSERT(found->time_s == 0.0 || gap_m >= -1e-9 || was_leaving(piece, found->time_s));
         RC_ASSERT(std::abs(found->towards_rock.norm() - 1.0) < 1e-12);
     }
+}
+
+TEST(LogIndex, IsMetFromWithinOnceTheRockFallsBackTowardsIt) {
+    // A rock that begins inside a log, its centre 0.4 m above the axis, rises for 0.1 s and by 5 cm only: it
+    // is still 15 cm deep when it turns.
+    const LogIndex logs{std::vector<Log>{log_between(500.0, 490.0, 500.0, 510.0)}, flat().terrain, radius_m,
+                        0.5};
+    const double speed_mps = 0.1 * config::gravity_mps2;
+    const Flight flight{place(flat(), 500.0, 500.0, 0.2), {0.0, 1.0, speed_mps}};
+    const auto hit = logs.first_hit(flight, 1.0, radius_m, {}, {});
+    ASSERT_TRUE(hit);
+    EXPECT_GE(hit->time_s, 0.1);
+    EXPECT_LE(hit->time_s, 0.1 + 0.01);  // a centimetre of way at 1 m/s and more
+    EXPECT_NEAR(hit->towards_rock.z(), 1.0, 1e-9);
+    // One that moves towards the axis from the start is met there and then; one that gets out is not met.
+    const Flight sinking{flight.start_m, {0.0, 1.0, -0.1}};
+    EXPECT_EQ(logs.first_hit(sinking, 1.0, radius_m, {}, {}).value().time_s, 0.0);
+    const Flight rising{flight.start_m, {0.0, 1.0, 5.0}};
+    EXPECT_FALSE(logs.first_hit(rising, 0.5, radius_m, {}, {}));
 }
 
 TEST(LogIndex, PassesOverLogsTouchedGoneOrWithoutStrength) {

@@ -176,5 +176,25 @@ TEST(Footprint, MeasuresRunOutAndPathOfASlidingLine) {
     EXPECT_NEAR(watched.record.max_energy_j, 0.7 * start.rock.mass_kg, 1e-6);  // a rolling sphere: 0.7 m v^2
 }
 
+TEST(Footprint, MeasuresPathAndMeanSpeedOfARockThatHopsOnTheSpot) {
+    // Dropped from 10 m, half the speed kept at each impact, ended by the fourth: 10 + 2 (10/4 + 10/16 +
+    // 10/64) = 16.5625 m, in sqrt(2 * 10 / g) (1 + 2 (1/2 + 1/4 + 1/8)) s.
+    const Slope slope = testing::plane_slope(0.0, {0.5, 0.5});
+    Footprint footprint{slope.terrain, on_terrain({100, 10, 0.0, 0.0, 10.0, 10.0}, slope), {}};
+    RockStart start = start_at(slope, 100.0, 50.0, 10.0, Eigen::Vector3d::Zero());
+    footprint.begin(start, false);
+    std::vector<Stretch> stretches;
+    Flight flight{start.position_m, start.velocity_mps};
+    for (int impact = 1; impact <= 4; ++impact) {
+        const Landing landing = fly(slope.terrain, flight, start.triangle, stretches);
+        footprint.flew(start.rock, flight, landing.time_s, stretches, 0.0);
+        flight.start_m.z() = stretches.back().ground_end_m;
+        flight.velocity_mps.z() = -0.5 * flight.velocity_at(landing.time_s).z();
+    }
+    EXPECT_NEAR(footprint.record().path_m, 16.5625, 1e-6);
+    EXPECT_NEAR(footprint.record().mean_speed_mps(),
+                16.5625 / (std::sqrt(20.0 / config::gravity_mps2) * 2.75), 1e-6);
+}
+
 }  // namespace
 }  // namespace rockfall::footprint_test
