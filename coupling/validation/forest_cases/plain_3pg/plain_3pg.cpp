@@ -1,18 +1,18 @@
-#include "forest/check_mode/check_mode.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/plain_3pg.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "config/errors/input_error.hpp"
-#include "forest/check_mode/growth.hpp"
-#include "forest/check_mode/light.hpp"
-#include "forest/check_mode/mortality.hpp"
-#include "forest/check_mode/sizes.hpp"
-#include "forest/check_mode/water.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/growth.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/light.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/mortality.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/sizes.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/water.hpp"
 #include "forest/production/calendar.hpp"
 #include "forest/production/day_length.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -31,7 +31,7 @@ Stand starting_stand(const Inputs& inputs, const Settings& settings) {
     stand.water.soil_mm = std::max(std::min(site.start_water_mm, site.max_water_mm), least_mm);
     stand.water.supply = 1.0;
     const ClimateMonth& first = inputs.climate.front();
-    stand.day_length_s = day_length_s(site.latitude, first.when.month);
+    stand.day_length_s = forest::day_length_s(site.latitude, first.when.month);
     grow_older(stand, inputs, first.when);
     climate_modifiers(stand, inputs, first);
     plant(stand, inputs, first.when);
@@ -46,7 +46,7 @@ Stand starting_stand(const Inputs& inputs, const Settings& settings) {
 }
 
 void begin_month(Stand& stand, const Inputs& inputs, const ClimateMonth& month, const Settings& settings) {
-    stand.day_length_s = day_length_s(inputs.site.latitude, month.when.month);
+    stand.day_length_s = forest::day_length_s(inputs.site.latitude, month.when.month);
     grow_older(stand, inputs, month.when);
     climate_modifiers(stand, inputs, month);
     const bool planted = plant(stand, inputs, month.when);
@@ -129,4 +129,4 @@ Inputs inputs_of(const Site& site, std::vector<StartingSpecies> species,
     return inputs;
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,4 +1,4 @@
-#include "forest/check_mode/check_mode.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/plain_3pg.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "config/text/numbers.hpp"
-#include "tests/forest/check_mode/reference.hpp"
+#include "tests/coupling/validation/forest_cases/plain_3pg/reference.hpp"
 
-namespace forest::check_mode::check_mode_test {
+namespace coupling::validation::forest_cases::plain_3pg {
 namespace {
 
 const std::string beech = "Fagus sylvatica";
@@ -251,4 +251,4 @@ TEST(CheckMode, GivesTheSheetsFiguresOfPineInJune) {
 }
 
 }  // namespace
-}  // namespace forest::check_mode::check_mode_test
+}  // namespace coupling::validation::forest_cases::plain_3pg

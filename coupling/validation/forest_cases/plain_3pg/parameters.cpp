@@ -1,9 +1,9 @@
-#include "forest/check_mode/parameters.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/parameters.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -195,4 +195,4 @@ std::vector<Parameters> read_parameters(const Table& table) {
     return result;
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "forest/check_mode/stand.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/stand.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 /// Ages of the species at the end of a month, and what depends on age alone.
 void grow_older(Stand& stand, const Inputs& inputs, YearMonth when);
@@ -31,4 +31,4 @@ void allocate(Stand& stand, const Inputs& inputs, int month);
 /// Volumes and their change.
 void measure_growth(Stand& stand, const Inputs& inputs);
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "config/units/angle.hpp"
-#include "forest/check_mode/stand.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/stand.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 /// Light absorbed by each species as if it were alone, over the share of ground that a young stand covers
 /// [Landsberg & Waring 1997].
@@ -27,7 +27,7 @@ std::vector<int> layers_of(std::span<const double> crown_bases_m, std::span<cons
 /// The angle that r3PG takes for the sun's distance from the zenith at noon, in degrees.
 ///
 /// r3PG changes the sign of the latitude, so that in either hemisphere the sun stands low in summer: at 47
-/// degrees north 70 in June and 24 in December. It is kept here because check mode is held against r3PG.
+/// degrees north 70 in June and 24 in December. It is kept here because this run is held against r3PG.
 double noon_angle_deg(config::Angle latitude, int month);
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,12 +1,12 @@
-#include "forest/check_mode/mortality.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/mortality.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forest/check_mode/sizes.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/sizes.hpp"
 #include "forest/production/power.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -70,7 +70,7 @@ void ThinningList::thin(Stand& stand, const Inputs& inputs, int month) {
         }
         const Thinning& thinning = due_[i][next_[i]++];
         if (species.stocks.stems_pha > thinning.stems_pha) {
-            check_mode::thin(species, thinning, dormant(inputs.parameters[i], month));
+            plain_3pg::thin(species, thinning, dormant(inputs.parameters[i], month));
             stand.sizes_outdated = true;
         }
     }
@@ -103,7 +103,7 @@ void thin_themselves(Stand& stand, const Inputs& inputs, int month) {
             continue;
         }
         const double stems_pha = species.stocks.stems_pha / share;  // if it grew alone on the hectare
-        species.deaths.thinning_limit_kg = limit.at_1000_kg * power(1000.0 / stems_pha, limit.power);
+        species.deaths.thinning_limit_kg = limit.at_1000_kg * forest::power(1000.0 / stems_pha, limit.power);
         if (dormant(inputs.parameters[i], month) ||
             species.deaths.thinning_limit_kg >= species.sizes.tree_kg) {
             continue;
@@ -127,7 +127,7 @@ double self_thinned_pha(double stems_pha, double stem_tpha, double lost_stem, co
     const double lost_per_thousand = kg_per_t * lost_stem * stem_tpha / stems_pha;
     double thousands = stems_pha / 1000.0;
     for (int step = 0; step < most_steps && thousands > 0.0; ++step) {
-        const double limit_tpha = limit.at_1000_kg * power(thousands, 1.0 - limit.power);
+        const double limit_tpha = limit.at_1000_kg * forest::power(thousands, 1.0 - limit.power);
         const double excess = limit_tpha - lost_per_thousand * thousands - (1.0 - lost_stem) * stem_tpha;
         const double slope = (1.0 - limit.power) * limit_tpha / thousands - lost_per_thousand;
         const double change = -excess / slope;
@@ -139,4 +139,4 @@ double self_thinned_pha(double stems_pha, double stem_tpha, double lost_stem, co
     return stems_pha - 1000.0 * thousands;
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,10 +1,10 @@
-#include "forest/check_mode/mortality.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/mortality.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace forest::check_mode::mortality_test {
+namespace coupling::validation::forest_cases::plain_3pg {
 namespace {
 
 const SelfThinning limit{400.0, 1.5};
@@ -29,4 +29,4 @@ TEST(SelfThinning, TakesMoreTreesWhereTheDyingAreSmall) {
 }
 
 }  // namespace
-}  // namespace forest::check_mode::mortality_test
+}  // namespace coupling::validation::forest_cases::plain_3pg

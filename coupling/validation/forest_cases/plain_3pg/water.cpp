@@ -1,11 +1,11 @@
-#include "forest/check_mode/water.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/water.hpp"
 
 #include <algorithm>
 
 #include "forest/production/calendar.hpp"
 #include "forest/production/power.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -40,8 +40,8 @@ void set_conductances(Stand& stand, const Inputs& inputs) {
             continue;
         }
         species.water.conductance_mps =
-            canopy_conductance_mps(lai, parameters.min_conductance_mps, parameters.max_conductance_mps,
-                                   parameters.full_conductance_lai) *
+            forest::canopy_conductance_mps(lai, parameters.min_conductance_mps,
+                                           parameters.max_conductance_mps, parameters.full_conductance_lai) *
             (species.canopy.lai / lai) * f.physiology * f.temperature_of_conductance * f.co2_conductance;
         const double free_spm = 1.0 / parameters.boundary_layer_mps;
         const double relative = species.sizes.height_m / (0.5 * tallest_m);
@@ -53,10 +53,10 @@ void set_conductances(Stand& stand, const Inputs& inputs) {
 }
 
 /// The month as species i meets it.
-EvaporationDay day_of(const Stand& stand, const Inputs& inputs, const ClimateMonth& month, std::size_t i,
-                      double share_of_light, double vpd_kpa) {
+forest::EvaporationDay day_of(const Stand& stand, const Inputs& inputs, const ClimateMonth& month,
+                              std::size_t i, double share_of_light, double vpd_kpa) {
     return {
-        static_cast<double>(days_in_month(month.when.month)), stand.day_length_s,
+        static_cast<double>(forest::days_in_month(month.when.month)), stand.day_length_s,
         share_of_light * inputs.parameters[i].net_radiation.by_day(month.radiation_mjpm2, stand.day_length_s),
         vpd_kpa};
 }
@@ -64,12 +64,13 @@ EvaporationDay day_of(const Stand& stand, const Inputs& inputs, const ClimateMon
 void transpire_as_one_canopy(Stand& stand, const Inputs& inputs, const ClimateMonth& month) {
     for (std::size_t i = 0; i < stand.species.size(); ++i) {
         Water& water = stand.species[i].water;
-        const EvaporationDay day = day_of(stand, inputs, month, i, 1.0, water.vpd_kpa);
+        const forest::EvaporationDay day = day_of(stand, inputs, month, i, 1.0, water.vpd_kpa);
         // Without deficit there is none, whatever the radiation: so in r3PG.
-        water.transpiration_mm = month.vpd_kpa == 0.0
-                                     ? 0.0
-                                     : std::max(0.0, evaporation_mm(day, water.conductance_mps,
-                                                                    inputs.parameters[i].boundary_layer_mps));
+        water.transpiration_mm =
+            month.vpd_kpa == 0.0
+                ? 0.0
+                : std::max(0.0, forest::evaporation_mm(day, water.conductance_mps,
+                                                       inputs.parameters[i].boundary_layer_mps));
     }
     stand.water.soil_evaporation_mm = 0.0;
 }
@@ -79,17 +80,17 @@ void transpire_by_species(Stand& stand, const Inputs& inputs, const ClimateMonth
     for (std::size_t i = 0; i < stand.species.size(); ++i) {
         SpeciesMonth& species = stand.species[i];
         absorbed_share += species.canopy.absorbed_share;
-        const EvaporationDay day =
+        const forest::EvaporationDay day =
             day_of(stand, inputs, month, i, species.canopy.absorbed_share, species.water.vpd_kpa);
-        species.water.transpiration_mm =
-            species.canopy.lai == 0.0
-                ? 0.0
-                : evaporation_mm(day, species.water.conductance_mps, 1.0 / species.water.air_resistance_spm);
+        species.water.transpiration_mm = species.canopy.lai == 0.0
+                                             ? 0.0
+                                             : forest::evaporation_mm(day, species.water.conductance_mps,
+                                                                      1.0 / species.water.air_resistance_spm);
     }
     const double lai = total_lai(stand);
     const double soil_vpd_kpa = month.vpd_kpa * config::exp2_of(-lai / soil_vpd_halving_lai);
-    const EvaporationDay day = day_of(stand, inputs, month, 0, 1.0 - absorbed_share, soil_vpd_kpa);
-    stand.water.soil_evaporation_mm = evaporation_mm(
+    const forest::EvaporationDay day = day_of(stand, inputs, month, 0, 1.0 - absorbed_share, soil_vpd_kpa);
+    stand.water.soil_evaporation_mm = forest::evaporation_mm(
         day, stand.water.soil_conductance_mps, lai > 0.0 ? 1.0 / (air_resistance_per_lai_spm * lai) : 1.0);
 }
 
@@ -97,11 +98,11 @@ double intercept(Stand& stand, const Inputs& inputs, double prec_mm) {
     const double lai = total_lai(stand);
     double sum_mm = 0.0;
     for (std::size_t i = 0; i < stand.species.size(); ++i) {
-        const Interception& law = inputs.parameters[i].interception;
+        const forest::Interception& law = inputs.parameters[i].interception;
         Water& water = stand.species[i].water;
         const double share_of_lai = lai > 0.0 ? stand.species[i].canopy.lai / lai : 0.0;
-        water.interception_share =
-            interception_share(lai, law.max_share, law.full_lai) * (law.full_lai > 0.0 ? share_of_lai : 1.0);
+        water.interception_share = forest::interception_share(lai, law.max_share, law.full_lai) *
+                                   (law.full_lai > 0.0 ? share_of_lai : 1.0);
         water.interception_mm = prec_mm * water.interception_share;
         sum_mm += water.interception_mm;
     }
@@ -155,4 +156,4 @@ void balance_water(Stand& stand, const Inputs& inputs, const ClimateMonth& month
     reduce_to_supply(stand, transpiration_mm, intercepted_mm);
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -6,7 +6,7 @@
 #include "config/table/table.hpp"
 #include "config/units/angle.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 /// A calendar month.
 struct YearMonth {
@@ -73,4 +73,4 @@ std::vector<StartingSpecies> read_species(const config::Table& table);
 std::vector<ClimateMonth> read_climate(const config::Table& table, const Site& site);
 std::vector<Thinning> read_thinnings(const config::Table& table);
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,12 +1,12 @@
-#include "forest/check_mode/light.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/light.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/forest/check_mode/reference.hpp"
+#include "tests/coupling/validation/forest_cases/plain_3pg/reference.hpp"
 
-namespace forest::check_mode::light_test {
+namespace coupling::validation::forest_cases::plain_3pg {
 namespace {
 
 TEST(CrownBody, IsThatOfTheKnownSolids) {
@@ -90,4 +90,4 @@ TEST(AbsorbByLayers, GivesTheHigherLayerFirst) {
 }
 
 }  // namespace
-}  // namespace forest::check_mode::light_test
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "forest/check_mode/stand.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/stand.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 /// Thinnings that are still to come: of each species the next one is due when its age is reached, one a month
 /// at most.
@@ -31,4 +31,4 @@ void thin_themselves(Stand& stand, const Inputs& inputs, int month);
 /// At most five of Newton's steps, as in 3-PG; the last of them is below one tree.
 double self_thinned_pha(double stems_pha, double stem_tpha, double lost_stem, const SelfThinning& limit);
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,4 +1,4 @@
-#include "forest/check_mode/inputs.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/inputs.hpp"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,7 @@
 #include "config/text/numbers.hpp"
 #include "forest/production/vapour.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -49,8 +49,9 @@ ClimateMonth read_climate_month(const Table& table, std::size_t row, Problems& p
     result.frost_days = number(table, row, "frost_days", {0, 31}, problems);
     result.co2_ppm = table.has("co2") ? number(table, row, "co2", {100, 5000}, problems) : 350.0;
     constexpr double kpa_per_mbar = 0.1;
-    result.vpd_kpa = table.has("vpd_day") ? kpa_per_mbar * number(table, row, "vpd_day", {0, 100}, problems)
-                                          : vpd_from_temperatures_kpa(result.tmin_degc, result.tmax_degc);
+    result.vpd_kpa = table.has("vpd_day")
+                         ? kpa_per_mbar * number(table, row, "vpd_day", {0, 100}, problems)
+                         : forest::vpd_from_temperatures_kpa(result.tmin_degc, result.tmax_degc);
     return result;
 }
 
@@ -142,4 +143,4 @@ std::vector<Thinning> read_thinnings(const Table& table) {
     return result;
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

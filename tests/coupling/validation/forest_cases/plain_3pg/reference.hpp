@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "config/table/table.hpp"
-#include "forest/check_mode/check_mode.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/plain_3pg.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 inline config::Table reference_table(const std::string& name) {
     std::ifstream in{BANNWALD_SOURCE_DIR "/validation/forest_production/" + name};
@@ -41,4 +41,4 @@ inline double value(const Row& row, std::string_view column) {
     return 0.0;
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

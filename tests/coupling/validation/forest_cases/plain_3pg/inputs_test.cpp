@@ -1,12 +1,12 @@
-#include "forest/check_mode/inputs.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/inputs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "tests/forest/check_mode/reference.hpp"
+#include "tests/coupling/validation/forest_cases/plain_3pg/reference.hpp"
 
-namespace forest::check_mode::inputs_test {
+namespace coupling::validation::forest_cases::plain_3pg {
 namespace {
 
 config::Table table_of(const std::string& text) {
@@ -81,4 +81,4 @@ TEST(CheckModeTables, NameSpeciesWithoutParameters) {
 }
 
 }  // namespace
-}  // namespace forest::check_mode::inputs_test
+}  // namespace coupling::validation::forest_cases::plain_3pg

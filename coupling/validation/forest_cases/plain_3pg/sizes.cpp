@@ -1,4 +1,4 @@
-#include "forest/check_mode/sizes.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/sizes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "config/units/constants.hpp"
 #include "forest/production/power.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -42,7 +42,8 @@ double mean_height_m(const Stand& stand) {
 
 void set_diameter(SpeciesMonth& species, const Parameters& parameters) {
     Sizes& sizes = species.sizes;
-    sizes.dbh_cm = power(sizes.tree_kg / parameters.stem_mass.factor, 1.0 / parameters.stem_mass.exponent);
+    sizes.dbh_cm =
+        forest::power(sizes.tree_kg / parameters.stem_mass.factor, 1.0 / parameters.stem_mass.exponent);
     constexpr double m2_per_cm2 = 1e-4;
     sizes.basal_area_m2pha =
         0.25 * std::numbers::pi * sizes.dbh_cm * sizes.dbh_cm * m2_per_cm2 * species.stocks.stems_pha;
@@ -57,7 +58,7 @@ double height_by(const SizeLaw& law, double dbh_cm, double competition, HeightMo
     if (model == HeightModel::exponential) {
         return exponential_law(law, dbh_cm, competition);
     }
-    return law.factor * power(dbh_cm, law.dbh) * power(competition, law.competition);
+    return law.factor * forest::power(dbh_cm, law.dbh) * forest::power(competition, law.competition);
 }
 
 /// What the sizes of a stand's trees depend on besides their own diameter.
@@ -78,19 +79,20 @@ void set_sizes(SpeciesMonth& species, const Parameters& parameters, const Surrou
     const SizeLaw& length = parameters.crown_length_m;
     const double crown_length_m = model == HeightModel::exponential
                                       ? exponential_law(length, dbh_cm, around.competition)
-                                      : length.factor * power(dbh_cm, length.dbh) *
-                                            power(around.lai, length.lai) *
-                                            power(around.competition, length.competition) *
-                                            power(relative_height, length.relative_height);
+                                      : length.factor * forest::power(dbh_cm, length.dbh) *
+                                            forest::power(around.lai, length.lai) *
+                                            forest::power(around.competition, length.competition) *
+                                            forest::power(relative_height, length.relative_height);
     sizes.crown_length_m = std::min(crown_length_m, sizes.height_m);
 
     const SizeLaw& width = parameters.crown_width_m;
-    sizes.crown_width_m = species.canopy.lai == 0.0 ? 0.0
-                                                    : width.factor * power(dbh_cm, width.dbh) *
-                                                          power(sizes.height_m, width.height) *
-                                                          power(around.competition, width.competition) *
-                                                          power(relative_height, width.relative_height);
-    sizes.foliage_to_stem = FoliageToStemLaw{parameters.foliage_to_stem}.at(dbh_cm);
+    sizes.crown_width_m = species.canopy.lai == 0.0
+                              ? 0.0
+                              : width.factor * forest::power(dbh_cm, width.dbh) *
+                                    forest::power(sizes.height_m, width.height) *
+                                    forest::power(around.competition, width.competition) *
+                                    forest::power(relative_height, width.relative_height);
+    sizes.foliage_to_stem = forest::FoliageToStemLaw{parameters.foliage_to_stem}.at(dbh_cm);
 }
 
 }  // namespace
@@ -142,8 +144,8 @@ double volume_m3pha(const SpeciesMonth& species, const Parameters& parameters) {
     }
     const double dbh_cm = species.sizes.dbh_cm;
     const double height_m = species.sizes.height_m;
-    return law.factor * power(dbh_cm, law.dbh) * power(height_m, law.height) *
-           power(dbh_cm * dbh_cm * height_m, law.joint) * species.stocks.stems_pha;
+    return law.factor * forest::power(dbh_cm, law.dbh) * forest::power(height_m, law.height) *
+           forest::power(dbh_cm * dbh_cm * height_m, law.joint) * species.stocks.stems_pha;
 }
 
 void update_basal_area_shares(Stand& stand) {
@@ -156,4 +158,4 @@ void update_basal_area_shares(Stand& stand) {
     }
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

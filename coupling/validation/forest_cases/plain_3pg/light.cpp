@@ -1,4 +1,4 @@
-#include "forest/check_mode/light.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/light.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "forest/production/calendar.hpp"
 #include "forest/production/power.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -24,9 +24,9 @@ config::SinCos sin_cos_of_any(double angle_rad) {
 /// half-axis.
 double ellipsoid_surface(double horizontal_m, double vertical_m) {
     constexpr double p = 1.6075;
-    const double h = power(horizontal_m, p);
-    const double v = power(vertical_m, p);
-    return 4.0 * std::numbers::pi * power((h * h + 2.0 * h * v) / 3.0, 1.0 / p);
+    const double h = forest::power(horizontal_m, p);
+    const double v = forest::power(vertical_m, p);
+    return 4.0 * std::numbers::pi * forest::power((h * h + 2.0 * h * v) / 3.0, 1.0 / p);
 }
 
 /// Sums over the species of one layer that have leaves.
@@ -67,10 +67,10 @@ double vertical_share(double share_of_extinction, double middle) {
 
 /// Gaps between crowns and slanting light [Eq. 5].
 double horizontal_factor(double leaf_to_surface, double filled_share, double noon_deg) {
-    const double open = power(0.1, filled_share);
+    const double open = forest::power(0.1, filled_share);
     const double factor = 0.8285 + (1.09498 - 0.781928 * leaf_to_surface) * open - 0.6714096 * open;
     constexpr double high_sun_deg = 30.0;
-    return noon_deg > high_sun_deg ? factor + 0.00097 * power(1.08259, noon_deg) : factor;
+    return noon_deg > high_sun_deg ? factor + 0.00097 * forest::power(1.08259, noon_deg) : factor;
 }
 
 std::vector<int> layers_of(const Stand& stand) {
@@ -80,7 +80,7 @@ std::vector<int> layers_of(const Stand& stand) {
         bases.push_back(species.sizes.height_m - species.sizes.crown_length_m);
         tops.push_back(species.sizes.height_m);
     }
-    return check_mode::layers_of(bases, tops);
+    return plain_3pg::layers_of(bases, tops);
 }
 
 /// The layers from above, with the vertical shares and the leaf area per crown surface of their species.
@@ -126,7 +126,7 @@ std::vector<Layer> build_layers(Stand& stand, const Inputs& inputs) {
 }  // namespace
 
 void absorb_as_one_canopy(Stand& stand, const Inputs& inputs, const ClimateMonth& month) {
-    const double light_mjpm2 = month.radiation_mjpm2 * days_in_month(month.when.month);
+    const double light_mjpm2 = month.radiation_mjpm2 * forest::days_in_month(month.when.month);
     for (std::size_t i = 0; i < stand.species.size(); ++i) {
         const Parameters& parameters = inputs.parameters[i];
         SpeciesMonth& species = stand.species[i];
@@ -143,7 +143,7 @@ void absorb_as_one_canopy(Stand& stand, const Inputs& inputs, const ClimateMonth
 void absorb_by_layers(Stand& stand, const Inputs& inputs, const ClimateMonth& month) {
     const std::vector<Layer> layers = build_layers(stand, inputs);
     const double noon_deg = noon_angle_deg(inputs.site.latitude, month.when.month);
-    const double above_mjpm2 = month.radiation_mjpm2 * days_in_month(month.when.month);
+    const double above_mjpm2 = month.radiation_mjpm2 * forest::days_in_month(month.when.month);
 
     std::vector<double> absorbed_mjpm2;
     double light_mjpm2 = above_mjpm2;
@@ -227,7 +227,7 @@ std::vector<int> layers_of(std::span<const double> crown_bases_m, std::span<cons
 }
 
 double noon_angle_deg(config::Angle latitude, int month) {
-    const double day_angle_rad = 2.0 * std::numbers::pi / 365.0 * (middle_day(month) - 1.0);
+    const double day_angle_rad = 2.0 * std::numbers::pi / 365.0 * (forest::middle_day(month) - 1.0);
     const config::SinCos one = sin_cos_of_any(day_angle_rad);
     const config::SinCos two = sin_cos_of_any(2.0 * day_angle_rad);
     const config::SinCos three = sin_cos_of_any(3.0 * day_angle_rad);
@@ -242,7 +242,7 @@ double noon_angle_deg(config::Angle latitude, int month) {
     const double squared = latitude_deg * latitude_deg;
     const double first_day = -0.0018 * cubed + 0.0021 * squared - 2.3459 * latitude_deg + 80.097;
     const double second_day = 0.0018 * cubed - 0.0031 * squared + 2.3826 * latitude_deg + 266.62;
-    const int day = middle_day(month);
+    const int day = forest::middle_day(month);
     const bool north = latitude_deg >= 0.0 && latitude_deg <= tropic_deg;
     const bool south = latitude_deg >= -tropic_deg && latitude_deg < 0.0;
     const bool beyond =
@@ -250,4 +250,4 @@ double noon_angle_deg(config::Angle latitude, int month) {
     return beyond ? -angle_deg : angle_deg;
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,6 +1,6 @@
-#include "forest/check_mode/stand.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/stand.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::span<const Column> columns() {
     return all_columns;
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "forest/check_mode/inputs.hpp"
-#include "forest/check_mode/parameters.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/inputs.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/parameters.hpp"
 #include "forest/production/allocation.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 /// How light is shared.
 enum class LightModel {
@@ -33,13 +33,13 @@ enum class HeightModel {
 struct Settings {
     LightModel light = LightModel::one_canopy;
     TranspirationModel transpiration = TranspirationModel::one_canopy;
-    Physiology physiology = Physiology::scarcer;
+    forest::Physiology physiology = forest::Physiology::scarcer;
     HeightModel height = HeightModel::power;
 };
 
 /// The models of 3-PGmix.
 inline constexpr Settings mixture_settings{LightModel::layers, TranspirationModel::by_species,
-                                           Physiology::product, HeightModel::power};
+                                           forest::Physiology::product, HeightModel::power};
 
 /// What depends on age alone.
 struct AgeState {
@@ -196,4 +196,4 @@ struct Column {
 
 std::span<const Column> columns();
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "forest/check_mode/stand.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/stand.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 /// First sizes of the mean trees, from biomass and stem numbers.
 void start_sizes(Stand& stand, const Inputs& inputs, HeightModel height);
@@ -23,4 +23,4 @@ double volume_m3pha(const SpeciesMonth& species, const Parameters& parameters);
 /// Shares of the species in the basal area.
 void update_basal_area_shares(Stand& stand);
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

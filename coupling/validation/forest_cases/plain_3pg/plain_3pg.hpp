@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "forest/check_mode/stand.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/stand.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 /// Grows a plain 3-PG stand: no individual trees, one mean tree a species, as r3PG 0.1.7 does (Trotsiuk,
 /// Hartig & Forrester 2020). It exists to hold the production core against other programs' published runs.
@@ -20,4 +20,4 @@ Inputs inputs_of(const Site& site, std::vector<StartingSpecies> species,
                  const std::vector<Parameters>& parameters, std::vector<ClimateMonth> climate,
                  std::vector<Thinning> thinnings);
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -1,13 +1,13 @@
-#include "forest/check_mode/growth.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/growth.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "forest/check_mode/sizes.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/sizes.hpp"
 #include "forest/production/calendar.hpp"
 #include "forest/production/power.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
@@ -51,7 +51,7 @@ void grow_older(Stand& stand, const Inputs& inputs, YearMonth when) {
         const RandomMortality& random = parameters.random_mortality;
         age.random_mortality =
             by_age(age.years, {random.initial, random.mature, random.median_years}, random.shape);
-        age.litterfall_pmonth = litterfall_pmonth(age.previous_years, parameters.litterfall);
+        age.litterfall_pmonth = forest::litterfall_pmonth(age.previous_years, parameters.litterfall);
     }
 }
 
@@ -99,13 +99,14 @@ void climate_modifiers(Stand& stand, const Inputs& inputs, const ClimateMonth& m
     for (std::size_t i = 0; i < stand.species.size(); ++i) {
         const Parameters& parameters = inputs.parameters[i];
         Modifiers& f = stand.species[i].modifiers;
-        f.temperature = temperature_modifier(month.tave_degc, parameters.temperature);
+        f.temperature = forest::temperature_modifier(month.tave_degc, parameters.temperature);
         f.temperature_of_conductance =
-            temperature_modifier(0.5 * (month.tave_degc + month.tmax_degc), parameters.temperature);
-        f.frost = frost_modifier(month.frost_days, days_in_month(month.when.month), parameters.frost_loss);
-        f.co2_assimilation = co2_assimilation_modifier(month.co2_ppm, parameters.assimilation_at_700);
-        f.co2_conductance = co2_conductance_modifier(month.co2_ppm, parameters.conductance_at_700);
-        f.age = age_modifier(stand.species[i].age.previous_years, parameters.age);
+            forest::temperature_modifier(0.5 * (month.tave_degc + month.tmax_degc), parameters.temperature);
+        f.frost = forest::frost_modifier(month.frost_days, forest::days_in_month(month.when.month),
+                                         parameters.frost_loss);
+        f.co2_assimilation = forest::co2_assimilation_modifier(month.co2_ppm, parameters.assimilation_at_700);
+        f.co2_conductance = forest::co2_conductance_modifier(month.co2_ppm, parameters.conductance_at_700);
+        f.age = forest::age_modifier(stand.species[i].age.previous_years, parameters.age);
     }
 }
 
@@ -120,17 +121,17 @@ void limit_production(Stand& stand, const Inputs& inputs, const ClimateMonth& mo
             settings.light == LightModel::layers
                 ? month.vpd_kpa * config::exp2_of(-species.canopy.lai_above / parameters.vpd_halving_lai)
                 : month.vpd_kpa;
-        f.vpd = vpd_modifier(species.water.vpd_kpa, parameters.vpd_sensitivity_pmbar);
-        const SoilWaterCurve curve =
-            site.soil_class > 0.0 ? soil_water_curve(site.soil_class) : parameters.soil_water;
+        f.vpd = forest::vpd_modifier(species.water.vpd_kpa, parameters.vpd_sensitivity_pmbar);
+        const forest::SoilWaterCurve curve =
+            site.soil_class > 0.0 ? forest::soil_water_curve(site.soil_class) : parameters.soil_water;
         f.soil_water = site.soil_class == 0.0
                            ? 1.0
-                           : soil_water_modifier(stand.water.soil_mm / site.max_water_mm, curve);
-        const NutritionCurve& nutrition = parameters.nutrition;
+                           : forest::soil_water_modifier(stand.water.soil_mm / site.max_water_mm, curve);
+        const forest::NutritionCurve& nutrition = parameters.nutrition;
         f.nutrition =
-            nutrition.power == 0.0 ? 1.0 : nutrition_modifier(inputs.species[i].fertility, nutrition);
-        f.physiology = physiological_modifier(f.vpd, f.soil_water, f.age, settings.physiology);
-        if (settings.physiology == Physiology::scarcer) {
+            nutrition.power == 0.0 ? 1.0 : forest::nutrition_modifier(inputs.species[i].fertility, nutrition);
+        f.physiology = forest::physiological_modifier(f.vpd, f.soil_water, f.age, settings.physiology);
+        if (settings.physiology == forest::Physiology::scarcer) {
             f.temperature_of_conductance = 1.0;
         }
     }
@@ -159,8 +160,8 @@ void allocate(Stand& stand, const Inputs& inputs, int month) {
         Stocks& stocks = species.stocks;
         Production& p = species.production;
         const double m0 = parameters.root_response_at_zero;
-        p.root_share = root_share(parameters.root_share, species.modifiers.physiology,
-                                  m0 + (1.0 - m0) * inputs.species[i].fertility);
+        p.root_share = forest::root_share(parameters.root_share, species.modifiers.physiology,
+                                          m0 + (1.0 - m0) * inputs.species[i].fertility);
         p.stem_share = (1.0 - p.root_share) / (1.0 + species.sizes.foliage_to_stem);
         p.foliage_share = 1.0 - p.root_share - p.stem_share;
 
@@ -192,4 +193,4 @@ void measure_growth(Stand& stand, const Inputs& inputs) {
     }
 }
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg

@@ -11,7 +11,7 @@
 #include "forest/production/transpiration.hpp"
 #include "forest/species.hpp"
 
-namespace forest::check_mode {
+namespace coupling::validation::forest_cases::plain_3pg {
 
 /// A property that changes with age from young to mature, half-way at `half_years`.
 struct ByAge {
@@ -67,31 +67,31 @@ struct VolumeLaw {
 /// The 3-PG parameters of one species, under r3PG's names in its tables (parameters.cpp).
 struct Parameters {
     std::string species;
-    FoliageToStem foliage_to_stem;
-    Power stem_mass;  ///< kg
-    RootShare root_share;
-    Litterfall litterfall;
+    forest::FoliageToStem foliage_to_stem;
+    forest::Power stem_mass;  ///< kg
+    forest::RootShare root_share;
+    forest::Litterfall litterfall;
     double root_turnover_pmonth = 0.0;
     double leaf_grow_month = 0.0;  ///< 0 for evergreen species
     double leaf_fall_month = 0.0;
-    TemperatureCurve temperature;
+    forest::TemperatureCurve temperature;
     double frost_loss = 0.0;
-    SoilWaterCurve soil_water;  ///< used where the site's soil class is below 0
+    forest::SoilWaterCurve soil_water;  ///< used where the site's soil class is below 0
     double assimilation_at_700 = 0.0;
     double conductance_at_700 = 0.0;
     double root_response_at_zero = 0.0;  ///< m at fertility 0
-    NutritionCurve nutrition;
-    AgeCurve age;
+    forest::NutritionCurve nutrition;
+    forest::AgeCurve age;
     RandomMortality random_mortality;
     SelfThinning self_thinning;
     LostShares lost;
     ByAge sla_m2pkg;
     double extinction = 0.0;
     double full_canopy_years = 0.0;
-    Interception interception;
+    forest::Interception interception;
     double vpd_halving_lai = 0.0;
     double quantum_efficiency = 0.0;
-    LightUse light_use;
+    forest::LightUse light_use;
     double min_conductance_mps = 0.0;
     double max_conductance_mps = 0.0;
     double full_conductance_lai = 0.0;
@@ -104,7 +104,7 @@ struct Parameters {
     VolumeLaw volume_m3;
     SizeLaw crown_width_m;
     SizeLaw crown_length_m;
-    NetRadiation net_radiation;
+    forest::NetRadiation net_radiation;
 };
 
 /// Whether leaves are off in a month; month 0 counts as the month before January in r3PG.
@@ -127,4 +127,4 @@ std::span<const ParameterField> parameter_fields();
 /// result.
 std::vector<Parameters> read_parameters(const config::Table& table);
 
-}  // namespace forest::check_mode
+}  // namespace coupling::validation::forest_cases::plain_3pg
