@@ -5,19 +5,19 @@
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
-#include "forest/yield_trial/comparison.hpp"
+#include "coupling/validation/forest_cases/yield_trial/comparison.hpp"
 
 namespace coupling::validation::forest_cases {
 
 namespace {
 
 using forest::StandFigures;
-using forest::TrialLight;
-using forest::YieldCase;
-using forest::YieldComparison;
-using forest::YieldSite;
-using forest::YieldTableRow;
 using report::fixed;
+using yield_trial::TrialLight;
+using yield_trial::YieldCase;
+using yield_trial::YieldComparison;
+using yield_trial::YieldSite;
+using yield_trial::YieldTableRow;
 
 struct YieldData {
     forest::SpeciesTable species = forest::SpeciesTable::shipped();
@@ -43,7 +43,7 @@ std::string words_of(const YieldData& data, const YieldSite& site) {
     return joined(data.species[site.species].latin_name, " at ", whole(site.elevation_m), " m");
 }
 
-/// A figure by the name it has in forest::yield_figures().
+/// A figure by the name it has in yield_trial::yield_figures().
 struct YieldMeasure {
     const char* name;
     const char* label;
@@ -82,7 +82,7 @@ SiteOutcome grow(const YieldData& data, std::size_t site, TrialLight light) {
 }
 
 double lorey_as_mean_m(const StandFigures& figures) {
-    return forest::mean_per_lorey_height * figures.lorey_height_m;
+    return yield_trial::mean_per_lorey_height * figures.lorey_height_m;
 }
 
 /// Sites with a table, in the order of their elevation.
@@ -310,9 +310,9 @@ std::vector<std::size_t> places_of(const std::vector<int>& some, const std::vect
 Comparison read_yield(const CaseFiles& files, const std::vector<int>& ages_years,
                       const std::vector<int>& drawn_ages_years) {
     auto data = std::make_shared<YieldData>();
-    data->tables = {forest::read_yield_sites(table_of(files, "sites.csv"), data->species),
-                    forest::read_yield_rows(table_of(files, "yield_tables.csv")),
-                    forest::read_trial_climates(table_of(files, "climate.csv"))};
+    data->tables = {yield_trial::read_yield_sites(table_of(files, "sites.csv"), data->species),
+                    yield_trial::read_yield_rows(table_of(files, "yield_tables.csv")),
+                    yield_trial::read_trial_climates(table_of(files, "climate.csv"))};
     data->ages_years = ages_years;
     check_rows(*data, files);
     const std::vector<std::size_t> drawn = places_of(drawn_ages_years, ages_years);

@@ -1,4 +1,4 @@
-#include "forest/yield_trial/trial.hpp"
+#include "coupling/validation/forest_cases/yield_trial/trial.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -18,9 +18,55 @@
 #include "forest/start/places.hpp"
 #include "forest/start/starting_stand.hpp"
 
-namespace forest {
+namespace coupling::validation::forest_cases::yield_trial {
 
 namespace {
+
+using forest::AbsorbedByMonth;
+using forest::Canopy;
+using forest::compute_light;
+using forest::days_in_month;
+using forest::Edges;
+using forest::Exposure;
+using forest::figures_of;
+using forest::growth_of_trees;
+using forest::index_of;
+using forest::layer_light;
+using forest::LayerLight;
+using forest::light_in_stand;
+using forest::light_trees_of;
+using forest::light_use_of_year;
+using forest::LightGround;
+using forest::LightSite;
+using forest::LightTree;
+using forest::LightYear;
+using forest::MonthlyRadiation;
+using forest::natural_deaths;
+using forest::new_tree;
+using forest::Patch;
+using forest::patch_side_m;
+using forest::PatchGrid;
+using forest::PatchId;
+using forest::Place;
+using forest::places_for;
+using forest::root_share;
+using forest::self_thinning;
+using forest::share_production;
+using forest::Sky;
+using forest::SkySettings;
+using forest::Species;
+using forest::SpeciesTable;
+using forest::split_radiation;
+using forest::Stand;
+using forest::StandLight;
+using forest::stress_years_after;
+using forest::Structure;
+using forest::ThinningWindows;
+using forest::Tree;
+using forest::TreeId;
+using forest::TreeProduction;
+using forest::TreeSeason;
+using forest::YearOfLightUse;
 
 constexpr int hectare_patches = 10;  // along each side
 constexpr std::uint32_t replicate = 0;
@@ -168,4 +214,4 @@ std::vector<TrialState> grow_trial(const YieldTrial& trial, TrialLight light, co
     return states;
 }
 
-}  // namespace forest
+}  // namespace coupling::validation::forest_cases::yield_trial

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "config/table/table.hpp"
-#include "forest/yield_trial/trial.hpp"
+#include "coupling/validation/forest_cases/yield_trial/trial.hpp"
 
-namespace forest {
+namespace coupling::validation::forest_cases::yield_trial {
 
 /// A stand of a yield table.
 struct YieldTableRow {
@@ -25,7 +25,7 @@ struct YieldTableRow {
 /// A place where a trial grows.
 struct YieldSite {
     std::string name;  ///< such as "piab_1000"
-    SpeciesId species{};
+    forest::SpeciesId species{};
     double elevation_m = 0.0;
     double fertility = 0.0;
     std::string table;  ///< it is held against, "" for none
@@ -47,7 +47,7 @@ struct YieldCase {
 
 /// Reads site,species,elevation_m,fertility,table,class. Each reader throws one InputError (data) for all
 /// problems.
-std::vector<YieldSite> read_yield_sites(const config::Table& table, const SpeciesTable& species);
+std::vector<YieldSite> read_yield_sites(const config::Table& table, const forest::SpeciesTable& species);
 /// Reads table,class,age_years,mean_height_m,stems_pha,basal_area_m2pha,mean_dbh_cm,volume_m3pha.
 std::vector<YieldTableRow> read_yield_rows(const config::Table& table);
 /// Reads elevation_m,month,tave_c,rad_mj_m2_d,vpd_kpa,frost_days,gdd55_c_d: twelve months for each elevation.
@@ -57,7 +57,7 @@ std::vector<TrialClimate> read_trial_climates(const config::Table& table);
 struct YieldComparison {
     std::string site;
     int age_years = 0;
-    StandFigures simulated;
+    forest::StandFigures simulated;
     std::optional<YieldTableRow> published;
 };
 
@@ -66,7 +66,7 @@ inline constexpr double mean_per_lorey_height = 0.93;
 
 /// Grows every site and sets it beside its table. Throws InputError (data) for a site whose climate or table
 /// is missing.
-std::vector<YieldComparison> compare_yields(const YieldCase& data, const SpeciesTable& species,
+std::vector<YieldComparison> compare_yields(const YieldCase& data, const forest::SpeciesTable& species,
                                             TrialLight light, const std::vector<int>& ages_years);
 
 /// The figures that criteria speak of, such as {"volume_ratio:piab_1000:100", 1.02}: volume_ratio, dbh_ratio,
@@ -74,4 +74,4 @@ std::vector<YieldComparison> compare_yields(const YieldCase& data, const Species
 /// height_m and stems_pha everywhere.
 std::vector<std::pair<std::string, double>> yield_figures(const std::vector<YieldComparison>& comparisons);
 
-}  // namespace forest
+}  // namespace coupling::validation::forest_cases::yield_trial

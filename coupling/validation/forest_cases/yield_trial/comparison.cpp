@@ -1,13 +1,18 @@
-#include "forest/yield_trial/comparison.hpp"
+#include "coupling/validation/forest_cases/yield_trial/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "forest/production/calendar.hpp"
 
-namespace forest {
+namespace coupling::validation::forest_cases::yield_trial {
 
 namespace {
+
+using forest::days_in_month;
+using forest::SpeciesId;
+using forest::SpeciesTable;
+using forest::StandFigures;
 
 /// The number in a field, 0 with a problem added.
 double number_in(const config::Table& table, std::size_t row, const char* column, double low, double high,
@@ -172,4 +177,4 @@ std::vector<std::pair<std::string, double>> yield_figures(const std::vector<Yiel
     return figures;
 }
 
-}  // namespace forest
+}  // namespace coupling::validation::forest_cases::yield_trial

@@ -1,4 +1,4 @@
-#include "forest/yield_trial/comparison.hpp"
+#include "coupling/validation/forest_cases/yield_trial/comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,10 @@
 #include <map>
 #include <sstream>
 
-namespace forest::comparison_test {
+namespace coupling::validation::forest_cases::yield_trial {
 namespace {
+
+using forest::SpeciesTable;
 
 config::Table shipped(const std::string& name) {
     std::ifstream in{BANNWALD_SOURCE_DIR "/validation/forest_yield/" + name};
@@ -123,4 +125,4 @@ TEST(CompareYields, AsksForTheClimateOfEachSite) {
 }
 
 }  // namespace
-}  // namespace forest::comparison_test
+}  // namespace coupling::validation::forest_cases::yield_trial
