@@ -1,4 +1,4 @@
-#include "forest/succession_trial/trial.hpp"
+#include "coupling/validation/forest_cases/succession_trial/trial.hpp"
 
 #include <array>
 #include <cassert>
@@ -6,9 +6,32 @@
 
 #include "forest/tables.hpp"
 
-namespace forest {
+namespace coupling::validation::forest_cases::succession_trial {
 
 namespace {
+
+using forest::AgeLaw;
+using forest::ClimateYear;
+using forest::Edges;
+using forest::figures_by_species;
+using forest::grow_year;
+using forest::Horizon;
+using forest::LightGround;
+using forest::MonthlyRadiation;
+using forest::Parameters;
+using forest::Patch;
+using forest::patch_side_m;
+using forest::PatchGrid;
+using forest::PatchState;
+using forest::Site;
+using forest::Sky;
+using forest::SkySettings;
+using forest::SpeciesTable;
+using forest::split_radiation;
+using forest::Stand;
+using forest::StandFigures;
+using forest::YearKey;
+using forest::YearSequence;
 
 PatchGrid level_ground(const SuccessionTrial& trial) {
     const config::GridFrame frame{.columns = trial.side_patches,
@@ -96,4 +119,4 @@ std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial, const
     return states;
 }
 
-}  // namespace forest
+}  // namespace coupling::validation::forest_cases::succession_trial

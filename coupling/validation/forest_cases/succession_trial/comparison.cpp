@@ -1,12 +1,18 @@
-#include "forest/succession_trial/comparison.hpp"
+#include "coupling/validation/forest_cases/succession_trial/comparison.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <sstream>
 
-namespace forest {
+namespace coupling::validation::forest_cases::succession_trial {
 
 namespace {
+
+using forest::at_elevation;
+using forest::index_of;
+using forest::SpeciesId;
+using forest::SpeciesTable;
+using forest::YearWindow;
 
 void require(const config::Table& table, const std::vector<std::string>& columns) {
     config::Problems problems;
@@ -128,4 +134,4 @@ std::vector<std::pair<std::string, double>> succession_figures(const SuccessionC
     return figures;
 }
 
-}  // namespace forest
+}  // namespace coupling::validation::forest_cases::succession_trial

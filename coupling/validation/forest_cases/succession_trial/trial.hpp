@@ -10,23 +10,23 @@
 #include "forest/species.hpp"
 #include "forest/year.hpp"
 
-namespace forest {
+namespace coupling::validation::forest_cases::succession_trial {
 
 /// Settings under which gap models show the vegetation that would grow by itself: the constant background
 /// mortality that contains small disturbances, no deer [choice].
-Parameters potential_vegetation();
+forest::Parameters potential_vegetation();
 
 /// Bare level ground in a region that has all species of the table, left to itself. The area borders on
 /// itself.
 struct SuccessionTrial {
-    Soil soil;
-    ClimateSeries climate;  ///< at the place; whole years of it are drawn from `window`
-    YearWindow window;      ///< requires years of the series
+    forest::Soil soil;
+    forest::ClimateSeries climate;  ///< at the place; whole years of it are drawn from `window`
+    forest::YearWindow window;      ///< requires years of the series
     config::Angle latitude = config::Angle::from_degrees(47.7);
     int side_patches = 10;  ///< 10: one hectare
     int years = 400;
     int interval_years = 10;  ///< between two states
-    Parameters parameters = potential_vegetation();
+    forest::Parameters parameters = potential_vegetation();
 };
 
 /// What one species makes up.
@@ -49,7 +49,7 @@ struct SuccessionState {
 /// The states of a trial, one every interval, the last after its last year. Takes some seconds a hectare and
 /// 400 years; the same key gives the same bytes, replicates are independent of each other and of threads, and
 /// places draw the same years of weather.
-std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial, const SpeciesTable& species,
-                                             const YearKey& key);
+std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial,
+                                             const forest::SpeciesTable& species, const forest::YearKey& key);
 
-}  // namespace forest
+}  // namespace coupling::validation::forest_cases::succession_trial

@@ -1,4 +1,4 @@
-#include "forest/succession_trial/comparison.hpp"
+#include "coupling/validation/forest_cases/succession_trial/comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,14 @@
 #include <map>
 #include <sstream>
 
-namespace forest::comparison_test {
+namespace coupling::validation::forest_cases::succession_trial {
 namespace {
+
+using forest::LapseRates;
+using forest::read_climate_of_one_place;
+using forest::SpeciesId;
+using forest::SpeciesTable;
+using forest::YearWindow;
 
 config::Table shipped(const std::string& name) {
     std::ifstream in{BANNWALD_SOURCE_DIR "/validation/forest_belts/" + name};
@@ -174,4 +180,4 @@ TEST(TrialAt, AsksForTheElevationOfTheClimate) {
 }
 
 }  // namespace
-}  // namespace forest::comparison_test
+}  // namespace coupling::validation::forest_cases::succession_trial
