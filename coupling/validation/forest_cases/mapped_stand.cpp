@@ -1,4 +1,4 @@
-#include "forest/light/mapped_stand.hpp"
+#include "coupling/validation/forest_cases/mapped_stand.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -9,8 +9,28 @@
 #include "config/math/elementary.hpp"
 #include "forest/light/light.hpp"
 
-namespace forest {
+namespace coupling::validation::forest_cases {
 namespace {
+
+using forest::Canopy;
+using forest::compute_light;
+using forest::CrownShape;
+using forest::Direction;
+using forest::Edges;
+using forest::Exposure;
+using forest::ground_normal;
+using forest::Horizon;
+using forest::LightField;
+using forest::LightGround;
+using forest::LightSite;
+using forest::LightTree;
+using forest::LightYear;
+using forest::MonthlyRadiation;
+using forest::Sky;
+using forest::SkySettings;
+using forest::slope_radiation;
+using forest::SlopeRadiation;
+using forest::turn_of;
 
 /// Prenovel, French Jura.
 constexpr double latitude_deg = 46.52666;
@@ -221,4 +241,4 @@ LightAgreement compare_light(const MappedStand& stand, const MappedSlope& slope,
     return agreement;
 }
 
-}  // namespace forest
+}  // namespace coupling::validation::forest_cases

@@ -1,4 +1,4 @@
-#include "forest/light/mapped_stand.hpp"
+#include "coupling/validation/forest_cases/mapped_stand.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,8 @@
 #include <iostream>
 #include <sstream>
 
-namespace mapped_stand_test {
+namespace coupling::validation::forest_cases {
 namespace {
-
-using forest::LightAgreement;
-using forest::MappedSettings;
-using forest::MappedSlope;
-using forest::MappedStand;
 
 config::Table table(const std::string& name) {
     std::ifstream in{std::string{BANNWALD_SOURCE_DIR} + "/validation/forest_light/" + name};
@@ -22,8 +17,8 @@ config::Table table(const std::string& name) {
 
 const MappedStand& prenovel() {
     static const MappedStand stand =
-        forest::mapped_stand(table("trees.csv"), table("ground.csv"), table("leaves.csv"),
-                             table("radiation.csv"), table("slopes.csv"));
+        mapped_stand(table("trees.csv"), table("ground.csv"), table("leaves.csv"), table("radiation.csv"),
+                     table("slopes.csv"));
     return stand;
 }
 
@@ -47,10 +42,10 @@ TEST(MappedStand, HasTheStandOfTheReference) {
 TEST(MappedStand, NamesASpeciesWithoutLeaves) {
     std::istringstream leaves{
         "species,crown,foliage_a,foliage_b,sla_m2_per_kg\nAbies alba,paraboloid,0.065,1.56,5\n"};
-    EXPECT_THROW(forest::mapped_stand(table("trees.csv"), table("ground.csv"),
-                                      config::Table::read(leaves, "leaves.csv"), table("radiation.csv"),
-                                      table("slopes.csv")),
-                 config::InputError);
+    EXPECT_THROW(
+        mapped_stand(table("trees.csv"), table("ground.csv"), config::Table::read(leaves, "leaves.csv"),
+                     table("radiation.csv"), table("slopes.csv")),
+        config::InputError);
 }
 
 TEST(CompareLight, AgreesInColumnsOfTenMetres) {
@@ -79,5 +74,4 @@ TEST(CompareLight, AgreesCloserInColumnsOfFiveMetres) {
 }
 
 }  // namespace
-
-}  // namespace mapped_stand_test
+}  // namespace coupling::validation::forest_cases

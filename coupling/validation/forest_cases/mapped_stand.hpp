@@ -9,7 +9,7 @@
 #include "forest/light/canopy.hpp"
 #include "forest/light/sun.hpp"
 
-namespace forest {
+namespace coupling::validation::forest_cases {
 
 /// A slope that the stand was laid on by the reference program, and what that program found.
 struct MappedSlope {
@@ -29,8 +29,8 @@ struct MappedSlope {
 struct MappedStand {
     config::Angle latitude;
     double side_m = 100.0;  ///< the stand repeats itself on all sides
-    MonthlyRadiation radiation;
-    std::vector<LightTree> trees;  ///< extinction not set
+    forest::MonthlyRadiation radiation;
+    std::vector<forest::LightTree> trees;  ///< extinction not set
     std::vector<MappedSlope> slopes;
 };
 
@@ -43,7 +43,7 @@ struct MappedStand {
 /// How our light is computed for the comparison.
 struct MappedSettings {
     double column_m = 10.0;  ///< a divisor of the side of the stand
-    double extinction = effective_extinction;
+    double extinction = forest::effective_extinction;
     int ground_points = 1;
 };
 
@@ -66,4 +66,4 @@ struct LightAgreement {
 [[nodiscard]] LightAgreement compare_light(const MappedStand& stand, const MappedSlope& slope,
                                            const MappedSettings& settings = {});
 
-}  // namespace forest
+}  // namespace coupling::validation::forest_cases
