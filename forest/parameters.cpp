@@ -115,6 +115,9 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
 }  // namespace
 
 void declare(config::Options& options, Parameters& parameters) {
+    options.flag("forest.water", parameters.processes.water,
+                 {.meaning = "soil water limits production and young trees; off: water is never short",
+                  .source = "choice"});
     declare_mortality(options, parameters.mortality);
     options.flag("forest.self_thinning", parameters.processes.self_thinning,
                  {.meaning = "no window of 50 m is denser than its species bear",

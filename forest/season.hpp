@@ -5,6 +5,7 @@
 
 #include "forest/climate/series.hpp"
 #include "forest/light/light.hpp"
+#include "forest/processes.hpp"
 #include "forest/production/water_balance.hpp"
 #include "forest/site.hpp"
 #include "forest/species.hpp"
@@ -47,7 +48,11 @@ LightYear light_year_of(const Site& site, const SpeciesTable& species, const Sit
 
 /// Month by month: snow, rain and interception, transpiration, soil water, and the modifiers of production
 /// that come of them. Leaf area of a patch is that of the trees that stand on it.
-Season pass_months(const Stand& stand, const Site& site, const SpeciesTable& species,
-                   const SiteWeather& weather, const LightYear& light_year, const LightField& light);
+///
+/// Without Processes::water nothing is short of water: soil and snow stay as they are, no patch has a
+/// drought, and the flows of `Season::water` are 0.
+Season compute_season(const Stand& stand, const Site& site, const SpeciesTable& species,
+                      const SiteWeather& weather, const LightYear& light_year, const LightField& light,
+                      const Processes& processes);
 
 }  // namespace forest

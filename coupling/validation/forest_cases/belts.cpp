@@ -280,14 +280,15 @@ forest::YearWindow judged_years(const BeltSettings& settings) {
 
 }  // namespace
 
-Comparison read_belts(const CaseFiles& files, const BeltSettings& settings) {
+Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
+                      const forest::Parameters& parameters) {
     auto data = std::make_shared<BeltData>();
     const config::Table expected = table_of(files, "expected.csv");
     config::Warnings warnings;
     data->tables = {succession_trial::read_succession_sites(table_of(files, "sites.csv")),
                     succession_trial::read_species_groups(expected, data->species),
                     forest::read_climate_of_one_place(table_of(files, "climate.csv"), warnings),
-                    forest::LapseRates::shipped()};
+                    forest::LapseRates::shipped(), parameters};
     config::Problems problems;
     if (!expected.require({"published", "source"}, problems)) {
         problems.throw_if_any();

@@ -83,6 +83,7 @@ SuccessionTrial trial_at(const SuccessionCase& data, const SuccessionSite& site)
     }
     SuccessionTrial trial;
     trial.soil = site.soil;
+    trial.parameters = data.parameters;
     trial.climate =
         at_elevation(data.climate, site.elevation_m - *data.climate.elevation_m, data.lapse_rates);
     trial.window = {trial.climate.first_year(), trial.climate.last_year()};

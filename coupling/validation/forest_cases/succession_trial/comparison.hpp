@@ -37,6 +37,7 @@ struct SuccessionCase {
     std::vector<SpeciesGroup> groups;
     forest::ClimateSeries climate;  ///< knows its elevation
     forest::LapseRates lapse_rates;
+    forest::Parameters parameters;  ///< of grow_year: case.ini says which processes are off
 };
 
 /// Reads site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph. Each reader throws one InputError (data)
@@ -46,7 +47,7 @@ std::vector<SuccessionSite> read_succession_sites(const config::Table& table);
 std::vector<SpeciesGroup> read_species_groups(const config::Table& table,
                                               const forest::SpeciesTable& species);
 
-/// The trial of a site with the default settings: climate at its elevation, weather drawn from all years of
+/// The trial of a site: climate at its elevation, weather drawn from all years of
 /// the series. Throws InputError (data) if the series does not know its elevation.
 SuccessionTrial trial_at(const SuccessionCase& data, const SuccessionSite& site);
 

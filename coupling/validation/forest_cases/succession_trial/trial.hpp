@@ -12,10 +12,6 @@
 
 namespace coupling::validation::forest_cases::succession_trial {
 
-/// Settings under which gap models show the vegetation that would grow by itself: the constant background
-/// mortality that contains small disturbances, no deer [choice].
-forest::Parameters potential_vegetation();
-
 /// Bare level ground in a region that has all species of the table, left to itself. The area borders on
 /// itself.
 struct SuccessionTrial {
@@ -25,8 +21,8 @@ struct SuccessionTrial {
     config::Angle latitude = config::Angle::from_degrees(47.7);
     int side_patches = 10;  ///< 10: one hectare
     int years = 400;
-    int interval_years = 10;  ///< between two states
-    forest::Parameters parameters = potential_vegetation();
+    int interval_years = 10;        ///< between two states
+    forest::Parameters parameters;  ///< with the processes that are switched off
 };
 
 /// What one species makes up.

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forest/production/calendar.hpp"
-
 namespace coupling::validation::forest_cases::yield_trial {
 
 namespace {
 
-using forest::days_in_month;
 using forest::SpeciesId;
 using forest::SpeciesTable;
 using forest::StandFigures;
@@ -40,14 +37,14 @@ const YieldTableRow* find_row(const YieldCase& data, const YieldSite& site, int 
     return row == data.rows.end() ? nullptr : &*row;
 }
 
-const TrialYear& climate_of(const YieldCase& data, const YieldSite& site) {
-    for (const TrialClimate& climate : data.climates) {
-        if (climate.elevation_m == site.elevation_m) {
-            return climate.year;
+const forest::ClimateSeries& climate_of(const YieldCase& data, const YieldSite& site) {
+    for (const forest::ClimateSeries& series : data.climates) {
+        if (series.elevation_m == site.elevation_m) {
+            return series;
         }
     }
     config::fail(config::ExitCode::data, {}, "no climate at the elevation of site " + site.name,
-                 "twelve months for each elevation of the sites");
+                 "a climate for each elevation of the sites: add its rows with that elev_m");
 }
 
 double mean_height_m(const StandFigures& figures) {
@@ -96,52 +93,17 @@ std::vector<YieldTableRow> read_yield_rows(const config::Table& table) {
     return rows;
 }
 
-std::vector<TrialClimate> read_trial_climates(const config::Table& table) {
-    require(table, {"elevation_m", "month", "tave_c", "rad_mj_m2_d", "vpd_kpa", "frost_days", "gdd55_c_d"});
-    config::Problems problems;
-    std::vector<TrialClimate> climates;
-    std::vector<int> months_seen;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const double elevation_m = number_in(table, row, "elevation_m", 0.0, 4000.0, problems);
-        const int month = whole_in(table, row, "month", 1, 12, problems);
-        auto climate = std::find_if(climates.begin(), climates.end(), [&](const TrialClimate& candidate) {
-            return candidate.elevation_m == elevation_m;
-        });
-        if (climate == climates.end()) {
-            climates.push_back({elevation_m, {}});
-            months_seen.push_back(0);
-            climate = climates.end() - 1;
-        }
-        months_seen[static_cast<std::size_t>(climate - climates.begin())] |= 1 << (month - 1);
-        const auto m = static_cast<std::size_t>(month - 1);
-        climate->year.months[m].mean_degc = number_in(table, row, "tave_c", -60.0, 50.0, problems);
-        climate->year.months[m].vpd_kpa = number_in(table, row, "vpd_kpa", 0.0, 10.0, problems);
-        climate->year.months[m].frost_days = number_in(table, row, "frost_days", 0.0, 31.0, problems);
-        climate->year.radiation_mjpm2[m] =
-            days_in_month(month) * number_in(table, row, "rad_mj_m2_d", 0.0, 50.0, problems);
-        climate->year.degree_days += number_in(table, row, "gdd55_c_d", 0.0, 2000.0, problems);
-    }
-    constexpr int all_months = (1 << 12) - 1;
-    for (std::size_t i = 0; i < climates.size(); ++i) {
-        if (months_seen[i] != all_months) {
-            problems.add(config::ExitCode::data, {table.file()},
-                         "months missing at " + std::to_string(std::lround(climates[i].elevation_m)) + " m",
-                         "twelve months for each elevation");
-        }
-    }
-    problems.throw_if_any();
-    return climates;
-}
-
 std::vector<YieldComparison> compare_yields(const YieldCase& data, const SpeciesTable& species,
-                                            TrialLight light, const std::vector<int>& ages_years) {
+                                            forest::TreeLight light, const std::vector<int>& ages_years) {
     std::vector<YieldComparison> comparisons;
     for (const YieldSite& site : data.sites) {
         YieldTrial trial;
         trial.species = site.species;
-        trial.fertility = site.fertility;
-        trial.weather = {climate_of(data, site)};
-        for (const TrialState& state : grow_trial(trial, light, species, ages_years)) {
+        trial.soil.fertility = site.fertility;
+        trial.weather = climate_of(data, site).years;
+        trial.parameters = data.parameters;
+        trial.parameters.processes.light = light;
+        for (const TrialState& state : grow_trial(trial, species, ages_years)) {
             YieldComparison comparison{site.name, state.age_years, state.figures, {}};
             const YieldTableRow* const row = find_row(data, site, state.age_years);
             if (row != nullptr) {

@@ -32,17 +32,12 @@ struct YieldSite {
     double site_class = 0.0;
 };
 
-/// A mean year at an elevation.
-struct TrialClimate {
-    double elevation_m = 0.0;
-    TrialYear year;
-};
-
 /// Sites, tables and climate of a comparison.
 struct YieldCase {
     std::vector<YieldSite> sites;
     std::vector<YieldTableRow> rows;
-    std::vector<TrialClimate> climates;
+    std::vector<forest::ClimateSeries> climates;  ///< one for each elevation, which they know
+    forest::Parameters parameters;                ///< of grow_year: case.ini says which processes are off
 };
 
 /// Reads site,species,elevation_m,fertility,table,class. Each reader throws one InputError (data) for all
@@ -50,8 +45,6 @@ struct YieldCase {
 std::vector<YieldSite> read_yield_sites(const config::Table& table, const forest::SpeciesTable& species);
 /// Reads table,class,age_years,mean_height_m,stems_pha,basal_area_m2pha,mean_dbh_cm,volume_m3pha.
 std::vector<YieldTableRow> read_yield_rows(const config::Table& table);
-/// Reads elevation_m,month,tave_c,rad_mj_m2_d,vpd_kpa,frost_days,gdd55_c_d: twelve months for each elevation.
-std::vector<TrialClimate> read_trial_climates(const config::Table& table);
 
 /// A trial at an age beside its table.
 struct YieldComparison {
@@ -64,10 +57,10 @@ struct YieldComparison {
 /// Height of the tree of mean basal area from Lorey's mean height, as tables have it [choice].
 inline constexpr double mean_per_lorey_height = 0.93;
 
-/// Grows every site and sets it beside its table. Throws InputError (data) for a site whose climate or table
-/// is missing.
+/// Grows every site in one kind of light and sets it beside its table. Throws InputError (data) for a site
+/// whose climate or table is missing.
 std::vector<YieldComparison> compare_yields(const YieldCase& data, const forest::SpeciesTable& species,
-                                            TrialLight light, const std::vector<int>& ages_years);
+                                            forest::TreeLight light, const std::vector<int>& ages_years);
 
 /// The figures that criteria speak of, such as {"volume_ratio:piab_1000:100", 1.02}: volume_ratio, dbh_ratio,
 /// height_ratio and stems_ratio (simulated / published) where there is a table, volume_m3pha, dbh_cm,

@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <sstream>
+
+#include "tests/coupling/validation/forest_cases/shipped_case.hpp"
 
 namespace coupling::validation::forest_cases::succession_trial {
 namespace {
@@ -16,9 +17,8 @@ using forest::SpeciesId;
 using forest::SpeciesTable;
 using forest::YearWindow;
 
-config::Table shipped(const std::string& name) {
-    std::ifstream in{BANNWALD_SOURCE_DIR "/validation/forest_belts/" + name};
-    return config::Table::read(in, name);
+config::Table shipped(const std::string& file) {
+    return shipped_table("forest_belts", file);
 }
 
 config::Table table_of(const std::string& text) {
@@ -30,7 +30,8 @@ SuccessionCase shipped_case(const SpeciesTable& species) {
     config::Warnings warnings;
     return {read_succession_sites(shipped("sites.csv")),
             read_species_groups(shipped("expected.csv"), species),
-            read_climate_of_one_place(shipped("climate.csv"), warnings), LapseRates::shipped()};
+            read_climate_of_one_place(shipped("climate.csv"), warnings), LapseRates::shipped(),
+            shipped_parameters("forest_belts", CaseKind::forest_belts)};
 }
 
 const SuccessionSite& site_named(const SuccessionCase& data, const std::string& name) {

@@ -2,20 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <map>
 #include <sstream>
 
+#include "tests/coupling/validation/forest_cases/shipped_case.hpp"
+
 namespace coupling::validation::forest_cases::yield_trial {
 namespace {
 
 using forest::SpeciesTable;
+using forest::TreeLight;
 
-config::Table shipped(const std::string& name) {
-    std::ifstream in{BANNWALD_SOURCE_DIR "/validation/forest_yield/" + name};
-    return config::Table::read(in, name);
+config::Table shipped(const std::string& file) {
+    return shipped_table("forest_yield", file);
 }
 
 config::Table table_of(const std::string& text) {
@@ -24,8 +25,10 @@ config::Table table_of(const std::string& text) {
 }
 
 YieldCase shipped_case(const SpeciesTable& species) {
+    config::Warnings warnings;
     return {read_yield_sites(shipped("sites.csv"), species), read_yield_rows(shipped("yield_tables.csv")),
-            read_trial_climates(shipped("climate.csv"))};
+            forest::read_climate(shipped("climate.csv"), warnings),
+            shipped_parameters("forest_yield", CaseKind::forest_yield)};
 }
 
 void print(const std::vector<YieldComparison>& comparisons) {
@@ -68,7 +71,7 @@ TEST(CompareYields, MeetsTheTablesInTheModelsOwnLight) {
         return site.table.empty() && site.name != "abal_1000" && site.name != "fasy_1000";
     });
     const std::vector<YieldComparison> comparisons =
-        compare_yields(data, species, TrialLight::space, {70, 100});
+        compare_yields(data, species, TreeLight::in_space, {70, 100});
     print(comparisons);
     expect_criteria(comparisons);
 }
@@ -77,8 +80,9 @@ TEST(CompareYields, FindsNearlyTheSameVolumesInLightByLayers) {
     const SpeciesTable species = SpeciesTable::shipped();
     YieldCase data = shipped_case(species);
     data.sites.resize(5);  // spruce
-    const std::vector<YieldComparison> layers = compare_yields(data, species, TrialLight::layers, {70, 100});
-    const std::vector<YieldComparison> space = compare_yields(data, species, TrialLight::space, {70, 100});
+    const std::vector<YieldComparison> layers =
+        compare_yields(data, species, TreeLight::by_layers, {70, 100});
+    const std::vector<YieldComparison> space = compare_yields(data, species, TreeLight::in_space, {70, 100});
     print(layers);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         EXPECT_NEAR(layers[i].simulated.volume_m3pha / space[i].simulated.volume_m3pha, 1.0, 0.1)
@@ -89,7 +93,8 @@ TEST(CompareYields, FindsNearlyTheSameVolumesInLightByLayers) {
 TEST(CompareYields, RanksElevations) {
     const SpeciesTable species = SpeciesTable::shipped();
     YieldCase data = shipped_case(species);
-    const std::vector<YieldComparison> comparisons = compare_yields(data, species, TrialLight::layers, {100});
+    const std::vector<YieldComparison> comparisons =
+        compare_yields(data, species, TreeLight::by_layers, {100});
     for (std::size_t i = 1; i < comparisons.size(); ++i) {
         const bool same_species = data.sites[i].species == data.sites[i - 1].species;
         if (same_species) {
@@ -110,17 +115,11 @@ TEST(ReadYieldSites, NamesTheSpeciesItDoesNotKnow) {
     }
 }
 
-TEST(ReadTrialClimates, MissesMonths) {
-    const config::Table table =
-        table_of("elevation_m,month,tave_c,rad_mj_m2_d,vpd_kpa,frost_days,gdd55_c_d\n500,1,0,4,0.1,20,0\n");
-    EXPECT_THROW(static_cast<void>(read_trial_climates(table)), config::InputError);
-}
-
 TEST(CompareYields, AsksForTheClimateOfEachSite) {
     const SpeciesTable species = SpeciesTable::shipped();
     YieldCase data = shipped_case(species);
     data.climates.erase(data.climates.begin());
-    EXPECT_THROW(static_cast<void>(compare_yields(data, species, TrialLight::layers, {70})),
+    EXPECT_THROW(static_cast<void>(compare_yields(data, species, TreeLight::by_layers, {70})),
                  config::InputError);
 }
 
