@@ -7,7 +7,7 @@
 #include "forest/growth.hpp"
 #include "forest/production/calendar.hpp"
 #include "forest/production/light_use.hpp"
-#include "forest/production/modifiers.hpp"
+#include "forest/production/three_pg_modifiers.hpp"
 
 namespace forest {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "forest/climate/series.hpp"
-#include "forest/production/modifiers.hpp"
+#include "forest/production/three_pg_modifiers.hpp"
 #include "forest/production/transpiration.hpp"
 #include "forest/species.hpp"
 

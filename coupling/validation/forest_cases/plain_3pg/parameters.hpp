@@ -7,7 +7,7 @@
 
 #include "config/table/table.hpp"
 #include "forest/production/light_use.hpp"
-#include "forest/production/modifiers.hpp"
+#include "forest/production/three_pg_modifiers.hpp"
 #include "forest/production/transpiration.hpp"
 #include "forest/species.hpp"
 

@@ -1,4 +1,4 @@
-#include "forest/production/modifiers.hpp"
+#include "forest/production/three_pg_modifiers.hpp"
 
 #include <algorithm>
 
