@@ -8,21 +8,6 @@
 
 namespace forest {
 
-/// Growth at a light ratio relative to full light [0, 1], between the two curves of gap models (Bugmann
-/// 1994):
-///     tolerant   g1 = 1 - exp(-4.64 (L - 0.05))
-///     intolerant g9 = 2.24 (1 - exp(-1.136 (L - 0.08)))
-/// straight in the response class from 1 (tolerant) to 9.
-double light_response(double response_class, double light_ratio);
-
-/// How tall trees become for their diameter on a site [-]: 1.13 (1 - exp(-GDD / tau)), degree-days above 5.5
-/// degC [choice, calibrated on Guttenberg's spruce yield tables].
-double site_height_factor(const HeightGrowth& law, double degree_days);
-
-/// Height increment / diameter increment, length by length [-]. In shade trees put more into height. Between
-/// two curves by diameter (iLand species database), straight in the light ratio [choice].
-double height_diameter_ratio(const HeightGrowth& law, double dbh_cm, double light_ratio, double site_factor);
-
 /// A tree before its growth, as far as growth asks.
 struct Size {
     double dbh_cm = 0.0;

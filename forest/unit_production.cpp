@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "config/math/elementary.hpp"
-#include "forest/growth.hpp"
+#include "forest/light_response.hpp"
 #include "forest/production/calendar.hpp"
 #include "forest/production/light_use.hpp"
 #include "forest/production/three_pg_modifiers.hpp"
