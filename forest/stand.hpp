@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "forest/book.hpp"
 #include "forest/cohort.hpp"
 #include "forest/dead_wood.hpp"
 #include "forest/patch.hpp"
+#include "forest/stand_balance.hpp"
 #include "forest/tree.hpp"
 
 namespace forest {
@@ -60,7 +60,7 @@ struct SaplingRemoval {
 /// The living and the dead of a forest: the only owner of its trees, cohorts, snags, logs and patches.
 ///
 /// Processes read what is here, work out what happens, and tell it: nobody changes a tree from outside. Every
-/// stem comes and goes through the functions below, which keep the books, so that
+/// stem comes and goes through the functions below, which keep the balance, so that
 ///     stems at the start + stems in = stems out + stems standing
 /// holds at any time, and the same for saplings, for mass, and for the wood of stems, living and dead.
 ///
@@ -89,12 +89,12 @@ public:
     /// All scars, by tree and height.
     [[nodiscard]] std::span<const Wound> wounds() const { return wounds_; }
 
-    // --- the books
+    // --- the balance
     // -------------------------------------------------------------------------------------------
     /// Of the running year.
-    [[nodiscard]] const Book& book() const { return book_; }
+    [[nodiscard]] const StandBalance& balance() const { return balance_; }
     /// Since the start, the running year included.
-    [[nodiscard]] Book total_book() const;
+    [[nodiscard]] StandBalance total_balance() const;
     [[nodiscard]] std::uint64_t stems_standing() const;
     [[nodiscard]] double mass_standing_kg() const;
     [[nodiscard]] double stem_mass_standing_kg() const;
@@ -107,7 +107,7 @@ public:
 
     // --- a year
     // ----------------------------------------------------------------------------------------------
-    /// The next calendar year begins: a new page in the books, the list of deaths empty.
+    /// The next calendar year begins: an empty balance, an empty list of deaths.
     void begin_year();
 
     /// One entry a tree, in their order. Trees become one year older.
@@ -165,8 +165,8 @@ private:
     std::vector<PatchState> patch_states_;
     SnagsAndLogs dead_wood_;
     std::vector<DeadTree> deaths_;
-    Book book_;
-    Book earlier_;  ///< years before the running one
+    StandBalance balance_;
+    StandBalance earlier_;  ///< years before the running one
     std::uint64_t next_id_ = 0;
     std::uint64_t stems_at_start_ = 0;
     double mass_at_start_kg_ = 0.0;

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "forest/book.hpp"
 #include "forest/species.hpp"
 #include "forest/stand.hpp"
+#include "forest/stand_balance.hpp"
 
 namespace forest {
 

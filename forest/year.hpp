@@ -16,7 +16,7 @@ struct YearKey {
     std::uint32_t replicate = 0;
 };
 
-/// What a year was like, beside what the stand itself tells (its books, deaths, patches).
+/// What a year was like, beside what the stand itself holds (its balance, deaths, patches).
 struct YearReport {
     double volume_increment_m3 = 0.0;  ///< stem wood that the trees of the year's beginning put on
     double production_kg = 0.0;        ///< net primary production of all trees

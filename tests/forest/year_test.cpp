@@ -31,12 +31,14 @@ void expect_invariants(const Stand& before, const Stand& after, const SpeciesTab
 }
 
 void expect_balance(const Stand& stand) {
-    const Book book = stand.total_book();
-    RC_ASSERT(stand.stems_at_start() + book.all_stems_in() == book.all_stems_out() + stand.stems_standing());
-    const double mass_in_kg = stand.mass_at_start_kg() + book.mass_in_kg + book.grown_kg - book.shed_kg;
-    const double mass_out_kg = book.all_lost_kg() + stand.mass_standing_kg();
+    const StandBalance balance = stand.total_balance();
+    RC_ASSERT(stand.stems_at_start() + balance.all_stems_in() ==
+              balance.all_stems_out() + stand.stems_standing());
+    const double mass_in_kg =
+        stand.mass_at_start_kg() + balance.mass_in_kg + balance.grown_kg - balance.shed_kg;
+    const double mass_out_kg = balance.all_lost_kg() + stand.mass_standing_kg();
     RC_ASSERT(std::abs(mass_in_kg - mass_out_kg) <= 1e-9 * (mass_in_kg + 1.0));
-    const double dead_kg = book.dead_wood_in_kg - book.all_dead_wood_out_kg();
+    const double dead_kg = balance.dead_wood_in_kg - balance.all_dead_wood_out_kg();
     RC_ASSERT(std::abs(stand.dead_wood_kg() - dead_kg) <= 1e-9 * (mass_in_kg + 1.0));
 }
 
@@ -50,9 +52,9 @@ TEST(GrowYear, KeepsItsInvariantsOnAnyStand) {
         for (int year = 0; year < 3; ++year) {
             const Stand before = stand;
             const YearReport report = forest.live(stand, seed);
-            const Book& book = stand.book();
-            const double stems_kg = before.stem_mass_standing_kg() + book.stem_in_kg + book.stem_grown_kg -
-                                    book.all_stem_lost_kg();
+            const StandBalance& balance = stand.balance();
+            const double stems_kg = before.stem_mass_standing_kg() + balance.stem_in_kg +
+                                    balance.stem_grown_kg - balance.all_stem_lost_kg();
             RC_ASSERT(std::abs(stand.stem_mass_standing_kg() - stems_kg) <= 1e-9 * (stems_kg + 1.0));
             expect_invariants(before, stand, forest.species);
             expect_balance(stand);
@@ -152,8 +154,8 @@ TEST(GrowYear, SharesOutExactlyWhatAUnitProduces) {
                 trees_from_record(record, forest.grid, forest.species, 1, 0, 0), 2000};
     const YearReport report = forest.live(stand);
     EXPECT_GT(report.production_kg, 0.0);
-    EXPECT_LT(stand.book().grown_kg, report.production_kg);
-    EXPECT_GT(stand.book().grown_kg, 0.5 * report.production_kg);
+    EXPECT_LT(stand.balance().grown_kg, report.production_kg);
+    EXPECT_GT(stand.balance().grown_kg, 0.5 * report.production_kg);
     EXPECT_NEAR(report.light_closure, 1.0, 0.05);
 }
 
@@ -198,7 +200,7 @@ TEST(GrowYear, KillsASmallShareOfTreesWithoutCrowding) {
         static_cast<void>(forest.live(stand));
     }
     const double rate =
-        static_cast<double>(stand.total_book().stems_out[index_of(Cause::background)]) / tree_years;
+        static_cast<double>(stand.total_balance().stems_out[index_of(Cause::background)]) / tree_years;
     EXPECT_GT(rate, 0.0005);
     EXPECT_LT(rate, 0.01);
 }

@@ -37,7 +37,7 @@ std::string_view name_of(Cause cause);
 /// Mass is taken when it is known: what a year's production gave (`grown_kg`), what came of itself
 /// (`shed_kg`: foliage lost or gained as the crown changes, and production that a full-grown tree cannot
 /// place), what died (`lost_kg`).
-struct Book {
+struct StandBalance {
     std::array<std::uint64_t, origin_count> stems_in{};  ///< ingrowth and planted trees, by origin
     std::array<std::uint64_t, cause_count> stems_out{};
     double mass_in_kg = 0.0;
@@ -67,7 +67,7 @@ struct Book {
     [[nodiscard]] double all_dead_wood_out_kg() const;
     [[nodiscard]] std::uint64_t all_saplings_out() const;
 
-    Book& operator+=(const Book& other);
+    StandBalance& operator+=(const StandBalance& other);
 };
 
 }  // namespace forest

@@ -1,4 +1,4 @@
-#include "forest/book.hpp"
+#include "forest/stand_balance.hpp"
 
 #include <numeric>
 
@@ -11,31 +11,31 @@ std::string_view name_of(Cause cause) {
     return names[index_of(cause)];
 }
 
-std::uint64_t Book::all_stems_in() const {
+std::uint64_t StandBalance::all_stems_in() const {
     return std::accumulate(stems_in.begin(), stems_in.end(), std::uint64_t{0});
 }
 
-std::uint64_t Book::all_stems_out() const {
+std::uint64_t StandBalance::all_stems_out() const {
     return std::accumulate(stems_out.begin(), stems_out.end(), std::uint64_t{0});
 }
 
-double Book::all_lost_kg() const {
+double StandBalance::all_lost_kg() const {
     return std::accumulate(lost_kg.begin(), lost_kg.end(), 0.0);
 }
 
-double Book::all_stem_lost_kg() const {
+double StandBalance::all_stem_lost_kg() const {
     return std::accumulate(stem_lost_kg.begin(), stem_lost_kg.end(), 0.0);
 }
 
-double Book::all_dead_wood_out_kg() const {
+double StandBalance::all_dead_wood_out_kg() const {
     return dead_wood_decayed_kg + dead_wood_to_soil_kg + dead_wood_taken_kg;
 }
 
-std::uint64_t Book::all_saplings_out() const {
+std::uint64_t StandBalance::all_saplings_out() const {
     return std::accumulate(saplings_out.begin(), saplings_out.end(), std::uint64_t{0});
 }
 
-Book& Book::operator+=(const Book& other) {
+StandBalance& StandBalance::operator+=(const StandBalance& other) {
     for (std::size_t i = 0; i < origin_count; ++i) {
         stems_in[i] += other.stems_in[i];
     }
