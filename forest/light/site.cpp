@@ -125,8 +125,8 @@ SkyView view_from(const Sky& sky, const Exposure& place) {
         view.on_ground.push_back(static_cast<float>(std::max(dot(zone, place.normal) / place.normal.z, 0.0)));
     }
     for (std::size_t sun = 0; sun < sky.june_suns().size(); ++sun) {
-        const bool shines = sees(place, sky.june_suns()[sun]);
-        view.june_suns |= static_cast<std::uint64_t>(shines ? 1 : 0) << sun;
+        const bool visible = sees(place, sky.june_suns()[sun]);
+        view.june_suns |= static_cast<std::uint64_t>(visible ? 1 : 0) << sun;
     }
     return view;
 }

@@ -47,7 +47,7 @@ public:
     }
 
     /// Whether a zone brings a place any light.
-    [[nodiscard]] bool shines(const SkyView& view, std::size_t zone) const {
+    [[nodiscard]] bool is_visible(const SkyView& view, std::size_t zone) const {
         return view.diffuse[zone] > 0.0F;
     }
 

@@ -51,7 +51,7 @@ TEST(GrowYear, KeepsItsInvariantsOnAnyStand) {
                     2000};
         for (int year = 0; year < 3; ++year) {
             const Stand before = stand;
-            const YearReport report = forest.live(stand, seed);
+            const YearReport report = forest.grow(stand, seed);
             const StandBalance& balance = stand.balance();
             const double stems_kg = before.stem_mass_standing_kg() + balance.stem_in_kg +
                                     balance.stem_grown_kg - balance.all_stem_lost_kg();
@@ -73,8 +73,8 @@ TEST(GrowYear, GivesTheSameBytesForAnyOrderOfTrees) {
     std::rotate(trees.begin(), trees.begin() + 77, trees.end());
     Stand permuted{forest.grid, forest.species.size(), trees, 2000};
     for (int year = 0; year < 5; ++year) {
-        static_cast<void>(forest.live(straight));
-        static_cast<void>(forest.live(permuted));
+        static_cast<void>(forest.grow(straight));
+        static_cast<void>(forest.grow(permuted));
     }
     ASSERT_EQ(straight.trees().size(), permuted.trees().size());
     for (std::size_t i = 0; i < straight.trees().size(); ++i) {
@@ -104,8 +104,8 @@ TEST(GrowYear, OfAMirroredStandIsTheMirrorOfTheYear) {
         }
         Stand one{forest.grid, forest.species.size(), trees, 2000};
         Stand other{forest.grid, forest.species.size(), mirrored, 2000};
-        static_cast<void>(forest.live(one));
-        static_cast<void>(forest.live(other));
+        static_cast<void>(forest.grow(one));
+        static_cast<void>(forest.grow(other));
         for (const Tree& tree : one.trees()) {
             const auto image = other.find(tree.id);
             if (number_of(tree.id) >= trees.size()) {
@@ -128,14 +128,14 @@ TEST(GrowYear, OfAMirroredStandIsTheMirrorOfTheYear) {
 TEST(GrowYear, WorksWithoutTreesAndWithOneTreeOnOnePatch) {
     const SmallForest forest{square_of_forest(1)};
     Stand empty{forest.grid, forest.species.size(), {}, 2000};
-    const YearReport report = forest.live(empty);
+    const YearReport report = forest.grow(empty);
     EXPECT_EQ(report.production_kg, 0.0);
     EXPECT_NEAR(empty.patch_states()[0].ground_light, 1.0, 0.01);
 
     std::vector<Tree> one = any_trees(forest.grid, forest.species, 1, 5);
     one[0] = new_tree(forest.species[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 40.0);
     Stand alone{forest.grid, forest.species.size(), one, 2000};
-    static_cast<void>(forest.live(alone));
+    static_cast<void>(forest.grow(alone));
     ASSERT_EQ(alone.trees().size(), 1U);
     EXPECT_GT(alone.trees()[0].dbh_cm, 20.1);
     EXPECT_GT(alone.trees()[0].light_ratio, 0.5);
@@ -152,7 +152,7 @@ TEST(GrowYear, SharesOutExactlyWhatAUnitProduces) {
     record.degree_days = 1300.0;
     Stand stand{forest.grid, forest.species.size(),
                 trees_from_record(record, forest.grid, forest.species, 1, 0, 0), 2000};
-    const YearReport report = forest.live(stand);
+    const YearReport report = forest.grow(stand);
     EXPECT_GT(report.production_kg, 0.0);
     EXPECT_LT(stand.balance().grown_kg, report.production_kg);
     EXPECT_GT(stand.balance().grown_kg, 0.5 * report.production_kg);
@@ -173,7 +173,7 @@ TEST(GrowYear, NeverExceedsTheSelfThinningLineForLong) {
     double densest = 0.0;
     int years_above = 0;
     for (int year = 0; year < 60; ++year) {
-        static_cast<void>(forest.live(stand));
+        static_cast<void>(forest.grow(stand));
         for (const double density : relative_densities(stand, forest.species, forest.site.windows())) {
             years_above = density > 1.1 ? years_above + 1 : 0;
             densest = std::max(densest, density);
@@ -197,7 +197,7 @@ TEST(GrowYear, KillsASmallShareOfTreesWithoutCrowding) {
     double tree_years = 0.0;
     for (int year = 0; year < 30; ++year) {
         tree_years += static_cast<double>(stand.stems_standing());
-        static_cast<void>(forest.live(stand));
+        static_cast<void>(forest.grow(stand));
     }
     const double rate =
         static_cast<double>(stand.total_balance().stems_out[index_of(Cause::background)]) / tree_years;

@@ -83,7 +83,7 @@ TEST(Disturb, KeepsTheBalanceThroughYearsOfStormsAndBeetles) {
     Stand stand = mountain_spruces(forest);
     for (int year = 0; year < 15; ++year) {
         const Stand before = stand;
-        static_cast<void>(forest.live(stand));
+        static_cast<void>(forest.grow(stand));
         const StandBalance balance = stand.total_balance();
         EXPECT_EQ(stand.stems_at_start() + balance.all_stems_in(),
                   balance.all_stems_out() + stand.stems_standing());
@@ -110,8 +110,8 @@ TEST(Disturb, GivesTheSameBytesForAnyOrderOfTrees) {
     Stand straight = mountain_spruces(forest);
     Stand reversed = mountain_spruces(forest, true);
     for (int year = 0; year < 6; ++year) {
-        static_cast<void>(forest.live(straight));
-        static_cast<void>(forest.live(reversed));
+        static_cast<void>(forest.grow(straight));
+        static_cast<void>(forest.grow(reversed));
     }
     EXPECT_LT(straight.trees().size(), mountain_spruces(forest).trees().size());
     ASSERT_EQ(straight.trees().size(), reversed.trees().size());

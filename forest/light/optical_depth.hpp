@@ -42,11 +42,11 @@ struct OpticalDepth {
 /// whichever layer it starts in; so all of them are one vector, two interpolations and a difference a column.
 /// Terrain above a ray makes it opaque.
 template <std::size_t lanes>
-[[nodiscard]] OpticalDepth cast_column(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
-                                       const RayWalk& walk, std::size_t padded_column);
+[[nodiscard]] OpticalDepth column_depth(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
+                                        const RayWalk& walk, std::size_t padded_column);
 
 /// The same for one ray from the start of the walk on the ground; ends early beyond `enough`.
-[[nodiscard]] float cast_ground(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
-                                const RayWalk& walk, std::size_t padded_column, float enough);
+[[nodiscard]] float ground_depth(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
+                                 const RayWalk& walk, std::size_t padded_column, float enough);
 
 }  // namespace forest

@@ -1,4 +1,4 @@
-#include "forest/light/cast.hpp"
+#include "forest/light/optical_depth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST(CastColumn, IsBeersLawUnderEvenLeavesOnEverySlope) {
                     if (climb < 0.15) {
                         continue;  // out of reach before it leaves the canopy, or into the slope
                     }
-                    const auto depth = forest::cast_column<forest::canopy_layers>(
+                    const auto depth = forest::column_depth<forest::canopy_layers>(
                         ground, canopy.leaf_on(), canopy.top_m(), walk(ground, towards), ground.padded(5));
                     const double through_all = extinction * leaf_area_index / climb;
                     EXPECT_NEAR(depth.ground / through_all, 1.0, 2e-3);
@@ -104,7 +104,7 @@ TEST(CastColumn, FindsWhatSmallStepsFind) {
             const Direction towards = forest::direction_at(config::Angle::from_degrees(azimuth_deg),
                                                            config::Angle::from_degrees(elevation_deg));
             const std::size_t column = 8;
-            const auto depth = forest::cast_column<forest::canopy_layers>(
+            const auto depth = forest::column_depth<forest::canopy_layers>(
                 ground, canopy.leaf_on(), canopy.top_m(), walk(ground, towards), ground.padded(column));
             const double on_ground = marched(ground, canopy, 0.1, rise_y, column, 0.0, towards);
             EXPECT_NEAR(depth.ground, on_ground, 0.005 + 0.005 * on_ground);
@@ -127,8 +127,8 @@ TEST(CastGround, IsTheGroundOfTheColumnAtItsCentre) {
     for (std::size_t column = 0; column < ground.frame().size(); ++column) {
         const std::size_t at = ground.padded(column);
         EXPECT_NEAR(
-            cast_ground(ground, canopy.leaf_on(), canopy.top_m(), way, at, 1e9F),
-            forest::cast_column<forest::canopy_layers>(ground, canopy.leaf_on(), canopy.top_m(), way, at)
+            ground_depth(ground, canopy.leaf_on(), canopy.top_m(), way, at, 1e9F),
+            forest::column_depth<forest::canopy_layers>(ground, canopy.leaf_on(), canopy.top_m(), way, at)
                 .ground,
             1e-4);
     }
@@ -146,7 +146,7 @@ TEST(CastColumn, EndsInRisingGround) {
     const std::size_t at = ground.padded(valley.elevation_m.frame.index({8, 1}));
     const RayWalk east = walk(
         ground, forest::direction_at(config::Angle::from_degrees(90.0), config::Angle::from_degrees(30.0)));
-    const auto depth = forest::cast_column<forest::canopy_layers>(ground, canopy.leaf_on(), 60.0, east, at);
+    const auto depth = forest::column_depth<forest::canopy_layers>(ground, canopy.leaf_on(), 60.0, east, at);
     EXPECT_LT(forest::exp_minus(depth.ground), 1e-6F);
     EXPECT_LT(forest::exp_minus(depth.layers[1]), 1e-6F);
     EXPECT_EQ(depth.layers[8], 0.0F);  // 42 m up it passes above

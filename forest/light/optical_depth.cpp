@@ -1,4 +1,4 @@
-#include "forest/light/cast.hpp"
+#include "forest/light/optical_depth.hpp"
 
 #include <algorithm>
 
@@ -41,8 +41,8 @@ inline float sum_at(const float* nodes, Node node) {
 }  // namespace
 
 template <std::size_t lanes>
-OpticalDepth cast_column(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
-                         const RayWalk& walk, std::size_t padded_column) {
+OpticalDepth column_depth(const PaddedGround& ground, const PrefixSums& leaves, double top_m,
+                          const RayWalk& walk, std::size_t padded_column) {
     OpticalDepth depth;
     std::array<float, lanes> tau{};
     const float* elevation_m = ground.elevation_m().data() + padded_column;
@@ -80,15 +80,15 @@ OpticalDepth cast_column(const PaddedGround& ground, const PrefixSums& leaves, d
     return depth;
 }
 
-template OpticalDepth cast_column<4>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
-                                     std::size_t);
-template OpticalDepth cast_column<8>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
-                                     std::size_t);
-template OpticalDepth cast_column<12>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
+template OpticalDepth column_depth<4>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
                                       std::size_t);
+template OpticalDepth column_depth<8>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
+                                      std::size_t);
+template OpticalDepth column_depth<12>(const PaddedGround&, const PrefixSums&, double, const RayWalk&,
+                                       std::size_t);
 
-float cast_ground(const PaddedGround& ground, const PrefixSums& leaves, double top_m, const RayWalk& walk,
-                  std::size_t padded_column, float enough) {
+float ground_depth(const PaddedGround& ground, const PrefixSums& leaves, double top_m, const RayWalk& walk,
+                   std::size_t padded_column, float enough) {
     const float* elevation_m = ground.elevation_m().data() + padded_column;
     const float start_m = height_between(elevation_m, ground.stride(), walk.start);
     const auto top = static_cast<float>(top_m) * per_layer;
