@@ -79,7 +79,7 @@ Increment increment_of(const Species& species, const Size& size, double ratio, d
     if (height_m <= room_m) {
         return {dbh_cm, height_m, dbh_cm < most_cm ? gain_kg : free.at(dbh_cm).kg - before_kg};
     }
-    // The top is reached within the year: the rest goes to the stem's thickness.
+    // The top is reached within the year: the rest grows the diameter.
     const GrowthPath at_top{species.allometry, size.dbh_cm, size.height_m + room_m, 0.0, size.completeness};
     dbh_cm = std::min(at_top.increment_to(before_kg + gain_kg), most_cm);
     return {dbh_cm, room_m, dbh_cm < most_cm ? gain_kg : at_top.at(dbh_cm).kg - before_kg};

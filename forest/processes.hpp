@@ -7,7 +7,7 @@ namespace forest {
 /// How light reaches the trees.
 enum class TreeLight : std::uint8_t {
     in_space,   ///< by the light model (forest/light): every tree at its place
-    by_layers,  ///< by layer_light(): every tree shades every other alike. For level ground without horizon
+    by_layers,  ///< by layer_light(): every tree shades every other equally. For level ground without horizon
 };
 
 /// Which processes of a year run, beside those that always do. Deaths by age and by stress, browsing, wind,

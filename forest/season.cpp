@@ -64,13 +64,13 @@ UnitRadiation radiation_of(const SiteUnit& unit, const Stand& stand, const Site&
         sum.on_slope += incoming * turn_of(stand.grid()[patch].slope).cos;
     }
     const double scale = 1.0 / (static_cast<double>(unit.patches.size()) * flat_mjpm2);
-    // A month whose sun never clears the horizon leaves a rest of light; the response to it has no meaning
+    // A month whose sun never clears the horizon has little light; the response to it has no meaning
     // below that.
     constexpr double least = 0.01;
     return {std::max(least, sum.on_map * scale), std::max(least, sum.on_slope * scale)};
 }
 
-/// A month of a site unit as water and production meet it.
+/// A month of a site unit, for water and production.
 struct UnitMonth {
     UnitRadiation radiation;
     WaterMonth water;

@@ -34,7 +34,7 @@ struct WaterYear {
     double storage_gain_mm = 0.0;
 };
 
-/// What twelve months did to patches and what they offer to trees.
+/// Result of twelve months: state of the patches and production per absorbed light.
 struct Season {
     std::vector<PatchState> patches;        ///< after the year
     std::vector<YearOfLightUse> light_use;  ///< by production unit and species
@@ -47,7 +47,7 @@ struct Season {
 LightYear light_year_of(const Site& site, const SpeciesTable& species, const SiteWeather& weather);
 
 /// Month by month: snow, rain and interception, transpiration, soil water, and the modifiers of production
-/// that come of them. Leaf area of a patch is that of the trees that stand on it.
+/// that result from them. Leaf area of a patch is that of the trees that stand on it.
 ///
 /// Without Processes::water nothing is short of water: soil and snow stay as they are, no patch has a
 /// drought, and the flows of `Season::water` are 0.

@@ -59,8 +59,8 @@ struct SaplingRemoval {
 
 /// The living and the dead of a forest: the only owner of its trees, cohorts, snags, logs and patches.
 ///
-/// Processes read what is here, work out what happens, and tell it: nobody changes a tree from outside. Every
-/// stem comes and goes through the functions below, which keep the balance, so that
+/// Processes read the stand, compute what changes and report it; no tree is changed from outside. Every stem
+/// enters and leaves through the functions below, which keep the balance, so that
 ///     stems at the start + stems in = stems out + stems standing
 /// holds at any time, and the same for saplings, for mass, and for the wood of stems, living and dead.
 ///
@@ -102,7 +102,7 @@ public:
     [[nodiscard]] std::uint64_t saplings_standing() const;
     [[nodiscard]] std::uint64_t stems_at_start() const { return stems_at_start_; }
     [[nodiscard]] double mass_at_start_kg() const { return mass_at_start_kg_; }
-    /// Who left this year, in the order of leaving. Dead wood is made of them.
+    /// Trees that died or were felled this year, in the order of leaving. Dead wood is made of them.
     [[nodiscard]] std::span<const DeadTree> deaths() const { return deaths_; }
 
     // --- a year
@@ -141,7 +141,7 @@ public:
     void add_cohorts(std::span<const Cohort> cohorts);
     /// One entry a cohort; cohorts become one year older.
     void grow_cohorts(std::span<const CohortGrowth> growth);
-    /// Empty cohorts go. The places of cohorts change.
+    /// Empty cohorts are removed. The places of cohorts change.
     void remove_saplings(std::span<const SaplingRemoval> removals);
     /// Cohorts (places in cohorts(), rising) become the trees given for them, one record each with the
     /// cohort's stems.

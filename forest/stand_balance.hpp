@@ -13,7 +13,7 @@ namespace forest {
 enum class Cause : std::uint8_t {
     background,     ///< age and what no process here explains
     stress,         ///< years without growth
-    self_thinning,  ///< more trees than the site bears
+    self_thinning,  ///< more trees than the site can carry
     wind,
     snow,
     beetle,
@@ -31,10 +31,10 @@ constexpr std::size_t index_of(Cause cause) {
 /// As it stands in tables, such as "self_thinning".
 std::string_view name_of(Cause cause);
 
-/// What came and went, in stems and dry above-ground mass. Trees and saplings have accounts of their own; a
-/// sapling that becomes a tree leaves the one and enters the other.
+/// Gains and losses of a stand, in stems and dry above-ground mass. Trees and saplings are counted apart: a
+/// sapling that becomes a tree leaves the saplings and enters the trees.
 ///
-/// Mass is taken when it is known: what a year's production gave (`grown_kg`), what came of itself
+/// Mass is taken when it is known: what a year's production gave (`grown_kg`), other changes
 /// (`shed_kg`: foliage lost or gained as the crown changes, and production that a full-grown tree cannot
 /// place), what died (`lost_kg`).
 struct StandBalance {

@@ -47,7 +47,7 @@ struct Loss {
     double above_ground_tpha = 0.0;
 };
 
-/// A stand in one year: what stands, what came, what went.
+/// A stand in one year: state, growth, ingrowth and losses.
 struct StandYear {
     int year = 0;
     StandFigures all;

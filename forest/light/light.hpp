@@ -10,7 +10,7 @@
 
 namespace forest {
 
-/// What the weather and the seasons bring in a year.
+/// Radiation and leaves of a year, month by month.
 struct LightYear {
     MonthlyRadiation radiation;  ///< on the flat
     /// Months in which deciduous trees have leaves.
@@ -76,7 +76,7 @@ void compute_trees(const Canopy& canopy, const LightYear& year, std::span<const 
 
 /// Scales what the trees absorb in each month so that absorbed + ground = incoming over the area.
 ///
-/// Only where the area has no open edges: through those light comes in and shade goes out. There closure is
+/// Only where the area has no open edges: light enters and shade leaves through those. There closure is
 /// noted, not used.
 void close_budget(const LightSite& site, LightField& field);
 

@@ -9,7 +9,7 @@
 namespace forest {
 namespace {
 
-/// A zone whose direction falls flatter on the ground than this hands its light to the nearest zone that does
+/// A zone whose direction falls flatter on the ground than this gives its light to the nearest zone that does
 /// not.
 constexpr double flattest_sine = 0.1;
 
@@ -17,7 +17,7 @@ int margin_of(const LightGround& ground, const LightSettings& settings) {
     return static_cast<int>(std::ceil(settings.reach_m / ground.elevation_m.frame.cell_width_m)) + 2;
 }
 
-/// What a zone brings a place, summed over the samples that are seen.
+/// Light of a zone at a place, summed over the samples that are seen.
 struct ZoneSum {
     double towards_zone = 0.0;  ///< on a plane at right angles to the zone's direction
     double on_slope = 0.0;
