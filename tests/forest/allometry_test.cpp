@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace forest {
+namespace forest::allometry_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -25,4 +25,4 @@ TEST(StemVolume, IsTheFormFactorOfACylinder) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::allometry_test

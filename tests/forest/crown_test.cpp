@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace forest {
+namespace forest::crown_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -42,4 +42,4 @@ TEST(NextCrown, HasFoliageInProportionToItsLengthWithinLimits) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::crown_test

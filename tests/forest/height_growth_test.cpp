@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace forest {
+namespace forest::height_growth_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
@@ -30,4 +30,4 @@ TEST(SiteHeightFactor, RisesWithWarmthTowards131) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::height_growth_test

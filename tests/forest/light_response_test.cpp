@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace forest {
+namespace forest::light_response_test {
 namespace {
 
 TEST(LightResponse, LiesBetweenTheTwoCurvesAndRisesWithLight) {
@@ -21,4 +21,4 @@ TEST(LightResponse, LetsTolerantSpeciesGrowWhereOthersDoNot) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::light_response_test

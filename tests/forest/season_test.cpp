@@ -6,7 +6,7 @@
 #include "forest/stand_light.hpp"
 #include "tests/forest/small_forest.hpp"
 
-namespace forest {
+namespace forest::season_test {
 namespace {
 
 /// A montane slope with a mixed stand in the light of its year.
@@ -122,4 +122,4 @@ TEST(ComputeSeason, RespondsToCarbonDioxideOnlyIfAsked) {
 }
 
 }  // namespace
-}  // namespace forest
+}  // namespace forest::season_test

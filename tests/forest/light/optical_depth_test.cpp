@@ -6,7 +6,7 @@
 
 #include "tests/forest/light/stands.hpp"
 
-namespace cast_test {
+namespace optical_depth_test {
 namespace {
 
 using forest::Canopy;
@@ -154,4 +154,4 @@ TEST(CastColumn, EndsInRisingGround) {
 
 }  // namespace
 
-}  // namespace cast_test
+}  // namespace optical_depth_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace forest::modifiers_test {
+namespace forest::three_pg_modifiers_test {
 namespace {
 
 const TemperatureCurve spruce{2.4727, 24.9494, 30.1378};
@@ -99,4 +99,4 @@ TEST(Modifiers, LieBetweenNothingAndOneForAllSpecies) {
 }
 
 }  // namespace
-}  // namespace forest::modifiers_test
+}  // namespace forest::three_pg_modifiers_test

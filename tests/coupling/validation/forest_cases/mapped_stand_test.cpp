@@ -7,7 +7,7 @@
 #include <iostream>
 #include <sstream>
 
-namespace coupling::validation::forest_cases {
+namespace coupling::validation::forest_cases::mapped_stand_test {
 namespace {
 
 config::Table table(const std::string& name) {
@@ -74,4 +74,4 @@ TEST(CompareLight, AgreesCloserInColumnsOfFiveMetres) {
 }
 
 }  // namespace
-}  // namespace coupling::validation::forest_cases
+}  // namespace coupling::validation::forest_cases::mapped_stand_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/validation/forest_cases/plain_3pg/reference.hpp"
 
-namespace coupling::validation::forest_cases::plain_3pg {
+namespace coupling::validation::forest_cases::plain_3pg::inputs_test {
 namespace {
 
 config::Table table_of(const std::string& text) {
@@ -81,4 +81,4 @@ TEST(CheckModeTables, NameSpeciesWithoutParameters) {
 }
 
 }  // namespace
-}  // namespace coupling::validation::forest_cases::plain_3pg
+}  // namespace coupling::validation::forest_cases::plain_3pg::inputs_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/validation/forest_cases/plain_3pg/reference.hpp"
 
-namespace coupling::validation::forest_cases::plain_3pg {
+namespace coupling::validation::forest_cases::plain_3pg::light_test {
 namespace {
 
 TEST(CrownBody, IsThatOfTheKnownSolids) {
@@ -90,4 +90,4 @@ TEST(AbsorbByLayers, GivesTheHigherLayerFirst) {
 }
 
 }  // namespace
-}  // namespace coupling::validation::forest_cases::plain_3pg
+}  // namespace coupling::validation::forest_cases::plain_3pg::light_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coupling::validation::forest_cases::plain_3pg {
+namespace coupling::validation::forest_cases::plain_3pg::mortality_test {
 namespace {
 
 const SelfThinning limit{400.0, 1.5};
@@ -29,4 +29,4 @@ TEST(SelfThinning, TakesMoreTreesWhereTheDyingAreSmall) {
 }
 
 }  // namespace
-}  // namespace coupling::validation::forest_cases::plain_3pg
+}  // namespace coupling::validation::forest_cases::plain_3pg::mortality_test

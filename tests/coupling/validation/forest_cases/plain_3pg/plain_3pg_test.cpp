@@ -8,7 +8,7 @@
 #include "config/text/numbers.hpp"
 #include "tests/coupling/validation/forest_cases/plain_3pg/reference.hpp"
 
-namespace coupling::validation::forest_cases::plain_3pg {
+namespace coupling::validation::forest_cases::plain_3pg::plain_3pg_test {
 namespace {
 
 const std::string beech = "Fagus sylvatica";
@@ -251,4 +251,4 @@ TEST(CheckMode, GivesTheSheetsFiguresOfPineInJune) {
 }
 
 }  // namespace
-}  // namespace coupling::validation::forest_cases::plain_3pg
+}  // namespace coupling::validation::forest_cases::plain_3pg::plain_3pg_test

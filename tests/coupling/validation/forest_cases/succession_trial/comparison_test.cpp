@@ -8,7 +8,7 @@
 
 #include "tests/coupling/validation/forest_cases/shipped_case.hpp"
 
-namespace coupling::validation::forest_cases::succession_trial {
+namespace coupling::validation::forest_cases::succession_trial::comparison_test {
 namespace {
 
 using forest::LapseRates;
@@ -181,4 +181,4 @@ TEST(TrialAt, AsksForTheElevationOfTheClimate) {
 }
 
 }  // namespace
-}  // namespace coupling::validation::forest_cases::succession_trial
+}  // namespace coupling::validation::forest_cases::succession_trial::comparison_test

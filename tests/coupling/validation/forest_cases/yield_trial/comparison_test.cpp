@@ -9,7 +9,7 @@
 
 #include "tests/coupling/validation/forest_cases/shipped_case.hpp"
 
-namespace coupling::validation::forest_cases::yield_trial {
+namespace coupling::validation::forest_cases::yield_trial::comparison_test {
 namespace {
 
 using forest::SpeciesTable;
@@ -124,4 +124,4 @@ TEST(CompareYields, AsksForTheClimateOfEachSite) {
 }
 
 }  // namespace
-}  // namespace coupling::validation::forest_cases::yield_trial
+}  // namespace coupling::validation::forest_cases::yield_trial::comparison_test
