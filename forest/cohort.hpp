@@ -13,7 +13,7 @@ struct Cohort {
     Origin origin = Origin::seed;
     std::uint32_t stems = 0;         ///< >= 1
     double height_m = 0.0;           ///< mean, > 0
-    std::uint16_t age_years = 0;     ///< 0 in the year it came
+    std::uint16_t age_years = 0;     ///< 0 in its first year
     std::uint16_t stress_years = 0;  ///< bad years in a row
 };
 

@@ -12,10 +12,10 @@ double crown_diameter_m(const Crown& shape, double dbh_cm, double height_m);
 /// Height of the crown's base in a managed forest of usual density [m] (SILVA): [0, 0.88 H].
 double usual_crown_base_m(const Crown& shape, double dbh_cm, double height_m);
 
-/// The crown of a tree about whose past nothing is known: of usual length.
+/// The crown of a tree of unknown past: of usual length.
 TreeCrown starting_crown(const Species& species, double dbh_cm, double height_m);
 
-/// What a year brings to a crown.
+/// What a crown depends on in a year.
 struct CrownYear {
     double dbh_cm = 0.0;           ///< after the year
     double height_m = 0.0;         ///< after the year
@@ -27,10 +27,10 @@ struct CrownYear {
 /// The crown after a year [choice].
 ///
 /// The base rises, never sinks, towards the larger of two heights: the usual one, up to 12.5 % higher in deep
-/// shade and lower in full light, and the one below which light does not feed a branch. It rises by at most
-/// the height growth and 0.3 m, so a tree that is suddenly crowded needs years to lose its branches, and one
-/// that is freed never gets them back. At least 12 % of the height stays crown. Foliage goes with the length
-/// of the crown relative to the usual one, within 0.4 and 1.1.
+/// shade and lower in full light, and the one below which there is too little light for a branch. It rises by
+/// at most the height growth and 0.3 m, so a tree that is suddenly crowded needs years to lose its branches,
+/// and one that is freed never regrows them. At least 12 % of the height stays crown. Foliage is proportional
+/// to the length of the crown relative to the usual one, within 0.4 and 1.1.
 TreeCrown next_crown(const Species& species, const TreeCrown& crown, const CrownYear& year);
 
 }  // namespace forest

@@ -14,8 +14,8 @@ struct Snag {
     double y_m = 0.0;
     SpeciesId species{};
     bool cut = false;            ///< a stump of felling
-    double dbh_cm = 0.0;         ///< at 1.3 m while it lived
-    double tree_height_m = 0.0;  ///< while it lived
+    double dbh_cm = 0.0;         ///< at 1.3 m when it died
+    double tree_height_m = 0.0;  ///< when it died
     double height_m = 0.0;       ///< of what stands; below tree_height_m = broken off
     std::int32_t year = 0;       ///< of death
     double density_share = 1.0;  ///< (0, 1], wood density relative to sound wood

@@ -7,12 +7,11 @@
 #include "config/math/elementary.hpp"
 #include "forest/allometry.hpp"
 #include "forest/crown.hpp"
+#include "forest/height_growth.hpp"
 
 namespace forest {
 
 namespace {
-
-constexpr double tallest_site_factor = 1.31;
 
 /// Above-ground mass and its slope at a diameter increment.
 struct MassAt {
@@ -64,24 +63,6 @@ struct GrowthPath {
 
 }  // namespace
 
-double light_response(double response_class, double light_ratio) {
-    const double tolerant = 1.0 - config::exp_of(-4.64 * (light_ratio - 0.05));
-    const double intolerant = 2.24 * (1.0 - config::exp_of(-1.136 * (light_ratio - 0.08)));
-    const double response = tolerant + (response_class - 1.0) / 8.0 * (intolerant - tolerant);
-    return std::clamp(response, 0.0, 1.0);
-}
-
-double site_height_factor(const HeightGrowth& law, double degree_days) {
-    return tallest_site_factor * (1.0 - config::exp_of(-degree_days / law.degree_days_tau));
-}
-
-double height_diameter_ratio(const HeightGrowth& law, double dbh_cm, double light_ratio, double site_factor) {
-    const double log2_dbh = config::log2_of(dbh_cm);
-    const double low = law.ratio_low.factor * config::exp2_of(law.ratio_low.exponent * log2_dbh);
-    const double high = law.ratio_high.factor * config::exp2_of(law.ratio_high.exponent * log2_dbh);
-    return std::max(0.0, site_factor * (high - (high - low) * light_ratio));
-}
-
 Increment increment_of(const Species& species, const Size& size, double ratio, double gain_kg) {
     if (!(gain_kg > 0.0)) {
         return {};
@@ -98,7 +79,7 @@ Increment increment_of(const Species& species, const Size& size, double ratio, d
     if (height_m <= room_m) {
         return {dbh_cm, height_m, dbh_cm < most_cm ? gain_kg : free.at(dbh_cm).kg - before_kg};
     }
-    // The top is reached within the year: the rest goes to the stem's thickness.
+    // The top is reached within the year: the rest grows the diameter.
     const GrowthPath at_top{species.allometry, size.dbh_cm, size.height_m + room_m, 0.0, size.completeness};
     dbh_cm = std::min(at_top.increment_to(before_kg + gain_kg), most_cm);
     return {dbh_cm, room_m, dbh_cm < most_cm ? gain_kg : at_top.at(dbh_cm).kg - before_kg};

@@ -8,21 +8,6 @@
 
 namespace forest {
 
-/// Growth at a light ratio relative to full light [0, 1], between the two curves of gap models (Bugmann
-/// 1994):
-///     tolerant   g1 = 1 - exp(-4.64 (L - 0.05))
-///     intolerant g9 = 2.24 (1 - exp(-1.136 (L - 0.08)))
-/// straight in the response class from 1 (tolerant) to 9.
-double light_response(double response_class, double light_ratio);
-
-/// How tall trees become for their diameter on a site [-]: 1.13 (1 - exp(-GDD / tau)), degree-days above 5.5
-/// degC [choice, calibrated on Guttenberg's spruce yield tables].
-double site_height_factor(const HeightGrowth& law, double degree_days);
-
-/// Height increment / diameter increment, length by length [-]. In shade trees put more into height. Between
-/// two curves by diameter (iLand species database), straight in the light ratio [choice].
-double height_diameter_ratio(const HeightGrowth& law, double dbh_cm, double light_ratio, double site_factor);
-
 /// A tree before its growth, as far as growth asks.
 struct Size {
     double dbh_cm = 0.0;
@@ -45,7 +30,7 @@ inline constexpr double largest_increment_cm = 3.0;
 /// Solves  mass(D + dD, H + ratio dD) - mass(D, H) = gain  for dD >= 0, mass = stem + branches + foliage.
 /// A tree that has reached its greatest height grows in diameter only; one at its greatest diameter, or
 /// beyond largest_increment_cm in a year, has production left over. The mass is convex in dD, so Newton's
-/// steps come down on the root from above and never pass it.
+/// steps approach the root from above and never overshoot it.
 ///
 /// A gain of 0 or less is no growth.
 Increment increment_of(const Species& species, const Size& size, double ratio, double gain_kg);
@@ -53,7 +38,7 @@ Increment increment_of(const Species& species, const Size& size, double ratio, d
 /// What a tree has got to grow with, per stem.
 struct TreeSeason {
     double npp_kg = 0.0;          ///< net primary production of the year, >= 0
-    double root_share = 0.0;      ///< of it that goes below ground [0, 1)
+    double root_share = 0.0;      ///< share of it for roots [0, 1)
     double degree_days = 0.0;     ///< above 5.5 degC, of the year
     double shaded_below_m = 0.0;  ///< height below which leaves of its species get too little light
 };

@@ -27,14 +27,14 @@ constexpr std::array<Band, 5> bands = {{{0.156434, 0.057787},
                                         {0.891007, 0.296132},
                                         {0.987688, 0.120789}}};
 
-/// Sums over bands of what passes an optical depth seen from straight above.
-struct Passing {
+/// Sums over bands of the light transmitted through an optical depth, which is that of vertical rays.
+struct Transmitted {
     double flat = 0.0;    ///< share of the light on a horizontal plane
     double normal = 0.0;  ///< share of the light on planes at right angles to the rays
 };
 
-Passing passing(double depth) {
-    Passing sum;
+Transmitted transmitted(double depth) {
+    Transmitted sum;
     double normal_weight = 0.0;
     for (const Band& band : bands) {
         const double through = config::exp_of(-std::min(depth / band.sine, 50.0));
@@ -74,8 +74,8 @@ Layers layers_of(std::span<const Tree> trees, const SpeciesTable& species, doubl
     double above = 0.0;
     for (std::size_t l = count; l-- > 0;) {
         const double below = above + layers.leaf_depth[l];
-        layers.absorbed[l] = passing(above).flat - passing(below).flat;
-        layers.in_the_middle[l] = passing(0.5 * (above + below)).normal;
+        layers.absorbed[l] = transmitted(above).flat - transmitted(below).flat;
+        layers.in_the_middle[l] = transmitted(0.5 * (above + below)).normal;
         above = below;
     }
     return layers;

@@ -15,7 +15,7 @@ struct LayerLight {
     double shaded_below_m = 0.0;  ///< height below which its species gets too little light; 0 if nowhere
 };
 
-/// Light in a stand where every tree shades every other alike: leaves spread evenly over the area in layers
+/// Light in a stand where every tree shades every other equally: leaves spread evenly over the area in layers
 /// of 1 m, light from five heights of a standard overcast sky.
 ///
 /// A frame of reference for the spatial light model (forest/light): in a dense even-aged stand both must

@@ -8,7 +8,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
     options.choice(
         "forest.age_deaths", law.age,
         {{"rising", AgeLaw::small_and_rising}, {"gap_model", AgeLaw::gap_model}},
-        {.meaning = "deaths of age: 0.15 % a year and rising with age, or the constant rate of gap models",
+        {.meaning = "deaths by age: 0.15 % a year and rising with age, or the constant rate of gap models",
          .source = "choice; JABOWA, ForClim, iLand"});
     options.flag("forest.background_deaths", law.background,
                  {.meaning = "trees die of age", .source = "choice"});
@@ -18,14 +18,16 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                    {.unit = "cm",
                     .low = 0.0,
                     .high = 1.0,
-                    .meaning = "a year with less diameter growth is a bad one",
+                    .meaning = "a year with less diameter growth counts as bad",
                     .source = "Bugmann 1994"});
-    options.number("forest.stress_relative_growth", law.least_relative_growth,
-                   {.unit = "-",
-                    .low = 0.0,
-                    .high = 1.0,
-                    .meaning = "so is one with less than this share of the mean growth of its species around",
-                    .source = "Bugmann 1994"});
+    options.number(
+        "forest.stress_relative_growth", law.least_relative_growth,
+        {.unit = "-",
+         .low = 0.0,
+         .high = 1.0,
+         .meaning =
+             "a year with less than this share of the mean growth of its species nearby counts as bad, too",
+         .source = "Bugmann 1994"});
     options.count("forest.stress_years", law.bad_years,
                   {.unit = "years",
                    .low = 1.0,
@@ -36,13 +38,13 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                    {.unit = "-",
                     .low = 0.0,
                     .high = 1.0,
-                    .meaning = "chance a year to die of stress then, most tolerant species",
+                    .meaning = "probability to die of stress in each year after that, most tolerant species",
                     .source = "choice"});
     options.number("forest.stress_death_by_class", law.stress_death_by_class,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.1,
-                    .meaning = "more of it with each step of the light-response class, 1 to 9",
+                    .meaning = "added to it with each step of the light-response class, 1 to 9",
                     .source = "choice"});
 }
 
@@ -66,7 +68,7 @@ void declare_uprooting(config::Options& options, UprootingLaw& law) {
                    {.unit = "-",
                     .low = 0.0,
                     .high = 1.0,
-                    .meaning = "chance that a tree which a rock overcomes is uprooted instead of broken",
+                    .meaning = "probability that a tree which fails under a rock is uprooted, not broken",
                     .source = "choice"});
     options.number("forest.uprooting_on_shallow_soil", law.shallow_soil,
                    {.unit = "-",
@@ -78,7 +80,7 @@ void declare_uprooting(config::Options& options, UprootingLaw& law) {
 
 void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
     options.flag("disturbance.wind", law.wind,
-                 {.meaning = "storms throw trees", .source = "Barrere et al. 2023; off: choice"});
+                 {.meaning = "storms uproot or break trees", .source = "Barrere et al. 2023; off: choice"});
     options.flag("disturbance.snow", law.snow,
                  {.meaning = "wet snow breaks slender conifers at 500 to 1300 m", .source = "choice"});
     options.flag("disturbance.beetle", law.beetle,
@@ -94,36 +96,40 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
                    {.unit = "-",
                     .low = 0.0,
                     .high = 1.0,
-                    .meaning = "chance of a year to bring heavy wet snow",
+                    .meaning = "probability of heavy wet snow in a year",
                     .source = "choice"});
     options.number(
         "disturbance.beetle_in_windthrow", law.beetle_in_windthrow,
         {.unit = "-",
          .low = 0.0,
          .high = 1.0,
-         .meaning = "chance that beetles breed in windthrown spruces of a patch which still lie there a "
+         .meaning = "probability that beetles breed in windthrown spruces of a patch which still lie there a "
                     "year later",
          .source = "choice; iLand takes 0.8"});
-    options.number("disturbance.beetle_background", law.beetle_background,
-                   {.unit = "1/ha/year",
-                    .low = 0.0,
-                    .high = 0.99,
-                    .meaning = "chance that an outbreak begins of itself on a hectare with spruces",
-                    .source = "iLand"});
+    options.number(
+        "disturbance.beetle_background", law.beetle_background,
+        {.unit = "1/ha/year",
+         .low = 0.0,
+         .high = 0.99,
+         .meaning = "probability that an outbreak starts without a storm, on a hectare with spruces",
+         .source = "iLand"});
 }
 
 }  // namespace
 
 void declare(config::Options& options, Parameters& parameters) {
+    options.flag("forest.water", parameters.processes.water,
+                 {.meaning = "soil water limits production and young trees; off: water is never short",
+                  .source = "choice"});
     declare_mortality(options, parameters.mortality);
     options.flag("forest.self_thinning", parameters.processes.self_thinning,
-                 {.meaning = "no window of 50 m is denser than its species bear",
+                 {.meaning = "trees die of crowding: no window of 50 m is denser than its species can be",
                   .source = "French national inventory, after matreex"});
     declare_regeneration(options, parameters.regeneration);
     declare_uprooting(options, parameters.uprooting);
     declare_disturbance(options, parameters.disturbance);
     options.flag("forest.regeneration", parameters.processes.regeneration,
-                 {.meaning = "seeds fall, young trees grow up", .source = "choice"});
+                 {.meaning = "seeds fall, young trees grow", .source = "choice"});
     options.flag("forest.co2_response", parameters.processes.co2_response,
                  {.meaning = "production and transpiration follow the CO2 of the air; off: as at 350 ppm",
                   .source = "Forrester & Tang 2016; off: choice, as the responses are uncertain"});

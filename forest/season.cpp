@@ -64,13 +64,13 @@ UnitRadiation radiation_of(const SiteUnit& unit, const Stand& stand, const Site&
         sum.on_slope += incoming * turn_of(stand.grid()[patch].slope).cos;
     }
     const double scale = 1.0 / (static_cast<double>(unit.patches.size()) * flat_mjpm2);
-    // A month whose sun never clears the horizon leaves a rest of light; the response to it has no meaning
+    // A month whose sun never clears the horizon has little light; the response to it has no meaning
     // below that.
     constexpr double least = 0.01;
     return {std::max(least, sum.on_map * scale), std::max(least, sum.on_slope * scale)};
 }
 
-/// A month of a site unit as water and production meet it.
+/// A month of a site unit, for water and production.
 struct UnitMonth {
     UnitRadiation radiation;
     WaterMonth water;
@@ -107,11 +107,11 @@ struct UnitWater {
 
 constexpr double growing_degc = 5.5;
 
-/// Moves the water of one patch through the year.
-PatchState water_patch(PatchState state, const WaterStore& store, const UnitYear& year,
-                       const ClimateYear& climate, std::span<const double> lai_of_month,
-                       std::span<const float> ground_mjpm2, std::span<const float> incoming_mjpm2,
-                       UnitWater& unit, WaterYear& sum) {
+/// The water of one patch, month by month.
+PatchState balance_patch(PatchState state, const WaterStore& store, const UnitYear& year,
+                         const ClimateYear& climate, std::span<const double> lai_of_month,
+                         std::span<const float> ground_mjpm2, std::span<const float> incoming_mjpm2,
+                         UnitWater& unit, WaterYear& sum) {
     const std::size_t kinds = lai_of_month.size() / months;
     WaterState water{state.soil_water_mm, state.snow_water_mm};
     DroughtSum drought;
@@ -142,6 +142,18 @@ PatchState water_patch(PatchState state, const WaterStore& store, const UnitYear
     state.snow_water_mm = water.snow_mm;
     state.drought_index = drought.index();
     state.water_modifier = growing_months > 0.0 ? modifier / growing_months : 1.0;
+    return state;
+}
+
+/// A patch that is never short of water.
+PatchState patch_without_limits(PatchState state, UnitWater& unit) {
+    for (std::size_t m = 0; m < months; ++m) {
+        unit.modifier[m] += 1.0;
+        unit.supply[m] += 1.0;
+    }
+    unit.patches += 1.0;
+    state.drought_index = 0.0;
+    state.water_modifier = 1.0;
     return state;
 }
 
@@ -206,8 +218,9 @@ LightYear light_year_of(const Site& site, const SpeciesTable& species, const Sit
     return year;
 }
 
-Season pass_months(const Stand& stand, const Site& site, const SpeciesTable& species,
-                   const SiteWeather& weather, const LightYear& light_year, const LightField& light) {
+Season compute_season(const Stand& stand, const Site& site, const SpeciesTable& species,
+                      const SiteWeather& weather, const LightYear& light_year, const LightField& light,
+                      const Processes& processes) {
     assert(weather.units.size() == site.units().size());
     constexpr double reference_co2_ppm = 350.0;
     const double co2_ppm = weather.co2_response ? weather.co2_ppm : reference_co2_ppm;
@@ -229,13 +242,18 @@ Season pass_months(const Stand& stand, const Site& site, const SpeciesTable& spe
         const PatchId patch{static_cast<std::uint32_t>(i)};
         const std::size_t column = site.column_of(patch);
         const std::uint32_t unit = site.unit_of(patch);
-        leaves_of_months(std::span{lai}.subspan(i * present.size(), present.size()), present, species,
-                         lai_of_month);
-        PatchState state =
-            water_patch(stand.patch_states()[i], site.water_store(patch), years[unit], weather.units[unit],
-                        lai_of_month, std::span{light.ground_mjpm2}.subspan(column * months, months),
-                        std::span{light.incoming_mjpm2}.subspan(column * months, months),
-                        water[site.production_unit_of(patch)], season.water);
+        PatchState state = stand.patch_states()[i];
+        if (processes.water) {
+            leaves_of_months(std::span{lai}.subspan(i * present.size(), present.size()), present, species,
+                             lai_of_month);
+            state =
+                balance_patch(state, site.water_store(patch), years[unit], weather.units[unit], lai_of_month,
+                              std::span{light.ground_mjpm2}.subspan(column * months, months),
+                              std::span{light.incoming_mjpm2}.subspan(column * months, months),
+                              water[site.production_unit_of(patch)], season.water);
+        } else {
+            state = patch_without_limits(state, water[site.production_unit_of(patch)]);
+        }
         state.ground_light = std::clamp(static_cast<double>(light.ground_light[column]), 0.0, 1.0);
         state.june_sun_hours = static_cast<double>(light.june_sun_hours[column]);
         season.patches.push_back(state);

@@ -5,6 +5,7 @@
 
 #include "forest/climate/series.hpp"
 #include "forest/light/light.hpp"
+#include "forest/processes.hpp"
 #include "forest/production/water_balance.hpp"
 #include "forest/site.hpp"
 #include "forest/species.hpp"
@@ -33,7 +34,7 @@ struct WaterYear {
     double storage_gain_mm = 0.0;
 };
 
-/// What twelve months did to patches and what they offer to trees.
+/// Result of twelve months: state of the patches and production per absorbed light.
 struct Season {
     std::vector<PatchState> patches;        ///< after the year
     std::vector<YearOfLightUse> light_use;  ///< by production unit and species
@@ -46,8 +47,12 @@ struct Season {
 LightYear light_year_of(const Site& site, const SpeciesTable& species, const SiteWeather& weather);
 
 /// Month by month: snow, rain and interception, transpiration, soil water, and the modifiers of production
-/// that come of them. Leaf area of a patch is that of the trees that stand on it.
-Season pass_months(const Stand& stand, const Site& site, const SpeciesTable& species,
-                   const SiteWeather& weather, const LightYear& light_year, const LightField& light);
+/// that result from them. Leaf area of a patch is that of the trees that stand on it.
+///
+/// Without Processes::water nothing is short of water: soil and snow stay as they are, no patch has a
+/// drought, and the flows of `Season::water` are 0.
+Season compute_season(const Stand& stand, const Site& site, const SpeciesTable& species,
+                      const SiteWeather& weather, const LightYear& light_year, const LightField& light,
+                      const Processes& processes);
 
 }  // namespace forest

@@ -10,8 +10,8 @@
 
 namespace forest {
 
-/// Largest number of stems of one species that a hectare bears at a quadratic mean diameter: exp(a + b ln Dg)
-/// (French national inventory, after matreex). Requires a diameter above 0.
+/// Largest number of stems of one species that a hectare carries at a quadratic mean diameter: exp(a + b ln
+/// Dg) (French national inventory, after matreex). Requires a diameter above 0.
 double most_stems_pha(const Mortality& species, double mean_dbh_cm);
 
 /// Side of the windows in which density is measured [patches]: 50 m.
@@ -37,17 +37,19 @@ private:
 };
 
 /// Relative density of every window [-], trees of at least 7 cm: sum over species of stems / most stems at
-/// the species' mean diameter. Unmanaged stands live at 0.8 to 1.0.
+/// the species' mean diameter. Unmanaged stands have 0.8 to 1.0.
 std::vector<double> relative_densities(const Stand& stand, const SpeciesTable& species,
                                        const ThinningWindows& windows);
 
 /// Scatter of growth in the order of dying, relative to it [choice].
 inline constexpr double rank_scatter = 0.2;
 
-/// Who has to go so that no window is denser than 1: the trees whose diameter grew least this year first
-/// [choice, as growth tells death best: Bigler & Bugmann 2003], with a scatter drawn by tree and year. By
-/// light alone a tolerant understorey would go before the pioneers that it is about to replace. Trees below
-/// 7 cm are thinned in the same way, measured among themselves [choice].
+/// Deaths by crowding: the fewest trees such that no window is denser than 1.
+///
+/// The trees whose diameter grew least this year die first [choice, as growth predicts death best: Bigler &
+/// Bugmann 2003], with a scatter drawn by tree and year. Ranked by light alone, a tolerant understorey would
+/// die before the pioneers that it is about to replace. Trees below 7 cm are thinned in the same way,
+/// measured among themselves [choice].
 std::vector<Removal> self_thinning(const Stand& stand, const SpeciesTable& species,
                                    const ThinningWindows& windows, std::uint64_t seed,
                                    std::uint32_t replicate);

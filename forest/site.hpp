@@ -25,7 +25,7 @@ struct ProductionUnit {
     std::uint32_t management_unit = 0;
 };
 
-/// How light meets the ground of a forest.
+/// Sky, ground and horizons of a forest, for the light model.
 struct LightFrame {
     Sky sky;
     LightGround ground;             ///< of all cells of the frame

@@ -75,7 +75,7 @@ struct Light {
     int leaf_on_month = 0;         ///< first month with leaves; 0 for evergreen species
     int leaf_off_month = 0;        ///< first month without leaves; 0 for evergreen species
 
-    /// Whether leaves hang in a month (1-12).
+    /// Whether the species has leaves in a month (1-12).
     [[nodiscard]] bool in_leaf(int month) const {
         return leaf_on_month == leaf_off_month || (month >= leaf_on_month && month < leaf_off_month);
     }
@@ -101,7 +101,7 @@ struct AgeCurve {
     double relative_half = 0.0;  ///< relative age at which growth has halved [-]
 };
 
-/// Lowest and highest share of production that goes below ground [-].
+/// Lowest and highest share of production used for roots [-].
 struct RootShare {
     double min = 0.0;
     double max = 0.0;
@@ -174,7 +174,7 @@ struct Response {
     double min_optimum_ph = 0.0;     ///< lower end of the best top-soil pH [choice]
 };
 
-/// Seeds and how far they go [iLand].
+/// Seeds and their dispersal [iLand].
 struct Seeds {
     double maturity_years = 0.0;     ///< age of the first seeds
     double interval_years = 0.0;     ///< mean interval of seed years
@@ -278,7 +278,7 @@ public:
     static SpeciesTable read(const config::Table& table);
     /// The same from the text of a table.
     static SpeciesTable read(std::istream& in, std::string file);
-    /// The eleven species that come with the program.
+    /// The eleven species shipped with the program.
     static SpeciesTable shipped();
 
     [[nodiscard]] std::size_t size() const { return species_.size(); }

@@ -58,9 +58,9 @@ std::span<const Wound> Stand::wounds_of(TreeId id) const {
     return {first, last};
 }
 
-Book Stand::total_book() const {
-    Book total = earlier_;
-    total += book_;
+StandBalance Stand::total_balance() const {
+    StandBalance total = earlier_;
+    total += balance_;
     return total;
 }
 
@@ -109,8 +109,8 @@ std::uint64_t Stand::saplings_standing() const {
 
 void Stand::begin_year() {
     ++year_;
-    earlier_ += book_;
-    book_ = {};
+    earlier_ += balance_;
+    balance_ = {};
     deaths_.clear();
 }
 
@@ -126,10 +126,10 @@ void Stand::grow(std::span<const TreeGrowth> growth) {
         tree.age_years += 1.0;
         tree.crown = year.crown;
         tree.increments_cm = {year.dbh_cm, tree.increments_cm[0], tree.increments_cm[1]};
-        book_.grown_kg += tree.stems * year.gain_kg;
-        book_.shed_kg += tree.stems * (year.gain_kg - (year.above_ground_kg - tree.above_ground_kg));
+        balance_.grown_kg += tree.stems * year.gain_kg;
+        balance_.shed_kg += tree.stems * (year.gain_kg - (year.above_ground_kg - tree.above_ground_kg));
         tree.above_ground_kg = year.above_ground_kg;
-        book_.stem_grown_kg += tree.stems * (year.stem_kg - tree.stem_kg);
+        balance_.stem_grown_kg += tree.stems * (year.stem_kg - tree.stem_kg);
         tree.stem_kg = year.stem_kg;
     }
 }
@@ -185,9 +185,9 @@ void Stand::enter(Tree tree) {
 
 void Stand::add_trees(std::span<const Tree> trees) {
     for (const Tree& tree : trees) {
-        book_.stems_in[static_cast<std::size_t>(tree.origin)] += tree.stems;
-        book_.mass_in_kg += tree.stems * tree.above_ground_kg;
-        book_.stem_in_kg += tree.stems * tree.stem_kg;
+        balance_.stems_in[static_cast<std::size_t>(tree.origin)] += tree.stems;
+        balance_.mass_in_kg += tree.stems * tree.above_ground_kg;
+        balance_.stem_in_kg += tree.stems * tree.stem_kg;
         enter(tree);
     }
 }
@@ -205,9 +205,9 @@ void Stand::remove_trees(std::span<const Removal> removals) {
         dead.tree.stems = removal.stems == 0 ? tree.stems : std::min(removal.stems, tree.stems);
         tree.stems -= dead.tree.stems;
         any_left = any_left || tree.stems == 0;
-        book_.stems_out[index_of(removal.cause)] += dead.tree.stems;
-        book_.lost_kg[index_of(removal.cause)] += dead.tree.stems * dead.tree.above_ground_kg;
-        book_.stem_lost_kg[index_of(removal.cause)] += dead.tree.stems * dead.tree.stem_kg;
+        balance_.stems_out[index_of(removal.cause)] += dead.tree.stems;
+        balance_.lost_kg[index_of(removal.cause)] += dead.tree.stems * dead.tree.above_ground_kg;
+        balance_.stem_lost_kg[index_of(removal.cause)] += dead.tree.stems * dead.tree.stem_kg;
         deaths_.push_back(dead);
     }
     if (any_left) {
@@ -266,7 +266,7 @@ void Stand::drop_wounds_of_the_dead() {
 void Stand::add_cohorts(std::span<const Cohort> cohorts) {
     for (const Cohort& cohort : cohorts) {
         assert(cohort.stems > 0 && cohort.height_m > 0.0 && index_of(cohort.patch) < grid_.size());
-        book_.saplings_in += cohort.stems;
+        balance_.saplings_in += cohort.stems;
         cohorts_.push_back(cohort);
     }
 }
@@ -285,7 +285,7 @@ void Stand::remove_saplings(std::span<const SaplingRemoval> removals) {
         Cohort& cohort = cohorts_[removal.cohort];
         const std::uint32_t stems = std::min(removal.stems, cohort.stems);
         cohort.stems -= stems;
-        book_.saplings_out[index_of(removal.cause)] += stems;
+        balance_.saplings_out[index_of(removal.cause)] += stems;
     }
     std::erase_if(cohorts_, [](const Cohort& cohort) { return cohort.stems == 0; });
 }
@@ -295,7 +295,7 @@ void Stand::recruit(std::span<const std::size_t> cohorts, std::span<const Tree> 
     for (std::size_t i = 0; i < cohorts.size(); ++i) {
         Cohort& cohort = cohorts_[cohorts[i]];
         assert(trees[i].stems == cohort.stems);
-        book_.saplings_recruited += cohort.stems;
+        balance_.saplings_recruited += cohort.stems;
         cohort.stems = 0;
     }
     std::erase_if(cohorts_, [](const Cohort& cohort) { return cohort.stems == 0; });
@@ -304,22 +304,22 @@ void Stand::recruit(std::span<const std::size_t> cohorts, std::span<const Tree> 
 
 void Stand::add_snags(std::span<const Snag> snags) {
     for (const Snag& snag : snags) {
-        book_.dead_wood_in_kg += mass_kg(snag);
+        balance_.dead_wood_in_kg += mass_kg(snag);
     }
     dead_wood_.snags.insert(dead_wood_.snags.end(), snags.begin(), snags.end());
 }
 
 void Stand::add_logs(std::span<const Log> logs) {
     for (const Log& log : logs) {
-        book_.dead_wood_in_kg += mass_kg(log);
+        balance_.dead_wood_in_kg += mass_kg(log);
     }
     dead_wood_.logs.insert(dead_wood_.logs.end(), logs.begin(), logs.end());
 }
 
 void Stand::set_dead_wood(SnagsAndLogs dead_wood, const DeadWoodLoss& loss) {
-    book_.dead_wood_decayed_kg += loss.decayed_kg;
-    book_.dead_wood_to_soil_kg += loss.soil_kg;
-    book_.dead_wood_taken_kg += loss.taken_kg;
+    balance_.dead_wood_decayed_kg += loss.decayed_kg;
+    balance_.dead_wood_to_soil_kg += loss.soil_kg;
+    balance_.dead_wood_taken_kg += loss.taken_kg;
     dead_wood_ = std::move(dead_wood);
 }
 

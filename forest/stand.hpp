@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "forest/book.hpp"
 #include "forest/cohort.hpp"
 #include "forest/dead_wood.hpp"
 #include "forest/patch.hpp"
+#include "forest/stand_balance.hpp"
 #include "forest/tree.hpp"
 
 namespace forest {
@@ -59,8 +59,8 @@ struct SaplingRemoval {
 
 /// The living and the dead of a forest: the only owner of its trees, cohorts, snags, logs and patches.
 ///
-/// Processes read what is here, work out what happens, and tell it: nobody changes a tree from outside. Every
-/// stem comes and goes through the functions below, which keep the books, so that
+/// Processes read the stand, compute what changes and report it; no tree is changed from outside. Every stem
+/// enters and leaves through the functions below, which keep the balance, so that
 ///     stems at the start + stems in = stems out + stems standing
 /// holds at any time, and the same for saplings, for mass, and for the wood of stems, living and dead.
 ///
@@ -89,12 +89,12 @@ public:
     /// All scars, by tree and height.
     [[nodiscard]] std::span<const Wound> wounds() const { return wounds_; }
 
-    // --- the books
+    // --- the balance
     // -------------------------------------------------------------------------------------------
     /// Of the running year.
-    [[nodiscard]] const Book& book() const { return book_; }
+    [[nodiscard]] const StandBalance& balance() const { return balance_; }
     /// Since the start, the running year included.
-    [[nodiscard]] Book total_book() const;
+    [[nodiscard]] StandBalance total_balance() const;
     [[nodiscard]] std::uint64_t stems_standing() const;
     [[nodiscard]] double mass_standing_kg() const;
     [[nodiscard]] double stem_mass_standing_kg() const;
@@ -102,12 +102,12 @@ public:
     [[nodiscard]] std::uint64_t saplings_standing() const;
     [[nodiscard]] std::uint64_t stems_at_start() const { return stems_at_start_; }
     [[nodiscard]] double mass_at_start_kg() const { return mass_at_start_kg_; }
-    /// Who left this year, in the order of leaving. Dead wood is made of them.
+    /// Trees that died or were felled this year, in the order of leaving. Dead wood is made of them.
     [[nodiscard]] std::span<const DeadTree> deaths() const { return deaths_; }
 
     // --- a year
     // ----------------------------------------------------------------------------------------------
-    /// The next calendar year begins: a new page in the books, the list of deaths empty.
+    /// The next calendar year begins: an empty balance, an empty list of deaths.
     void begin_year();
 
     /// One entry a tree, in their order. Trees become one year older.
@@ -141,7 +141,7 @@ public:
     void add_cohorts(std::span<const Cohort> cohorts);
     /// One entry a cohort; cohorts become one year older.
     void grow_cohorts(std::span<const CohortGrowth> growth);
-    /// Empty cohorts go. The places of cohorts change.
+    /// Empty cohorts are removed. The places of cohorts change.
     void remove_saplings(std::span<const SaplingRemoval> removals);
     /// Cohorts (places in cohorts(), rising) become the trees given for them, one record each with the
     /// cohort's stems.
@@ -165,8 +165,8 @@ private:
     std::vector<PatchState> patch_states_;
     SnagsAndLogs dead_wood_;
     std::vector<DeadTree> deaths_;
-    Book book_;
-    Book earlier_;  ///< years before the running one
+    StandBalance balance_;
+    StandBalance earlier_;  ///< years before the running one
     std::uint64_t next_id_ = 0;
     std::uint64_t stems_at_start_ = 0;
     double mass_at_start_kg_ = 0.0;

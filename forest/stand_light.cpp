@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "config/math/elementary.hpp"
+#include "forest/layer_light.hpp"
 #include "forest/light_profile.hpp"
 
 namespace forest {
@@ -59,6 +60,25 @@ StandLight light_in_stand(const Stand& stand, const SpeciesTable& species, const
         for (std::size_t month = 0; month < light.absorbed[i].size(); ++month) {
             light.absorbed[i][month] =
                 static_cast<double>(field.absorbed_mj[i * light.absorbed[i].size() + month]);
+        }
+    }
+    return light;
+}
+
+StandLight light_by_layers(const Stand& stand, const SpeciesTable& species,
+                           const MonthlyRadiation& radiation) {
+    const std::span<const Tree> trees = stand.trees();
+    const std::vector<LayerLight> by_layers = layer_light(trees, species, stand.grid().area_m2());
+    StandLight light{std::vector<double>(trees.size()), std::vector<AbsorbedByMonth>(trees.size()),
+                     std::vector<double>(trees.size())};
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const Light& leaves = species[trees[i].species].light;
+        light.ratios[i] = by_layers[i].light_ratio;
+        light.shaded_below_m[i] = by_layers[i].shaded_below_m;
+        for (std::size_t m = 0; m < light.absorbed[i].size(); ++m) {
+            const bool in_leaf = leaves.in_leaf(static_cast<int>(m) + 1);
+            const double area_m2 = in_leaf ? trees[i].stems * by_layers[i].absorbed_m2 : 0.0;
+            light.absorbed[i][m] = area_m2 * (radiation.direct_mjpm2[m] + radiation.diffuse_mjpm2[m]);
         }
     }
     return light;

@@ -29,4 +29,9 @@ std::vector<LightTree> light_trees_of(const Stand& stand, const SpeciesTable& sp
 StandLight light_in_stand(const Stand& stand, const SpeciesTable& species, const LightSite& site,
                           const Canopy& canopy, const LightField& field);
 
+/// The same without places: light by layers (forest/layer_light.hpp) under the `radiation` of level ground
+/// [MJ/m2, sums of months]. A frame of reference for light_in_stand().
+StandLight light_by_layers(const Stand& stand, const SpeciesTable& species,
+                           const MonthlyRadiation& radiation);
+
 }  // namespace forest

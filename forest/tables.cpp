@@ -96,7 +96,7 @@ StandYear year_of(const Stand& stand, const SpeciesTable& species, double volume
     year.all = figures_of(stand.trees(), species, area_ha);
     year.by_species = figures_by_species(stand.trees(), species, area_ha);
     year.volume_increment_m3pha = volume_increment_m3 / area_ha;
-    year.ingrowth_stems_pha = static_cast<double>(stand.book().all_stems_in()) / area_ha;
+    year.ingrowth_stems_pha = static_cast<double>(stand.balance().all_stems_in()) / area_ha;
     for (const auto& [tree, cause] : stand.deaths()) {
         const double stems_pha = tree.stems / area_ha;
         Loss& loss = year.losses[index_of(cause)];

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "forest/book.hpp"
 #include "forest/species.hpp"
 #include "forest/stand.hpp"
+#include "forest/stand_balance.hpp"
 
 namespace forest {
 
@@ -47,7 +47,7 @@ struct Loss {
     double above_ground_tpha = 0.0;
 };
 
-/// A stand in one year: what stands, what came, what went.
+/// A stand in one year: state, growth, ingrowth and losses.
 struct StandYear {
     int year = 0;
     StandFigures all;

@@ -9,7 +9,7 @@
 
 namespace forest {
 
-/// Name of a tree for life; below 2^48, never given twice. Keys the tree's random numbers.
+/// Identity of a tree, never used twice; below 2^48. Keys the tree's random numbers.
 enum class TreeId : std::uint64_t {};
 
 /// The name as a number, for the keys of random streams and for tables.
@@ -17,7 +17,7 @@ constexpr std::uint64_t number_of(TreeId id) {
     return static_cast<std::uint64_t>(id);
 }
 
-/// How a tree came to be there.
+/// Origin of a tree.
 enum class Origin : std::uint8_t { given, seed, sprout, planted };
 inline constexpr std::size_t origin_count = 4;
 
@@ -79,7 +79,7 @@ struct Tree {
     TreeCrown crown{};
 
     double light_ratio = 1.0;               ///< [0, 1], light of the last season; 1 = no neighbour shades it
-    double vitality = 1.0;                  ///< [0, 1], production goes with its square root
+    double vitality = 1.0;                  ///< [0, 1], production is proportional to its square root
     std::array<double, 3> increments_cm{};  ///< diameter growth of the last three years, latest first
     std::uint16_t stress_years = 0;         ///< bad years in a row
     Rot rot{};

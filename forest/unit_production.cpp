@@ -4,10 +4,10 @@
 #include <cassert>
 
 #include "config/math/elementary.hpp"
-#include "forest/growth.hpp"
+#include "forest/light_response.hpp"
 #include "forest/production/calendar.hpp"
 #include "forest/production/light_use.hpp"
-#include "forest/production/modifiers.hpp"
+#include "forest/production/three_pg_modifiers.hpp"
 
 namespace forest {
 
@@ -20,7 +20,7 @@ constexpr double g_per_kg = 1000.0;
 struct Pool {
     double npp_kg = 0.0;
     double claims = 0.0;        ///< sum of leaf area * light response * age modifier
-    double leaf_area_m2 = 0.0;  ///< in case nobody has a claim
+    double leaf_area_m2 = 0.0;  ///< used where no tree has a claim
 };
 
 }  // namespace

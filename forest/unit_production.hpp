@@ -10,7 +10,7 @@
 
 namespace forest {
 
-/// What a month of a production unit offers to leaves.
+/// Conditions for photosynthesis in a month, in a production unit.
 struct MonthConditions {
     double mean_degc = 0.0;
     double frost_days = 0.0;
@@ -21,7 +21,8 @@ struct MonthConditions {
     double slope_radiation = 1.0;  ///< > 0, radiation on the slope / on the flat
 };
 
-/// What a species makes of light in a production unit, month by month, its age aside.
+/// Net production of a species per absorbed light in a production unit, month by month, without the effect of
+/// age.
 struct YearOfLightUse {
     std::array<double, 12> npp_gpmj{};    ///< net primary production, dry matter per absorbed solar radiation
     std::array<double, 12> physiology{};  ///< [0, 1], limits of air and soil water
@@ -37,7 +38,7 @@ YearOfLightUse light_use_of_year(const Species& species, const std::array<MonthC
 /// Radiation that a tree record absorbed, all its stems together, by month [MJ].
 using AbsorbedByMonth = std::array<double, 12>;
 
-/// A tree's share of what its production unit made, per stem.
+/// A tree's share of the production of its unit, per stem.
 struct TreeProduction {
     double npp_kg = 0.0;
     double physiology = 1.0;  ///< [0, 1], of the year, weighted by absorbed light, its age included

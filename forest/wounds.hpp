@@ -38,7 +38,7 @@ struct WoundReport {
 /// 1 where there is no rot.
 double stem_strength(const Tree& tree, double height_m);
 
-/// Lets rocks hit trees, in the order of the list.
+/// Applies hits of rocks to trees, in the order of the list.
 ///
 /// A frontal hit of more than the stem takes breaks it where it was hit, at 3 m at most, or uproots it: the
 /// stand gets a stump and a log, or a log. Any other hit leaves a wound of width min(rock, DBH) (0.3 + 0.5
@@ -56,7 +56,7 @@ WoundReport wound(Stand& stand, const SpeciesTable& species, std::span<const Imp
 /// spruce].
 double wound_death(const Species& species, double dbh_cm, std::span<const Wound> wounds);
 
-/// Who dies of wounds in the running year.
+/// Deaths by wounds in the current year.
 std::vector<Removal> wound_deaths(const Stand& stand, const SpeciesTable& species, std::uint64_t seed,
                                   std::uint32_t replicate);
 

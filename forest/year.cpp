@@ -29,14 +29,16 @@ struct YearLight {
     StandLight trees;
 };
 
-YearLight shine(const Stand& stand, const Site& site, const SpeciesTable& species,
-                const SiteWeather& weather) {
+YearLight compute_year_light(const Stand& stand, const Site& site, const SpeciesTable& species,
+                             const SiteWeather& weather, TreeLight model) {
     YearLight light;
     light.year = light_year_of(site, species, weather);
     const std::vector<LightTree> trees = light_trees_of(stand, species);
     const Canopy canopy{site.light().ground(), trees};
     light.field = compute_light(site.light(), canopy, light.year, trees);
-    light.trees = light_in_stand(stand, species, site.light(), canopy, light.field);
+    light.trees = model == TreeLight::by_layers
+                      ? light_by_layers(stand, species, light.year.radiation)
+                      : light_in_stand(stand, species, site.light(), canopy, light.field);
     return light;
 }
 
@@ -67,8 +69,8 @@ std::vector<TreeSeason> seasons_of(const Stand& stand, const Site& site, const S
     return seasons;
 }
 
-void grow(Stand& stand, const SpeciesTable& species, std::span<const TreeSeason> seasons,
-          YearReport& report) {
+void grow_trees(Stand& stand, const SpeciesTable& species, std::span<const TreeSeason> seasons,
+                YearReport& report) {
     const std::vector<TreeGrowth> growth = growth_of_trees(stand, species, seasons);
     for (std::size_t i = 0; i < growth.size(); ++i) {
         const Tree& tree = stand.trees()[i];
@@ -82,8 +84,8 @@ void grow(Stand& stand, const SpeciesTable& species, std::span<const TreeSeason>
     stand.grow(growth);
 }
 
-void let_die(Stand& stand, const Site& site, const SpeciesTable& species, const Parameters& parameters,
-             const YearKey& key) {
+void apply_mortality(Stand& stand, const Site& site, const SpeciesTable& species,
+                     const Parameters& parameters, const YearKey& key) {
     stand.set_stress_years(stress_years_after(stand, parameters.mortality, production_units_of(stand, site),
                                               site.production_units().size()));
     stand.remove_trees(natural_deaths(stand, species, parameters.mortality, key.seed, key.replicate));
@@ -100,16 +102,17 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
     YearReport report;
     stand.begin_year();
 
-    const YearLight light = shine(stand, site, species, weather);
-    const Season season = pass_months(stand, site, species, weather, light.year, light.field);
+    const YearLight light = compute_year_light(stand, site, species, weather, parameters.processes.light);
+    const Season season =
+        compute_season(stand, site, species, weather, light.year, light.field, parameters.processes);
     stand.set_light_ratios(light.trees.ratios);
     stand.set_patch_states(season.patches);
     report.water = season.water;
     report.light_closure = light.field.closure[6];
 
-    grow(stand, species, seasons_of(stand, site, species, light.trees, season), report);
+    grow_trees(stand, species, seasons_of(stand, site, species, light.trees, season), report);
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
-    let_die(stand, site, species, parameters, key);
+    apply_mortality(stand, site, species, parameters, key);
     disturb(stand, site, species, weather, parameters.disturbance, key.seed, key.replicate);
     heal(stand, species);
     if (parameters.processes.regeneration) {

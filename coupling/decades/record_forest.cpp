@@ -52,20 +52,20 @@ void add_gaps(const forest::Stand& stand, const std::map<std::uint32_t, Unit>& u
 /// What became of the wood of stems this year.
 void add_wood(const forest::Stand& stand, YearRow& row) {
     const double kg_per_tpha = kg_per_t * stand.grid().area_ha();
-    const forest::Book& book = stand.book();
+    const forest::StandBalance& balance = stand.balance();
     double litter_kg = 0.0;
     for (const auto& [tree, cause] : stand.deaths()) {
         litter_kg += tree.dbh_cm < forest::least_dead_wood_cm ? tree.stems * tree.stem_kg : 0.0;
     }
-    row.stem_growth_tpha = book.stem_grown_kg / kg_per_tpha;
-    row.stem_ingrowth_tpha = book.stem_in_kg / kg_per_tpha;
-    row.stem_losses_tpha = book.all_stem_lost_kg() / kg_per_tpha;
+    row.stem_growth_tpha = balance.stem_grown_kg / kg_per_tpha;
+    row.stem_ingrowth_tpha = balance.stem_in_kg / kg_per_tpha;
+    row.stem_losses_tpha = balance.all_stem_lost_kg() / kg_per_tpha;
     row.stem_litter_tpha = litter_kg / kg_per_tpha;
-    row.dead_wood_in_tpha = book.dead_wood_in_kg / kg_per_tpha;
+    row.dead_wood_in_tpha = balance.dead_wood_in_kg / kg_per_tpha;
     row.stem_hauled_tpha = row.stem_losses_tpha - row.stem_litter_tpha - row.dead_wood_in_tpha;
-    row.dead_wood_decayed_tpha = book.dead_wood_decayed_kg / kg_per_tpha;
-    row.dead_wood_to_soil_tpha = book.dead_wood_to_soil_kg / kg_per_tpha;
-    row.dead_wood_taken_tpha = book.dead_wood_taken_kg / kg_per_tpha;
+    row.dead_wood_decayed_tpha = balance.dead_wood_decayed_kg / kg_per_tpha;
+    row.dead_wood_to_soil_tpha = balance.dead_wood_to_soil_kg / kg_per_tpha;
+    row.dead_wood_taken_tpha = balance.dead_wood_taken_kg / kg_per_tpha;
 }
 
 std::map<std::uint32_t, Unit> units_of(const forest::Stand& stand) {

@@ -9,7 +9,7 @@
 #include "coupling/inputs/stand_input.hpp"
 #include "coupling/inputs/tree_input.hpp"
 #include "coupling/results/joined.hpp"
-#include "forest/growth.hpp"
+#include "forest/height_growth.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace coupling {

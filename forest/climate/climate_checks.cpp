@@ -113,7 +113,7 @@ void check_units_of_climate(const Table& table, std::string_view radiation_colum
                               const std::string& expected) {
         problems.add(ExitCode::data, {table.file()}, std::string{column} + " " + found, expected);
     };
-    // A month of full sun brings 30 MJ/m2 a day; in W/m2 the upper quarter of all months lies beyond 100.
+    // A month of full sun has 30 MJ/m2 a day; in W/m2 the upper quarter of all months lies beyond 100.
     if (const auto radiation = numbers_of(table, radiation_column);
         !radiation.empty() && quantile(radiation, 0.75) > 45.0) {
         complain(radiation_column, "of " + rounded(quantile(radiation, 0.5)) + " in the middle month",
@@ -175,7 +175,7 @@ void check_months(const ClimateSeries& series, const Table& table, const RowsOfM
         }
     }
     mean_outside.warn(table, "tave_c outside tmin_c and tmax_c", warnings);
-    warm_frost.warn(table, "frost_days that do not go with tmin_c", warnings);
+    warm_frost.warn(table, "frost_days that contradict tmin_c", warnings);
     dry.warn(table, "a deficit near saturation, as in no forest", warnings);
     warn_of_the_mean_year(series, table, warnings);
 }

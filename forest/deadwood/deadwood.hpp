@@ -21,8 +21,8 @@ inline constexpr double soil_density = 0.1;
 inline constexpr double stump_height_m = 0.3;
 
 /// What stands of the year's natural deaths: trees of at least 7 cm that died of age, stress, crowding,
-/// beetles or wounds become whole snags. Thrown, felled and broken trees are the business of those who fell
-/// them.
+/// beetles or wounds become whole snags. Thrown, felled and broken trees are made into dead wood by the
+/// processes that fell them.
 std::vector<Snag> snags_of_deaths(const Stand& stand);
 
 /// Diameter of a stem of that tree at a height: a cone from the DBH to the tip [cm].
@@ -54,7 +54,7 @@ double volume_m3(const Log& log, const SpeciesTable& species);
 /// may roll out of the slope.
 ///
 /// Falling stems lie down the slope with a scatter of 60 degrees either way [choice]. Chance is drawn by tree
-/// and year. What came down this year is left as it is. `weather` has one year for each of the site's units.
+/// and year. Pieces of this year are left as they are. `weather` has one year for each of the site's units.
 void age_dead_wood(Stand& stand, const Site& site, const SpeciesTable& species,
                    std::span<const ClimateYear> weather, std::uint64_t seed, std::uint32_t replicate);
 

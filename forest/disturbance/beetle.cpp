@@ -84,7 +84,7 @@ public:
         }
     }
 
-    /// One flight; false if nobody flew.
+    /// One flight; false without beetles that fly.
     bool fly(int flight) {
         std::vector<std::uint16_t> arrived(infested_.size(), 0);
         std::vector<std::size_t> left;

@@ -7,8 +7,8 @@
 
 namespace forest {
 
-/// Days of a year for beetles, made of months: values stand in the middle of a month and go over into the
-/// next as half a sine wave.
+/// Days of a year for beetles, made of months: values stand in the middle of a month and change linearly to
+/// the next as half a sine wave.
 struct BeetleDays {
     std::array<double, 365> mean_degc{};
     std::array<double, 365> max_degc{};
@@ -18,7 +18,7 @@ struct BeetleDays {
 
 BeetleDays beetle_days(const ClimateYear& year, config::Angle latitude);
 
-/// How far the beetles of a patch come in a year.
+/// Generations that the beetles of a patch complete in a year.
 struct Broods {
     int generations = 0;  ///< broods finished or at least 60 % of the way
     bool sister = false;  ///< a sister brood of one of them got as far
@@ -37,7 +37,7 @@ Broods broods_of(const BeetleDays& days, double ground_light);
 /// Days of a year with a minimum below -15 degC to be expected of its months.
 double cold_days(const ClimateYear& year);
 
-/// Chance of the beetles of a patch to live through a winter: 0.6 exp(-0.1005 cold days) (iLand).
+/// Chance that the beetles of a patch survive a winter: 0.6 exp(-0.1005 cold days) (iLand).
 double winter_survival(double cold_days);
 
 }  // namespace forest

@@ -9,7 +9,7 @@
 
 namespace forest {
 
-/// Which disturbances strike, and how often. All off: validation runs know none.
+/// Which disturbances happen, and how often. All are off by default.
 struct DisturbanceLaw {
     bool wind = false;
     bool snow = false;

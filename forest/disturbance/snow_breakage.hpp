@@ -18,9 +18,9 @@ inline constexpr double least_broken_cm = 10.0;
 /// [choice]; 0 for broadleaves.
 double snow_breakage(const Species& species, double dbh_cm, double height_m);
 
-/// In a wet-snow year, which comes with `chance`, slender conifers at 500 to 1300 m break in the middle third
-/// of their height [choice] and leave for Cause::snow; the tops lie down the slope, 60 degrees either way.
-/// Chance is drawn by tree and year.
+/// In a wet-snow year, which has the probability `chance`, slender conifers at 500 to 1300 m break in the
+/// middle third of their height [choice] and leave for Cause::snow; the tops lie down the slope, 60 degrees
+/// either way. Chance is drawn by tree and year.
 void break_by_snow(Stand& stand, const SpeciesTable& species, double chance, std::uint64_t seed,
                    std::uint32_t replicate);
 

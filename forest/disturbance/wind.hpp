@@ -42,12 +42,12 @@ StormResponse storm_response_of(const Species& species);
 /// mean diameter around it.
 double storm_death(const StormResponse& response, double dbh_cm, double mean_dbh_cm, double intensity);
 
-/// Share of thrown stems that go with their roots [0, 1]: the moment that the stem takes, MOR pi D^3 / 32,
+/// Share of thrown stems that are uprooted [0, 1]: the moment that the stem takes, MOR pi D^3 / 32,
 /// against that of the roots, 1.85 Creg times the dry stem mass (iLand wind); both scatter, so that the share
 /// is 1 / (1 + (roots / stem)^5) [choice]. Rot weakens the stem.
 double uprooted_share(const Species& species, const Tree& tree);
 
-/// Lets a storm pass: thrown trees leave for Cause::wind and lie in its direction, 30 degrees either way
+/// Applies a storm: thrown trees leave for Cause::wind and lie in its direction, 30 degrees either way
 /// [choice], whole or broken off at 1 to 5 m [choice]. Chance is drawn by tree and year.
 void throw_by_wind(Stand& stand, const SpeciesTable& species, const ThinningWindows& windows,
                    const Storm& storm, std::uint64_t seed, std::uint32_t replicate);

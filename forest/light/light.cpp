@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "config/math/elementary.hpp"
-#include "forest/light/cast.hpp"
+#include "forest/light/optical_depth.hpp"
 
 namespace forest {
 namespace {
@@ -95,7 +95,7 @@ ZoneLight light_of_zone(const LightSite& site, const PrefixSums& leaves, double 
     const PaddedGround& ground = site.ground();
     const RayWalk& walk = site.walk(zone);
     const std::size_t padded = ground.padded(column);
-    const OpticalDepth depth = cast_column<lanes>(ground, leaves, top_m, walk, padded);
+    const OpticalDepth depth = column_depth<lanes>(ground, leaves, top_m, walk, padded);
     ZoneLight light;
     const float path_per_layer = own_path(walk, ground, rise);
     const float* nodes = leaves.of(padded) + PrefixSums::nodes_below;
@@ -119,7 +119,7 @@ ZoneLight light_of_zone(const LightSite& site, const PrefixSums& leaves, double 
         light.ground = exp_minus(depth.ground);
     }
     for (const RayWalk& point : points) {
-        light.ground += exp_minus(cast_ground(ground, leaves, top_m, point, padded, dark)) /
+        light.ground += exp_minus(ground_depth(ground, leaves, top_m, point, padded, dark)) /
                         static_cast<float>(points.size());
     }
     return light;
@@ -161,7 +161,7 @@ ColumnSums sum_zones(const LightSite& site, const PrefixSums& leaves, double top
     const PaddedGround::Gradient rise = site.ground().gradient(column);
     ColumnSums sums;
     for (std::size_t zone = 0; zone < site.sky().zones().size(); ++zone) {
-        if (site.shines(view, zone)) {
+        if (site.is_visible(view, zone)) {
             add_zone<lanes>(site, view, weights, zone,
                             light_of_zone<lanes>(site, leaves, top_m, zone, column, rise), sums);
         }
@@ -210,8 +210,8 @@ float june_sun(const LightSite& site, const Canopy& canopy, std::size_t column) 
     float hours = 0.0F;
     for (std::size_t sun = 0; sun < site.sky().june_suns().size(); ++sun) {
         if (((shining >> sun) & 1U) != 0) {
-            const float tau = cast_ground(site.ground(), canopy.leaf_on(), canopy.top_m(),
-                                          site.june_walk(sun), site.ground().padded(column), half_shade);
+            const float tau = ground_depth(site.ground(), canopy.leaf_on(), canopy.top_m(),
+                                           site.june_walk(sun), site.ground().padded(column), half_shade);
             hours += tau < half_shade ? hours_of_step : 0.0F;
         }
     }
@@ -239,8 +239,8 @@ LightField make_light_field(const LightSite& site, std::size_t trees) {
     return field;
 }
 
-void shine_on_columns(const LightSite& site, const Canopy& canopy, const LightYear& year, std::size_t first,
-                      std::size_t last, LightField& field) {
+void compute_columns(const LightSite& site, const Canopy& canopy, const LightYear& year, std::size_t first,
+                     std::size_t last, LightField& field) {
     const bool two_states = canopy.deciduous_share() >= few_deciduous;
     const Weights on = weights_of(year, true, two_states);
     const Weights off = weights_of(year, false, two_states);
@@ -262,8 +262,8 @@ void shine_on_columns(const LightSite& site, const Canopy& canopy, const LightYe
     }
 }
 
-void shine_on_trees(const Canopy& canopy, const LightYear& year, std::span<const LightTree> trees,
-                    std::size_t first, std::size_t last, LightField& field) {
+void compute_trees(const Canopy& canopy, const LightYear& year, std::span<const LightTree> trees,
+                   std::size_t first, std::size_t last, LightField& field) {
     for (std::size_t i = first; i < last; ++i) {
         const LightTree& tree = trees[i];
         std::array<float, LightField::values_of_cell> mean{};
@@ -331,8 +331,8 @@ std::vector<float> mean_over_patches(const config::GridFrame& columns, std::span
 LightField compute_light(const LightSite& site, const Canopy& canopy, const LightYear& year,
                          std::span<const LightTree> trees) {
     LightField field = make_light_field(site, trees.size());
-    shine_on_columns(site, canopy, year, 0, site.ground().frame().size(), field);
-    shine_on_trees(canopy, year, trees, 0, trees.size(), field);
+    compute_columns(site, canopy, year, 0, site.ground().frame().size(), field);
+    compute_trees(canopy, year, trees, 0, trees.size(), field);
     close_budget(site, field);
     return field;
 }

@@ -10,7 +10,7 @@
 
 namespace forest {
 
-/// What the weather and the seasons bring in a year.
+/// Radiation and leaves of a year, month by month.
 struct LightYear {
     MonthlyRadiation radiation;  ///< on the flat
     /// Months in which deciduous trees have leaves.
@@ -63,20 +63,20 @@ struct LightField {
 /// cell of depth 2 x: along the path through its own leaves, or from its upper to its lower side, whichever
 /// is more. Where less than a twentieth of the leaves fall, months without leaves are taken for months with
 /// them.
-void shine_on_columns(const LightSite& site, const Canopy& canopy, const LightYear& year, std::size_t first,
-                      std::size_t last, LightField& field);
+void compute_columns(const LightSite& site, const Canopy& canopy, const LightYear& year, std::size_t first,
+                     std::size_t last, LightField& field);
 
 /// Fills the trees [first, last) of a field whose columns are filled. Different trees may be filled at the
 /// same time.
 ///
 /// Light ratio: min(1, mean fluence over the leaves / open fluence / s), s = (1 - exp(-t))/t the mean light
 /// in the tree's own shade, t = extinction * leaf area / 100 m2.
-void shine_on_trees(const Canopy& canopy, const LightYear& year, std::span<const LightTree> trees,
-                    std::size_t first, std::size_t last, LightField& field);
+void compute_trees(const Canopy& canopy, const LightYear& year, std::span<const LightTree> trees,
+                   std::size_t first, std::size_t last, LightField& field);
 
 /// Scales what the trees absorb in each month so that absorbed + ground = incoming over the area.
 ///
-/// Only where the area has no open edges: through those light comes in and shade goes out. There closure is
+/// Only where the area has no open edges: light enters and shade leaves through those. There closure is
 /// noted, not used.
 void close_budget(const LightSite& site, LightField& field);
 

@@ -9,7 +9,7 @@
 namespace forest {
 namespace {
 
-/// A zone whose direction falls flatter on the ground than this hands its light to the nearest zone that does
+/// A zone whose direction falls flatter on the ground than this gives its light to the nearest zone that does
 /// not.
 constexpr double flattest_sine = 0.1;
 
@@ -17,7 +17,7 @@ int margin_of(const LightGround& ground, const LightSettings& settings) {
     return static_cast<int>(std::ceil(settings.reach_m / ground.elevation_m.frame.cell_width_m)) + 2;
 }
 
-/// What a zone brings a place, summed over the samples that are seen.
+/// Light of a zone at a place, summed over the samples that are seen.
 struct ZoneSum {
     double towards_zone = 0.0;  ///< on a plane at right angles to the zone's direction
     double on_slope = 0.0;
@@ -125,8 +125,8 @@ SkyView view_from(const Sky& sky, const Exposure& place) {
         view.on_ground.push_back(static_cast<float>(std::max(dot(zone, place.normal) / place.normal.z, 0.0)));
     }
     for (std::size_t sun = 0; sun < sky.june_suns().size(); ++sun) {
-        const bool shines = sees(place, sky.june_suns()[sun]);
-        view.june_suns |= static_cast<std::uint64_t>(shines ? 1 : 0) << sun;
+        const bool visible = sees(place, sky.june_suns()[sun]);
+        view.june_suns |= static_cast<std::uint64_t>(visible ? 1 : 0) << sun;
     }
     return view;
 }

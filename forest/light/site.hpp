@@ -46,8 +46,8 @@ public:
         return views_[views_.size() == 1 ? 0 : column];
     }
 
-    /// Whether a zone brings a place any light.
-    [[nodiscard]] bool shines(const SkyView& view, std::size_t zone) const {
+    /// Whether a place receives light from a zone.
+    [[nodiscard]] bool is_visible(const SkyView& view, std::size_t zone) const {
         return view.diffuse[zone] > 0.0F;
     }
 

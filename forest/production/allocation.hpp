@@ -4,9 +4,9 @@
 
 namespace forest {
 
-// Where production goes, and what is lost of it, in 3-PG (Landsberg & Waring 1997; Sands & Landsberg 2002).
+// Allocation of production and litterfall in 3-PG (Landsberg & Waring 1997; Sands & Landsberg 2002).
 
-/// Share of production that goes below ground [-]: the more, the poorer the site. `fertility_response` is m
+/// Share of production used for roots [-]: the more, the poorer the site. `fertility_response` is m
 /// of 3-PG, m0 + (1 - m0) * fertility, and physiology the modifier of the year or month.
 double root_share(const RootShare& range, double physiology, double fertility_response);
 

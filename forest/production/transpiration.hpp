@@ -23,8 +23,8 @@ struct NetRadiation {
     }
 };
 
-/// Water that passes a surface of the given conductance in a month [mm]; may be below 0 where net radiation
-/// is.
+/// Water that evaporates from a surface of the given conductance in a month [mm]; may be below 0 where net
+/// radiation is.
 ///
 /// Requires a boundary-layer conductance above 0.
 double evaporation_mm(const EvaporationDay& day, double conductance_mps, double boundary_layer_mps);

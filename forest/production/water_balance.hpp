@@ -3,7 +3,7 @@
 #include <span>
 
 #include "forest/climate/series.hpp"
-#include "forest/production/modifiers.hpp"
+#include "forest/production/three_pg_modifiers.hpp"
 #include "forest/production/transpiration.hpp"
 #include "forest/species.hpp"
 
@@ -13,7 +13,7 @@ namespace forest {
 // bucket of what roots can take. Landsberg & Waring 1997; soil evaporation and the sharing of radiation
 // between crowns and ground after Forrester & Tang 2016.
 
-/// What the month brings to all patches of a site unit; made once for them.
+/// Weather of a month, shared by all patches of a site unit.
 struct WaterMonth {
     EvaporationDay day;  ///< with the net radiation of the slope
     double rain_mm = 0.0;
@@ -35,7 +35,7 @@ struct WaterUse {
 /// Limits by vapour pressure deficit, age and CO2 at once.
 WaterUse water_use(const Species& species, const ClimateMonth& climate, double age_modifier, double co2_ppm);
 
-/// Soil of a patch as its water meets it.
+/// Water storage of the soil of a patch.
 struct WaterStore {
     double capacity_mm = 0.0;  ///< above 0
     SoilWaterCurve curve;
@@ -50,7 +50,7 @@ struct WaterState {
 /// Where the water of the month went. Rain and snow = evapotranspiration + runoff + change of soil and snow
 /// water.
 struct WaterFlows {
-    double soil_water_modifier = 1.0;  ///< at the beginning of the month, which production meets [-]
+    double soil_water_modifier = 1.0;  ///< at the beginning of the month, for production [-]
     double interception_mm = 0.0;
     double transpiration_mm = 0.0;
     double soil_evaporation_mm = 0.0;

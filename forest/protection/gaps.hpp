@@ -28,8 +28,8 @@ std::vector<char> open_patches(const PatchGrid& grid, std::span<const Tree> tree
 /// From a patch the way goes to the lowest by slope of its eight neighbours, as long as that is lower; where
 /// the ground faces out of the forest, the way ends. The length is that of the way over the open patches,
 /// half a step beyond the first and the last centre: one open patch on a slope of 45 degrees is 14 m long.
-/// Two gaps that run together share their lower part. So gaps are told to a patch; between stems they are up
-/// to a patch longer.
+/// Two gaps that run together share their lower part. So gaps are measured in whole patches; between stems
+/// they are up to a patch longer.
 ///
 /// Requires a mark for each patch.
 std::vector<Gap> gaps_along_fall_line(const PatchGrid& grid, std::span<const char> open);

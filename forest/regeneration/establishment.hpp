@@ -17,7 +17,7 @@ double degree_day_response(const Response& species, double degree_days);
 /// between its classes (ForClim).
 double nitrogen_response(double nitrogen_class, double nitrogen_kg_per_ha_year);
 
-/// Whether the year's climate lets seedlings of a species live: 0 if one of its limits is passed, else 1 but
+/// Whether the year's climate lets seedlings of a species survive: 0 beyond one of its limits, else 1 but
 /// for late frost, which leaves tolerance^sqrt(n), n the frost days to be expected between bud burst and
 /// July.
 ///

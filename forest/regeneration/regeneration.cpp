@@ -26,7 +26,7 @@ constexpr double least_room_stems = 5.0;
 constexpr double gliding_slope_deg = 35.0;
 constexpr double gliding_light = 0.6;
 
-/// Whose chance decides about a patch.
+/// Key of the random numbers of a patch.
 struct Chance {
     std::uint64_t seed = 0;
     std::uint32_t replicate = 0;

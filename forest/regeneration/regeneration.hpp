@@ -18,11 +18,11 @@ struct RegenerationLaw {
     double browsing_pressure = 1.0;  ///< >= 0: 0 fenced, 1 normal, 3 high
 };
 
-/// A year of regeneration: herbs come and go with the light, saplings grow, are browsed and die, the densest
-/// lose their smallest, the tallest become trees; seeds rain, find a bed and a year they can live in; stumps
-/// sprout.
+/// A year of regeneration: herb cover follows the light, saplings grow, are browsed and die, the densest
+/// lose their smallest, the tallest become trees; seeds fall and germinate where seed bed and climate allow;
+/// stumps sprout.
 ///
-/// Comes after growth and death of the trees, with light, drought and soil water of the season in the patch
+/// Runs after growth and death of the trees, with light, drought and soil water of the season in the patch
 /// states. `weather` has one year for each of the site's units. Chance is drawn by patch and year.
 void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
                 std::span<const ClimateYear> weather, const RegenerationLaw& law, std::uint64_t seed,

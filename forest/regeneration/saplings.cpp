@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "config/math/elementary.hpp"
-#include "forest/growth.hpp"
+#include "forest/light_response.hpp"
 
 namespace forest {
 

@@ -33,11 +33,11 @@ private:
 };
 
 /// Crop of each species in a year, relative to that of a seed year: the same over the whole area. A seed year
-/// comes with the chance 1 / mean interval [iLand].
+/// has the probability 1 / mean interval [iLand].
 std::vector<double> crops_of_year(const SpeciesTable& species, std::uint64_t seed, std::uint32_t replicate,
                                   int year);
 
-/// How strongly each patch bears seeds of a species [0, 1]: leaf area of its seed trees, full from a leaf
+/// Seed production of a species on each patch [0, 1]: leaf area of its seed trees, full from a leaf
 /// area index of 3 on. Seed trees have the age for it and a light ratio of at least 0.25 [choice].
 std::vector<float> seed_sources(const Stand& stand, const SpeciesTable& species, SpeciesId kind);
 
@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    std::vector<std::vector<float>> by_species_;  ///< empty where no tree bears seeds
+    std::vector<std::vector<float>> by_species_;  ///< empty for species without seed trees
     std::vector<double> full_pm2_;                ///< under a full source in this year
     std::vector<double> background_pm2_;
 };

@@ -39,8 +39,8 @@ inline constexpr std::size_t fewest_fitted_trees = 5;
 /// fewer than five trees, or where the best straight line does not rise from above 0.
 HeightFit fit_heights(std::span<const MeasuredHeight> measured);
 
-/// Height of a tree that has grown from nothing to its diameter in half light on a site: where nobody
-/// measured a height (forest/growth.hpp integrated over diameter), at most the greatest height.
+/// Height of a tree that has grown from nothing to its diameter in half light on a site: where no
+/// height was measured (forest/growth.hpp integrated over diameter), at most the greatest height.
 double height_by_growth(const Species& species, double dbh_cm, double site_factor);
 
 }  // namespace forest

@@ -16,7 +16,7 @@ struct Place {
     double y_m = 0.0;
 };
 
-/// Whose chance decides about places.
+/// Key of the random numbers of places.
 struct PlaceKey {
     std::uint64_t seed = 0;
     std::uint32_t replicate = 0;

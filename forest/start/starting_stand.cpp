@@ -10,7 +10,7 @@
 #include "config/units/constants.hpp"
 #include "forest/allometry.hpp"
 #include "forest/crown.hpp"
-#include "forest/growth.hpp"
+#include "forest/height_growth.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/start/places.hpp"
 

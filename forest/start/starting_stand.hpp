@@ -36,11 +36,11 @@ struct StartingTrees {
 
 /// Trees from a list.
 ///
-/// Missing heights come from a height curve fitted to the species' measured ones, else to all measured ones,
-/// else from the law of growth for the site (`degree_days`, a year). Missing ages are diameter / 0.25 cm a
-/// year, at most the greatest age [choice]. What was done is told: heights filled in, by which curve and with
-/// which error; heights of 1.3 m or less and heights beyond the greatest, which are taken as missing; trees
-/// below 1 cm, which are left out; trees on no patch; trees on one spot.
+/// Missing heights are taken from a height curve fitted to the species' measured ones, else to all measured
+/// ones, else from the law of growth for the site (`degree_days`, a year). Missing ages are diameter / 0.25
+/// cm a year, at most the greatest age [choice]. What was done is reported: heights filled in, by which curve
+/// and with which error; heights of 1.3 m or less and heights beyond the greatest, which are taken as
+/// missing; trees below 1 cm, which are left out; trees on no patch; trees on one spot.
 ///
 /// Requires diameters above 0 and different ids.
 StartingTrees trees_from_list(std::span<const ListedTree> list, const PatchGrid& grid,

@@ -21,7 +21,7 @@ struct GrownForest {
         : forest{forest::square_of_forest(side)},
           stand{forest.grid, forest.species.size(), forest::mixed_stand(forest, 1100.0, 1), 2000} {
         for (int year = 0; year < 10; ++year) {
-            static_cast<void>(forest.live(stand));
+            static_cast<void>(forest.grow(stand));
         }
     }
 
@@ -46,14 +46,14 @@ void count(State& state, const GrownForest& from) {
     state.counters["cohorts"] = static_cast<double>(from.stand.cohorts().size());
 }
 
-struct Shone {
+struct YearLight {
     forest::LightYear year;
     forest::LightField field;
     forest::StandLight trees;
 };
 
-Shone shine(const GrownForest& from) {
-    Shone light;
+YearLight light_of(const GrownForest& from) {
+    YearLight light;
     light.year = forest::light_year_of(from.forest.site, from.forest.species, from.weather());
     const std::vector<forest::LightTree> trees = forest::light_trees_of(from.stand, from.forest.species);
     const forest::Canopy canopy{from.forest.site.light().ground(), trees};
@@ -66,17 +66,17 @@ Shone shine(const GrownForest& from) {
 void light(State& state, int side) {
     const GrownForest& from = grown(side);
     for (auto _ : state) {
-        DoNotOptimize(shine(from));
+        DoNotOptimize(light_of(from));
     }
     count(state, from);
 }
 
 void season(State& state, int side) {
     const GrownForest& from = grown(side);
-    const Shone shone = shine(from);
+    const YearLight light = light_of(from);
     for (auto _ : state) {
-        DoNotOptimize(forest::pass_months(from.stand, from.forest.site, from.forest.species, from.weather(),
-                                          shone.year, shone.field));
+        DoNotOptimize(forest::compute_season(from.stand, from.forest.site, from.forest.species,
+                                             from.weather(), light.year, light.field, {}));
     }
     count(state, from);
 }
@@ -108,7 +108,7 @@ void regeneration(State& state, int side) {
 
 void year(State& state, int side) {
     changing(state, side, [](const forest::SmallForest& forest, forest::Stand& stand) {
-        DoNotOptimize(forest.live(stand));
+        DoNotOptimize(forest.grow(stand));
     });
 }
 

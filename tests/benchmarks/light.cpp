@@ -38,7 +38,7 @@ void columns(State& state, double zone_height_deg, bool deciduous, int ground_po
     const forest::Canopy canopy{site.ground(), from.trees};
     forest::LightField field = forest::make_light_field(site, from.trees.size());
     for (auto _ : state) {
-        forest::shine_on_columns(site, canopy, from.year, 0, site.ground().frame().size(), field);
+        forest::compute_columns(site, canopy, from.year, 0, site.ground().frame().size(), field);
         benchmark::ClobberMemory();
     }
     state.counters["zones"] = static_cast<double>(site.sky().zones().size());
@@ -74,9 +74,9 @@ void trees_of_year(State& state) {
     const forest::LightSite site = site_of(from, 20.0);
     const forest::Canopy canopy{site.ground(), from.trees};
     forest::LightField field = forest::make_light_field(site, from.trees.size());
-    forest::shine_on_columns(site, canopy, from.year, 0, site.ground().frame().size(), field);
+    forest::compute_columns(site, canopy, from.year, 0, site.ground().frame().size(), field);
     for (auto _ : state) {
-        forest::shine_on_trees(canopy, from.year, from.trees, 0, from.trees.size(), field);
+        forest::compute_trees(canopy, from.year, from.trees, 0, from.trees.size(), field);
         forest::close_budget(site, field);
         benchmark::ClobberMemory();
     }

@@ -46,7 +46,7 @@ TEST(SelfThinning, LeavesNoWindowAboveOneAndNoneFarBelow) {
         EXPECT_LE(density, 1.0 + 1e-9);
         EXPECT_GT(density, 0.8) << "a single thick tree at most below the line";
     }
-    EXPECT_EQ(stand.total_book().all_stems_out() + stand.stems_standing(), stand.stems_at_start());
+    EXPECT_EQ(stand.total_balance().all_stems_out() + stand.stems_standing(), stand.stems_at_start());
 }
 
 TEST(SelfThinning, TakesTheSlowestFirst) {

@@ -51,7 +51,7 @@ struct SmallForest {
           site{grid, latitude(), light_frame(grid)},
           weather(site.units().size(), montane_year()) {}
 
-    [[nodiscard]] YearReport live(Stand& stand, std::uint64_t seed = 1) const {
+    [[nodiscard]] YearReport grow(Stand& stand, std::uint64_t seed = 1) const {
         return grow_year(stand, site, species, {weather, 350.0, false}, parameters, {seed, 0});
     }
 

@@ -26,7 +26,7 @@ Stand stand_of(const SmallForest& forest, std::vector<Tree> trees) {
 std::vector<Tree> older(const SmallForest& forest, const std::vector<Tree>& trees, int years) {
     Stand stand = stand_of(forest, trees);
     for (int year = 0; year < years; ++year) {
-        static_cast<void>(forest.live(stand));
+        static_cast<void>(forest.grow(stand));
     }
     return {stand.trees().begin(), stand.trees().end()};
 }

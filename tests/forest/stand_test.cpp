@@ -48,15 +48,15 @@ TEST(Stand, GivesNoIdTwice) {
     EXPECT_EQ(number_of(stand.trees()[0].id), 8U);
 }
 
-TEST(Stand, BooksEachRemovalUnderItsCause) {
+TEST(Stand, CountsEachRemovalUnderItsCause) {
     Stand stand = stand_of({tree_at(1, 1, 1), tree_at(2, 2, 2, 10), tree_at(3, 3, 3)});
     stand.begin_year();
     stand.remove_trees(std::vector<Removal>{
         {TreeId{1}, Cause::rock}, {TreeId{2}, Cause::stress, 4}, {TreeId{1}, Cause::wind}});
-    EXPECT_EQ(stand.book().stems_out[index_of(Cause::rock)], 1U);
-    EXPECT_EQ(stand.book().stems_out[index_of(Cause::stress)], 4U);
-    EXPECT_EQ(stand.book().stems_out[index_of(Cause::wind)], 0U) << "dead already";
-    EXPECT_DOUBLE_EQ(stand.book().all_lost_kg(), 500.0);
+    EXPECT_EQ(stand.balance().stems_out[index_of(Cause::rock)], 1U);
+    EXPECT_EQ(stand.balance().stems_out[index_of(Cause::stress)], 4U);
+    EXPECT_EQ(stand.balance().stems_out[index_of(Cause::wind)], 0U) << "dead already";
+    EXPECT_DOUBLE_EQ(stand.balance().all_lost_kg(), 500.0);
     EXPECT_EQ(stand.stems_standing(), 7U);
     ASSERT_EQ(stand.deaths().size(), 2U);
     EXPECT_EQ(stand.deaths()[1].tree.stems, 4U);
@@ -65,7 +65,7 @@ TEST(Stand, BooksEachRemovalUnderItsCause) {
 TEST(Stand, TakesNoMoreStemsThanStand) {
     Stand stand = stand_of({tree_at(2, 2, 2, 3)});
     stand.remove_trees(std::vector<Removal>{{TreeId{2}, Cause::stress, 2}, {TreeId{2}, Cause::felled, 2}});
-    EXPECT_EQ(stand.book().all_stems_out(), 3U);
+    EXPECT_EQ(stand.balance().all_stems_out(), 3U);
     EXPECT_TRUE(stand.trees().empty());
 }
 
@@ -75,9 +75,9 @@ TEST(Stand, BeginsANewPageEachYearAndForgetsNothing) {
     stand.remove_trees(std::vector<Removal>{{TreeId{1}, Cause::beetle}});
     stand.begin_year();
     EXPECT_EQ(stand.year(), 2002);
-    EXPECT_EQ(stand.book().all_stems_out(), 0U);
+    EXPECT_EQ(stand.balance().all_stems_out(), 0U);
     EXPECT_TRUE(stand.deaths().empty());
-    EXPECT_EQ(stand.total_book().all_stems_out(), 1U);
+    EXPECT_EQ(stand.total_balance().all_stems_out(), 1U);
     EXPECT_EQ(stand.stems_at_start(), 2U);
 }
 
@@ -89,7 +89,7 @@ TEST(Stand, SplitsGroupsIntoTreesOnTheSamePatch) {
     EXPECT_EQ(std::count_if(stand.trees().begin(), stand.trees().end(),
                             [](const Tree& tree) { return index_of(tree.patch) == 2; }),
               5);
-    EXPECT_EQ(stand.book().all_stems_in(), 0U) << "they were there before";
+    EXPECT_EQ(stand.balance().all_stems_in(), 0U) << "they were there before";
     EXPECT_EQ(stand.trees()[2].stems, 1U);
 }
 
@@ -115,11 +115,11 @@ TEST(Stand, BalancesItsSaplings) {
     const std::vector<std::size_t> grown{0};
     stand.recruit(grown, std::vector<Tree>{tree_at(0, 12, 12, 15)});
 
-    const Book& book = stand.book();
-    EXPECT_EQ(book.saplings_in,
-              book.saplings_recruited + book.all_saplings_out() + stand.saplings_standing());
-    EXPECT_EQ(book.saplings_recruited, 15U);
-    EXPECT_EQ(book.all_stems_in(), 15U);
+    const StandBalance& balance = stand.balance();
+    EXPECT_EQ(balance.saplings_in,
+              balance.saplings_recruited + balance.all_saplings_out() + stand.saplings_standing());
+    EXPECT_EQ(balance.saplings_recruited, 15U);
+    EXPECT_EQ(balance.all_stems_in(), 15U);
     EXPECT_EQ(stand.stems_standing(), 15U);
 }
 

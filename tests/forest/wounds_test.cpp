@@ -42,7 +42,7 @@ TEST(Wound, BreaksWhatCannotTakeTheEnergyAndLeavesStumpAndLog) {
     EXPECT_EQ(report.broken, 2U);
     EXPECT_EQ(report.wounded, 1U) << "a glancing hit breaks nothing";
     EXPECT_EQ(stand.trees().size(), 1U);
-    EXPECT_EQ(stand.book().stems_out[index_of(Cause::rock)], 2U);
+    EXPECT_EQ(stand.balance().stems_out[index_of(Cause::rock)], 2U);
     ASSERT_EQ(stand.dead_wood().snags.size(), 2U);
     EXPECT_DOUBLE_EQ(stand.dead_wood().snags[0].height_m, 0.8);
     EXPECT_DOUBLE_EQ(stand.dead_wood().snags[1].height_m, 3.0);

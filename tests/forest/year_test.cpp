@@ -31,12 +31,14 @@ void expect_invariants(const Stand& before, const Stand& after, const SpeciesTab
 }
 
 void expect_balance(const Stand& stand) {
-    const Book book = stand.total_book();
-    RC_ASSERT(stand.stems_at_start() + book.all_stems_in() == book.all_stems_out() + stand.stems_standing());
-    const double mass_in_kg = stand.mass_at_start_kg() + book.mass_in_kg + book.grown_kg - book.shed_kg;
-    const double mass_out_kg = book.all_lost_kg() + stand.mass_standing_kg();
+    const StandBalance balance = stand.total_balance();
+    RC_ASSERT(stand.stems_at_start() + balance.all_stems_in() ==
+              balance.all_stems_out() + stand.stems_standing());
+    const double mass_in_kg =
+        stand.mass_at_start_kg() + balance.mass_in_kg + balance.grown_kg - balance.shed_kg;
+    const double mass_out_kg = balance.all_lost_kg() + stand.mass_standing_kg();
     RC_ASSERT(std::abs(mass_in_kg - mass_out_kg) <= 1e-9 * (mass_in_kg + 1.0));
-    const double dead_kg = book.dead_wood_in_kg - book.all_dead_wood_out_kg();
+    const double dead_kg = balance.dead_wood_in_kg - balance.all_dead_wood_out_kg();
     RC_ASSERT(std::abs(stand.dead_wood_kg() - dead_kg) <= 1e-9 * (mass_in_kg + 1.0));
 }
 
@@ -49,10 +51,10 @@ TEST(GrowYear, KeepsItsInvariantsOnAnyStand) {
                     2000};
         for (int year = 0; year < 3; ++year) {
             const Stand before = stand;
-            const YearReport report = forest.live(stand, seed);
-            const Book& book = stand.book();
-            const double stems_kg = before.stem_mass_standing_kg() + book.stem_in_kg + book.stem_grown_kg -
-                                    book.all_stem_lost_kg();
+            const YearReport report = forest.grow(stand, seed);
+            const StandBalance& balance = stand.balance();
+            const double stems_kg = before.stem_mass_standing_kg() + balance.stem_in_kg +
+                                    balance.stem_grown_kg - balance.all_stem_lost_kg();
             RC_ASSERT(std::abs(stand.stem_mass_standing_kg() - stems_kg) <= 1e-9 * (stems_kg + 1.0));
             expect_invariants(before, stand, forest.species);
             expect_balance(stand);
@@ -71,8 +73,8 @@ TEST(GrowYear, GivesTheSameBytesForAnyOrderOfTrees) {
     std::rotate(trees.begin(), trees.begin() + 77, trees.end());
     Stand permuted{forest.grid, forest.species.size(), trees, 2000};
     for (int year = 0; year < 5; ++year) {
-        static_cast<void>(forest.live(straight));
-        static_cast<void>(forest.live(permuted));
+        static_cast<void>(forest.grow(straight));
+        static_cast<void>(forest.grow(permuted));
     }
     ASSERT_EQ(straight.trees().size(), permuted.trees().size());
     for (std::size_t i = 0; i < straight.trees().size(); ++i) {
@@ -102,8 +104,8 @@ TEST(GrowYear, OfAMirroredStandIsTheMirrorOfTheYear) {
         }
         Stand one{forest.grid, forest.species.size(), trees, 2000};
         Stand other{forest.grid, forest.species.size(), mirrored, 2000};
-        static_cast<void>(forest.live(one));
-        static_cast<void>(forest.live(other));
+        static_cast<void>(forest.grow(one));
+        static_cast<void>(forest.grow(other));
         for (const Tree& tree : one.trees()) {
             const auto image = other.find(tree.id);
             if (number_of(tree.id) >= trees.size()) {
@@ -126,14 +128,14 @@ TEST(GrowYear, OfAMirroredStandIsTheMirrorOfTheYear) {
 TEST(GrowYear, WorksWithoutTreesAndWithOneTreeOnOnePatch) {
     const SmallForest forest{square_of_forest(1)};
     Stand empty{forest.grid, forest.species.size(), {}, 2000};
-    const YearReport report = forest.live(empty);
+    const YearReport report = forest.grow(empty);
     EXPECT_EQ(report.production_kg, 0.0);
     EXPECT_NEAR(empty.patch_states()[0].ground_light, 1.0, 0.01);
 
     std::vector<Tree> one = any_trees(forest.grid, forest.species, 1, 5);
     one[0] = new_tree(forest.species[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 40.0);
     Stand alone{forest.grid, forest.species.size(), one, 2000};
-    static_cast<void>(forest.live(alone));
+    static_cast<void>(forest.grow(alone));
     ASSERT_EQ(alone.trees().size(), 1U);
     EXPECT_GT(alone.trees()[0].dbh_cm, 20.1);
     EXPECT_GT(alone.trees()[0].light_ratio, 0.5);
@@ -150,10 +152,10 @@ TEST(GrowYear, SharesOutExactlyWhatAUnitProduces) {
     record.degree_days = 1300.0;
     Stand stand{forest.grid, forest.species.size(),
                 trees_from_record(record, forest.grid, forest.species, 1, 0, 0), 2000};
-    const YearReport report = forest.live(stand);
+    const YearReport report = forest.grow(stand);
     EXPECT_GT(report.production_kg, 0.0);
-    EXPECT_LT(stand.book().grown_kg, report.production_kg);
-    EXPECT_GT(stand.book().grown_kg, 0.5 * report.production_kg);
+    EXPECT_LT(stand.balance().grown_kg, report.production_kg);
+    EXPECT_GT(stand.balance().grown_kg, 0.5 * report.production_kg);
     EXPECT_NEAR(report.light_closure, 1.0, 0.05);
 }
 
@@ -171,7 +173,7 @@ TEST(GrowYear, NeverExceedsTheSelfThinningLineForLong) {
     double densest = 0.0;
     int years_above = 0;
     for (int year = 0; year < 60; ++year) {
-        static_cast<void>(forest.live(stand));
+        static_cast<void>(forest.grow(stand));
         for (const double density : relative_densities(stand, forest.species, forest.site.windows())) {
             years_above = density > 1.1 ? years_above + 1 : 0;
             densest = std::max(densest, density);
@@ -195,10 +197,10 @@ TEST(GrowYear, KillsASmallShareOfTreesWithoutCrowding) {
     double tree_years = 0.0;
     for (int year = 0; year < 30; ++year) {
         tree_years += static_cast<double>(stand.stems_standing());
-        static_cast<void>(forest.live(stand));
+        static_cast<void>(forest.grow(stand));
     }
     const double rate =
-        static_cast<double>(stand.total_book().stems_out[index_of(Cause::background)]) / tree_years;
+        static_cast<double>(stand.total_balance().stems_out[index_of(Cause::background)]) / tree_years;
     EXPECT_GT(rate, 0.0005);
     EXPECT_LT(rate, 0.01);
 }

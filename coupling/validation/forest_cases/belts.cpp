@@ -8,21 +8,21 @@
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
+#include "coupling/validation/forest_cases/succession_trial/comparison.hpp"
 #include "forest/climate/series.hpp"
-#include "forest/succession_trial/comparison.hpp"
 
 namespace coupling::validation::forest_cases {
 
 namespace {
 
-using forest::SuccessionRun;
-using forest::SuccessionSite;
-using forest::SuccessionState;
 using report::fixed;
+using succession_trial::SuccessionRun;
+using succession_trial::SuccessionSite;
+using succession_trial::SuccessionState;
 
 struct BeltData {
     forest::SpeciesTable species = forest::SpeciesTable::shipped();
-    forest::SuccessionCase tables;
+    succession_trial::SuccessionCase tables;
     std::vector<std::string> published;  ///< of each group: what the literature has
     std::vector<std::string> sources;
     BeltSettings settings;
@@ -44,7 +44,7 @@ void add_figures(Comparison& comparison, const BeltData& data) {
     for (const SuccessionSite& site : data.tables.sites) {
         comparison.figures.push_back(
             {joined("biomass_tpha:", site.name), joined("biomass above ground ", at_words(site)), "t/ha"});
-        for (const forest::SpeciesGroup& group : data.tables.groups) {
+        for (const succession_trial::SpeciesGroup& group : data.tables.groups) {
             if (group.site == site.name) {
                 const std::string of = joined(":", group.name, ":", site.name);
                 comparison.figures.push_back(
@@ -214,7 +214,7 @@ PlainTable group_table(const BeltData& data, const std::map<std::string, double>
                               "lead over the greatest other species [-]", "the literature"},
                      .rows = {}};
     for (std::size_t g = 0; g < data.tables.groups.size(); ++g) {
-        const forest::SpeciesGroup& group = data.tables.groups[g];
+        const succession_trial::SpeciesGroup& group = data.tables.groups[g];
         for (const SuccessionSite& site : data.tables.sites) {
             if (site.name == group.site) {
                 const std::string of = joined(":", group.name, ":", site.name);
@@ -234,7 +234,7 @@ Outcome compare(const BeltData& data, const Work& work) {
     found.runs.resize(sites.size() * data.settings.replicates);
     each_piece(work, found.runs.size(), [&](std::size_t piece) {
         const SuccessionSite& site = sites[piece / data.settings.replicates];
-        forest::SuccessionTrial trial = trial_at(data.tables, site);
+        succession_trial::SuccessionTrial trial = trial_at(data.tables, site);
         trial.years = static_cast<int>(data.settings.years);
         trial.side_patches = static_cast<int>(data.settings.side_patches);
         found.runs[piece] = {site.name,
@@ -280,14 +280,15 @@ forest::YearWindow judged_years(const BeltSettings& settings) {
 
 }  // namespace
 
-Comparison read_belts(const CaseFiles& files, const BeltSettings& settings) {
+Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
+                      const forest::Parameters& parameters) {
     auto data = std::make_shared<BeltData>();
     const config::Table expected = table_of(files, "expected.csv");
     config::Warnings warnings;
-    data->tables = {forest::read_succession_sites(table_of(files, "sites.csv")),
-                    forest::read_species_groups(expected, data->species),
+    data->tables = {succession_trial::read_succession_sites(table_of(files, "sites.csv")),
+                    succession_trial::read_species_groups(expected, data->species),
                     forest::read_climate_of_one_place(table_of(files, "climate.csv"), warnings),
-                    forest::LapseRates::shipped()};
+                    forest::LapseRates::shipped(), parameters};
     config::Problems problems;
     if (!expected.require({"published", "source"}, problems)) {
         problems.throw_if_any();

@@ -40,6 +40,9 @@ Figure Comparison::figure(const std::string& name) const {
 }
 
 void declare(config::Options& options, Settings& settings, CaseKind kind) {
+    if (kind == CaseKind::forest_belts || kind == CaseKind::forest_yield) {
+        forest::declare(options, settings.forest);
+    }
     if (kind == CaseKind::forest_belts) {
         BeltSettings& belts = settings.belts;
         options.count("belts.years", belts.years,
@@ -79,9 +82,10 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
             return read_light(files);
         case CaseKind::forest_yield:
             return read_yield(files, rising("yield.ages_years", settings.yield_ages_years),
-                              rising("yield.drawn_ages_years", settings.yield_drawn_ages_years));
+                              rising("yield.drawn_ages_years", settings.yield_drawn_ages_years),
+                              settings.forest);
         case CaseKind::forest_belts:
-            return read_belts(files, settings.belts);
+            return read_belts(files, settings.belts, settings.forest);
         case CaseKind::slope:
         case CaseKind::profile:
         case CaseKind::factors:

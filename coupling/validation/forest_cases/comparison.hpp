@@ -14,6 +14,7 @@
 #include "coupling/validation/interrupted.hpp"
 #include "coupling/validation/plot.hpp"
 #include "coupling/validation/recipe.hpp"
+#include "forest/parameters.hpp"
 
 namespace coupling::validation::forest_cases {
 
@@ -69,6 +70,7 @@ struct Settings {
     BeltSettings belts;
     std::vector<double> yield_ages_years{40, 50, 60, 70, 80, 90, 100, 110, 120};
     std::vector<double> yield_drawn_ages_years{70, 100};
+    forest::Parameters forest;  ///< of grow_year in forest_belts and forest_yield
 };
 
 /// Declares the settings that a kind has.
@@ -82,9 +84,10 @@ Comparison read_production(const CaseFiles& files);
 Comparison read_light(const CaseFiles& files);
 /// Stands at rising ages; those drawn over elevation are some of them.
 Comparison read_yield(const CaseFiles& files, const std::vector<int>& ages_years,
-                      const std::vector<int>& drawn_ages_years);
+                      const std::vector<int>& drawn_ages_years, const forest::Parameters& parameters);
 
-Comparison read_belts(const CaseFiles& files, const BeltSettings& settings);
+Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
+                      const forest::Parameters& parameters);
 
 /// A table of the case. Throws InputError (file) where it is missing.
 config::Table table_of(const CaseFiles& files, const std::string& name);

@@ -5,21 +5,17 @@
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
-#include "forest/light/mapped_stand.hpp"
+#include "coupling/validation/forest_cases/mapped_stand.hpp"
 
 namespace coupling::validation::forest_cases {
 
 namespace {
 
-using forest::LightAgreement;
-using forest::MappedSlope;
-using forest::MappedStand;
-
 /// Columns as wide as the model's own, and finer ones.
 struct Columns {
     const char* prefix;  ///< of the names of figures
     const char* words;
-    forest::MappedSettings settings;
+    MappedSettings settings;
 };
 
 const std::array<Columns, 2>& columns() {
@@ -122,7 +118,7 @@ Outcome compare(const MappedStand& stand, const Work& work) {
 }  // namespace
 
 Comparison read_light(const CaseFiles& files) {
-    const auto stand = std::make_shared<const MappedStand>(forest::mapped_stand(
+    const auto stand = std::make_shared<const MappedStand>(mapped_stand(
         table_of(files, "trees.csv"), table_of(files, "ground.csv"), table_of(files, "leaves.csv"),
         table_of(files, "radiation.csv"), table_of(files, "slopes.csv")));
     Comparison comparison;

@@ -7,13 +7,13 @@
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
-#include "forest/check_mode/check_mode.hpp"
+#include "coupling/validation/forest_cases/plain_3pg/plain_3pg.hpp"
 
 namespace coupling::validation::forest_cases {
 
 namespace {
 
-namespace check = forest::check_mode;
+namespace check = plain_3pg;
 
 /// A run of another program and the inputs it was made with.
 struct ReferenceRun {

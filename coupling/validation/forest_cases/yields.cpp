@@ -5,19 +5,19 @@
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
-#include "forest/yield_trial/comparison.hpp"
+#include "coupling/validation/forest_cases/yield_trial/comparison.hpp"
 
 namespace coupling::validation::forest_cases {
 
 namespace {
 
 using forest::StandFigures;
-using forest::TrialLight;
-using forest::YieldCase;
-using forest::YieldComparison;
-using forest::YieldSite;
-using forest::YieldTableRow;
+using forest::TreeLight;
 using report::fixed;
+using yield_trial::YieldCase;
+using yield_trial::YieldComparison;
+using yield_trial::YieldSite;
+using yield_trial::YieldTableRow;
 
 struct YieldData {
     forest::SpeciesTable species = forest::SpeciesTable::shipped();
@@ -43,7 +43,7 @@ std::string words_of(const YieldData& data, const YieldSite& site) {
     return joined(data.species[site.species].latin_name, " at ", whole(site.elevation_m), " m");
 }
 
-/// A figure by the name it has in forest::yield_figures().
+/// A figure by the name it has in yield_trial::yield_figures().
 struct YieldMeasure {
     const char* name;
     const char* label;
@@ -75,14 +75,16 @@ void add_figures(Comparison& comparison, const YieldData& data, const YieldSite&
 }
 
 /// The site's own data alone.
-SiteOutcome grow(const YieldData& data, std::size_t site, TrialLight light) {
-    const YieldCase one{{data.tables.sites[site]}, data.tables.rows, data.tables.climates};
+SiteOutcome grow(const YieldData& data, std::size_t site, TreeLight light) {
+    const YieldCase one{
+        {data.tables.sites[site]}, data.tables.rows, data.tables.climates, data.tables.parameters};
     std::vector<YieldComparison> found = compare_yields(one, data.species, light, data.ages_years);
-    return light == TrialLight::space ? SiteOutcome{std::move(found), {}} : SiteOutcome{{}, std::move(found)};
+    return light == TreeLight::in_space ? SiteOutcome{std::move(found), {}}
+                                        : SiteOutcome{{}, std::move(found)};
 }
 
 double lorey_as_mean_m(const StandFigures& figures) {
-    return forest::mean_per_lorey_height * figures.lorey_height_m;
+    return yield_trial::mean_per_lorey_height * figures.lorey_height_m;
 }
 
 /// Sites with a table, in the order of their elevation.
@@ -235,9 +237,9 @@ Outcome compare(const YieldData& data, const std::vector<std::size_t>& shown, co
     each_piece(work, 2 * sites, [&](std::size_t piece) {
         const std::size_t site = piece / 2;
         if (piece % 2 == 0) {
-            found[site].space = grow(data, site, TrialLight::space).space;
+            found[site].space = grow(data, site, TreeLight::in_space).space;
         } else {
-            found[site].layers = grow(data, site, TrialLight::layers).layers;
+            found[site].layers = grow(data, site, TreeLight::by_layers).layers;
         }
     });
     Outcome outcome;
@@ -308,11 +310,12 @@ std::vector<std::size_t> places_of(const std::vector<int>& some, const std::vect
 }  // namespace
 
 Comparison read_yield(const CaseFiles& files, const std::vector<int>& ages_years,
-                      const std::vector<int>& drawn_ages_years) {
+                      const std::vector<int>& drawn_ages_years, const forest::Parameters& parameters) {
     auto data = std::make_shared<YieldData>();
-    data->tables = {forest::read_yield_sites(table_of(files, "sites.csv"), data->species),
-                    forest::read_yield_rows(table_of(files, "yield_tables.csv")),
-                    forest::read_trial_climates(table_of(files, "climate.csv"))};
+    config::Warnings warnings;
+    data->tables = {yield_trial::read_yield_sites(table_of(files, "sites.csv"), data->species),
+                    yield_trial::read_yield_rows(table_of(files, "yield_tables.csv")),
+                    forest::read_climate(table_of(files, "climate.csv"), warnings), parameters};
     data->ages_years = ages_years;
     check_rows(*data, files);
     const std::vector<std::size_t> drawn = places_of(drawn_ages_years, ages_years);

@@ -27,7 +27,7 @@ struct Worked {
         EXPECT_NEAR(entry.taken_m3 + entry.left_m3, before_m3 - volume_m3(stand), 1e-6);
         EXPECT_EQ(entry.stems, static_cast<double>(before_trees - stand.trees().size()));
         EXPECT_EQ(entry.stems,
-                  static_cast<double>(stand.book().stems_out[forest::index_of(forest::Cause::felled)]));
+                  static_cast<double>(stand.balance().stems_out[forest::index_of(forest::Cause::felled)]));
         EXPECT_EQ(report.timber.total().taken_m3, entry.taken_m3);
         EXPECT_TRUE(books_close(stand));
     }
@@ -271,7 +271,7 @@ TEST(Apply, GoesOnTheSameFromAStoredState) {
     EXPECT_EQ(years(again, forgetful, 3, 4).find("3clear"), std::string::npos) << "the state is needed";
 }
 
-TEST(ShippedRegimes, KeepTheBooksAndDoWhatTheyAreNamedFor) {
+TEST(ShippedRegimes, KeepTheBalanceAndDoWhatTheyAreNamedFor) {
     const forest::SmallForest place{two_stands(12)};
     for (const std::string& name : shipped_regime_names()) {
         SCOPED_TRACE(name);

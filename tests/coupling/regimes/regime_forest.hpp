@@ -85,12 +85,13 @@ inline double volume_m3(const forest::Stand& stand) {
 }
 
 inline bool books_close(const forest::Stand& stand) {
-    const forest::Book book = stand.total_book();
-    const double in_kg = stand.mass_at_start_kg() + book.mass_in_kg + book.grown_kg - book.shed_kg;
-    const double dead_kg = book.dead_wood_in_kg - book.all_dead_wood_out_kg();
+    const forest::StandBalance balance = stand.total_balance();
+    const double in_kg = stand.mass_at_start_kg() + balance.mass_in_kg + balance.grown_kg - balance.shed_kg;
+    const double dead_kg = balance.dead_wood_in_kg - balance.all_dead_wood_out_kg();
     return std::abs(stand.dead_wood_kg() - dead_kg) <= 1e-9 * in_kg + 1e-6 &&
-           stand.stems_at_start() + book.all_stems_in() == book.all_stems_out() + stand.stems_standing() &&
-           std::abs(in_kg - book.all_lost_kg() - stand.mass_standing_kg()) <= 1e-9 * in_kg + 1e-6;
+           stand.stems_at_start() + balance.all_stems_in() ==
+               balance.all_stems_out() + stand.stems_standing() &&
+           std::abs(in_kg - balance.all_lost_kg() - stand.mass_standing_kg()) <= 1e-9 * in_kg + 1e-6;
 }
 
 }  // namespace coupling

@@ -97,7 +97,7 @@ TEST_F(DeadWood, LosesMassByDecayAloneHoweverItFallsAndBreaks) {
         const double before_kg = stand.dead_wood_kg();
         age(stand);
         EXPECT_NEAR(stand.dead_wood_kg(), expected_kg, 1e-9 * expected_kg);
-        EXPECT_NEAR(stand.book().dead_wood_decayed_kg, before_kg - expected_kg, 1e-9 * expected_kg);
+        EXPECT_NEAR(stand.balance().dead_wood_decayed_kg, before_kg - expected_kg, 1e-9 * expected_kg);
     }
     EXPECT_GT(stand.dead_wood().logs.size(), 300U);
 }
@@ -187,23 +187,23 @@ TEST_F(DeadWood, HasTheStemThatDied) {
     stand.remove_trees(std::vector<Removal>{{TreeId{0}, Cause::stress}});
     age_dead_wood(stand, forest.site, forest.species, forest.weather, 1, 0);
     EXPECT_DOUBLE_EQ(stand.dead_wood_kg(), tree.stem_kg);
-    EXPECT_DOUBLE_EQ(stand.book().stem_lost_kg[index_of(Cause::stress)], tree.stem_kg);
+    EXPECT_DOUBLE_EQ(stand.balance().stem_lost_kg[index_of(Cause::stress)], tree.stem_kg);
     EXPECT_NEAR(volume_m3(stand.dead_wood().snags[0], forest.species), stem_m3, 1e-12);
 }
 
-TEST_F(DeadWood, BooksWhatBecomesSoil) {
+TEST_F(DeadWood, CountsWhatBecomesSoil) {
     Stand stand{forest.grid, forest.species.size(), {}, 2000};
     stand.add_snags(whole_snags(50, 40.0));
     stand.begin_year();
     double out_kg = 0.0;
     for (int year = 0; year < 250; ++year) {
         age(stand);
-        out_kg += stand.book().all_dead_wood_out_kg();
+        out_kg += stand.balance().all_dead_wood_out_kg();
     }
     EXPECT_TRUE(stand.dead_wood().snags.empty() && stand.dead_wood().logs.empty());
     EXPECT_NEAR(out_kg, 50.0 * 500.0, 1e-6);
-    EXPECT_GT(stand.total_book().dead_wood_to_soil_kg, 0.05 * 50.0 * 500.0);
-    EXPECT_LT(stand.total_book().dead_wood_to_soil_kg, 0.1 * 50.0 * 500.0 + 1e-6);
+    EXPECT_GT(stand.total_balance().dead_wood_to_soil_kg, 0.05 * 50.0 * 500.0);
+    EXPECT_LT(stand.total_balance().dead_wood_to_soil_kg, 0.1 * 50.0 * 500.0 + 1e-6);
 }
 
 TEST(WreckOf, SharesTheStemBetweenStumpAndLog) {

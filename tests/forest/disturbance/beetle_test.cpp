@@ -57,7 +57,7 @@ protected:
                                                  [](const PatchState& s) { return s.beetle_years > 0; }));
     }
     static double killed(const Stand& stand) {
-        return static_cast<double>(stand.book().stems_out[index_of(Cause::beetle)]);
+        return static_cast<double>(stand.balance().stems_out[index_of(Cause::beetle)]);
     }
 
     const SpeciesTable table = SpeciesTable::shipped();
@@ -127,7 +127,7 @@ TEST_F(Beetles, LiveThroughWintersAsOftenAsTheirChanceSays) {
     EXPECT_NEAR(alive / (400.0 * replicates), p, 4.0 * std::sqrt(p * (1.0 - p) / (400.0 * replicates)));
 }
 
-TEST_F(Beetles, KillOnlySprucesOfFifteenCentimetresAndKeepTheBooks) {
+TEST_F(Beetles, KillOnlySprucesOfFifteenCentimetresAndKeepTheBalance) {
     const SmallForest forest{square_of_forest(8)};
     Stand stand{forest.grid, table.size(), any_trees(forest.grid, table, 2000, 3), 2000};
     const std::vector<Tree> before(stand.trees().begin(), stand.trees().end());
@@ -143,7 +143,7 @@ TEST_F(Beetles, KillOnlySprucesOfFifteenCentimetresAndKeepTheBooks) {
         EXPECT_GE(dead.tree.dbh_cm, 15.0);
         EXPECT_EQ(dead.cause, Cause::beetle);
     }
-    EXPECT_EQ(stand.stems_at_start(), stand.book().all_stems_out() + stand.stems_standing());
+    EXPECT_EQ(stand.stems_at_start(), stand.balance().all_stems_out() + stand.stems_standing());
     EXPECT_EQ(before.size(), stand.trees().size() + stand.deaths().size());
 }
 

@@ -77,26 +77,27 @@ TEST(Disturb, LeavesTheChanceOfOneDisturbanceToItself) {
     }
 }
 
-TEST(Disturb, KeepsTheBooksThroughYearsOfStormsAndBeetles) {
+TEST(Disturb, KeepsTheBalanceThroughYearsOfStormsAndBeetles) {
     SmallForest forest{square_of_forest(10)};
     forest.parameters.disturbance = everything;
     Stand stand = mountain_spruces(forest);
     for (int year = 0; year < 15; ++year) {
         const Stand before = stand;
-        static_cast<void>(forest.live(stand));
-        const Book book = stand.total_book();
-        EXPECT_EQ(stand.stems_at_start() + book.all_stems_in(),
-                  book.all_stems_out() + stand.stems_standing());
-        const double in_kg = stand.mass_at_start_kg() + book.mass_in_kg + book.grown_kg - book.shed_kg;
-        EXPECT_NEAR(in_kg, book.all_lost_kg() + stand.mass_standing_kg(), 1e-9 * in_kg);
+        static_cast<void>(forest.grow(stand));
+        const StandBalance balance = stand.total_balance();
+        EXPECT_EQ(stand.stems_at_start() + balance.all_stems_in(),
+                  balance.all_stems_out() + stand.stems_standing());
+        const double in_kg =
+            stand.mass_at_start_kg() + balance.mass_in_kg + balance.grown_kg - balance.shed_kg;
+        EXPECT_NEAR(in_kg, balance.all_lost_kg() + stand.mass_standing_kg(), 1e-9 * in_kg);
         for (const Tree& tree : stand.trees()) {
             const auto old = before.find(tree.id);
             EXPECT_TRUE(!old || tree.height_m >= before.trees()[*old].height_m) << "what breaks has died";
         }
     }
-    const Book book = stand.total_book();
+    const StandBalance balance = stand.total_balance();
     for (const Cause cause : {Cause::wind, Cause::snow, Cause::beetle}) {
-        EXPECT_GT(book.stems_out[index_of(cause)], 0U) << name_of(cause);
+        EXPECT_GT(balance.stems_out[index_of(cause)], 0U) << name_of(cause);
     }
     // Everything thicker than 7 cm that died left wood, thrown and broken stems logs.
     EXPECT_GT(stand.dead_wood().logs.size(), 20U);
@@ -109,8 +110,8 @@ TEST(Disturb, GivesTheSameBytesForAnyOrderOfTrees) {
     Stand straight = mountain_spruces(forest);
     Stand reversed = mountain_spruces(forest, true);
     for (int year = 0; year < 6; ++year) {
-        static_cast<void>(forest.live(straight));
-        static_cast<void>(forest.live(reversed));
+        static_cast<void>(forest.grow(straight));
+        static_cast<void>(forest.grow(reversed));
     }
     EXPECT_LT(straight.trees().size(), mountain_spruces(forest).trees().size());
     ASSERT_EQ(straight.trees().size(), reversed.trees().size());

@@ -40,7 +40,7 @@ TEST(BreakBySnow, BreaksTheShareThatItsChanceSays) {
     const double p = snow_breakage(table[spruce], 20.0, 18.0);
     const auto broken = static_cast<double>(count - stand.trees().size());
     EXPECT_NEAR(broken / count, p, 4.0 * std::sqrt(p * (1.0 - p) / count));
-    EXPECT_EQ(stand.book().stems_out[index_of(Cause::snow)], broken);
+    EXPECT_EQ(stand.balance().stems_out[index_of(Cause::snow)], broken);
     ASSERT_EQ(static_cast<double>(stand.dead_wood().snags.size()), broken);
     for (std::size_t i = 0; i < stand.dead_wood().snags.size(); ++i) {
         const double stump_m = stand.dead_wood().snags[i].height_m;

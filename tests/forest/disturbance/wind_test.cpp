@@ -104,8 +104,8 @@ TEST(ThrowByWind, TakesTheShareThatItsChanceSaysAndLeavesItAsWood) {
     const auto thrown = static_cast<double>(count - stand.trees().size());
     const double p = death(spruce, 30.0, 0.6);
     EXPECT_NEAR(thrown / count, p, 4.0 * std::sqrt(p * (1.0 - p) / count));
-    EXPECT_EQ(stand.book().stems_out[index_of(Cause::wind)], thrown);
-    EXPECT_NEAR(stand.book().lost_kg[index_of(Cause::wind)], thrown * one.above_ground_kg, 1e-6);
+    EXPECT_EQ(stand.balance().stems_out[index_of(Cause::wind)], thrown);
+    EXPECT_NEAR(stand.balance().lost_kg[index_of(Cause::wind)], thrown * one.above_ground_kg, 1e-6);
 
     const SnagsAndLogs& wood = stand.dead_wood();
     ASSERT_EQ(static_cast<double>(wood.logs.size()), thrown);

@@ -175,10 +175,10 @@ TEST(Light, HasTheSameBytesInPieces) {
     // A field that was used before.
     LightField pieces = stands::light(site, stands::random_trees(stream, 50, 50.0, 40.0, true));
     for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{13, 20}, {0, 7}, {7, 13}}) {
-        forest::shine_on_columns(site, canopy, stands::year(), first, last, pieces);
+        forest::compute_columns(site, canopy, stands::year(), first, last, pieces);
     }
-    forest::shine_on_trees(canopy, stands::year(), trees, 30, 50, pieces);
-    forest::shine_on_trees(canopy, stands::year(), trees, 0, 30, pieces);
+    forest::compute_trees(canopy, stands::year(), trees, 30, 50, pieces);
+    forest::compute_trees(canopy, stands::year(), trees, 0, 30, pieces);
     forest::close_budget(site, pieces);
     EXPECT_EQ(whole.cells, pieces.cells);
     EXPECT_EQ(whole.light_ratio, pieces.light_ratio);

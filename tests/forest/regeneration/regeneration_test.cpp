@@ -34,7 +34,7 @@ TEST(Regenerate, FillsASlitWithinADozenYears) {
     const SmallForest forest{square_of_forest(12)};
     Stand stand = stand_with_slit(forest);
     for (int year = 0; year < 12; ++year) {
-        static_cast<void>(forest.live(stand));
+        static_cast<void>(forest.grow(stand));
     }
     double in = 0.0;
     double tallest_m = 0.0;
@@ -133,16 +133,16 @@ TEST(Regenerate, BehindAFenceIsNotBrowsedUntilItIsTakenDown) {
     EXPECT_LT(firs(years_under(forest, 0.6, 3.0, 20, 2, 18), true), 0.2 * firs(half, true));
 }
 
-TEST(Regenerate, KeepsTheBooksOfSaplingsAndTrees) {
+TEST(Regenerate, KeepsTheBalanceOfSaplingsAndTrees) {
     const SmallForest forest{square_of_forest(8)};
     Stand stand{forest.grid, forest.species.size(), {}, 2000};
     for (int year = 0; year < 40; ++year) {
-        static_cast<void>(forest.live(stand));
-        const Book book = stand.total_book();
-        ASSERT_EQ(book.saplings_in,
-                  book.all_saplings_out() + book.saplings_recruited + stand.saplings_standing());
-        ASSERT_EQ(book.all_stems_in(), book.all_stems_out() + stand.stems_standing());
-        ASSERT_EQ(book.all_stems_in(), book.saplings_recruited);
+        static_cast<void>(forest.grow(stand));
+        const StandBalance balance = stand.total_balance();
+        ASSERT_EQ(balance.saplings_in,
+                  balance.all_saplings_out() + balance.saplings_recruited + stand.saplings_standing());
+        ASSERT_EQ(balance.all_stems_in(), balance.all_stems_out() + stand.stems_standing());
+        ASSERT_EQ(balance.all_stems_in(), balance.saplings_recruited);
     }
     EXPECT_GT(stand.trees().size(), 20U) << "open ground becomes forest";
     for (const Tree& tree : stand.trees()) {
@@ -156,7 +156,7 @@ TEST(Regenerate, LeavesNoPatchDenserThanTheLine) {
     const SmallForest forest{square_of_forest(6)};
     Stand stand{forest.grid, forest.species.size(), {}, 2000};
     for (int year = 0; year < 12; ++year) {
-        static_cast<void>(forest.live(stand));
+        static_cast<void>(forest.grow(stand));
         std::vector<double> room(forest.grid.size(), 0.0);
         for (const Cohort& cohort : stand.cohorts()) {
             room[index_of(cohort.patch)] += cohort.stems * room_of_stem(cohort.height_m);
@@ -173,8 +173,8 @@ TEST(Regenerate, GivesTheSameBytesForAnyOrderOfTrees) {
     std::reverse(trees.begin(), trees.end());
     Stand permuted{forest.grid, forest.species.size(), trees, 2000};
     for (int year = 0; year < 15; ++year) {
-        static_cast<void>(forest.live(straight));
-        static_cast<void>(forest.live(permuted));
+        static_cast<void>(forest.grow(straight));
+        static_cast<void>(forest.grow(permuted));
     }
     ASSERT_GT(straight.cohorts().size(), 100U);
     ASSERT_EQ(straight.cohorts().size(), permuted.cohorts().size());
@@ -182,7 +182,7 @@ TEST(Regenerate, GivesTheSameBytesForAnyOrderOfTrees) {
         EXPECT_EQ(straight.cohorts()[i].stems, permuted.cohorts()[i].stems);
         EXPECT_EQ(straight.cohorts()[i].height_m, permuted.cohorts()[i].height_m);
     }
-    EXPECT_EQ(straight.total_book().saplings_recruited, permuted.total_book().saplings_recruited);
+    EXPECT_EQ(straight.total_balance().saplings_recruited, permuted.total_balance().saplings_recruited);
 }
 
 TEST(Regenerate, SproutsFromLastYearsStumpsOfSpeciesThatCan) {

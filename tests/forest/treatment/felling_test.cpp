@@ -32,7 +32,7 @@ Picks all_of(const Stand& stand) {
     return picks;
 }
 
-TEST(Fell, TellsWhatWasTakenAndKeepsTheBooks) {
+TEST(Fell, ReportsWhatWasTakenAndKeepsTheBalance) {
     Stand stand = spruces(10);
     const double stem_m3 = stem_volume_m3(table[spruce].allometry, 40.0, 30.0);
     const Timber timber = fell(stand, table, Picks{0, 3, 50}, {}, 1, 0);
@@ -42,7 +42,7 @@ TEST(Fell, TellsWhatWasTakenAndKeepsTheBooks) {
     EXPECT_NEAR(cut.left_m3 / (3.0 * stem_m3), 1.0 - std::pow(1.0 - 0.3 / 30.0, 3.0), 1e-9) << "stumps";
     EXPECT_EQ(timber.total().stems, 3.0);
     EXPECT_EQ(stand.trees().size(), 97U);
-    EXPECT_EQ(stand.book().stems_out[index_of(Cause::felled)], 3U);
+    EXPECT_EQ(stand.balance().stems_out[index_of(Cause::felled)], 3U);
     ASSERT_EQ(stand.dead_wood().snags.size(), 3U);
     EXPECT_TRUE(stand.dead_wood().snags[0].cut);
     EXPECT_DOUBLE_EQ(stand.dead_wood().snags[0].height_m, 0.3);
@@ -74,7 +74,7 @@ TEST(Fell, LeavesHighStumpsAndLogsAcrossTheSlope) {
     // What is left is in the dead wood, what is taken has left the forest.
     const double density_kgpm3 = table[spruce].allometry.stem_density_kgpm3;
     EXPECT_NEAR(stand.dead_wood_kg(), timber.total().left_m3 * density_kgpm3, 1e-6);
-    EXPECT_NEAR(stand.book().all_stem_lost_kg() - stand.dead_wood_kg(),
+    EXPECT_NEAR(stand.balance().all_stem_lost_kg() - stand.dead_wood_kg(),
                 timber.total().taken_m3 * density_kgpm3, 1e-6);
 }
 
@@ -130,9 +130,9 @@ TEST(Salvage, TakesItsShareOfFreshDeadWoodAndLeavesWhatWasLeftOnPurpose) {
     EXPECT_NEAR(timber.total().stems / 1000.0, 0.6, 4.0 * std::sqrt(0.24 / 1000.0));
     EXPECT_EQ(static_cast<double>(stand.dead_wood().snags.size()), 2000.0 - timber.total().stems);
     EXPECT_EQ(stand.dead_wood().logs.size(), 1U);
-    EXPECT_NEAR(stand.book().dead_wood_taken_kg, 300.0 * timber.total().stems, 1e-6);
+    EXPECT_NEAR(stand.balance().dead_wood_taken_kg, 300.0 * timber.total().stems, 1e-6);
     EXPECT_NEAR(timber.total().taken_m3 * table[spruce].allometry.stem_density_kgpm3,
-                stand.book().dead_wood_taken_kg, 1e-6);
+                stand.balance().dead_wood_taken_kg, 1e-6);
 }
 
 TEST(Timber, AddsUp) {

@@ -50,7 +50,7 @@ TEST(Tend, CutsOthersWhereAFavouredSpeciesStands) {
     EXPECT_EQ(stand.cohorts()[1].stems, 20U);
     EXPECT_EQ(stand.cohorts()[2].stems, 20U) << "too small to press the fir";
     EXPECT_EQ(stand.cohorts()[3].stems, 20U) << "no fir there";
-    EXPECT_EQ(stand.book().saplings_out[index_of(Cause::felled)], 15U);
+    EXPECT_EQ(stand.balance().saplings_out[index_of(Cause::felled)], 15U);
 }
 
 TEST(Fence, StandsOnItsAreaAndALongerOneStays) {

@@ -1,0 +1,244 @@
+#include "coupling/validation/forest_cases/mapped_stand.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "config/errors/input_error.hpp"
+#include "config/math/elementary.hpp"
+#include "forest/light/light.hpp"
+
+namespace coupling::validation::forest_cases {
+namespace {
+
+using forest::Canopy;
+using forest::compute_light;
+using forest::CrownShape;
+using forest::Direction;
+using forest::Edges;
+using forest::Exposure;
+using forest::ground_normal;
+using forest::Horizon;
+using forest::LightField;
+using forest::LightGround;
+using forest::LightSite;
+using forest::LightTree;
+using forest::LightYear;
+using forest::MonthlyRadiation;
+using forest::Sky;
+using forest::SkySettings;
+using forest::slope_radiation;
+using forest::SlopeRadiation;
+using forest::turn_of;
+
+/// Prenovel, French Jura.
+constexpr double latitude_deg = 46.52666;
+
+/// SamsaRaLight leaves out rays flatter than this to the ground.
+constexpr double least_angle_deg = 10.0;
+
+double number(const config::Table& table, std::size_t row, const std::string& column, double low, double high,
+              config::Problems& problems) {
+    return table.number(row, column, {low, high}, problems).value_or(low);
+}
+
+/// Row of a species in the table of leaves; the number of rows if it is missing.
+std::size_t row_of(const config::Table& leaves, const std::string& species) {
+    std::size_t row = 0;
+    while (row < leaves.rows() && leaves.text(row, "species") != species) {
+        ++row;
+    }
+    return row;
+}
+
+LightTree tree_of(const config::Table& trees, std::size_t row, const config::Table& leaves,
+                  config::Problems& problems) {
+    LightTree tree;
+    tree.x_m = number(trees, row, "x_m", -1e4, 1e4, problems);
+    tree.y_m = number(trees, row, "y_m", -1e4, 1e4, problems);
+    tree.height_m = number(trees, row, "height_m", 0.1, 80.0, problems);
+    tree.crown_base_m = number(trees, row, "crown_base_m", 0.0, 80.0, problems);
+    tree.crown_radius_m = number(trees, row, "crown_radius_m", 0.0, 20.0, problems);
+    const double dbh_cm = number(trees, row, "dbh_cm", 0.1, 300.0, problems);
+    const std::size_t kind = row_of(leaves, trees.text(row, "species"));
+    if (kind == leaves.rows()) {
+        problems.add(config::ExitCode::data, trees.place(row, "species"),
+                     "found species '" + trees.text(row, "species") + "'",
+                     "expected one of " + leaves.file());
+        return tree;
+    }
+    tree.shape = leaves.text(kind, "crown") == "ellipsoid" ? CrownShape::ellipsoid : CrownShape::paraboloid;
+    tree.leaf_area_m2 = number(leaves, kind, "foliage_a", 0.0, 10.0, problems) *
+                        config::pow_of(dbh_cm, number(leaves, kind, "foliage_b", 0.0, 5.0, problems)) *
+                        number(leaves, kind, "sla_m2_per_kg", 0.1, 100.0, problems);
+    return tree;
+}
+
+std::vector<double> column_of(const config::Table& table, const std::string& column,
+                              config::Problems& problems) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        values.push_back(number(table, row, column, 0.0, 1.0, problems));
+    }
+    return values;
+}
+
+MappedSlope slope_of(const config::Table& slopes, std::size_t row, config::Problems& problems) {
+    MappedSlope slope;
+    slope.name = slopes.text(row, "slope");
+    slope.slope = config::Angle::from_degrees(number(slopes, row, "slope_deg", 0.0, 60.0, problems));
+    slope.aspect = config::Angle::from_degrees(number(slopes, row, "aspect_deg", 0.0, 360.0, problems));
+    slope.y_axis_azimuth =
+        config::Angle::from_degrees(number(slopes, row, "y_axis_azimuth_deg", 0.0, 360.0, problems));
+    slope.direct_mjpm2 = number(slopes, row, "direct_mjpm2", 0.0, 2e4, problems);
+    slope.diffuse_mjpm2 = number(slopes, row, "diffuse_mjpm2", 0.0, 2e4, problems);
+    return slope;
+}
+
+MonthlyRadiation radiation_of(const config::Table& table, config::Problems& problems) {
+    MonthlyRadiation radiation;
+    for (std::size_t row = 0; row < std::min<std::size_t>(table.rows(), 12); ++row) {
+        const double global_mjpm2 = number(table, row, "global_mjpm2", 0.0, 2000.0, problems);
+        const double diffuse = number(table, row, "diffuse_share", 0.0, 1.0, problems);
+        radiation.diffuse_mjpm2[row] = diffuse * global_mjpm2;
+        radiation.direct_mjpm2[row] = (1.0 - diffuse) * global_mjpm2;
+    }
+    return radiation;
+}
+
+bool columns_are_there(const config::Table& trees, const config::Table& ground, const config::Table& leaves,
+                       const config::Table& radiation, const config::Table& slopes,
+                       config::Problems& problems) {
+    bool all = trees.require(
+        {"species", "x_m", "y_m", "dbh_cm", "height_m", "crown_base_m", "crown_radius_m"}, problems);
+    all = leaves.require({"species", "crown", "foliage_a", "foliage_b", "sla_m2_per_kg"}, problems) && all;
+    all = radiation.require({"global_mjpm2", "diffuse_share"}, problems) && all;
+    all = slopes.require(
+              {"slope", "slope_deg", "aspect_deg", "y_axis_azimuth_deg", "direct_mjpm2", "diffuse_mjpm2"},
+              problems) &&
+          all;
+    for (std::size_t row = 0; all && row < slopes.rows(); ++row) {
+        const std::string light = "light_" + slopes.text(row, "slope");
+        all = trees.require({light}, problems) && ground.require({light}, problems);
+    }
+    return all;
+}
+
+/// A plane that rises along the y axis, repeating itself.
+LightGround plane_of(const MappedStand& stand, const MappedSlope& slope, double column_m) {
+    const auto cells = static_cast<int>(std::lround(stand.side_m / column_m));
+    LightGround ground;
+    ground.elevation_m = config::Raster<double>{{cells, cells, 0.0, 0.0, column_m, column_m}};
+    ground.edges = Edges::torus;
+    const Direction normal = ground_normal(
+        slope.slope,
+        config::Angle::from_degrees(slope.aspect.in_degrees() - slope.y_axis_azimuth.in_degrees()));
+    ground.gain_x_m = -normal.x / normal.z * stand.side_m;
+    ground.gain_y_m = -normal.y / normal.z * stand.side_m;
+    const config::GridFrame& frame = ground.elevation_m.frame;
+    for (std::size_t cell = 0; cell < frame.size(); ++cell) {
+        const config::Cell at = frame.cell_of(cell);
+        ground.elevation_m.values[cell] =
+            (ground.gain_x_m * frame.x_centre_m(at.column) + ground.gain_y_m * frame.y_centre_m(at.row)) /
+            stand.side_m;
+    }
+    return ground;
+}
+
+Sky sky_of(const MappedStand& stand, const MappedSlope& slope) {
+    SkySettings settings;
+    settings.latitude = stand.latitude;
+    settings.y_axis_azimuth = slope.y_axis_azimuth;
+    settings.lowest_sun = {};
+    settings.beam_transmission = 1.0;
+    return {settings, stand.radiation};
+}
+
+template <class Values>
+double mean_of(const Values& values) {
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    return sum / static_cast<double>(values.size());
+}
+
+double sum_of(const std::array<double, 12>& months) {
+    return std::accumulate(months.begin(), months.end(), 0.0);
+}
+
+void compare_trees(const std::vector<float>& ours, const std::vector<double>& reference,
+                   LightAgreement& agreement) {
+    assert(ours.size() == reference.size() && !ours.empty());
+    const auto count = static_cast<double>(ours.size());
+    const double our_mean = mean_of(ours);
+    const double their_mean = mean_of(reference);
+    double both = 0.0;
+    double our_spread = 0.0;
+    double their_spread = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        const double a = static_cast<double>(ours[i]) - our_mean;
+        const double b = reference[i] - their_mean;
+        both += a * b;
+        our_spread += a * a;
+        their_spread += b * b;
+        squares +=
+            (static_cast<double>(ours[i]) - reference[i]) * (static_cast<double>(ours[i]) - reference[i]);
+    }
+    agreement.tree_light_correlation = both / std::sqrt(our_spread * their_spread);
+    agreement.tree_light_bias = our_mean - their_mean;
+    agreement.tree_light_rmse = std::sqrt(squares / count);
+}
+
+}  // namespace
+
+MappedStand mapped_stand(const config::Table& trees, const config::Table& ground, const config::Table& leaves,
+                         const config::Table& radiation, const config::Table& slopes) {
+    config::Problems problems;
+    MappedStand stand;
+    stand.latitude = config::Angle::from_degrees(latitude_deg);
+    if (columns_are_there(trees, ground, leaves, radiation, slopes, problems)) {
+        stand.radiation = radiation_of(radiation, problems);
+        for (std::size_t row = 0; row < trees.rows(); ++row) {
+            stand.trees.push_back(tree_of(trees, row, leaves, problems));
+        }
+        for (std::size_t row = 0; row < slopes.rows(); ++row) {
+            MappedSlope slope = slope_of(slopes, row, problems);
+            slope.tree_light = column_of(trees, "light_" + slope.name, problems);
+            slope.ground_light = column_of(ground, "light_" + slope.name, problems);
+            stand.slopes.push_back(std::move(slope));
+        }
+    }
+    problems.throw_if_any();
+    return stand;
+}
+
+LightAgreement compare_light(const MappedStand& stand, const MappedSlope& slope,
+                             const MappedSettings& settings) {
+    const LightGround ground = plane_of(stand, slope, settings.column_m);
+    const config::Angle facing =
+        config::Angle::from_degrees(slope.aspect.in_degrees() - slope.y_axis_azimuth.in_degrees());
+    const double least_cosine = turn_of(config::Angle::from_degrees(least_angle_deg)).sin;
+    const std::array<Exposure, 1> place{{{ground_normal(slope.slope, facing), Horizon{}, least_cosine}}};
+    const LightSite site{sky_of(stand, slope), ground, place, {.ground_points = settings.ground_points}};
+    std::vector<LightTree> trees = stand.trees;
+    for (LightTree& tree : trees) {
+        tree.extinction = settings.extinction;
+    }
+    LightYear year;
+    year.radiation = stand.radiation;
+    year.leaves_on.fill(true);
+    year.season.fill(true);
+    const LightField field = compute_light(site, Canopy{site.ground(), trees}, year, trees);
+    const SlopeRadiation energy = slope_radiation(site.sky(), place[0], stand.radiation);
+
+    LightAgreement agreement;
+    agreement.energy_direct_ratio = sum_of(energy.slope.direct_mjpm2) / slope.direct_mjpm2;
+    agreement.energy_diffuse_ratio = sum_of(energy.slope.diffuse_mjpm2) / slope.diffuse_mjpm2;
+    agreement.ground_light = mean_of(field.ground_light);
+    agreement.ground_light_difference = agreement.ground_light - mean_of(slope.ground_light);
+    compare_trees(field.light_ratio, slope.tree_light, agreement);
+    agreement.tree_light.assign(field.light_ratio.begin(), field.light_ratio.end());
+    return agreement;
+}
+
+}  // namespace coupling::validation::forest_cases

@@ -1,0 +1,138 @@
+#include "coupling/validation/forest_cases/succession_trial/comparison.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+namespace coupling::validation::forest_cases::succession_trial {
+
+namespace {
+
+using forest::at_elevation;
+using forest::index_of;
+using forest::SpeciesId;
+using forest::SpeciesTable;
+using forest::YearWindow;
+
+void require(const config::Table& table, const std::vector<std::string>& columns) {
+    config::Problems problems;
+    table.require(columns, problems);
+    problems.throw_if_any();
+}
+
+double share_of(const SpeciesGroup& group, const std::vector<double>& biomass, double all) {
+    double sum = 0.0;
+    for (const SpeciesId kind : group.species) {
+        sum += biomass[index_of(kind)];
+    }
+    return all > 0.0 ? sum / all : 0.0;
+}
+
+double greatest_share_outside(const SpeciesGroup& group, std::vector<double> biomass, double all) {
+    for (const SpeciesId kind : group.species) {
+        biomass[index_of(kind)] = 0.0;
+    }
+    return all > 0.0 ? *std::max_element(biomass.begin(), biomass.end()) / all : 0.0;
+}
+
+}  // namespace
+
+std::vector<SuccessionSite> read_succession_sites(const config::Table& table) {
+    require(table, {"site", "elevation_m", "fertility", "water_mm", "nitrogen_kg_ha_yr", "ph"});
+    config::Problems problems;
+    const auto number = [&](std::size_t row, const char* column, double low, double high) {
+        return table.number(row, column, {.low = low, .high = high}, problems).value_or(0.0);
+    };
+    std::vector<SuccessionSite> sites;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        SuccessionSite site;
+        site.name = table.text(row, "site");
+        site.elevation_m = number(row, "elevation_m", 0.0, 4000.0);
+        site.soil.fertility = number(row, "fertility", 0.0, 1.0);
+        site.soil.water_capacity_mm = number(row, "water_mm", 1.0, 600.0);
+        site.soil.nitrogen_kg_per_ha_year = number(row, "nitrogen_kg_ha_yr", 0.0, 200.0);
+        site.soil.ph = number(row, "ph", 2.5, 9.0);
+        sites.push_back(site);
+    }
+    problems.throw_if_any();
+    return sites;
+}
+
+std::vector<SpeciesGroup> read_species_groups(const config::Table& table, const SpeciesTable& species) {
+    require(table, {"site", "group", "species"});
+    config::Problems problems;
+    std::vector<SpeciesGroup> groups;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        SpeciesGroup group{table.text(row, "site"), table.text(row, "group"), {}};
+        std::istringstream names{table.text(row, "species")};
+        for (std::string name; names >> name;) {
+            if (const auto kind = species.find(name, table.place(row, "species"), problems)) {
+                group.species.push_back(*kind);
+            }
+        }
+        groups.push_back(std::move(group));
+    }
+    problems.throw_if_any();
+    return groups;
+}
+
+SuccessionTrial trial_at(const SuccessionCase& data, const SuccessionSite& site) {
+    if (!data.climate.elevation_m) {
+        config::fail(config::ExitCode::data, {}, "the climate of the case does not say its elevation",
+                     "a column elev_m");
+    }
+    SuccessionTrial trial;
+    trial.soil = site.soil;
+    trial.parameters = data.parameters;
+    trial.climate =
+        at_elevation(data.climate, site.elevation_m - *data.climate.elevation_m, data.lapse_rates);
+    trial.window = {trial.climate.first_year(), trial.climate.last_year()};
+    return trial;
+}
+
+std::vector<double> mean_biomass_tpha(std::span<const SuccessionRun> runs, const std::string& site,
+                                      YearWindow years) {
+    std::vector<double> sums;
+    double states = 0.0;
+    for (const SuccessionRun& run : runs) {
+        for (const SuccessionState& state : run.states) {
+            if (run.site != site || state.year < years.first || state.year > years.last) {
+                continue;
+            }
+            sums.resize(state.species.size());
+            for (std::size_t s = 0; s < sums.size(); ++s) {
+                sums[s] += state.species[s].biomass_tpha;
+            }
+            states += 1.0;
+        }
+    }
+    for (double& sum : sums) {
+        sum /= states;
+    }
+    return sums;
+}
+
+std::vector<std::pair<std::string, double>> succession_figures(const SuccessionCase& data,
+                                                               std::span<const SuccessionRun> runs,
+                                                               YearWindow years) {
+    std::vector<std::pair<std::string, double>> figures;
+    for (const SuccessionSite& site : data.sites) {
+        const std::vector<double> biomass = mean_biomass_tpha(runs, site.name, years);
+        if (biomass.empty()) {
+            continue;
+        }
+        const double all = std::accumulate(biomass.begin(), biomass.end(), 0.0);
+        figures.emplace_back("biomass_tpha:" + site.name, all);
+        for (const SpeciesGroup& group : data.groups) {
+            if (group.site == site.name) {
+                const double share = share_of(group, biomass, all);
+                const std::string of = group.name + ":" + site.name;
+                figures.emplace_back("share:" + of, share);
+                figures.emplace_back("margin:" + of, share - greatest_share_outside(group, biomass, all));
+            }
+        }
+    }
+    return figures;
+}
+
+}  // namespace coupling::validation::forest_cases::succession_trial

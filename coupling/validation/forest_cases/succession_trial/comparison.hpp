@@ -1,0 +1,71 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/table/table.hpp"
+#include "coupling/validation/forest_cases/succession_trial/trial.hpp"
+#include "forest/climate/change.hpp"
+
+namespace coupling::validation::forest_cases::succession_trial {
+
+/// A place on an elevation gradient.
+struct SuccessionSite {
+    std::string name;  ///< such as "e1500"
+    double elevation_m = 0.0;
+    forest::Soil soil;
+};
+
+/// Species of a site that a criterion speaks of together.
+struct SpeciesGroup {
+    std::string site;
+    std::string name;  ///< such as "beech_fir"
+    std::vector<forest::SpeciesId> species;
+};
+
+/// Sites, groups and climate of a comparison.
+///
+/// A case is run like this, in any order and on any number of threads:
+///
+///     for each site, for each replicate:
+///         runs.push_back({site.name, grow_succession(trial_at(data, site), species, {seed, replicate})});
+///     figures = succession_figures(data, runs, {300, 400});
+struct SuccessionCase {
+    std::vector<SuccessionSite> sites;
+    std::vector<SpeciesGroup> groups;
+    forest::ClimateSeries climate;  ///< knows its elevation
+    forest::LapseRates lapse_rates;
+    forest::Parameters parameters;  ///< of grow_year: case.ini says which processes are off
+};
+
+/// Reads site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph. Each reader throws one InputError (data)
+/// for all problems.
+std::vector<SuccessionSite> read_succession_sites(const config::Table& table);
+/// Reads site,group,species (codes or names of one word, separated by blanks); other columns are read over.
+std::vector<SpeciesGroup> read_species_groups(const config::Table& table,
+                                              const forest::SpeciesTable& species);
+
+/// The trial of a site: climate at its elevation, weather drawn from all years of
+/// the series. Throws InputError (data) if the series does not know its elevation.
+SuccessionTrial trial_at(const SuccessionCase& data, const SuccessionSite& site);
+
+/// One replicate at one site.
+struct SuccessionRun {
+    std::string site;
+    std::vector<SuccessionState> states;
+};
+
+/// Mean biomass by species over the states of `years` and all replicates of a site [t/ha]; empty without any.
+std::vector<double> mean_biomass_tpha(std::span<const SuccessionRun> runs, const std::string& site,
+                                      forest::YearWindow years);
+
+/// The figures that criteria speak of: {"biomass_tpha:e1500", 310.0}; for each group {"share:spruce:e1500",
+/// 0.7}, its part of the biomass, and {"margin:spruce:e1500", 0.6}, its share less that of the greatest
+/// species outside it (above 0: the group leads). 0 without trees. Sites without runs give no figures.
+std::vector<std::pair<std::string, double>> succession_figures(const SuccessionCase& data,
+                                                               std::span<const SuccessionRun> runs,
+                                                               forest::YearWindow years);
+
+}  // namespace coupling::validation::forest_cases::succession_trial

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "config/units/angle.hpp"
+#include "forest/climate/sequence.hpp"
+#include "forest/parameters.hpp"
+#include "forest/patch.hpp"
+#include "forest/species.hpp"
+#include "forest/year.hpp"
+
+namespace coupling::validation::forest_cases::succession_trial {
+
+/// Bare level ground in a region that has all species of the table, left to itself. The area borders on
+/// itself.
+struct SuccessionTrial {
+    forest::Soil soil;
+    forest::ClimateSeries climate;  ///< at the place; whole years of it are drawn from `window`
+    forest::YearWindow window;      ///< requires years of the series
+    config::Angle latitude = config::Angle::from_degrees(47.7);
+    int side_patches = 10;  ///< 10: one hectare
+    int years = 400;
+    int interval_years = 10;        ///< between two states
+    forest::Parameters parameters;  ///< with the processes that are switched off
+};
+
+/// What one species makes up.
+struct SpeciesShare {
+    double biomass_tpha = 0.0;  ///< above ground, dry
+    double basal_area_m2pha = 0.0;
+    double stems_pha = 0.0;  ///< of 1 cm and more
+};
+
+/// A stand in one year of its succession.
+struct SuccessionState {
+    int year = 0;                       ///< since bare ground
+    std::vector<SpeciesShare> species;  ///< in the order of the table
+    double volume_m3pha = 0.0;
+    double ground_light = 1.0;  ///< mean over the patches
+
+    [[nodiscard]] double biomass_tpha() const;
+};
+
+/// The states of a trial, one every interval, the last after its last year. Takes some seconds a hectare and
+/// 400 years; the same key gives the same bytes, replicates are independent of each other and of threads, and
+/// places draw the same years of weather.
+std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial,
+                                             const forest::SpeciesTable& species, const forest::YearKey& key);
+
+}  // namespace coupling::validation::forest_cases::succession_trial
