@@ -75,5 +75,26 @@ TEST(LightInStand, GivesSmallTreesOfACellLessThanTallOnes) {
     }
 }
 
+TEST(LightByLayers, AbsorbsNoMoreThanFallsOnTheGroundAndNothingWithoutLeaves) {
+    const SmallForest forest{square_of_forest(4, 0.0)};
+    const Stand stand = stand_of(forest, mixed_stand(forest, 2000.0, 1));
+    const LightYear year = light_year_of(forest.site, forest.species, {.units = forest.weather});
+    const StandLight light = light_by_layers(stand, forest.species, year.radiation);
+    constexpr std::size_t july = 6;
+    constexpr std::size_t january = 0;
+    const double falls_mj =
+        stand.grid().area_m2() * (year.radiation.direct_mjpm2[july] + year.radiation.diffuse_mjpm2[july]);
+    double absorbed_mj = 0.0;
+    for (std::size_t i = 0; i < stand.trees().size(); ++i) {
+        absorbed_mj += light.absorbed[i][july];
+        EXPECT_GE(light.ratios[i], 0.0);
+        EXPECT_LE(light.ratios[i], 1.0);
+        const bool bare = !forest.species[stand.trees()[i].species].light.in_leaf(1);
+        EXPECT_EQ(light.absorbed[i][january] == 0.0, bare);
+    }
+    EXPECT_GT(absorbed_mj, 0.5 * falls_mj);
+    EXPECT_LE(absorbed_mj, falls_mj * (1.0 + 1e-12));
+}
+
 }  // namespace
 }  // namespace forest::stand_light_test

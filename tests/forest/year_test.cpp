@@ -205,5 +205,49 @@ TEST(GrowYear, KillsASmallShareOfTreesWithoutCrowding) {
     EXPECT_LT(rate, 0.01);
 }
 
+TEST(GrowYear, HasNoDeathsAndNoSaplingsWhereTheirProcessesAreOff) {
+    SmallForest forest{square_of_forest(5)};
+    forest.parameters.mortality.background = false;
+    forest.parameters.mortality.stress = false;
+    forest.parameters.processes.self_thinning = false;
+    forest.parameters.processes.regeneration = false;
+    Stand stand{forest.grid, forest.species.size(), mixed_stand(forest, 3000.0, 1), 2000};
+    const std::uint64_t stems = stand.stems_standing();
+    for (int year = 0; year < 5; ++year) {
+        static_cast<void>(forest.grow(stand));
+    }
+    EXPECT_EQ(stand.total_balance().all_stems_out(), 0U);
+    EXPECT_EQ(stand.total_balance().saplings_in, 0U);
+    EXPECT_EQ(stand.stems_standing(), stems);
+}
+
+TEST(GrowYear, GrowsMoreInADryClimateWithoutWaterLimits) {
+    SmallForest forest{square_of_forest(5)};
+    for (ClimateYear& unit : forest.weather) {
+        for (ClimateMonth& month : unit.months) {
+            month.prec_mm = 20.0;
+        }
+    }
+    Stand limited{forest.grid, forest.species.size(), mixed_stand(forest, 1000.0, 1), 2000};
+    Stand unlimited = limited;
+    for (int year = 0; year < 3; ++year) {
+        forest.parameters.processes.water = true;
+        const double in_drought_kg = forest.grow(limited).production_kg;
+        forest.parameters.processes.water = false;
+        EXPECT_GT(forest.grow(unlimited).production_kg, in_drought_kg);
+    }
+}
+
+TEST(GrowYear, GrowsAboutTheSameInLightByLayersOnLevelGround) {
+    SmallForest forest{square_of_forest(5, 0.0)};
+    Stand in_space{forest.grid, forest.species.size(), mixed_stand(forest, 2000.0, 1), 2000};
+    Stand by_layers = in_space;
+    const double in_space_m3 = forest.grow(in_space).volume_increment_m3;
+    forest.parameters.processes.light = TreeLight::by_layers;
+    const double by_layers_m3 = forest.grow(by_layers).volume_increment_m3;
+    EXPECT_NE(by_layers_m3, in_space_m3);
+    EXPECT_NEAR(by_layers_m3 / in_space_m3, 1.0, 0.2);
+}
+
 }  // namespace
 }  // namespace forest::year_test
