@@ -7,6 +7,7 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/units/constants.hpp"
+#include "rockfall/motion/johnson_damping.hpp"
 
 namespace rockfall {
 namespace {
