@@ -5,6 +5,7 @@
 
 #include "config/random/stream.hpp"
 #include "rockfall/motion/contact.hpp"
+#include "rockfall/motion/ground_deviation.hpp"
 #include "rockfall/motion/jump_angle.hpp"
 #include "rockfall/motion/rebound.hpp"
 #include "rockfall/motion/restitution.hpp"
