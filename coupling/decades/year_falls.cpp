@@ -6,6 +6,7 @@
 
 #include "coupling/run/fall_rocks.hpp"
 #include "forest/deadwood/decay.hpp"
+#include "rockfall/obstacles/tree_energy.hpp"
 
 namespace coupling::decades {
 namespace {
