@@ -15,7 +15,7 @@
 
 namespace rockfall {
 
-/// How often the noise on the tangential coefficient is drawn anew.
+/// How often the noise on the tangential coefficient is drawn again.
 enum class NoiseScope : std::uint8_t { off, impact, rock };
 
 /// The ground contact of PICUS Rock'n'Roll (Rammer et al. 2010) with its settings.
