@@ -101,7 +101,7 @@ private:
     std::vector<std::atomic<std::uint8_t>> touched_;
 };
 
-/// Lets rocks fall, one after the other, each over the slope with forest and logs and over the bare slope
+/// Simulates rocks, one after the other, each over the slope with forest and logs and over the bare slope
 /// with the same random numbers. One worker per thread; workers share only the assessment and the histograms.
 class Worker {
 public:

@@ -128,7 +128,7 @@ void declare_restitution(config::Options& options, PicusLaw& law) {
                     .source = "Rammer et al. 2010, 2.4.1"});
     options.choice("rockfall.rt_noise_scope", law.noise,
                    {{"off", NoiseScope::off}, {"impact", NoiseScope::impact}, {"rock", NoiseScope::rock}},
-                   {.meaning = "whether that noise is drawn anew at each impact or once for each rock",
+                   {.meaning = "whether that noise is drawn at each impact or once for each rock",
                     .source = "choice"});
 }
 

@@ -23,8 +23,8 @@ namespace rockfall {
 /// One rock from release to rest: a loop of named events, compiled for each motion model (motion/models.hpp).
 ///
 /// Chance comes from streams keyed by the rock and counted by its contacts, so a fall depends on nothing but
-/// the key, the start, the slope and the obstacles. The observer is told of each flight, roll, impact and
-/// hit; it cannot influence the fall.
+/// the key, the start, the slope and the obstacles. Each flight, roll, impact and hit is reported to the
+/// observer; it cannot influence the fall.
 template <class Motion, class Observer>
 class Fall {
 public:
@@ -100,9 +100,9 @@ private:
         return net || encounter;
     }
 
-    /// Tells of a piece as far as it came, and of the nets on it.
-    void tell_rolled(const RollingPiece& piece, std::uint32_t triangle) {
-        nets_.tell(piece.duration_s, observer_);
+    /// Reports a piece as far as it came, and of the nets on it.
+    void report_rolled(const RollingPiece& piece, std::uint32_t triangle) {
+        nets_.report(piece.duration_s, observer_);
         observer_.rolled(rock_, piece, triangle);
     }
 
@@ -140,7 +140,7 @@ private:
         if (meets_obstacle_rolling(run) || is_caught_rolling(run)) {
             return;
         }
-        tell_rolled(run, now_.triangle);
+        report_rolled(run, now_.triangle);
         resting_place_.add_rolling(run.duration_s);
         now_.go_to_end_of(run);
         if (run.end == RollingEnd::standstill) {
@@ -152,7 +152,7 @@ private:
         }
         RollingPiece step = centimetre_on(run);
         const auto net = nets_.cut(step);
-        tell_rolled(step, run.next_triangle);
+        report_rolled(step, run.next_triangle);
         now_.go_to_end_of(step);
         if (net) {
             meet(*net);
@@ -233,7 +233,7 @@ private:
         if (meets_obstacle_rolling(piece) || is_caught_rolling(piece)) {
             return;
         }
-        tell_rolled(piece, now_.triangle);
+        report_rolled(piece, now_.triangle);
         resting_place_.add_rolling(piece.duration_s);
         now_.go_to_end_of(piece);
         now_.put_on(plane);
@@ -282,7 +282,7 @@ private:
             return false;
         }
         piece.duration_s = piece.time_along_s(*share);
-        tell_rolled(piece, now_.triangle);
+        report_rolled(piece, now_.triangle);
         now_.position_m = piece.position_m(piece.duration_s);
         stop(StopReason::caught);
         return true;
@@ -304,7 +304,7 @@ private:
         if (is_caught_rolling(piece)) {
             return true;  // caught on the way to the obstacle
         }
-        nets_.tell(piece.duration_s, observer_);
+        nets_.report(piece.duration_s, observer_);
         piece.duration_s = NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s));
         observer_.rolled(rock_, piece, now_.triangle);
         now_.go_to_end_of(piece);
@@ -388,7 +388,7 @@ private:
     FallEnd end_;
 };
 
-/// Lets a rock fall under the motion model of the law, which is chosen here, once for the rock.
+/// Simulates the fall of a rock under the motion model of the law, which is chosen here, once for the rock.
 template <class Observer>
 FallEnd fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, const config::StreamKey& key,
              const RockStart& start, FallScratch& scratch, Observer& observer) {

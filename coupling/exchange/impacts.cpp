@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/random/stream.hpp"
+#include "rockfall/obstacles/tree_energy.hpp"
 
 namespace coupling::exchange {
 

@@ -23,12 +23,12 @@ void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t tria
 void end_near_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
                    const Leaving& out);
 
-/// The triangle into which a piece leads that ended over an edge; a short piece may have run on a little, to
-/// where the walk tells. `no_triangle` beyond the border.
+/// The triangle into which a piece leads that ended over an edge; a short piece may have run on a little, and
+/// then the walk finds it. `no_triangle` beyond the border.
 std::uint32_t triangle_beyond(const Terrain& terrain, const RollingPiece& piece);
 
 /// The centimetre after a run that ended in a vertex, at its last velocity: clear of the vertex the walk
-/// tells the triangle. Requires a run that moves at its end.
+/// finds the triangle. Requires a run that moves at its end.
 RollingPiece centimetre_on(const RollingPiece& run);
 
 }  // namespace rockfall

@@ -46,7 +46,7 @@ constexpr bool spins(MotionModel model) {
     return model == MotionModel::picus;
 }
 
-/// Which model lets rocks fall, and the settings of all.
+/// Which model moves the rocks, and the settings of all.
 struct MotionLaws {
     MotionModel model = MotionModel::picus;
     PicusLaw picus;

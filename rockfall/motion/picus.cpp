@@ -7,6 +7,8 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/units/constants.hpp"
+#include "rockfall/motion/johnson_damping.hpp"
+#include "rockfall/motion/steep_impact.hpp"
 
 namespace rockfall {
 namespace {

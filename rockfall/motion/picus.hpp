@@ -5,6 +5,7 @@
 
 #include "config/random/stream.hpp"
 #include "rockfall/motion/contact.hpp"
+#include "rockfall/motion/ground_deviation.hpp"
 #include "rockfall/motion/jump_angle.hpp"
 #include "rockfall/motion/rebound.hpp"
 #include "rockfall/motion/restitution.hpp"
@@ -14,7 +15,7 @@
 
 namespace rockfall {
 
-/// How often the noise on the tangential coefficient is drawn anew.
+/// How often the noise on the tangential coefficient is drawn again.
 enum class NoiseScope : std::uint8_t { off, impact, rock };
 
 /// The ground contact of PICUS Rock'n'Roll (Rammer et al. 2010) with its settings.

@@ -15,7 +15,7 @@
 
 namespace rockfall {
 
-/// One rock under the motion model of PICUS Rock'n'Roll; what a model must offer is told in models.hpp.
+/// One rock under the motion model of PICUS Rock'n'Roll; what a model must offer stands in models.hpp.
 class PicusMotion {
 public:
     static constexpr bool slides = false;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "config/units/constants.hpp"
-#include "rockfall/obstacles/stem.hpp"
+#include "rockfall/obstacles/tree_energy.hpp"
 
 namespace rockfall {
 namespace {

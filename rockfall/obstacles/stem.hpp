@@ -21,14 +21,6 @@ struct Stem {
 /// Height above ground at which the DBH is taken.
 inline constexpr double breast_height_m = 1.3;
 
-/// Energy a stem can take from a central hit at breast height, in joules.
-///
-/// E_max = FE * 38.7 * DBH^2.31 with DBH in cm (Rammer et al. 2010, Eq. 1; Dorren & Berger 2006). The paper
-/// prints kilojoules; only joules agree with its own rocks and with its own number of hits.
-inline double largest_energy_j(double dbh_cm, double fracture_energy) {
-    return fracture_energy * 38.7 * config::pow_of(dbh_cm, 2.31);
-}
-
 /// Diameter at a height divided by the DBH [-].
 ///
 /// Above breast height ((H - h) / (H - 1.3))^0.8, below it 15 % more per metre. Choice, no published law for

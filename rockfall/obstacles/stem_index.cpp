@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rockfall/obstacles/tree_energy.hpp"
+
 namespace rockfall {
 StemIndex::StemIndex(std::span<const Stem> stems, const Terrain& terrain, double largest_rock_radius_m,
                      bool with_taper)

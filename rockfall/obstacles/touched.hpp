@@ -6,7 +6,7 @@
 
 namespace rockfall {
 
-/// The stems, or logs, that a rock has hit and not yet left: it slides along them and cannot hit them anew.
+/// The stems, or logs, that a rock has hit and not yet left: it slides along them and cannot hit them again.
 ///
 /// Without this memory a rock within reach of several stems would hit one and the other in turn without
 /// moving: of scratches that take no energy there is no end. It holds as many as a rock can touch; in a

@@ -210,7 +210,7 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
     const StartLaw& law = source.own_start ? *source.own_start : common;
     const config::RandomStream stream{key, config::Purpose::release};
     const config::FourUniforms rest = stream.uniforms_of(1);
-    // A source may reach over the border of the terrain: places beyond it are drawn anew.
+    // A source may reach over the border of the terrain: places beyond it are drawn again.
     constexpr std::uint32_t most_places = 16;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     std::optional<std::uint32_t> triangle;

@@ -75,7 +75,7 @@ Eigen::Vector2d whole_metres_below(const Eigen::Vector2d& corner_m) {
 }
 
 /// Cell centres in units of the cell height, row 0 in the north: whole numbers for square cells, on which the
-/// many cocircular points of a grid need no exact arithmetic and the choice of diagonals does not hang on
+/// many cocircular points of a grid need no exact arithmetic and the choice of diagonals does not depend on
 /// rounding.
 Kernel::Point_2 plan_point(const config::GridFrame& frame, config::Cell cell) {
     return {cell.column * (frame.cell_width_m / frame.cell_height_m), static_cast<double>(-cell.row)};

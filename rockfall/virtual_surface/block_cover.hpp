@@ -41,7 +41,7 @@ inline constexpr double largest_cover = 0.55;
 inline constexpr double default_patch_m = 24.0;
 
 /// Side of a square large enough for about 32 blocks of each kind: from 24 m to 200 m, with at most about 200
-/// 000 blocks [choice]. On a smaller one a sparse cover would hang on the size of one or two blocks.
+/// 000 blocks [choice]. On a smaller one a sparse cover would depend on the size of one or two blocks.
 double patch_side_m(std::span<const BlockKind> kinds);
 
 /// Which of many surfaces of the same description, all different and each always the same.

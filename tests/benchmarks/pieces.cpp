@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "rockfall/motion/johnson_damping.hpp"
 #include "rockfall/motion/picus.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 #include "rockfall/terrain/mesh.hpp"

@@ -1,5 +1,7 @@
 #include "coupling/results/qgis/vector_style.hpp"
 
+#include <cmath>
+
 #include "config/text/numbers.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -102,7 +104,9 @@ std::string by_energy(Mark mark, std::string_view column, double least_size_mm, 
     for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
         const double low = i == 0 ? 0.0 : energy_class_limits_kj[i - 1];
         const double high = i < energy_class_limits_kj.size() ? energy_class_limits_kj[i] : no_limit_kj;
-        const double size_mm = least_size_mm * (1.0 + 0.6 * static_cast<double>(i));
+        constexpr double per_mm = 100.0;  // no false digits, as in 1.9800000000000002
+        const double size_mm =
+            std::round(per_mm * least_size_mm * (1.0 + 0.6 * static_cast<double>(i))) / per_mm;
         ranges.push_back({low, high, {energy_class_names[i], energy_class_colours[i], size_mm}});
     }
     return graduated(mark, column, ranges);

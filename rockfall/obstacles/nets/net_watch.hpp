@@ -16,15 +16,15 @@ struct NetScratch {
     std::vector<NetPassage> on_piece;
 };
 
-/// The nets on the way of one rock: tells the observer of each that it crosses, the event loop of those that
-/// act on it.
+/// The nets on the way of one rock: reports each that it crosses to the observer, and to the event loop those
+/// that act on it.
 class NetWatch {
 public:
     /// `nets` may be null: none.
     NetWatch(const NetIndex* nets, const Rock& rock, NetScratch& scratch)
         : nets_{nets}, rock_{rock}, scratch_{scratch} {}
 
-    /// Tells of the nets that a flight crosses; the first that acts on the rock is the last, and comes back.
+    /// Reports the nets that a flight crosses; the first that acts on the rock is the last, and comes back.
     template <class Observer>
     std::optional<NetPassage> on_flight(const Flight& flight, double until_s, double spin_radps,
                                         const Terrain& terrain, std::span<const Stretch> stretches,
@@ -55,7 +55,7 @@ public:
         return acting;
     }
 
-    /// Finds the nets on a piece on the ground, to be told by tell(); the first that acts on the rock cuts
+    /// Finds the nets on a piece on the ground, for report(); the first that acts on the rock cuts
     /// the piece and comes back.
     template <class Piece>
     std::optional<NetCrossing> cut(Piece& piece) {
@@ -80,9 +80,9 @@ public:
         return acting;
     }
 
-    /// Tells of the nets on a piece that ended, by whatever, after `duration_s`.
+    /// Reports the nets on a piece that ended, by whatever, after `duration_s`.
     template <class Observer>
-    void tell(double duration_s, Observer& observer) {
+    void report(double duration_s, Observer& observer) {
         for (const NetPassage& passage : scratch_.on_piece) {
             if (passage.time_s <= duration_s) {
                 observer.crossed_net(passage.position_m, passage.crossing);

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-namespace config {
+namespace config::elementary_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -150,4 +150,4 @@ RC_GTEST_PROP(SinCosOf, MatchesTheLibraryUpToARightAngle, (std::int32_t draw)) {
 }
 
 }  // namespace
-}  // namespace config
+}  // namespace config::elementary_test

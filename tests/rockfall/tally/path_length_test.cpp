@@ -8,7 +8,7 @@
 
 #include "config/random/stream.hpp"
 
-namespace rockfall {
+namespace rockfall::path_length_test {
 namespace {
 
 using config::gravity_mps2;
@@ -111,4 +111,4 @@ TEST(PathLength, OfFourImpactsBelowADropOfTenMetresIsSixteenAndAHalf) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::path_length_test
