@@ -15,6 +15,8 @@
 #include "config/text/numbers.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/results/effect_words.hpp"
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling::compare {
@@ -34,18 +36,53 @@ Figure with_interval(FigureKey key, const config::Table& table, std::size_t row,
             .is_interval = true};
 }
 
+/// As on the page of the run: none from too few rocks.
+Figure protection_today(const config::Table& table, std::size_t row) {
+    const FigureKey key{table.text(row, "target_id"), "", "protection_percent", "today"};
+    const auto bare = static_cast<std::uint64_t>(number(table, row, "reached_bare"));
+    return too_few_for_protection(bare) ? Figure{.key = key, .why_none = too_few_in_words(bare)}
+                                        : with_interval(key, table, row, "protection_percent",
+                                                        "protection_low_percent", "protection_high_percent");
+}
+
+/// Columns and figures of rocks above an energy: "above_300_kj" + "_bare" + "_per_1000".
+struct RateColumn {
+    std::string begin;
+    [[nodiscard]] std::string with(const std::string& infix) const {
+        return joined(begin, infix, "_per_1000");
+    }
+};
+
+/// Those that a table has; runs of earlier versions have none.
+std::vector<RateColumn> rate_columns(const config::Table& table) {
+    std::vector<RateColumn> columns;
+    for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
+        const RateColumn rate{joined("above_", kj_text(i), "_kj")};
+        if (table.has(rate.with(""))) {
+            columns.push_back(rate);
+        }
+    }
+    return columns;
+}
+
+void add_rates(const config::Table& table, std::size_t row, const std::string& where,
+               const std::string& cover, std::vector<Figure>& figures) {
+    for (const RateColumn& rate : rate_columns(table)) {
+        figures.push_back(with_interval({where, "", rate.with(cover), "today"}, table, row, rate.with(""),
+                                        rate.with("_low"), rate.with("_high")));
+    }
+}
+
 void add_today(const fs::path& folder, std::vector<Figure>& figures) {
     if (!has_table(folder, "targets.csv")) {
         return;
     }
     if (has_table(folder, "protection.csv")) {
-        const config::Table table = read_table(
-            folder, "protection.csv",
-            {"target_id", "protection_percent", "protection_low_percent", "protection_high_percent"});
+        const config::Table table = read_table(folder, "protection.csv",
+                                               {"target_id", "reached_bare", "protection_percent",
+                                                "protection_low_percent", "protection_high_percent"});
         for (std::size_t row = 0; row < table.rows(); ++row) {
-            figures.push_back(with_interval({table.text(row, "target_id"), "", "protection_percent", "today"},
-                                            table, row, "protection_percent", "protection_low_percent",
-                                            "protection_high_percent"));
+            figures.push_back(protection_today(table, row));
         }
     }
     const config::Table table =
@@ -64,6 +101,7 @@ void add_today(const fs::path& folder, std::vector<Figure>& figures) {
         figures.push_back(with_interval(key("energy_95", "_kj"), table, row, "energy_95_kj",
                                         "energy_95_low_kj", "energy_95_high_kj"));
         figures.push_back(with_interval(key("energy_99", "_kj"), table, row, "energy_99_kj", "", ""));
+        add_rates(table, row, target, end, figures);
     }
 }
 
@@ -115,6 +153,7 @@ void add_profile(const fs::path& folder, std::vector<Figure>& figures) {
         for (const char* column : {"energy_50_kj", "energy_95_kj", "energy_99_kj"}) {
             figures.push_back(with_interval({station, "", column, "today"}, table, row, column, "", ""));
         }
+        add_rates(table, row, station, "", figures);
     }
 }
 
@@ -123,13 +162,16 @@ class MeansOverYears {
 public:
     explicit MeansOverYears(std::vector<Figure>& figures) : figures_{figures} {}
 
-    void add(const FigureKey& key, const std::string& replicate, double value) {
+    /// `why_none`: said of a figure that no year knows.
+    void add(const FigureKey& key, const std::string& replicate, double value,
+             const std::string& why_none = "") {
         auto found =
             std::find_if(sums_.begin(), sums_.end(), [&](const auto& sum) { return sum.first == key; });
         if (found == sums_.end()) {
             found = sums_.insert(sums_.end(), {key, {}});
         }
         if (std::isnan(value)) {
+            why_none_.try_emplace(found - sums_.begin(), why_none);
             return;
         }
         auto& [sum, count] = found->second[config::parse_whole(replicate).value_or(0)];
@@ -137,43 +179,72 @@ public:
         ++count;
     }
     void finish() {
-        for (auto& [key, replicates] : sums_) {
+        for (std::size_t i = 0; i < sums_.size(); ++i) {
+            auto& [key, replicates] = sums_[i];
             std::map<long long, double> means;
             for (const auto& [replicate, sum] : replicates) {
                 means[replicate] = sum.first / static_cast<double>(sum.second);
             }
             figures_.push_back(over_replicates(key, std::move(means)));
+            if (std::isnan(figures_.back().value)) {
+                figures_.back().why_none = why_none_[static_cast<std::ptrdiff_t>(i)];
+            }
         }
         sums_.clear();
+        why_none_.clear();
     }
 
 private:
     std::vector<Figure>& figures_;
     std::vector<std::pair<FigureKey, std::map<long long, std::pair<double, std::size_t>>>> sums_;
+    std::map<std::ptrdiff_t, std::string> why_none_;  ///< by place in sums_
 };
 
 constexpr const char* over_years = "mean over years";
 
+/// As on the page of the run: only years in which enough rocks arrive over the bare slope, all replicates of
+/// a regime in a climate together.
+void add_protection_over_years(const fs::path& folder, MeansOverYears& means) {
+    const config::Table table =
+        read_table(folder, "protection.csv",
+                   {"regime", "replicate", "year", "target_id", "reached_bare", "protection_percent"});
+    const auto key_of = [&](std::size_t row) {
+        return FigureKey{table.text(row, "target_id"), table.text(row, "regime"), "protection_percent",
+                         over_years, climate_of(table, row)};
+    };
+    const auto place_of = [&](std::size_t row) {
+        const FigureKey key = key_of(row);
+        return std::tuple{key.target, key.regime, key.climate, table.text(row, "year")};
+    };
+    std::map<std::tuple<std::string, std::string, std::string, std::string>, std::uint64_t> bare;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        bare[place_of(row)] += static_cast<std::uint64_t>(number(table, row, "reached_bare"));
+    }
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const bool too_few = too_few_for_protection(bare[place_of(row)]);
+        means.add(key_of(row), table.text(row, "replicate"),
+                  too_few ? unknown : number(table, row, "protection_percent"),
+                  "in every year too few rocks arrive over the bare slope for a protection figure");
+    }
+}
+
 void add_targets_over_years(const fs::path& folder, std::vector<Figure>& figures) {
     MeansOverYears means{figures};
-    const config::Table protection =
-        read_table(folder, "protection.csv", {"regime", "replicate", "target_id", "protection_percent"});
-    for (std::size_t row = 0; row < protection.rows(); ++row) {
-        means.add({protection.text(row, "target_id"), protection.text(row, "regime"), "protection_percent",
-                   over_years, climate_of(protection, row)},
-                  protection.text(row, "replicate"), number(protection, row, "protection_percent"));
-    }
+    add_protection_over_years(folder, means);
     const config::Table targets = read_table(folder, "targets.csv",
                                              {"regime", "replicate", "target_id", "cover", "share_percent",
                                               "energy_50_kj", "energy_95_kj", "energy_99_kj"});
     for (std::size_t row = 0; row < targets.rows(); ++row) {
         const bool bare = targets.text(row, "cover") == "bare";
-        const auto add = [&](const char* quantity, const char* column) {
+        const auto add = [&](const std::string& quantity, const std::string& column) {
             means.add({targets.text(row, "target_id"), targets.text(row, "regime"), quantity, over_years,
                        climate_of(targets, row)},
                       targets.text(row, "replicate"), number(targets, row, column));
         };
         add(bare ? "reached_bare_percent" : "reached_percent", "share_percent");
+        for (const RateColumn& rate : rate_columns(targets)) {
+            add(rate.with(bare ? "_bare" : ""), rate.with(""));
+        }
         if (!bare) {
             add("energy_50_kj", "energy_50_kj");
             add("energy_95_kj", "energy_95_kj");

@@ -31,6 +31,7 @@ struct Figure {
     bool is_interval = false;  ///< low and high: 95 % interval; otherwise the range of nine replicates in ten
     int year = -1;             ///< the worst one; -1: none
     std::map<long long, double> by_replicate{};  ///< means over years by the number of the replicate
+    std::string why_none{};  ///< why there is no value, such as too few rocks; may be empty
 };
 
 /// A finished run as its folder holds it.

@@ -32,7 +32,7 @@ std::string fixed(double value) {
 
 std::string in_words(const std::optional<Figure>& figure) {
     if (!figure || std::isnan(figure->value)) {
-        return "–";
+        return figure && !figure->why_none.empty() ? "too few rocks" : "–";
     }
     std::string text = fixed(figure->value);
     if (!std::isnan(figure->low) && !std::isnan(figure->high)) {
@@ -52,7 +52,7 @@ std::string in_words(const std::optional<Difference>& difference) {
     if (!difference->has_interval()) {
         return value;
     }
-    return joined(value, difference->is_more_than_chance() ? " *" : " within chance");
+    return joined(value, difference->is_more_than_chance() ? " *" : " not significant");
 }
 
 std::string title_of(const FigureKey& key) {
@@ -117,11 +117,22 @@ void write_lines(std::ostream& out, const SideBySide& comparison) {
     }
 }
 
+/// Why figures are missing, each reason once.
+void write_missing(std::ostream& out, const SideBySide& comparison) {
+    for (const Line& line : comparison.lines) {
+        for (std::size_t i = 0; i < line.figures.size(); ++i) {
+            if (line.figures[i] && !line.figures[i]->why_none.empty()) {
+                out << "  " << comparison.letters[i] << ", " << title_of(line.key) << ": "
+                    << line.figures[i]->why_none << '\n';
+            }
+        }
+    }
+}
+
 void write_reading(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
     if (all_of_one_replicate(runs)) {
-        out << "\nOne replicate: no intervals, and nothing tells which differences are chance. mean: over "
-               "the "
-               "years;\nyN: year N"
+        out << "\nOne replicate: no intervals; which differences are significant is not known. mean: over "
+               "the years;\nyN: year N"
             << (comparison.lines.empty() ? "; there is no figure to compare.\n" : ".\n");
         return;
     }
@@ -131,7 +142,7 @@ void write_reading(std::ostream& out, std::span<const FinishedRun> runs, const S
                "lie. "
                "mean: over the years";
     }
-    out << ".\n*: the difference is more than chance; within chance: it may be none";
+    out << ".\n*: the difference is statistically significant (95 %)";
     out << (comparison.lines.empty() ? "; there is no figure to compare.\n" : ".\n");
 }
 
@@ -151,6 +162,7 @@ void write_screen(std::ostream& out, std::span<const FinishedRun> runs, const Si
         out << "\nSettings and inputs are the same.\n";
     }
     write_lines(out, comparison);
+    write_missing(out, comparison);
     write_reading(out, runs, comparison);
 }
 
@@ -178,7 +190,9 @@ const std::vector<TableLayout>& compare_layouts() {
           {"difference_low_95", "as the quantity says", "lower end of its 95 % interval", difference},
           {"difference_high_95", "as the quantity says", "upper end of its 95 % interval", difference},
           {"more_than_chance", "text", "yes: the interval of the difference leaves 0 out; empty: not known",
-           difference}}}};
+           difference},
+          {"why_none", "text", "why there is no value, such as too few rocks; empty elsewhere",
+           "the rule of the run's own page"}}}};
     return layouts;
 }
 
@@ -202,7 +216,7 @@ void write_csv(std::ostream& out, std::span<const FinishedRun> runs, const SideB
             } else {
                 row.empty().empty().empty().empty();
             }
-            row.end();
+            row.text(f.why_none).end();
         }
     }
 }

@@ -6,7 +6,7 @@
 namespace coupling::decades {
 namespace {
 
-constexpr std::uint64_t magic = 0x31304552'41424E42ULL;  // "BNBARE01", least byte first
+constexpr std::uint64_t magic = 0x32304552'41424E42ULL;  // "BNBARE02", least byte first
 
 }  // namespace
 

@@ -21,12 +21,11 @@ void say_target(const DecadeResults& results, std::uint32_t target) {
         const auto percent = [&](std::int32_t year) {
             const PairedCounts counts = arrivals_of(results.names, results.members, course, target, year);
             const auto effect = protection_effect(counts);
-            return !effect ? std::string{"– (no rock arrives)"}
-                   : too_few_to_tell(counts)
-                       ? joined("– (too few rocks arrive to tell: ", std::to_string(counts.bare()), ")")
-                       : joined(report::fixed(100.0 * effect->value, 1), " %");
+            return !effect                          ? std::string{"– (no rock arrives)"}
+                   : too_few_for_protection(counts) ? joined("– (", too_few_in_words(counts.bare()), ")")
+                                                    : joined(report::fixed(100.0 * effect->value, 1), " %");
         };
-        std::printf("  %s, %s: kept away by the forest: %s in year 0, %s in year %d\n",
+        std::printf("  %s, %s: stopped by the forest: %s in year 0, %s in year %d\n",
                     results.site.targets[target].name.c_str(), results.names.course_name(course).c_str(),
                     percent(rows.empty() ? 0 : rows.front().year).c_str(), percent(last_year).c_str(),
                     last_year);

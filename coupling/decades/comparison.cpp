@@ -9,6 +9,7 @@
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/profile_tables.hpp"
 #include "coupling/results/csv_row.hpp"
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/stop_causes.hpp"
 
@@ -39,6 +40,21 @@ private:
     const Names& names_;
 };
 
+/// Rocks that arrive at a target over the bare slope, over the replicates of a course in a year.
+using BareArrivals = std::map<std::pair<std::size_t, std::int32_t>, std::uint64_t>;
+
+BareArrivals bare_arrivals(const Names& names, std::span<const MemberYears> members, std::uint32_t target) {
+    BareArrivals sums;
+    for (const MemberYears& member : members) {
+        for (const TargetRow& row : member.targets) {
+            if (row.target == target) {
+                sums[{names.course_of(member.member), row.year}] += row.paired.bare();
+            }
+        }
+    }
+    return sums;
+}
+
 void add_targets(std::vector<Series>& all_series, const Names& names, const Site& site,
                  std::span<const MemberYears> members) {
     const PlaceOf of_member{names};
@@ -47,12 +63,15 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
         Series protection = empty_series(names, members, "protection_percent", id, true);
         Series reached = empty_series(names, members, "reached_percent", id, false);
         Series energy = empty_series(names, members, "energy_95_kj", id, false);
+        const BareArrivals arrivals = bare_arrivals(names, members, t);
         for (const MemberYears& member : members) {
+            const std::size_t course = names.course_of(member.member);
             for (const TargetRow& row : member.targets) {
                 if (row.target != t) {
                     continue;
                 }
-                if (const auto effect = protection_effect(row.paired)) {
+                const auto effect = protection_effect(row.paired);
+                if (effect && !too_few_for_protection(arrivals.at({course, row.year}))) {
                     of_member(protection, member)[row.year] = 100.0 * effect->value;
                 }
                 of_member(reached, member)[row.year] = 100.0 * row.forest.share.value;

@@ -3,7 +3,7 @@
 namespace coupling::decades {
 namespace {
 
-constexpr std::uint64_t magic = 0x34304D45'4D4E4142ULL;  // "BANMEM04", least byte first
+constexpr std::uint64_t magic = 0x35304D45'4D4E4142ULL;  // "BANMEM05", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>

@@ -22,6 +22,13 @@ meaning <- function(table, column) {
   paste0(row$meaning, " [", row$unit, "]")
 }
 
+# Tables over years leave out years in which too few rocks arrive.
+stop_if_none <- function(rows) {
+  if (nrow(rows) == 0) {
+    stop(out, ": too few rocks arrive over the bare slope for a protection figure; simulate more rocks")
+  }
+}
+
 open_picture <- function(width, height) {
   if (grepl("[.]pdf$", picture)) {
     pdf(picture, width = width, height = height)
@@ -36,6 +43,7 @@ colours <- c("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "
 draw_years <- function() {
   bands <- read_table("regimes_by_year.csv")
   bands <- bands[bands$quantity == "protection_percent", ]
+  stop_if_none(bands)
   if (length(unique(bands$climate)) > 1) bands$regime <- paste(bands$regime, bands$climate, sep = ", ")
   targets <- unique(bands$target_id)
   regimes <- unique(bands$regime)
@@ -44,9 +52,10 @@ draw_years <- function() {
   for (target in targets) {
     here <- bands[bands$target_id == target, ]
     plot(NA, xlim = range(here$year), ylim = range(here$low_5, here$high_95), xlab = "year",
-         ylab = "protection effect [%]", main = paste("Rocks kept away by the forest:", target))
+         ylab = "protection effect [%]", main = paste("Rocks stopped by the forest:", target))
     for (i in seq_along(regimes)) {
       line <- here[here$regime == regimes[i], ]
+      if (nrow(line) == 0) next
       colour <- colours[(i - 1) %% length(colours) + 1]
       polygon(c(line$year, rev(line$year)), c(line$low_5, rev(line$high_95)),
               col = adjustcolor(colour, alpha.f = 0.2), border = NA)
@@ -63,11 +72,13 @@ draw_years <- function() {
 
 draw_today <- function() {
   protection <- read_table("protection.csv")
+  protection <- protection[protection$too_few_rocks == "no", ]
+  stop_if_none(protection)
   open_picture(6, 4.5)
   low <- pmax(protection$protection_low_percent, 0)
   at <- barplot(pmax(protection$protection_percent, 0), names.arg = protection$target_id, ylim = c(0, 100),
                 col = colours[1], xlab = "target", ylab = "protection effect [%]",
-                main = "Rocks kept away by the forest, with 95 % interval")
+                main = "Rocks stopped by the forest, with 95 % interval")
   arrows(at, low, at, pmax(protection$protection_high_percent, low + 0.01), angle = 90, code = 3, length = 0.08,
          lwd = 2)
   invisible(dev.off())

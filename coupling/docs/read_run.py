@@ -51,18 +51,19 @@ def protection_over_years(out):
                 for row in rows
                 if row["target_id"] == target and row["regime"] == regime
             ]
-            for regime in names(rows, "regime")
+            for regime in names([row for row in rows if row["target_id"] == target], "regime")
         }
         for target in names(rows, "target_id")
     }
 
 
 def protection_today(out):
-    """[(target, percent, low, high), ...]"""
+    """[(target, percent, low, high), ...] of the targets at which enough rocks arrive"""
     return [
         (row["target_id"], number(row["protection_percent"]), number(row["protection_low_percent"]),
          number(row["protection_high_percent"]))
         for row in read_table(out, "protection.csv")
+        if row["too_few_rocks"] == "no"
     ]
 
 
@@ -74,7 +75,7 @@ def draw_years(pyplot, protection):
             colour = COLOURS[i % len(COLOURS)]
             panel.fill_between(years, low, high, color=colour, alpha=0.2, linewidth=0)
             panel.plot(years, mean, color=colour, label=regime, linestyle=["-", "--", ":", "-."][i % 4])
-        panel.set(title=f"Rocks kept away by the forest: {target}", xlabel="year", ylabel="protection effect [%]")
+        panel.set(title=f"Rocks stopped by the forest: {target}", xlabel="year", ylabel="protection effect [%]")
         panel.legend(title="mean, 5 to 95 % of the replicates")
     return figure
 
@@ -84,7 +85,7 @@ def draw_today(pyplot, protection):
     for target, percent, low, high in protection:
         panel.bar(target, percent, color=COLOURS[0])
         panel.plot([target, target], [low, high], color="black", marker="_", markersize=14)
-    panel.set(title="Rocks kept away by the forest, with 95 % interval", xlabel="target",
+    panel.set(title="Rocks stopped by the forest, with 95 % interval", xlabel="target",
               ylabel="protection effect [%]", ylim=(0, 100))
     return figure
 
@@ -99,6 +100,8 @@ def main(arguments):
     print("protection_percent:", meaning(out, "protection.csv", "protection_percent"))
     over_years = os.path.exists(os.path.join(out, "tables", "regimes_by_year.csv"))
     protection = protection_over_years(out) if over_years else protection_today(out)
+    if not protection:
+        sys.exit(f"{out}: too few rocks arrive over the bare slope for a protection figure; simulate more rocks")
     if over_years:
         for target, regimes in protection.items():
             for regime, line in regimes.items():

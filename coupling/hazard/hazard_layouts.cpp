@@ -53,7 +53,7 @@ const std::vector<TableLayout>& hazard_layouts() {
                        "targets.csv of the return period"},
                       {"reached_percent", "%", "share that arrives with forest",
                        "targets.csv of the return period"},
-                      {"protection_percent", "%", "share of the arriving rocks that the forest keeps away",
+                      {"protection_percent", "%", "share of the arriving rocks that the forest stops",
                        "protection.csv of the return period"},
                       {"protection_low_percent", "%", "lower end of its 95 % interval",
                        "protection.csv of the return period"},

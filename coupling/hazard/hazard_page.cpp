@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "config/text/numbers.hpp"
@@ -7,6 +8,7 @@
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/few_rocks.hpp"
+#include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map_sheet.hpp"
@@ -77,11 +79,25 @@ std::string note_on_forest(const HazardResults& results) {
     return joined(
         "<ul class=\"notes\"><li>With forest parts of a target have a higher level than without. ",
         of_those_that_pass
-            ? "Intensity is the energy of those rocks that still arrive: a forest that keeps slow ones away "
-              "raises their percentiles and their mean, although fewer arrive. "
+            ? "Intensity is the energy of the rocks that still arrive. A forest that stops small and slow "
+              "rocks raises their percentiles and their mean, although fewer arrive. "
             : "",
-        "Trees also turn rocks aside, and where few rocks pass chance decides. How many rocks the forest "
-        "keeps away stands in the table below.</li></ul>\n");
+        "Trees also deflect rocks, and where few rocks pass the result is uncertain. The table below has "
+        "the number of rocks that the forest stops.</li></ul>\n");
+}
+
+/// Smallest and largest rock of all return periods.
+std::string sizes_of_rocks(const HazardResults& results) {
+    double low_m = std::numeric_limits<double>::infinity();
+    double high_m = 0.0;
+    for (const FinishedPeriod& period : results.periods) {
+        low_m = std::min(low_m, period.diameters.smallest_m);
+        high_m = std::max(high_m, period.diameters.largest_m);
+    }
+    return report::marked(results.scenario,
+                          joined(report::fixed(low_m, 2), " to ", report::fixed(high_m, 2),
+                                 " m by return period and zone, spheres"),
+                          {"hazard.blocks"});
 }
 
 std::string opening(const HazardResults& results) {
@@ -94,19 +110,26 @@ std::string opening(const HazardResults& results) {
     }
     std::string html = joined(
         "<h1>Rockfall hazard map: ", name, "</h1>\n<dl class=\"facts\">",
-        report::fact("Return periods", joined(periods, " years")),
-        report::fact("Rocks", joined(report::grouped(rocks), results.slopes.size() > 1
-                                                                 ? ", each with forest and on the bare slope"
-                                                                 : ", on the bare slope")),
-        report::fact("Intensity", energy_in_words(results.scenario.hazard.energy)),
-        report::fact("Motion", report::motion_in_words(results.scenario)),
+        report::fact("Return periods of the release", joined(periods, " years")),
+        report::fact("Intensity",
+                     report::marked(results.scenario, energy_in_words(results.scenario.hazard.energy),
+                                    {"hazard.energy"})),
+        report::fact(
+            "Least reach of a cell",
+            report::marked(results.scenario,
+                           joined(config::to_text(results.scenario.hazard.least_reach_percent), " %"),
+                           {"hazard.least_reach_percent"})),
+        report::deciding_facts(results.scenario, results.site.sources, report::grouped(rocks),
+                               sizes_of_rocks(results)),
         results.site.nets.empty()
             ? ""
             : report::fact("Nets",
                            joined(report::grouped(results.site.nets.size()),
                                   ", standing on both slopes: the levels are those with them, and what "
                                   "they held stands on the page of each return period")),
-        "</dl>\n<p class=\"lead\">The highest hazard level of all return periods:</p>\n");
+        "</dl>\n<p class=\"lead\">The highest hazard level of all return periods. A return period here is "
+        "that of the <b>release</b>, how often such rocks break off. It is not that of the <b>arrival</b> at "
+        "a target: the levels do not depend on how many of the rocks arrive.</p>\n");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
         for (const SlopeHazard& slope : results.slopes) {
@@ -185,8 +208,7 @@ std::string about_the_map(const HazardResults& results) {
         energy_in_words(hazard.energy),
         " in a cell (of each rock the largest one there) is its intensity; with the return period it gives a "
         "level. The map shows the highest level of all return periods. ",
-        rim, " The return period is that of the release, not of the arrival in a cell.</p>",
-        matrix_drawing(results), "<p class=\"soft\">", source, "</p></section>\n");
+        rim, "</p>", matrix_drawing(results), "<p class=\"soft\">", source, "</p></section>\n");
 }
 
 std::string rocks_table(const HazardResults& results) {
@@ -280,13 +302,12 @@ std::string intensities_table(const HazardResults& results) {
     return joined("<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
-/// As everywhere, not from a handful of arrivals.
-std::string kept_away(const PeriodArrivals& arrivals) {
+std::string stopped_by_forest(const PeriodArrivals& arrivals) {
     if (std::isnan(arrivals.protection_percent)) {
         return "–";
     }
-    if (arrivals.bare_rocks < least_arrivals_to_tell) {
-        return "too few rocks arrive to tell";
+    if (too_few_for_protection(arrivals.bare_rocks)) {
+        return too_few_in_words(arrivals.bare_rocks);
     }
     return joined("<b>", report::fixed(arrivals.protection_percent, 1), " %</b> (",
                   report::fixed(arrivals.protection_low_percent, 1), " to ",
@@ -300,7 +321,7 @@ std::string arrivals_table(const HazardResults& results) {
     HtmlTable table{
         "Shares of the rocks of a return period that arrive; in brackets the 95 % interval of chance in the "
         "simulated rocks.",
-        {"Return period", "bare slope", "with forest", "the forest keeps away"}};
+        {"Return period", "bare slope", "with forest", "the forest stops"}};
     std::size_t shown = results.site.targets.size();
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target != shown) {
@@ -311,7 +332,7 @@ std::string arrivals_table(const HazardResults& results) {
             return std::isnan(percent) ? std::string{"–"} : report::percent(percent / 100.0);
         };
         table.row({years_text(arrivals.return_period_years), share(arrivals.bare_percent),
-                   share(arrivals.forest_percent), kept_away(arrivals)});
+                   share(arrivals.forest_percent), stopped_by_forest(arrivals)});
     }
     return joined("<h2>Rocks that arrive</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(),
                   "</div></section>\n");

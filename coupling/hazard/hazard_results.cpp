@@ -153,7 +153,7 @@ std::vector<WrittenFile> write_tables(const HazardResults& results, const fs::pa
         fill_intensities);
     if (!results.site.targets.empty()) {
         add("hazard_arrivals.csv",
-            "How many rocks arrive at each target, and what the forest keeps away, by return period.",
+            "How many rocks arrive at each target, and what the forest stops, by return period.",
             fill_arrivals);
         add("hazard_targets.csv", "How much of each target has which hazard level.", fill_targets);
         add("hazard_target_intensities.csv", "How much of each target has which intensity, by return period.",

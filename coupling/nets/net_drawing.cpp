@@ -86,18 +86,19 @@ private:
     Axis up_;
 };
 
-std::vector<const NetRow*> evenly_chosen(const std::vector<const NetRow*>& rows) {
-    if (rows.size() <= most_drawn_rocks) {
-        return rows;
-    }
+}  // namespace
+
+std::size_t drawn_rocks(std::size_t rocks, std::size_t most_rocks) {
+    return most_rocks <= most_drawn_rocks ? rocks : (rocks * most_drawn_rocks + most_rocks / 2) / most_rocks;
+}
+
+std::vector<const NetRow*> evenly_spaced(const std::vector<const NetRow*>& rows, std::size_t wanted) {
     std::vector<const NetRow*> chosen;
-    for (std::size_t i = 0; i < most_drawn_rocks; ++i) {
-        chosen.push_back(rows[i * rows.size() / most_drawn_rocks]);
+    for (std::size_t i = 0; i < wanted; ++i) {
+        chosen.push_back(rows[i * rows.size() / wanted]);
     }
     return chosen;
 }
-
-}  // namespace
 
 double drawn_height_m(const rockfall::Net& net, const std::vector<const NetRow*>& rows) {
     std::vector<double> heights_m;
@@ -115,14 +116,14 @@ double drawn_height_m(const rockfall::Net& net, const std::vector<const NetRow*>
     return std::max(least_m, std::min(heights_m.back(), most_m));
 }
 
-std::string developed_view(const NetRecord& net, const std::vector<const NetRow*>& rows,
+std::string developed_view(const NetRecord& net, const std::vector<const NetRow*>& drawn, double highest_m,
                            const std::string& title, const std::string& caption) {
-    const View view{length_m(net.net), drawn_height_m(net.net, rows)};
-    const auto above = std::count_if(rows.begin(), rows.end(), [&](const NetRow* row) {
+    const View view{length_m(net.net), highest_m};
+    const auto above = std::count_if(drawn.begin(), drawn.end(), [&](const NetRow* row) {
         return static_cast<double>(row->crossing.height_m) > view.highest_m();
     });
     std::string shapes;
-    for (const NetRow* row : evenly_chosen(rows)) {
+    for (const NetRow* row : drawn) {
         const rockfall::NetCrossingRecord& crossing = row->crossing;
         shapes += shape_of(crossing.outcome, energy_class(static_cast<double>(crossing.energy_j) / j_per_kj),
                            view.x_of(static_cast<double>(crossing.along_m)),
@@ -138,7 +139,7 @@ std::string developed_view(const NetRecord& net, const std::vector<const NetRow*
                   "</b></figcaption><svg viewBox=\"0 0 900 280\" role=\"img\" aria-label=\"", escaped(title),
                   "\">", view.axes(), outline, shapes, "</svg><p>", caption,
                   above > 0 ? joined(" ", grouped(static_cast<std::uint64_t>(above)),
-                                     " higher than the drawing: at its upper edge.")
+                                     " of them higher than the drawing: at its upper edge.")
                             : "",
                   "</p></figure>\n");
 }

@@ -189,6 +189,43 @@ std::string key_figures_of(const RunResults& results, const std::vector<NetFigur
     return joined("<div class=\"wide\">", table.html(), "</div>\n", what_comes_on_top(results));
 }
 
+/// "520 of 6 734 rocks are drawn, 7.73 % as on the other slope; ...": what share is drawn, and of how many.
+std::string caption_of(std::size_t drawn, std::size_t rocks, std::size_t most_rocks, bool beside_another) {
+    if (rocks == 0) {
+        return "No rock reaches the net.";
+    }
+    const char* places = "places of their centres.";
+    if (most_rocks <= most_drawn_rocks) {
+        return joined(grouped(rocks), rocks == 1 ? " rock, drawn; " : " rocks, all drawn; ", places);
+    }
+    const double share = static_cast<double>(most_drawn_rocks) / static_cast<double>(most_rocks);
+    return joined(grouped(drawn), " of ", grouped(rocks), " rocks are drawn, ",
+                  beside_another ? "on both slopes the same share of " : "a share of ", percent(share),
+                  ", evenly chosen; ", places);
+}
+
+/// The net on each slope, with the same share of the rocks and the same height of the drawing.
+std::string developed_views(const RunResults& results, std::uint32_t net) {
+    const NetRecord& record = results.site.nets[net];
+    const std::vector<Cover> covers = covers_of(results);
+    std::size_t most_rocks = 0;
+    double highest_m = 0.0;
+    for (const Cover cover : covers) {
+        const std::vector<const NetRow*> rows = rows_at(results, net, cover);
+        most_rocks = std::max(most_rocks, rows.size());
+        highest_m = std::max(highest_m, drawn_height_m(record.net, rows));
+    }
+    std::string html;
+    for (const Cover cover : covers) {
+        const std::vector<const NetRow*> rows = rows_at(results, net, cover);
+        const std::size_t drawn = drawn_rocks(rows.size(), most_rocks);
+        html += developed_view(record, evenly_spaced(rows, drawn), highest_m,
+                               joined(record.name, ", ", title_of(cover)),
+                               caption_of(drawn, rows.size(), most_rocks, covers.size() > 1));
+    }
+    return html;
+}
+
 std::string one_net(const RunResults& results, std::uint32_t net, const std::vector<NetFigures>& all) {
     const NetRecord& record = results.site.nets[net];
     std::vector<NetFigures> figures;
@@ -196,18 +233,12 @@ std::string one_net(const RunResults& results, std::uint32_t net, const std::vec
                  [&](const NetFigures& of) { return of.net == net; });
     std::string html = joined(
         "<h3>", escaped(record.name), "</h3>\n<p>", three_digits(length_m(record.net)), " m long, ",
-        three_digits(record.net.height_m), " m high, takes ", three_digits(record.net.capacity_j / j_per_kj),
-        " kJ", record.energy_class.empty() ? "" : joined(" (class ", escaped(record.energy_class), ")"),
+        three_digits(record.net.height_m), " m high, capacity ",
+        three_digits(record.net.capacity_j / j_per_kj), " kJ",
+        record.energy_class.empty() ? "" : joined(" (class ", escaped(record.energy_class), ")"),
         record.net.gap_m > 0.0 ? joined(", gap of ", three_digits(record.net.gap_m), " m at the ground") : "",
         ".</p>\n");
-    for (const NetFigures& of : figures) {
-        const std::vector<const NetRow*> rows = rows_at(results, net, of.cover);
-        const std::string caption = rows.size() > most_drawn_rocks
-                                        ? joined(grouped(most_drawn_rocks), " of ", grouped(rows.size()),
-                                                 " rocks, evenly chosen; places of their centres.")
-                                        : joined(grouped(rows.size()), " rocks; places of their centres.");
-        html += developed_view(record, rows, joined(record.name, ", ", title_of(of.cover)), caption);
-    }
+    html += developed_views(results, net);
     return joined(html, histograms(results, net), key_figures_of(results, figures));
 }
 
@@ -220,14 +251,12 @@ std::string nets(const RunResults& results) {
     const std::vector<NetFigures> figures = net_figures(results);
     std::string html = joined(
         "<h2>Nets</h2>\n<p>",
-        results.with_forest ? "Nets are works, not forest: they stand on the bare slope too, so that the "
-                              "protection effect above "
+        results.with_forest ? "The nets stand on the bare slope too: the protection effect above "
                               "compares forest and no forest behind the same nets. "
                             : "",
-        "Each rock meets intact nets. It passes over where its centre is above the upper edge, below where "
-        "all of "
-        "it fits under the lower one; more energy than the net takes breaks through and goes on with the "
-        "rest.</p>\n",
+        "Each rock meets intact nets. It passes over where its centre is above the upper edge, and below "
+        "where all of it fits under the lower one. A rock with more energy than the capacity breaks through "
+        "and continues with the remaining energy.</p>\n",
         developed_view_legend());
     for (std::uint32_t net = 0; net < results.site.nets.size(); ++net) {
         html += one_net(results, net, figures);

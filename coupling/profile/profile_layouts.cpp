@@ -1,5 +1,7 @@
 #include "coupling/profile/profile_layouts.hpp"
 
+#include "coupling/results/figure_columns.hpp"
+
 namespace coupling::profile {
 namespace {
 
@@ -60,32 +62,33 @@ TableLayout run_out() {
 }
 
 TableLayout stations() {
-    return {"stations.csv",
-            "a station",
-            {{"station", "text", "name of the station", "input profile.stations"},
-             {"distance_m", "m", "plan distance along the profile", "input profile.stations"},
-             {"rocks", "-", "rocks that pass it at least once", counted_rocks},
-             {"reached_percent", "%", "their share of all rocks", counted_rocks},
-             {"reached_low_percent", "%", "lower end of its 95 % interval", exact_interval},
-             {"reached_high_percent", "%", "upper end of its 95 % interval", exact_interval},
-             {"energy_mean_kj", "kJ",
-              "mean kinetic energy (translation and rotation; pir3d, classical: translation alone) at the "
-              "first passage",
-              simulated},
-             {"energy_sd_kj", "kJ", "its standard deviation", simulated},
-             {"energy_50_kj", "kJ", "its median", from_bins},
-             {"energy_90_kj", "kJ", "its 90th percentile (empty: fewer than 10 rocks)", from_bins},
-             {"energy_95_kj", "kJ", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
-             {"energy_99_kj", "kJ", "its 99th percentile (empty: fewer than 100 rocks)", from_bins},
-             {"energy_max_kj", "kJ", "its largest value", simulated},
-             {"translational_mean_kj", "kJ", "mean of its translational part", simulated},
-             {"speed_mean_mps", "m/s", "mean speed at the first passage", simulated},
-             {"speed_95_mps", "m/s", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
-             {"speed_max_mps", "m/s", "its largest value", simulated},
-             {"height_mean_m", "m",
-              "mean height of the underside above the ground, vertical, at the first passage", simulated},
-             {"height_95_m", "m", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
-             {"height_max_m", "m", "its largest value", simulated}}};
+    const std::vector<Column> energies{
+        {"station", "text", "name of the station", "input profile.stations"},
+        {"distance_m", "m", "plan distance along the profile", "input profile.stations"},
+        {"rocks", "-", "rocks that pass it at least once", counted_rocks},
+        {"reached_percent", "%", "their share of all rocks", counted_rocks},
+        {"reached_low_percent", "%", "lower end of its 95 % interval", exact_interval},
+        {"reached_high_percent", "%", "upper end of its 95 % interval", exact_interval},
+        {"energy_mean_kj", "kJ",
+         "mean kinetic energy (translation and rotation; pir3d, classical: translation alone) at the "
+         "first passage",
+         simulated},
+        {"energy_sd_kj", "kJ", "its standard deviation", simulated},
+        {"energy_50_kj", "kJ", "its median", from_bins},
+        {"energy_90_kj", "kJ", "its 90th percentile (empty: fewer than 10 rocks)", from_bins},
+        {"energy_95_kj", "kJ", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
+        {"energy_99_kj", "kJ", "its 99th percentile (empty: fewer than 100 rocks)", from_bins},
+        {"energy_max_kj", "kJ", "its largest value", simulated}};
+    const std::vector<Column> rest{
+        {"translational_mean_kj", "kJ", "mean of its translational part", simulated},
+        {"speed_mean_mps", "m/s", "mean speed at the first passage", simulated},
+        {"speed_95_mps", "m/s", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
+        {"speed_max_mps", "m/s", "its largest value", simulated},
+        {"height_mean_m", "m",
+         "mean height of the underside above the ground, vertical, at the first passage", simulated},
+        {"height_95_m", "m", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
+        {"height_max_m", "m", "its largest value", simulated}};
+    return {"stations.csv", "a station", together(energies, energy_rate_columns(), rest)};
 }
 
 TableLayout envelope() {

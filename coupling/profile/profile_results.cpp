@@ -7,6 +7,7 @@
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/data_dictionary.hpp"
+#include "coupling/results/figure_columns.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/indicators.hpp"
 
@@ -89,7 +90,9 @@ void write_stations(std::ostream& out, const ProfileResults& results) {
         for (const double share : {0.50, 0.90, 0.95, 0.99}) {
             row.number<3>(energy.quantile(fine_energy_bins, share) / j_per_kj);
         }
-        row.number<3>(energy.moments.most() / j_per_kj).number<3>(tally.translational_j.mean() / j_per_kj);
+        row.number<3>(energy.moments.most() / j_per_kj);
+        add_energy_rates(row, rates_of(tally, results.tally.rocks));
+        row.number<3>(tally.translational_j.mean() / j_per_kj);
         row.number<3>(tally.speed_mps.moments.mean())
             .number<3>(tally.speed_mps.quantile(fine_speed_bins, 0.95));
         row.number<3>(tally.speed_mps.moments.most());

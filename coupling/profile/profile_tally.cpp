@@ -56,6 +56,15 @@ double Spread::quantile(const rockfall::LogBins& bins, double share) const {
     return std::clamp(rockfall::quantile(bins, counts, share), moments.least(), moments.most());
 }
 
+std::array<Share, rockfall::counted_energies_j.size()> rates_of(const StationTally& station,
+                                                                std::uint64_t rocks) {
+    std::array<Share, rockfall::counted_energies_j.size()> rates;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        rates[i] = share_of(station.above[i], rocks);
+    }
+    return rates;
+}
+
 ProfileTally::ProfileTally(const ProfileSite& site, double segment_m_in)
     : segment_m{segment_m_in}, stretch_m{stretch_length_m(site)}, stations(site.stations.size()) {
     const auto pieces = [](double length_m, double piece_m) {
@@ -97,6 +106,9 @@ void ProfileTally::add(const ProfileSite& site, const WatchedFall& fall, bool re
         const Arrival& arrival = fall.arrivals[i];
         if (arrival.reached) {
             stations[i].energy_j.add(fine_energy_bins, static_cast<double>(arrival.energy_j));
+            for (std::size_t energy = 0; energy < counted_energies_j.size(); ++energy) {
+                stations[i].above[energy] += arrival.energy_j > counted_energies_j[energy] ? 1U : 0U;
+            }
             stations[i].translational_j.add(static_cast<double>(arrival.translational_j));
             stations[i].speed_mps.add(fine_speed_bins, static_cast<double>(arrival.speed_mps));
             stations[i].height_m.add(fine_height_bins, static_cast<double>(arrival.height_m));

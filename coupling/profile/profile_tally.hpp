@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/profile/profile_site.hpp"
+#include "coupling/results/indicators.hpp"
 #include "coupling/run/watched_falls.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 #include "rockfall/tally/log_bins.hpp"
@@ -47,10 +48,15 @@ struct Spread {
 /// What passes a station.
 struct StationTally {
     Spread energy_j;  ///< translation and rotation, fine_energy_bins
+    std::array<std::uint64_t, rockfall::counted_energies_j.size()> above{};  ///< with more than those
     Moments translational_j;
     Spread speed_mps;  ///< fine_speed_bins
     Spread height_m;   ///< of the underside above ground, vertical, fine_height_bins
 };
+
+/// Shares of all rocks that pass a station with more than each of rockfall::counted_energies_j.
+std::array<Share, rockfall::counted_energies_j.size()> rates_of(const StationTally& station,
+                                                                std::uint64_t rocks);
 
 /// Jumps that end with a ground impact inside a segment of the slope. Flights from the release count not:
 /// their length is none from impact to impact. Nor do those that end where they begin.

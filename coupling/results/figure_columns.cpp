@@ -5,6 +5,8 @@
 #include <string>
 
 #include "config/units/constants.hpp"
+#include "coupling/results/effect_words.hpp"
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
@@ -68,6 +70,29 @@ void add_distribution(CsvRow& row, const Distribution& d) {
 
 }  // namespace
 
+std::vector<Column> energy_rate_columns() {
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
+        const std::string above = joined("above_", kj_text(i), "_kj_");
+        const std::string words = joined("rocks with more than ", kj_text(i), " kJ at the first arrival");
+        columns.push_back({above + "rocks", "-", words, "counted rock by rock, not from bins"});
+        columns.push_back({above + "per_1000", "1/1000", words + ", per 1000 released", counted});
+        columns.push_back(
+            {above + "low_per_1000", "1/1000", "lower end of its 95 % interval", exact_interval});
+        columns.push_back(
+            {above + "high_per_1000", "1/1000", "upper end of its 95 % interval", exact_interval});
+    }
+    return columns;
+}
+
+void add_energy_rates(CsvRow& row, std::span<const Share> above) {
+    constexpr double per_1000 = 1000.0;
+    for (const Share& share : above) {
+        row.whole(share.part).number<4>(per_1000 * share.value);
+        row.number<4>(per_1000 * share.interval.low).number<4>(per_1000 * share.interval.high);
+    }
+}
+
 std::vector<Column> arrival_columns() {
     const std::vector<Column> shares{
         {"rocks", "-", "rocks that fell", counted},
@@ -75,14 +100,15 @@ std::vector<Column> arrival_columns() {
         {"share_percent", "%", "share of the rocks that reached the target", counted},
         {"share_low_percent", "%", "lower end of its 95 % interval", exact_interval},
         {"share_high_percent", "%", "upper end of its 95 % interval", exact_interval}};
-    return together(shares, distribution_columns(arrival_energy), distribution_columns(arrival_speed),
-                    distribution_columns(arrival_height));
+    return together(shares, distribution_columns(arrival_energy), energy_rate_columns(),
+                    distribution_columns(arrival_speed), distribution_columns(arrival_height));
 }
 
 void add_arrivals(CsvRow& row, const ArrivalFigures& arrivals) {
     row.whole(arrivals.share.whole).whole(arrivals.share.part).number<4>(percent * arrivals.share.value);
     row.number<4>(percent * arrivals.share.interval.low).number<4>(percent * arrivals.share.interval.high);
     add_distribution(row, arrivals.energy_kj);
+    add_energy_rates(row, arrivals.above);
     add_distribution(row, arrivals.speed_mps);
     add_distribution(row, arrivals.height_m);
 }
@@ -96,12 +122,16 @@ std::vector<Column> protection_columns() {
         {"reached_forest", "-", "rocks that reach it with forest", counted},
         {"reached_both", "-", "rocks that reach it on both slopes", counted},
         {"protection_percent", "%",
-         "protection effect: share of the rocks arriving over the bare slope that the forest keeps away; "
+         "protection effect: share of the rocks arriving over the bare slope that the forest stops; "
          "empty where none arrives",
          "1 - reached_forest / reached_bare"},
         {"protection_low_percent", "%",
          "lower end of its 95 % interval; one-sided where no rock comes through", paired},
         {"protection_high_percent", "%", "upper end of its 95 % interval", paired},
+        {"too_few_rocks", "text",
+         joined("yes: fewer than ", std::to_string(least_arrivals_for_protection),
+                " rocks arrive over the bare slope, too few for a protection figure"),
+         "choice"},
         {"bari_percent", "%", "reduction of the number of arrivals", named_after},
         {"miri_percent", "%",
          "reduction of the 95th percentile of the energy; 100 where no rock comes through; empty where "
@@ -120,6 +150,7 @@ void add_protection(CsvRow& row, std::uint64_t rocks, const PairedCounts& paired
     } else {
         row.empty().empty().empty();
     }
+    row.text(too_few_for_protection(paired) ? "yes" : "no");
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const RiskReduction known = reduction.value_or(RiskReduction{unknown, unknown, unknown});
     row.number<3>(known.bari_percent).number<3>(known.miri_percent).number<3>(known.orpi_percent);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "coupling/results/csv_row.hpp"
@@ -12,7 +13,13 @@ namespace coupling {
 
 // Columns that tables of all kinds of runs share; `add_…` fills them.
 
-/// rocks, reached, share of them, and distributions of energy, speed and height.
+/// Rocks with more than each of rockfall::counted_energies_j: their number and, per 1000 released, with its
+/// 95 % interval: above_30_kj_rocks, above_30_kj_per_1000, ...
+std::vector<Column> energy_rate_columns();
+void add_energy_rates(CsvRow& row, std::span<const Share> above);
+
+/// rocks, reached, share of them, rocks above given energies, and distributions of energy,
+/// speed and height.
 std::vector<Column> arrival_columns();
 void add_arrivals(CsvRow& row, const ArrivalFigures& arrivals);
 

@@ -156,6 +156,9 @@ ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t roc
     figures.height_m =
         distribution(rockfall::fine_height_bins, tally.height,
                      mean_of(tally.height_sum_mm, tally.reached, per_milli), tally.height_max_m, 1.0);
+    for (std::size_t i = 0; i < figures.above.size(); ++i) {
+        figures.above[i] = share_of(tally.above[i], rocks);
+    }
     return figures;
 }
 

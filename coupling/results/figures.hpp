@@ -43,6 +43,8 @@ struct ArrivalFigures {
     Distribution energy_kj;
     Distribution speed_mps;
     Distribution height_m;
+    /// Of all rocks that fell: with more than rockfall::counted_energies_j where they first meet the target.
+    std::array<Share, rockfall::counted_energies_j.size()> above;
 };
 
 /// A target on both slopes and what the forest does for it.

@@ -11,6 +11,7 @@
 #include "coupling/decades/decade_results.hpp"
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/profile/profile_results.hpp"
+#include "coupling/results/few_rocks.hpp"
 #include "coupling/results/read_summary.hpp"
 
 namespace coupling {
@@ -54,9 +55,23 @@ Json distribution(const Distribution& d, bool with_interval) {
     return json;
 }
 
+/// Rocks with more than each counted energy, per 1000 released.
+Json above_energies(const std::array<Share, rockfall::counted_energies_j.size()>& above) {
+    constexpr double per_1000 = 1000.0;
+    Json list = Json::array();
+    for (std::size_t i = 0; i < above.size(); ++i) {
+        list.push_back({{"above_kj", number(static_cast<double>(rockfall::counted_energies_j[i]) / j_per_kj)},
+                        {"rocks", above[i].part},
+                        {"per_1000_released", number(per_1000 * above[i].value)},
+                        {"interval_95_per_1000", interval(above[i].interval, per_1000)}});
+    }
+    return list;
+}
+
 Json arrivals(const ArrivalFigures& figures) {
     return {{"reached", share(figures.share)},
             {"energy_kj", distribution(figures.energy_kj, true)},
+            {"above_energies", above_energies(figures.above)},
             {"speed_mps", distribution(figures.speed_mps, true)},
             {"height_m", distribution(figures.height_m, true)}};
 }
@@ -69,6 +84,7 @@ Json protection(const TargetFigures& target) {
     Json json{{"effect_percent", number(percent * effect.value)},
               {"interval_95_percent", interval(effect.interval, percent)},
               {"interval_is_one_sided", effect.one_sided},
+              {"too_few_rocks", too_few_for_protection(target.paired)},
               {"reached_both", target.paired.both},
               {"reached_only_bare", target.paired.only_bare},
               {"reached_only_forest", target.paired.only_forest}};
@@ -237,6 +253,7 @@ Json stations(const profile::ProfileResults& results) {
                         {"distance_m", number(results.site.stations[i].distance_m)},
                         {"reached", share(share_of(tally.energy_j.moments.count(), results.tally.rocks))},
                         {"energy_kj", spread(tally.energy_j, fine_energy_bins, j_per_kj)},
+                        {"above_energies", above_energies(rates_of(tally, results.tally.rocks))},
                         {"translational_kj", moments(tally.translational_j, j_per_kj)},
                         {"speed_mps", spread(tally.speed_mps, fine_speed_bins, 1.0)},
                         {"height_m", spread(tally.height_m, fine_height_bins, 1.0)}});
@@ -308,6 +325,9 @@ Json member(const decades::DecadeResults& results, const decades::MemberYears& y
                         {"reached_forest", row.paired.forest()}};
             const auto effect = protection_effect(row.paired);
             target["protection_percent"] = effect ? number(percent * effect->value) : Json(nullptr);
+            target["too_few_rocks"] = too_few_for_protection(row.paired);
+            target["above_energies_bare"] = above_energies(row.bare.above);
+            target["above_energies_forest"] = above_energies(row.forest.above);
             json["targets"].push_back(std::move(target));
         }
     }

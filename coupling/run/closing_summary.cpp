@@ -4,8 +4,11 @@
 
 #include "coupling/nets/net_tables.hpp"
 #include "coupling/nets/net_words.hpp"
+#include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/indicators.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/report/markup.hpp"
 #include "coupling/run/telling.hpp"
 
 namespace coupling {
@@ -16,6 +19,23 @@ constexpr auto bare = static_cast<std::size_t>(rockfall::Cover::bare);
 
 double percent(std::uint64_t part, std::uint64_t whole) {
     return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+/// Rocks above energies with and without forest: a percentile of those that arrive rises where a forest
+/// stops the weak ones.
+void print_strong_rocks(const RunResults& results, std::size_t i) {
+    const rockfall::TargetTally& tally = results.tally.targets[i];
+    std::string text;
+    for (std::size_t energy = 0; energy < rockfall::counted_energies_j.size(); ++energy) {
+        const auto rate = [&](std::size_t cover) {
+            return report::fixed(10.0 * percent(tally.by_cover[cover].above[energy], results.rocks), 1);
+        };
+        text += joined(text.empty() ? "" : "; ", kj_text(energy), " kJ: ", rate(bare),
+                       results.with_forest ? joined(" bare, ", rate(forest), " with forest") : "");
+    }
+    if (tally.by_cover[bare].reached + tally.by_cover[forest].reached > 0) {
+        std::printf("    rocks above an energy, per 1000 released: %s\n", text.c_str());
+    }
 }
 
 void print_target(const RunResults& results, std::size_t i) {
@@ -29,15 +49,15 @@ void print_target(const RunResults& results, std::size_t i) {
         const PairedCounts paired{tally.reached_both, arrived_forest - tally.reached_both,
                                   arrived_bare - tally.reached_both};
         const auto effect = protection_effect(paired);
-        if (too_few_to_tell(paired)) {
-            std::printf("; too few rocks arrive to tell what the forest keeps away: %llu",
-                        static_cast<unsigned long long>(paired.bare()));
+        if (too_few_for_protection(paired)) {
+            std::printf("; %s", too_few_in_words(paired.bare()).c_str());
         } else if (effect) {
-            std::printf("; the forest keeps away %.1f %% (95 %% interval %.1f to %.1f)",
-                        100.0 * effect->value, 100.0 * effect->interval.low, 100.0 * effect->interval.high);
+            std::printf("; the forest stops %.1f %% (95 %% interval %.1f to %.1f)", 100.0 * effect->value,
+                        100.0 * effect->interval.low, 100.0 * effect->interval.high);
         }
     }
     std::printf("\n");
+    print_strong_rocks(results, i);
 }
 
 }  // namespace

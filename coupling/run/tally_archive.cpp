@@ -49,6 +49,7 @@ void write(ByteWriter& out, const rockfall::ArrivalTally& t) {
     write_bins(out, t.energy);
     write_bins(out, t.speed);
     write_bins(out, t.height);
+    write_bins(out, t.above);
     for (const double v : {t.energy_max_j, t.speed_max_mps, t.height_max_m}) {
         out.value(v);
     }
@@ -62,6 +63,7 @@ void read(ByteReader& in, rockfall::ArrivalTally& t) {
     read_bins(in, t.energy);
     read_bins(in, t.speed);
     read_bins(in, t.height);
+    read_bins(in, t.above);
     for (double* v : {&t.energy_max_j, &t.speed_max_mps, &t.height_max_m}) {
         *v = in.value<double>();
     }

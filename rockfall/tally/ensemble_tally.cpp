@@ -39,6 +39,9 @@ void ArrivalTally::add(const Arrival& arrival) {
     ++energy[fine_energy_bins.bin_of(arrival.energy_j)];
     ++speed[fine_speed_bins.bin_of(arrival.speed_mps)];
     ++height[fine_height_bins.bin_of(arrival.height_m)];
+    for (std::size_t i = 0; i < above.size(); ++i) {
+        above[i] += arrival.energy_j > counted_energies_j[i] ? 1U : 0U;
+    }
     energy_max_j = std::max(energy_max_j, static_cast<double>(arrival.energy_j));
     speed_max_mps = std::max(speed_max_mps, static_cast<double>(arrival.speed_mps));
     height_max_m = std::max(height_max_m, static_cast<double>(arrival.height_m));
@@ -52,6 +55,7 @@ void ArrivalTally::add(const ArrivalTally& other) {
     add_counts(energy, other.energy);
     add_counts(speed, other.speed);
     add_counts(height, other.height);
+    add_counts(above, other.above);
     energy_max_j = std::max(energy_max_j, other.energy_max_j);
     speed_max_mps = std::max(speed_max_mps, other.speed_max_mps);
     height_max_m = std::max(height_max_m, other.height_max_m);

@@ -214,13 +214,27 @@ TEST(Hazard, LeavesNothingBehindBeforeAnyPartIsFinished) {
     EXPECT_FALSE(std::filesystem::exists(project.file("new")));
 }
 
+TEST(Hazard, SaysOnItsFirstScreenThatReturnPeriodsAreThoseOfTheRelease) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out --set hazard.energy=90").code, 0);
+    const std::string page = project.read("out/hazard/report.html");
+    const std::string first_screen = page.substr(0, page.find("<h2>"));
+    for (const char* part :
+         {"Return periods of the release", "that of the <b>release</b>", "<dt>Spread of directions</dt>",
+          "<dt>Start</dt>", "90th percentile of the energies <span class=\"mark given\">set</span>"}) {
+        EXPECT_NE(first_screen.find(part), std::string::npos) << part;
+    }
+}
+
 TEST(Hazard, TellsNoProtectionFromAHandfulOfArrivals) {
     const SampleProject project;
     add_blocks(project);
     ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=4 --out out").code, 0);
-    EXPECT_NE(project.read("out/hazard/report.html").find("too few rocks arrive to tell"), std::string::npos);
+    EXPECT_NE(project.read("out/hazard/report.html").find("too few for a protection figure"),
+              std::string::npos);
     ASSERT_EQ(call(project, std::string{quick} + "--out many").code, 0);
-    EXPECT_EQ(project.read("many/hazard/report.html").find("too few rocks arrive to tell"),
+    EXPECT_EQ(project.read("many/hazard/report.html").find("too few for a protection figure"),
               std::string::npos);
 }
 

@@ -26,16 +26,19 @@ struct ShownFigure {
     const char* axis;
 };
 constexpr std::array shown_figures{
-    ShownFigure{"protection_percent", "Protection", "Rocks kept away, %"},
+    ShownFigure{"protection_percent", "Protection", "Rocks stopped, %"},
     ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
     ShownFigure{"reached_bare_percent", "Rocks that arrive over the bare slope", "Rocks that arrive, %"},
     ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
+    ShownFigure{"above_300_kj_per_1000", "Rocks above 300 kJ", "Rocks per 1000 released"},
+    ShownFigure{"above_300_kj_bare_per_1000", "Rocks above 300 kJ over the bare slope",
+                "Rocks per 1000 released"},
     ShownFigure{"held_percent", "Rocks that a net holds", "Share of those that reach it, %"},
     ShownFigure{"held_bare_percent", "Rocks that a net holds over the bare slope",
                 "Share of those that reach it, %"},
     ShownFigure{"height_needed_m", "Height that a net needs", "Height, m"},
     ShownFigure{"height_needed_bare_m", "Height that a net needs over the bare slope", "Height, m"}};
-constexpr std::array shown_series{ShownFigure{"protection_percent", "Protection", "Rocks kept away, %"},
+constexpr std::array shown_series{ShownFigure{"protection_percent", "Protection", "Rocks stopped, %"},
                                   ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
                                   ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
                                   ShownFigure{"volume_m3pha", "Volume", "Volume, m³/ha"}};
@@ -95,6 +98,21 @@ double place_of(std::size_t course, std::size_t run, const Lines& lines) {
     return static_cast<double>(course) + 1.0 + 0.6 * ((static_cast<double>(run) + 0.5) / runs - 0.5);
 }
 
+/// " No point: B (only 2 rocks arrive ...)." Empty where each run knows the figure.
+std::string missing_points(const Lines& lines, const SideBySide& comparison) {
+    std::string list;
+    for (const Line* line : lines) {
+        for (std::size_t run = 0; run < line->figures.size(); ++run) {
+            const auto& figure = line->figures[run];
+            if (figure && !figure->why_none.empty()) {
+                list += joined(list.empty() ? "" : ", ", comparison.letters[run], " (",
+                               escaped(figure->why_none), ")");
+            }
+        }
+    }
+    return list.empty() ? "" : joined(" No point: ", list, ".");
+}
+
 /// Empty where no run knows the figure.
 std::string interval_chart(const Lines& lines, const ShownFigure& shown, const SideBySide& comparison) {
     double lowest = INFINITY;
@@ -137,7 +155,7 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
                                    ? "With the 95 % interval of the chance in the rocks."
                                : any_interval ? "Mean over the years, with its 95 % interval."
                                               : "Mean over the years, without intervals.",
-                               " Below 0 is drawn as 0."));
+                               " Below 0 is drawn as 0.", missing_points(lines, comparison)));
 }
 
 /// Year -> mean and range of a series of a run.

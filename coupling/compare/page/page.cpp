@@ -69,7 +69,9 @@ std::string disagreements(const SideBySide& comparison) {
 
 std::string in_words(const std::optional<Figure>& figure) {
     if (!figure || std::isnan(figure->value)) {
-        return "–";
+        return figure && !figure->why_none.empty()
+                   ? joined("– <small>(", escaped(figure->why_none), ")</small>")
+                   : "–";
     }
     const int decimals = std::abs(figure->value) < 10.0 ? 2 : 1;
     std::string text = report::fixed(figure->value, decimals);
@@ -89,7 +91,7 @@ std::string in_words(const std::optional<Difference>& difference) {
         joined(difference->value > 0.0 ? "+" : "", report::fixed(difference->value, decimals));
     return !difference->has_interval()         ? value
            : difference->is_more_than_chance() ? joined("<b>", value, "</b> *")
-                                               : joined(value, " <small>within chance</small>");
+                                               : joined(value, " <small>not significant</small>");
 }
 
 std::string title_of(const FigureKey& key) {
@@ -105,14 +107,13 @@ std::string figures(const SideBySide& comparison, bool over_years, bool one_repl
     }
     HtmlTable table{
         one_replicate
-            ? std::string{"One replicate: no intervals, and nothing tells which differences are chance."}
-            : joined(
-                  "In brackets: 95 % interval of the chance in the simulated rocks",
-                  over_years
-                      ? " and years, over the replicates; at worst years where nine of ten replicates lie"
-                      : "",
-                  ". *: the difference is more than chance; within chance: it may be none. Of many figures "
-                  "one in twenty differs so by chance."),
+            ? std::string{"One replicate: no intervals; which differences are significant is not known."}
+            : joined("In brackets: 95 % interval of the chance in the simulated rocks",
+                     over_years
+                         ? " and years, over the replicates; at worst years where nine of ten replicates lie"
+                         : "",
+                     ". *: the difference is statistically significant (95 %). Of many figures one in twenty "
+                     "is so by chance."),
         head};
     std::string title;
     for (const Line& line : comparison.lines) {

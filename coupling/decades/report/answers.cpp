@@ -5,6 +5,7 @@
 #include <set>
 
 #include "coupling/decades/report/page_parts.hpp"
+#include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -206,6 +207,12 @@ std::string breakable(const std::string& html) {
     return text;
 }
 
+std::string rocks_a_year(const Site& site) {
+    const std::uint64_t rocks =
+        site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+    return joined(grouped(rocks), " a year with rocks");
+}
+
 std::string list_of(const std::vector<std::string>& items) {
     std::string text;
     for (const std::string& item : items) {
@@ -234,7 +241,7 @@ std::string page_opening(const PageContent& content, const RunView& run) {
         ran.size() == 1 ? " regime, " : " regimes, ",
         has_climates ? joined(std::to_string(run.climates.size()), " climates, ") : "", replicates,
         run.replicates() == 1 ? " replicate" : " replicates each",
-        ". Replicates differ in their random numbers alone",
+        ". Replicates differ only in their random numbers",
         has_climates ? "; all begin with the same forest, and regimes and climates see the same chance" : "",
         ".</p>\n");
     std::vector<std::string> species_names;
@@ -248,8 +255,12 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     html += content.climate.empty() ? ""
                                     : joined("<div class=\"row\"><dt>", has_climates ? "Climates" : "Climate",
                                              "</dt><dd>", breakable(escaped(content.climate)), "</dd></div>");
-    html += has_rocks(content.scenario) ? fact("Motion", report::motion_in_words(content.scenario)) : "";
-    html += fact("Random seed", std::to_string(content.scenario.seed));
+    if (has_rocks(content.scenario) && content.site != nullptr) {
+        html += report::deciding_facts(content.scenario, content.site->sources, rocks_a_year(*content.site));
+    } else {
+        html += fact("Random seed",
+                     report::marked(content.scenario, std::to_string(content.scenario.seed), {"run.seed"}));
+    }
     return joined(html, fact("Program", joined("Bannwald ", escaped(content.version))), "</dl>\n");
 }
 

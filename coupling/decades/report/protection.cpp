@@ -8,8 +8,10 @@
 #include "coupling/decades/arrivals.hpp"
 #include "coupling/decades/report/regime_chart.hpp"
 #include "coupling/decades/report/series.hpp"
+#include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/joined.hpp"
+#include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 
@@ -87,14 +89,14 @@ std::string range_text(const OverReplicates& v, int decimals, const char* unit) 
                       : "");
 }
 
-/// What the forest keeps away in a year; of one replicate with the interval of its own rocks.
-std::string kept_away(const OverReplicates& v, const PairedCounts& counts) {
-    if (too_few_to_tell(counts)) {
-        return joined("– (too few rocks arrive to tell: ", std::to_string(counts.bare()), ")");
+/// What the forest stops in a year; of one replicate with the interval of its own rocks.
+std::string stopped_in_words(const std::optional<OverReplicates>& v, const PairedCounts& counts) {
+    if (!v || too_few_for_protection(counts)) {
+        return joined("– (", too_few_in_words(counts.bare()), ")");
     }
     const auto effect = protection_effect(counts);
-    const std::string value = range_text(v, 1, "\u00a0%");
-    if (v.replicates > 1 || !effect) {
+    const std::string value = range_text(*v, 1, "\u00a0%");
+    if (v->replicates > 1 || !effect) {
         return value;
     }
     return effect->one_sided ? joined(value, " (with 95 % confidence at least ",
@@ -108,61 +110,71 @@ bool is_one_replicate(const Series& series) {
                        [](const auto& replicates) { return replicates.size() <= 1; });
 }
 
-/// Share of rocks that arrive over the bare slope, from what the forest keeps away and what arrives in each
-/// replicate; NaN where it keeps away all of them.
-double mean_bare_percent(const Series& protection, const Series& reached, std::size_t course,
-                         std::int32_t year) {
-    double sum = 0.0;
-    double count = 0.0;
-    for (std::size_t replicate = 0; replicate < reached.values[course].size(); ++replicate) {
-        const auto& arrivals = reached.values[course][replicate];
-        const auto& effects = protection.values[course][replicate];
-        if (arrivals.contains(year) && effects.contains(year)) {
-            sum += arrivals.at(year) / (1.0 - effects.at(year) / 100.0);
-            count += 1.0;
-        }
-    }
-    const double mean = count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
-    return std::isfinite(mean) ? mean : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// The answer for one course; `arrivals` are those of a year. What the forest keeps away at the start, at
-/// worst and at the end, what arrives, how hard.
-std::string answer_of(const Names& names, const Series& protection, const Series& reached,
-                      const Series& energy, std::size_t course,
-                      const std::function<PairedCounts(std::int32_t)>& arrivals) {
-    const std::vector<std::int32_t> years = years_of(protection);
-    const auto first = over_replicates(protection, course, years.front());
-    const auto last = over_replicates(protection, course, years.back());
-    const auto worst = worst_year(protection, course);
-    if (!first || !last || !worst) {
+/// "In year 50 0.42 % of all rocks arrive, over the bare slope 3.10 %. ..."
+std::string last_year_in_words(const Series& reached, std::size_t course, const YearAtTarget& last) {
+    const auto share = over_replicates(reached, course, last.year);
+    if (!share) {
         return "";
     }
-    std::string text = joined("<p class=\"answer\"><b>", report::escaped(look_of(names, course).title()),
-                              "</b>: of the rocks that would arrive the forest keeps away at the start ",
-                              kept_away(*first, arrivals(years.front())), ", in year ",
-                              std::to_string(years.back()), " ", kept_away(*last, arrivals(years.back())));
-    // As much as at the ends in every year: there is no least.
-    const PairedCounts at_worst = arrivals(worst->year);
-    text += worst->value.band.mean < std::min(first->band.mean, last->band.mean) && !too_few_to_tell(at_worst)
-                ? joined("; least in year ", std::to_string(worst->year), ": ",
-                         kept_away(worst->value, at_worst), ". ")
-                : ". ";
-    if (const auto share = over_replicates(reached, course, years.back())) {
-        text += joined("In year ", std::to_string(years.back()), " ", range_text(*share, 2, "\u00a0%"),
-                       " of all rocks arrive");
-        const double bare = mean_bare_percent(protection, reached, course, years.back());
-        text += std::isnan(bare) ? "." : joined(", over the bare slope ", fixed(bare, 2), "\u00a0%.");
+    std::string text = joined("In year ", std::to_string(last.year), " ", range_text(*share, 2, "\u00a0%"),
+                              " of all rocks arrive, over the bare slope ",
+                              fixed(100.0 * last.bare.share.value, 2), "\u00a0%.");
+    if (!std::isnan(last.forest.energy_kj.p95)) {
+        text += joined(" Of the rocks that come through the forest 5\u00a0% have more than <b>",
+                       fixed(last.forest.energy_kj.p95, 0), "\u00a0kJ</b>.");
     }
-    if (const auto hard = over_replicates(energy, course, years.back())) {
-        text += joined(" One in twenty of the rocks that come through the forest has more than ",
-                       range_text(*hard, 0, "\u00a0kJ"), ".");
-    }
-    return joined(text, "</p>");
+    const std::string rise = rise_in_words(last.forest, last.bare);
+    return rise.empty() ? text : joined(text, " ", rise);
 }
 
-std::string table_of(const Names& names, const Series& protection, const std::string& target) {
-    const std::vector<std::int32_t> years = years_of(protection);
+/// The answer for one course: what the forest stops at the start, at worst and at the end, what arrives, how
+/// hard. `at_year` sums a year over the replicates.
+std::string answer_of(const Names& names, const Series& protection, const Series& reached, std::size_t course,
+                      const std::function<YearAtTarget(std::int32_t)>& at_year) {
+    const std::vector<std::int32_t> years = years_of(reached);
+    const auto effect_in = [&](std::int32_t year) { return over_replicates(protection, course, year); };
+    const auto first = effect_in(years.front());
+    const auto last = effect_in(years.back());
+    const YearAtTarget at_end = at_year(years.back());
+    std::string text = joined("<p class=\"answer\"><b>", report::escaped(look_of(names, course).title()),
+                              "</b>: of the rocks that would arrive the forest stops at the start ",
+                              stopped_in_words(first, at_year(years.front()).paired), ", in year ",
+                              std::to_string(years.back()), " ", stopped_in_words(last, at_end.paired));
+    const auto worst = worst_year(protection, course);
+    const auto is_below = [&](const std::optional<OverReplicates>& end) {
+        return !end || worst->value.band.mean < end->band.mean;
+    };
+    text += worst && is_below(first) && is_below(last)
+                ? joined("; lowest in year ", std::to_string(worst->year), ": ",
+                         stopped_in_words(worst->value, at_year(worst->year).paired), ". ")
+                : ". ";
+    return joined(text, last_year_in_words(reached, course, at_end), "</p>");
+}
+
+/// Rocks above given energies in the first and the last year; the bare slope is the same for all courses.
+std::string rates_over_years(const Names& names, std::span<const MemberYears> members, const Series& reached,
+                             std::uint32_t target) {
+    const std::vector<std::int32_t> all_years = years_of(reached);
+    if (all_years.empty()) {
+        return "";
+    }
+    std::vector<std::int32_t> years{all_years.front(), all_years.back()};
+    years.erase(std::unique(years.begin(), years.end()), years.end());
+    std::vector<report::EnergyRates> rows;
+    for (const std::int32_t year : years) {
+        const std::string when = joined("year ", std::to_string(year), ", ");
+        rows.push_back({joined(when, "bare slope"), at_target(names, members, 0, target, year).bare.above});
+        for (std::size_t course = 0; course < names.courses(); ++course) {
+            rows.push_back({joined(when, report::escaped(look_of(names, course).title())),
+                            at_target(names, members, course, target, year).forest.above});
+        }
+    }
+    return report::energy_rates_table("Rocks", rows);
+}
+
+std::string table_of(const Names& names, const Series& protection, const Series& reached,
+                     const std::string& target) {
+    const std::vector<std::int32_t> years = years_of(reached);
     const bool compares = names.regimes.size() > 1;
     const bool has_climates = names.climates.size() > 1;
     const bool one = is_one_replicate(protection);
@@ -181,18 +193,20 @@ std::string table_of(const Names& names, const Series& protection, const std::st
                               compares ? ", same regime" : ""));
     }
     report::HtmlTable table{
-        joined("Rocks that the forest keeps away from ", report::escaped(target),
+        joined("Rocks that the forest stops above ", report::escaped(target),
                ", percent of those that arrive over the bare slope; below 0 more arrive "
-               "than without it. ",
+               "than without it. A dash: fewer than ",
+               std::to_string(least_arrivals_for_protection),
+               " rocks arrive over the bare slope, too few for a protection figure. ",
                one ? "One replicate: no intervals. "
-                   : "In brackets the 5th and 95th percentile of the replicates, of few replicates little "
-                     "less than all of them. ",
-               "The lowest of many years is low by chance too.",
+                   : "In brackets the 5th and 95th percentile of the replicates; with few replicates "
+                     "this is close to the full range. ",
+               "The lowest of many years is partly chance.",
                !one && (compares || has_climates)
                    ? joined(" Differences are paired by replicate, with their 95 % "
-                            "interval: where it holds 0, the ",
+                            "interval: where it includes 0, the difference between the ",
                             compares ? "regimes" : "", compares && has_climates ? " or " : "",
-                            has_climates ? "climates" : "", " cannot be told apart.")
+                            has_climates ? "climates" : "", " is not significant.")
                    : ""),
         head};
     for (std::size_t course = 0; course < names.courses(); ++course) {
@@ -237,35 +251,43 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
             });
         };
         const Series& protection = find("protection_percent");
+        const Series& reached = find("reached_percent");
+        const std::string title = report::escaped(target.name.empty() ? target.id : target.name);
         if (years_of(protection).empty()) {
-            html += joined("<p>No rock arrives at ", report::escaped(target.name),
-                           " over the bare slope: there is no danger that a forest could lower.</p>\n");
+            html += joined("<section class=\"card\"><h3>", title,
+                           "</h3><p>No protection figure in any year: fewer than ",
+                           std::to_string(least_arrivals_for_protection),
+                           " rocks a year arrive over the bare slope.</p>",
+                           rates_over_years(names, members, reached, place), "</section>\n");
             continue;
         }
-        html += joined("<section class=\"card\"><h3>",
-                       report::escaped(target.name.empty() ? target.id : target.name), "</h3>");
+        html += joined("<section class=\"card\"><h3>", title, "</h3>");
         for (std::size_t course = 0; course < names.courses(); ++course) {
             if (!splits_charts(names) || names.climate_of(course) == 0) {
-                html += answer_of(
-                    names, protection, find("reached_percent"), find("energy_95_kj"), course,
-                    [&](std::int32_t year) { return arrivals_of(names, members, course, place, year); });
+                html += answer_of(names, protection, reached, course, [&](std::int32_t year) {
+                    return at_target(names, members, course, place, year);
+                });
             }
         }
         html += splits_charts(names) ? other_climates() : "";
         html += joined(
             "<p class=\"soft\">",
             is_one_replicate(protection)
-                ? "One replicate: no intervals of the replicates; those in brackets cover the chance in its "
-                  "rocks alone."
+                ? "One replicate: no intervals of the replicates; those in brackets cover only the chance "
+                  "in its rocks."
                 : "Means of the replicates, in brackets their 5th and 95th percentile.",
-            "</p></section>\n", table_of(names, protection, target.name));
-        html +=
-            joined("<div class=\"halves\">",
-                   charts_of(names, protection, joined("Protection: ", target.name), "Rocks kept away, %",
-                             "Of the rocks that arrive over the bare slope. Below 0 is drawn as 0.", true),
-                   charts_of(names, find("reached_percent"), joined("Rocks that arrive: ", target.name),
-                             "Rocks that arrive, %", "Of all rocks released in the year.", false),
-                   "</div>\n");
+            "</p>", rates_over_years(names, members, reached, place), "</section>\n",
+            table_of(names, protection, reached, target.name));
+        html += joined(
+            "<div class=\"halves\">",
+            charts_of(
+                names, protection, joined("Protection: ", target.name), "Rocks stopped, %",
+                "Of the rocks that arrive over the bare slope. Below 0 is drawn as 0. Years with too few "
+                "rocks have no point.",
+                true),
+            charts_of(names, reached, joined("Rocks that arrive: ", target.name), "Rocks that arrive, %",
+                      "Of all rocks released in the year.", false),
+            "</div>\n");
     }
     return html;
 }

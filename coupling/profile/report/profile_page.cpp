@@ -8,6 +8,8 @@
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/profile/profile_settings.hpp"
 #include "coupling/results/indicators.hpp"
+#include "coupling/results/report/deciding.hpp"
+#include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -24,18 +26,6 @@ using report::fixed;
 using report::grouped;
 using report::HtmlTable;
 using report::three_digits;
-
-std::string start_in_words(const Scenario& scenario) {
-    const rockfall::StartLaw law = start_law(scenario);
-    const std::string speed = joined(config::to_text(law.speed_mps), " m/s");
-    if (law.height_m <= 0.0) {
-        return joined("rolling, ", speed);
-    }
-    const std::string height = joined(config::to_text(law.height_m), " m above ground");
-    return law.speed_mps <= 0.0 ? joined("dropped ", height)
-                                : joined(height, ", ", speed, ", ", config::to_text(scenario.start_dip_deg),
-                                         "° below the horizon");
-}
 
 /// A run-out that ends where the profile does is none.
 std::string left_in_words(const ProfileResults& results) {
@@ -66,18 +56,24 @@ std::string opening(const ProfileResults& results) {
     html += fact("Drop", joined(fixed(drop_m, 1), " m, ",
                                 fixed(deg_per_rad * std::atan2(drop_m, length_m), 1), "° on average"));
     html += fact("Corners", grouped(site.corners.size()));
-    html += fact("Release", joined("at ", config::to_text(site.start_m), " m; ", start_in_words(scenario)));
-    html += fact("Rock diameter", report::rock_size(scenario));
-    html += fact("Rock density", fixed(scenario.density_kgpm3, 0) + " kg/m³");
-    html += fact("Motion", report::motion_in_words(scenario));
-    html += fact("Settings", escaped(scenario.preset));
-    html += fact("Random seed", std::to_string(scenario.seed));
+    html += fact("Release", report::marked(scenario, joined("at ", config::to_text(site.start_m), " m"),
+                                           {"profile.start_m"}));
+    html += report::deciding_facts(scenario, {}, grouped(results.tally.rocks));
     return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");
 }
 
 std::string share_in_words(const Share& share) {
     return joined(report::percent(share.value), " (", fixed(100.0 * share.interval.low, 1), " – ",
                   fixed(100.0 * share.interval.high, 1), ")");
+}
+
+std::string rates_table(const ProfileResults& results) {
+    std::vector<report::EnergyRates> rows;
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        rows.push_back({escaped(results.site.stations[i].name),
+                        rates_of(results.tally.stations[i], results.tally.rocks)});
+    }
+    return report::energy_rates_table("Station", rows);
 }
 
 std::string stations(const ProfileResults& results) {
@@ -108,8 +104,8 @@ std::string stations(const ProfileResults& results) {
                    three_digits(tally.height_m.moments.mean()),
                    three_digits(tally.height_m.quantile(fine_height_bins, 0.95))});
     }
-    return joined("<h2>Stations</h2>\n<section class=\"card\">", table.html(), "</section>\n",
-                  charts_at_stations(results));
+    return joined("<h2>Stations</h2>\n<section class=\"card\">", table.html(), rates_table(results),
+                  "</section>\n", charts_at_stations(results));
 }
 
 std::string key_figures(const ProfileResults& results) {

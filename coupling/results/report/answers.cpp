@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
+#include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -51,21 +53,19 @@ std::string protection_sentence(const TargetFigures& target) {
     if (!target.protection) {
         return "No rock arrives over the bare slope: there is no danger here that the forest could lower.";
     }
-    if (too_few_to_tell(target.paired)) {
-        return joined(
-            "What the forest keeps away cannot be told: too few rocks arrive over the bare slope (<b>",
-            grouped(target.paired.bare()), "</b>).");
+    if (too_few_for_protection(target.paired)) {
+        return joined("<b>No protection figure</b>: ", too_few_in_words(target.paired.bare()), ".");
     }
     const ProtectionEffect& effect = *target.protection;
     if (effect.one_sided) {
-        return joined("The forest keeps away <b>all of them</b>; with 95 % confidence at least ",
+        return joined("The forest stops <b>all of them</b>; with 95 % confidence at least ",
                       percent(std::max(0.0, effect.interval.low)), ".");
     }
     if (effect.value < 0.0) {
         return joined("With forest <b>more</b> rocks arrive here: protection effect <b>",
                       percent(effect.value), "</b> (95 % interval ", interval_text(effect.interval), ").");
     }
-    return joined("The forest keeps away <b>", percent(effect.value),
+    return joined("The forest stops <b>", percent(effect.value),
                   "</b> of the rocks that would arrive (95 % interval ", interval_text(effect.interval),
                   ").");
 }
@@ -143,27 +143,32 @@ std::string figures_at(const TargetFigures& target, const std::vector<Cover>& co
     return table.html();
 }
 
-/// How sure the answer is and what would make it surer.
+/// What became of the rocks, how sure the answer is, and what would make it surer.
 std::string certainty(const TargetFigures& target, const RunResults& results) {
     const std::uint64_t rocks = target.at(Cover::bare).share.whole;
     std::string text = "<p class=\"soft\">";
     if (results.with_forest && target.protection) {
-        text += joined("Of the rocks that arrive, ", grouped(target.paired.both), " do so on both slopes, ",
-                       grouped(target.paired.only_bare), " on the bare slope only and ",
-                       grouped(target.paired.only_forest), " with forest only. ");
+        const std::uint64_t turned = target.paired.only_forest;
+        text += joined("The forest stops ", grouped(target.paired.only_bare), " rocks that would arrive; ",
+                       grouped(turned), turned == 1 ? " arrives" : " arrive",
+                       " only because a tree or log deflected ", turned == 1 ? "it. " : "them. ");
     }
-    text += joined(grouped(rocks_for_half(rocks)), " rocks instead of ", grouped(rocks),
-                   " would halve these intervals.");
-    if (target.reduction && !too_few_to_tell(target.paired)) {
-        text += joined(" Reduction of frequency (BARI) ", fixed(target.reduction->bari_percent, 1));
-        text += std::isnan(target.reduction->miri_percent)
-                    ? std::string{" %. Of the 95th percentile of energy (MIRI) and of both (ORPI) fewer "
-                                  "than 20 rocks on a slope tell nothing."}
-                    : joined(", of the 95th percentile of energy (MIRI) ",
-                             fixed(target.reduction->miri_percent, 1), ", of both (ORPI) ",
-                             fixed(target.reduction->orpi_percent, 1), " %.");
+    return joined(text, "To halve the uncertainty, simulate ", grouped(rocks_for_half(rocks)), " rocks.</p>");
+}
+
+/// Whether the forest makes the rocks that still arrive look stronger, and what that means.
+std::string effect_on_energy(const TargetFigures& target) {
+    return !target.reduction || too_few_for_protection(target.paired)
+               ? ""
+               : joined("<p>", reduction_in_words(target), "</p>\n");
+}
+
+std::string rates_at(const TargetFigures& target, const std::vector<Cover>& covers) {
+    std::vector<EnergyRates> rows;
+    for (const Cover cover : covers) {
+        rows.push_back({cover == Cover::forest ? "with forest" : "bare slope", target.at(cover).above});
     }
-    return joined(text, "</p>");
+    return energy_rates_table("at this target", rows);
 }
 
 std::string without_targets(const RunResults& results, const Figures& figures) {
@@ -186,7 +191,7 @@ std::string without_targets(const RunResults& results, const Figures& figures) {
 }  // namespace
 
 std::string answers(const RunResults& results, const Figures& figures) {
-    std::string html = results.with_forest ? "<h2>What arrives, and what the forest keeps away</h2>\n"
+    std::string html = results.with_forest ? "<h2>What arrives, and what the forest stops</h2>\n"
                                            : "<h2>What arrives</h2>\n";
     if (figures.targets.empty()) {
         return html + without_targets(results, figures);
@@ -198,7 +203,8 @@ std::string answers(const RunResults& results, const Figures& figures) {
         html += nothing_arrives(target)
                     ? nothing(target, results)
                     : joined(answer(target, results), "<div class=\"two\">", share_bars(target, covers),
-                             certainty(target, results), "</div>\n", figures_at(target, covers));
+                             certainty(target, results), "</div>\n", effect_on_energy(target),
+                             rates_at(target, covers), figures_at(target, covers));
         html += "</section>\n";
     }
     return joined(

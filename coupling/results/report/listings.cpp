@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "config/text/numbers.hpp"
+#include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -173,36 +174,6 @@ std::string rock_size(const Scenario& scenario) {
     return joined("log-normal, mean ", config::to_text(scenario.diameter_m), " m");
 }
 
-namespace {
-
-/// Low and high end in words, or the one value.
-std::string from_to(double low, double high, int digits) {
-    return low == high ? fixed(low, digits) : joined(fixed(low, digits), " to ", fixed(high, digits));
-}
-
-/// Size and density of the rocks; where sources have rocks of their own, over all of them.
-std::string facts_of_rocks(const Scenario& scenario, const Site& site) {
-    const bool by_source = std::any_of(site.sources.begin(), site.sources.end(),
-                                       [](const auto& source) { return source.own_start != nullptr; });
-    const rockfall::StartLaw common = start_law(scenario);
-    if (!by_source) {
-        return fact("Rock diameter", rock_size(scenario)) +
-               fact("Rock density", fixed(scenario.density_kgpm3, 0) + " kg/m³");
-    }
-    double low_kgpm3 = std::numeric_limits<double>::infinity();
-    double high_kgpm3 = 0.0;
-    for (const rockfall::ReleaseSource& source : site.sources) {
-        const double density_kgpm3 = (source.own_start ? *source.own_start : common).density_kgpm3;
-        low_kgpm3 = std::min(low_kgpm3, density_kgpm3);
-        high_kgpm3 = std::max(high_kgpm3, density_kgpm3);
-    }
-    const rockfall::DiameterRange range = rockfall::diameter_range(common, site.sources);
-    return fact("Rock diameter", joined(from_to(range.smallest_m, range.largest_m, 2), " m, by source")) +
-           fact("Rock density", joined(from_to(low_kgpm3, high_kgpm3, 0), " kg/m³"));
-}
-
-}  // namespace
-
 std::string motion_in_words(const Scenario& scenario) {
     switch (scenario.rockfall.fall.motion.model) {
         case rockfall::MotionModel::pir3d:
@@ -236,14 +207,11 @@ std::string opening(const RunResults& results, const Figures&) {
                                    three_digits(frame.cell_width_m), " m"));
     html += fact("Release", joined(grouped(site.sources.size()), " sources in ", grouped(zones_of(site)),
                                    (zones_of(site) == 1 ? " zone" : " zones")));
-    html += facts_of_rocks(scenario, site);
     html += fact("Trees", grouped(site.trees.size()));
     if (!site.logs.empty()) {
         html += fact("Lying logs", grouped(site.logs.size()));
     }
-    html += fact("Motion", motion_in_words(scenario));
-    html += fact("Settings", escaped(scenario.preset));
-    html += fact("Random seed", std::to_string(scenario.seed));
+    html += deciding_facts(scenario, site.sources, grouped(results.rocks));
     return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");
 }
 

@@ -26,6 +26,8 @@ section.card p.answer{font-size:1.12rem;max-width:none}
 .facts dt{color:var(--soft);font-size:.82rem}
 .facts dd{margin:0;font-weight:600;overflow-wrap:break-word}
 .facts .row{grid-column:1/-1}
+.mark{font-weight:400;font-size:.74rem;color:var(--soft);border:1px solid var(--line);border-radius:3px;padding:0 4px;white-space:nowrap}
+.mark.given{color:inherit;border-color:currentColor}
 dl.facts{margin-bottom:0}
 .two{display:grid;grid-template-columns:minmax(260px,2fr) 3fr;gap:22px;align-items:center}
 .halves,.thirds{display:grid;gap:14px;align-items:start;margin-bottom:14px}

@@ -142,7 +142,24 @@ TEST(SideBySide, ShowsFiguresThatOnlyOneRunHas) {
     EXPECT_FALSE(comparison.lines[1].differences[1]);
     std::ostringstream table;
     write_csv(table, runs, comparison);
-    EXPECT_NE(table.str().find("\nB,out,house,,,protection_percent,today,,50.0000,47.0000,54.0000,,,,\n"),
+    EXPECT_NE(table.str().find("\nB,out,house,,,protection_percent,today,,50.0000,47.0000,54.0000,,,,,\n"),
+              std::string::npos)
+        << table.str();
+}
+
+TEST(SideBySide, SaysWhyAFigureIsMissingOnTheScreenAndInTheTable) {
+    std::vector<FinishedRun> runs{run_with(with_interval(60.0, 57.0, 64.0)),
+                                  run_with(with_interval(50.0, 47.0, 54.0))};
+    runs[1].figures[0] = {.key = runs[0].figures[0].key, .why_none = "only 2 rocks arrive"};
+    const SideBySide comparison = side_by_side(runs);
+    EXPECT_FALSE(comparison.lines[0].differences[1]);
+    std::ostringstream screen;
+    write_screen(screen, runs, comparison);
+    EXPECT_NE(screen.str().find("too few rocks"), std::string::npos) << screen.str();
+    EXPECT_NE(screen.str().find("B, road: only 2 rocks arrive"), std::string::npos) << screen.str();
+    std::ostringstream table;
+    write_csv(table, runs, comparison);
+    EXPECT_NE(table.str().find("\nB,out,road,,,protection_percent,today,,,,,,,,,only 2 rocks arrive\n"),
               std::string::npos)
         << table.str();
 }

@@ -23,6 +23,22 @@ TEST(FiguresOf, CountsPairsAtATarget) {
     EXPECT_DOUBLE_EQ(road.protection->value, 0.75);
 }
 
+TEST(FiguresOf, CountsRocksAboveEnergiesExactly) {
+    SmallRun run;
+    run.fall(400);
+    const ArrivalFigures& bare = figures_of(run.results()).targets[0].at(Cover::bare);
+    for (std::size_t i = 0; i < bare.above.size(); ++i) {
+        std::uint64_t above = 0;
+        for (int rock = 0; rock < 400; rock += 10) {
+            const float energy_j = 20000.0F + 2000.0F * static_cast<float>(rock % 89);
+            above += energy_j > rockfall::counted_energies_j[i] ? 1U : 0U;
+        }
+        EXPECT_EQ(bare.above[i].part, above) << i;
+        EXPECT_EQ(bare.above[i].whole, 400U) << "of all rocks released, not of those that arrive";
+    }
+    EXPECT_GT(bare.above[0].part, bare.above[1].part);
+}
+
 TEST(FiguresOf, TakesMeansFromSumsAndPercentilesFromBins) {
     SmallRun run;
     run.fall(400);

@@ -28,7 +28,7 @@ SmallRun some_rocks() {
 }
 
 TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
-    constexpr std::array units{"_m", "_cm", "_s", "_mps", "_kj", "_percent", "_deg", "_per_m"};
+    constexpr std::array units{"_m", "_cm", "_s", "_mps", "_kj", "_percent", "_deg", "_per_m", "_per_1000"};
     const std::vector<std::string> without{"rock",
                                            "cover",
                                            "zone",
@@ -62,6 +62,11 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
                                            "reached_bare",
                                            "reached_forest",
                                            "reached_both",
+                                           "too_few_rocks",
+                                           "above_30_kj_rocks",
+                                           "above_100_kj_rocks",
+                                           "above_300_kj_rocks",
+                                           "above_1000_kj_rocks",
                                            "rocks_for_half_interval",
                                            "jumps_per_rock",
                                            "ground_impacts_per_rock",

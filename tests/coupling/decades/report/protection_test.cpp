@@ -60,9 +60,41 @@ TEST(ProtectionOverYears, OfSeveralReplicatesHasTheirRange) {
 TEST(ProtectionOverYears, OfAHandfulOfRocksIsNotTold) {
     SomeArrivals arrivals;
     arrivals.add_replicate({.both = 0, .only_forest = 0, .only_bare = 4});
-    EXPECT_TRUE(has(arrivals.html(), "at the start – (too few rocks arrive to tell: 4)")) << arrivals.html();
+    EXPECT_TRUE(has(arrivals.html(), "No protection figure in any year: fewer than 5 rocks"))
+        << arrivals.html();
+    EXPECT_FALSE(has(arrivals.html(), "100.0")) << "neither in words nor in a chart";
     arrivals.add_replicate({.both = 0, .only_forest = 0, .only_bare = 1});
-    EXPECT_FALSE(has(arrivals.html(), "too few")) << "five in both replicates";
+    EXPECT_FALSE(has(arrivals.html(), "No protection figure")) << "five in both replicates";
+}
+
+TEST(ProtectionOverYears, OfAYearWithAHandfulOfRocksIsLeftOut) {
+    SomeArrivals arrivals;
+    arrivals.add_replicate({.both = 10, .only_forest = 0, .only_bare = 290});
+    TargetRow& start = arrivals.members.front().targets.front();
+    start.paired = {.both = 0, .only_forest = 0, .only_bare = 3};
+    const std::string html = arrivals.html();
+    EXPECT_TRUE(has(html,
+                    "at the start – (only 3 rocks arrive over the bare slope: too few for a "
+                    "protection figure)"))
+        << html;
+    EXPECT_TRUE(has(html, "in year 10 <b>96.7\u00a0%</b>"));
+    EXPECT_FALSE(has(html, "100.0")) << "neither in words nor in the table";
+}
+
+TEST(AtTarget, AddsTheRocksAboveEnergiesOfAllReplicates) {
+    SomeArrivals arrivals;
+    arrivals.add_replicate({.both = 10, .only_forest = 0, .only_bare = 290});
+    arrivals.add_replicate({.both = 20, .only_forest = 0, .only_bare = 280});
+    arrivals.members[0].targets[1].bare.above[2] = share_of(30, 1000);
+    arrivals.members[1].targets[1].bare.above[2] = share_of(50, 1000);
+    arrivals.members[0].targets[1].bare.energy_kj.p95 = 400.0;
+    arrivals.members[1].targets[1].bare.energy_kj.p95 = 500.0;
+    const Names names{arrivals.some.regimes, {}, arrivals.some.species};
+    const YearAtTarget year = at_target(names, arrivals.members, 0, 0, 10);
+    EXPECT_DOUBLE_EQ(year.bare.above[2].value, 0.04);
+    EXPECT_DOUBLE_EQ(year.bare.energy_kj.p95, 450.0);
+    EXPECT_EQ(year.bare.energy_kj.p95_interval.low, 400.0);
+    EXPECT_EQ(year.bare.energy_kj.p95_interval.high, 500.0);
 }
 
 TEST(ArrivalsOf, SumsOverTheReplicatesOfACourseInAYear) {

@@ -76,7 +76,7 @@ TEST(WritePage, RefersOnlyToWhatItDefinesAndDefinesItOnce) {
 
 TEST(WritePage, AnswersBeforeItExplains) {
     const std::string page = page_of(some_rocks());
-    const std::size_t answer = page.find("The forest keeps away <b>75.0\u00a0%</b>");
+    const std::size_t answer = page.find("The forest stops <b>75.0\u00a0%</b>");
     ASSERT_NE(answer, std::string::npos);
     EXPECT_LT(answer, page.find("<h2>Maps"));
     EXPECT_LT(page.find("<h2>Maps"), page.find("<h2>Settings"));
@@ -87,17 +87,48 @@ TEST(WritePage, TellsNoProtectionFromAHandfulOfRocks) {
     SmallRun few;
     few.fall(40);
     const std::string page = page_of(few);
-    EXPECT_NE(page.find("too few rocks arrive over the bare slope (<b>4</b>)"), std::string::npos);
-    EXPECT_EQ(page.find("The forest keeps away <b>"), std::string::npos);
+    EXPECT_NE(page.find("only 4 rocks arrive over the bare slope: too few for a protection figure"),
+              std::string::npos);
+    EXPECT_EQ(page.find("The forest stops <b>"), std::string::npos);
     EXPECT_EQ(page.find("(MIRI)"), std::string::npos);
 }
 
 TEST(WritePage, LeavesOutMiriAndOrpiOfFewRocks) {
     const std::string page = page_of(some_rocks());
-    EXPECT_NE(
-        page.find("(BARI) 75.0 %. Of the 95th percentile of energy (MIRI) and of both (ORPI) fewer than 20"),
-        std::string::npos)
+    EXPECT_NE(page.find("75.0\u00a0% fewer rocks (BARI). MIRI and ORPI cannot be estimated"),
+              std::string::npos)
         << "10 rocks come through";
+}
+
+TEST(WritePage, MarksOnItsFirstScreenWhatTheScenarioSetAndWhatIsADefault) {
+    const std::string page = page_of(some_rocks());
+    const std::string first_screen = page.substr(0, page.find("<h2>"));
+    const auto fact = [&](const std::string& name) {
+        const std::size_t at = first_screen.find("<dt>" + name + "</dt>");
+        EXPECT_NE(at, std::string::npos) << name;
+        return first_screen.substr(at, first_screen.find("</dd>", at) - at);
+    };
+    EXPECT_NE(fact("Rock density").find("2\u202f500 kg/m³ <span class=\"mark given\">set</span>"),
+              std::string::npos)
+        << fact("Rock density");
+    EXPECT_NE(fact("Random seed").find("<span class=\"mark\">default</span>"), std::string::npos);
+    for (const char* name :
+         {"Rocks", "Rock diameter", "Start", "Spread of directions", "Motion", "Settings"}) {
+        EXPECT_NE(fact(name).find("default"), std::string::npos) << name;
+        EXPECT_EQ(fact(name).find(">set<"), std::string::npos) << name;
+    }
+}
+
+TEST(WritePage, CountsRocksAboveEnergiesPer1000Released) {
+    const std::string page = page_of(some_rocks());
+    EXPECT_NE(page.find("above 300\u00a0kJ"), std::string::npos);
+    // Of 400 rocks 40 arrive over the bare slope, 32 of them with more than 30 kJ: 80 per 1000.
+    int above = 0;
+    for (int rock = 0; rock < 400; rock += 10) {
+        above += 20.0 + 2.0 * (rock % 89) > 30.0 ? 1 : 0;
+    }
+    const std::string rate = std::to_string(1000 * above / 400);
+    EXPECT_NE(page.find("<td>" + rate), std::string::npos) << rate;
 }
 
 TEST(WritePage, EscapesWhatTheUserWrote) {

@@ -1,0 +1,162 @@
+#include "coupling/results/report/deciding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::report {
+namespace {
+
+using rockfall::ReleaseSource;
+using rockfall::StartLaw;
+
+bool was_set(const config::Options& options, const std::vector<std::string>& keys) {
+    return std::any_of(keys.begin(), keys.end(),
+                       [&](const std::string& key) { return options.was_set(key); });
+}
+
+/// Not set, and still other than the default: by a preset.
+bool is_preset(const config::Options& options, const std::vector<std::string>& keys) {
+    const std::vector<config::ParameterRow> rows = options.rows();
+    return std::any_of(rows.begin(), rows.end(), [&](const config::ParameterRow& row) {
+        return row.changed && std::find(keys.begin(), keys.end(), row.key) != keys.end();
+    });
+}
+
+std::string mark(const char* word, bool is_default) {
+    return joined(" <span class=\"mark", is_default ? "" : " given", "\">", word, "</span>");
+}
+
+bool starts_differ(const std::vector<ReleaseSource>& sources) {
+    return std::any_of(sources.begin(), sources.end(),
+                       [](const ReleaseSource& source) { return source.own_start != nullptr; });
+}
+
+std::string from_low_to_high(double low, double high, int decimals) {
+    return low == high ? fixed(low, decimals) : joined(fixed(low, decimals), " to ", fixed(high, decimals));
+}
+
+/// Smallest and largest value over the starts of all sources.
+template <class Value>
+std::string range_over(const Scenario& scenario, const std::vector<ReleaseSource>& sources,
+                       const Value& value_of, int decimals) {
+    const StartLaw common = start_law(scenario);
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const ReleaseSource& source : sources) {
+        const double value = value_of(source.own_start ? *source.own_start : common);
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    if (sources.empty()) {
+        low = high = value_of(common);
+    }
+    return from_low_to_high(low, high, decimals);
+}
+
+const std::vector<std::string>& size_keys() {
+    static const std::vector<std::string> keys{"release.diameter_kind",        "release.diameter_m",
+                                               "release.diameter_deviation_m", "release.diameter_low_m",
+                                               "release.diameter_high_m",      "release.diameter_classes_m",
+                                               "release.diameter_shares"};
+    return keys;
+}
+
+std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
+    constexpr const char* shape = ", spheres";
+    if (!starts_differ(sources)) {
+        return marked(scenario, joined(rock_size(scenario), shape), size_keys());
+    }
+    const rockfall::DiameterRange range = rockfall::diameter_range(start_law(scenario), sources);
+    return joined(from_low_to_high(range.smallest_m, range.largest_m, 2), " m", shape,
+                  mark("by source", false));
+}
+
+std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
+    constexpr double deg_per_rad = 57.295779513082321;
+    const auto range = [&](const auto& value_of) { return range_over(scenario, sources, value_of, 1); };
+    return joined(range([](const StartLaw& law) { return law.height_m; }), " m above ground, ",
+                  range([](const StartLaw& law) { return law.speed_mps; }), " m/s, ",
+                  range([](const StartLaw& law) { return deg_per_rad * law.dip.in_radians(); }),
+                  "° below the horizon", mark("by source", false));
+}
+
+}  // namespace
+
+std::string marked(const Scenario& scenario, const std::string& value, const std::vector<std::string>& keys) {
+    if (scenario.options == nullptr) {
+        return value;
+    }
+    const config::Options& options = *scenario.options;
+    return joined(value, was_set(options, keys)     ? mark("set", false)
+                         : is_preset(options, keys) ? mark("preset", false)
+                                                    : mark("default", true));
+}
+
+std::string start_of_rocks(const Scenario& scenario) {
+    const StartLaw law = start_law(scenario);
+    if (scenario.fall_height_m > 0.0) {
+        return marked(scenario, joined("dropped at rest from ", config::to_text(law.height_m), " m"),
+                      {"release.fall_height_m"});
+    }
+    const std::string height = law.height_m <= 0.0 ? std::string{"rolling from the ground"}
+                                                   : joined(config::to_text(law.height_m), " m above ground");
+    return joined(
+        marked(scenario, height, {"release.start_height_m"}), ", ",
+        marked(scenario, joined(config::to_text(law.speed_mps), " m/s"), {"release.start_speed_mps"}), ", ",
+        marked(scenario, joined(config::to_text(scenario.start_dip_deg), "° below the horizon"),
+               {"release.start_dip_deg"}));
+}
+
+std::string spread_of_directions(const Scenario& scenario) {
+    if (!scenario.profile.empty()) {
+        return "none: two dimensions";
+    }
+    const std::string start = marked(
+        scenario,
+        joined("±", config::to_text(scenario.start_scatter_deg), "° around the fall line at the start"),
+        {"release.start_scatter_deg"});
+    const rockfall::WrittenLaw& law = scenario.rockfall.written;
+    switch (scenario.rockfall.fall.motion.model) {
+        case rockfall::MotionModel::pir3d:
+            return joined(start, ", at impacts as the soils of PiR3D say",
+                          marked(scenario, "", {"pir3d.spread", "pir3d.uncertainty", "terrain.soils"}));
+        case rockfall::MotionModel::classical:
+            return joined(
+                start, ", ",
+                marked(scenario, joined("±", config::to_text(law.classical_lateral_deg), "° at impacts"),
+                       {"classical.lateral_deg"}));
+        case rockfall::MotionModel::picus:
+            break;
+    }
+    return joined(
+        start, ", ",
+        marked(scenario,
+               joined("at impacts ±", config::to_text(law.lateral_slow_deg), "° (slow) to ±",
+                      config::to_text(law.lateral_fast_deg), "° (fast rocks)"),
+               {"rockfall.lateral_slow_deg", "rockfall.lateral_fast_deg", "rockfall.lateral_fast_mps"}));
+}
+
+std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSource>& sources,
+                           const std::string& rocks, const std::string& sizes) {
+    const bool by_source = starts_differ(sources);
+    const std::string density =
+        joined(range_over(
+                   scenario, sources, [](const StartLaw& law) { return law.density_kgpm3; }, 0),
+               " kg/m³");
+    std::string html = fact("Rocks", marked(scenario, rocks, {"release.rocks", "release.rocks_per_source"}));
+    html += fact("Rock diameter", sizes.empty() ? size_of_rocks(scenario, sources) : sizes);
+    html += fact("Rock density", by_source ? joined(density, mark("by source", false))
+                                           : marked(scenario, density, {"release.density_kgpm3"}));
+    html += fact("Start", by_source ? start_with_own(scenario, sources) : start_of_rocks(scenario));
+    html += fact("Spread of directions", spread_of_directions(scenario));
+    html += fact("Motion", marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
+    html += fact("Settings", marked(scenario, escaped(scenario.preset), {"rockfall.preset"}));
+    return joined(html, fact("Random seed", marked(scenario, std::to_string(scenario.seed), {"run.seed"})));
+}
+
+}  // namespace coupling::report

@@ -1,0 +1,41 @@
+#include "coupling/results/report/energy_rates.hpp"
+
+#include "coupling/results/effect_words.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::report {
+namespace {
+
+std::string rate_text(const Share& share) {
+    constexpr double per_1000 = 1000.0;
+    return joined(three_digits(per_1000 * share.value), " <span class=\"soft\">(",
+                  three_digits(per_1000 * share.interval.low), " to ",
+                  three_digits(per_1000 * share.interval.high), ")</span>");
+}
+
+}  // namespace
+
+std::string energy_rates_table(const std::string& first_head, std::span<const EnergyRates> rows) {
+    if (rows.empty()) {
+        return "";
+    }
+    std::vector<std::string> head{first_head};
+    for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
+        head.push_back(joined("above ", kj_text(i), "\u00a0kJ"));
+    }
+    HtmlTable table{
+        "Rocks above an energy, per 1000 rocks released; in brackets the 95 % interval. Unlike a mean or a "
+        "percentile of those that arrive, this counts the rocks that are stopped too.",
+        head};
+    for (const EnergyRates& row : rows) {
+        std::vector<std::string> cells{row.name};
+        for (const Share& share : row.above) {
+            cells.push_back(rate_text(share));
+        }
+        table.row(cells);
+    }
+    return table.html();
+}
+
+}  // namespace coupling::report
