@@ -45,7 +45,9 @@ void cut_to(const fs::path& file, const KeptTable& kept) {
                      "changed or damaged since its last finished part: its checksum differs", kept_table_remedy);
     }
     std::error_code error;
-    fs::resize_file(file, kept.bytes, error);
+    if (fs::file_size(file, error) != kept.bytes && !error) {
+        fs::resize_file(file, kept.bytes, error);
+    }
     if (error) {
         config::fail(config::ExitCode::file, {file.string()},
                      "cannot be cut to its last finished part: " + error.message());
