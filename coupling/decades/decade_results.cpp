@@ -75,7 +75,8 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
 
 }  // namespace
 
-std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder) {
+std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch) {
     std::vector<WrittenFile> files{
         {"report.html",
          "The results as a page: stands, growth, work and losses over the years, pictures of the forest, "
@@ -84,28 +85,35 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     const auto add = [&](const std::vector<WrittenFile>& written) {
         files.insert(files.end(), written.begin(), written.end());
     };
+    watch("tables");
     if (results.rocks > 0) {
         add(write_fall_tables(folder, results.names, results.site, results.members));
     }
     add(write_forest_tables(folder, results.names, results.members,
                             chosen_years(results.scenario.forest.tree_list_years, results.scenario.years)));
+    watch("tables of work");
     add(write_work_tables(folder, results.names, results.members, results.site.forest->grid.area_ha()));
+    watch("rasters of patches");
     add(write_patch_maps(folder, results.names, results.members, results.site.forest->grid,
-                         results.site.projection));
+                         results.site.projection, watch));
     if (results.rocks > 0) {
-        add(write_fall_maps(folder, results.names, results.site, results.members));
+        add(write_fall_maps(folder, results.names, results.site, results.members, watch));
     }
     const std::optional<forest::TargetProfile> profile =
         results.rocks > 0 ? profile_for(results.scenario, results.site) : std::nullopt;
+    watch("tables of target profiles");
     add(write_profile_tables(folder, results.names, results.members, profile));
     const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);
+    watch("comparison");
     add(write_comparison(folder, results.names, series));
     add_data_dictionary(folder, {decade_layouts(), together(raster_columns(), patch_raster_columns())},
                         files);
-    add(write_gis_files(folder, results.scenario.gis, results.site, files));
+    add(write_gis_files(folder, results.scenario.gis, results.site, files, {}, {}, watch));
+    watch("summary.json");
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);
     summary.close();
+    watch("report.html");
     OutFile page{folder / "report.html"};
     write_decade_page(page.stream(), {.scenario = results.scenario,
                                       .names = results.names,

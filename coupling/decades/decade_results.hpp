@@ -14,6 +14,7 @@
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/results/write_watch.hpp"
 
 namespace coupling::decades {
 
@@ -30,7 +31,8 @@ struct DecadeResults {
 
 /// Writes tables/, rasters/, summary.json and report.html into an existing folder; returns all files. Throws
 /// config::InputError (file); what was written so far stays.
-std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder);
+std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch = {});
 
 /// In results/summary.cpp, where all summaries are written.
 void write_summary(std::ostream& out, const DecadeResults& results, const std::vector<WrittenFile>& files);

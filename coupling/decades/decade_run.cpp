@@ -15,6 +15,7 @@
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/settings_hash.hpp"
+#include "coupling/run/writing_progress.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::decades {
@@ -68,6 +69,18 @@ void live(const Decades& decades, std::span<const Member> missing, const Parts& 
               });
 }
 
+/// With --overwrite the parts of a shard would be deleted before they are read.
+void refuse_to_overwrite_shards(const RunRequest& request, const fs::path& out) {
+    for (const fs::path& shard : request.shards) {
+        std::error_code ignored;
+        if (request.overwrite && fs::equivalent(shard, out, ignored)) {
+            config::fail(config::ExitCode::settings, {out.string()},
+                         "the output folder is that of a shard; --overwrite would delete its parts",
+                         "another folder by --out, or no --overwrite");
+        }
+    }
+}
+
 /// Copies the parts of shards into the folder. A part that is cut off or of other settings is refused.
 void gather(std::span<const fs::path> shards, std::span<const Member> members, const Parts& parts,
             const std::string& hash) {
@@ -76,7 +89,10 @@ void gather(std::span<const fs::path> shards, std::span<const Member> members, c
             config::fail(config::ExitCode::file, {shard.string()}, "no parts in this folder",
                          "the --out folder of a shard");
         }
-        const Parts others{shard / "parts", hash};
+        // Nothing in the folder of a shard is ours to delete.
+        const Parts others{shard / "parts", hash,
+                           "the folder of a shard with the same settings and inputs; run that shard again in "
+                           "a folder of its own, or copy its folder once more"};
         for (const Member& member : members) {
             if (const auto years = others.read(member)) {
                 parts.keep(*years);
@@ -200,9 +216,14 @@ public:
         const InterruptGuard guard;
         std::optional<OutputFolder> folder;
         if (ranks_.first()) {
-            folder.emplace(out_, hash_, request_.overwrite);
+            refuse_to_overwrite_shards(request_, out_);
+            folder.emplace(out_, hash_, request_.overwrite,
+                           request_.shard.count > 1 ? FolderLock::Use::shared : FolderLock::Use::alone);
         }
         try {
+            if (was_completed(folder)) {
+                return static_cast<int>(config::ExitCode::done);
+            }
             refuse_strangers(ranks_, hash_, request_.shard, parts_.folder());
             live_missing();
             if (folder && request_.shard.count == 1) {
@@ -229,6 +250,15 @@ public:
     }
 
 private:
+    /// On all ranks the answer of the first one, which keeps the folder.
+    bool was_completed(const std::optional<OutputFolder>& folder) {
+        const std::uint64_t here = folder && folder->was_completed() ? 1 : 0;
+        if (here == 1 && !request_.quiet) {
+            print_completed(*folder);
+        }
+        return ranks_.from_first({here}).front() == 1;
+    }
+
     void live_missing() {
         gather(request_.shards, members_, parts_, hash_);
         std::vector<std::uint64_t> places;
@@ -250,13 +280,26 @@ private:
         }
     }
 
+    /// Throws Interrupted.
+    std::vector<WrittenFile> write_watched(const DecadeResults& results, const fs::path& staging) {
+        try {
+            WritingProgress progress{request_.quiet};
+            const WriteWatch watch = progress.watch();
+            std::vector<WrittenFile> files = write_results(results, staging, watch);
+            watch("the last file");
+            return files;
+        } catch (const WritingInterrupted&) {
+            throw Interrupted{};
+        }
+    }
+
     void write(OutputFolder& folder) {
         const std::vector<MemberYears> years = read_all(members_, parts_);
         const DecadeResults results{scenario_, site_,    names_, years, rocks_ ? rocks_->rocks() : 0,
                                     warnings_, version()};
         tell_rocks_not_started(years, results.rocks, warnings_);
         make_folder(folder.staging());
-        const std::vector<WrittenFile> files = write_results(results, folder.staging());
+        const std::vector<WrittenFile> files = write_watched(results, folder.staging());
         folder.publish();
         if (!request_.quiet) {
             print_summary(results, folder.path(), files, request_.verbose);

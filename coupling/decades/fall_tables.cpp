@@ -136,7 +136,8 @@ std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, 
 }
 
 std::vector<WrittenFile> write_fall_maps(const std::filesystem::path& folder, const Names& names,
-                                         const Site& site, std::span<const MemberYears> members) {
+                                         const Site& site, std::span<const MemberYears> members,
+                                         const WriteWatch& watch) {
     std::vector<WrittenFile> written;
     const auto sums = summed(names, members);
     for (const RasterKind& kind : raster_kinds()) {
@@ -152,6 +153,7 @@ std::vector<WrittenFile> write_fall_maps(const std::filesystem::path& folder, co
             const auto& [part, year] = key;
             const std::string number = std::to_string(year);
             const std::string path = joined("rasters/rockfall/", part, "/year_", number);
+            watch(path);
             make_folder(folder / path);
             const config::Raster<float> raster = raster_of_cells(kind, site.map_frame, cells);
             const std::string sentence = joined(kind.stem, " [", kind.unit, "]: ", kind.meaning, "; year ",

@@ -8,6 +8,7 @@
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/results/write_watch.hpp"
 
 namespace coupling::decades {
 
@@ -20,6 +21,7 @@ std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, 
 /// Writes rasters/rockfall/REGIME/year_N/ and rasters/rockfall/bare/year_N/: the rocks of all replicates in a
 /// chosen year, under the names of the static assessment. No percentiles.
 std::vector<WrittenFile> write_fall_maps(const std::filesystem::path& folder, const Names& names,
-                                         const Site& site, std::span<const MemberYears> members);
+                                         const Site& site, std::span<const MemberYears> members,
+                                         const WriteWatch& watch = {});
 
 }  // namespace coupling::decades

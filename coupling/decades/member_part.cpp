@@ -1,9 +1,12 @@
 #include "coupling/decades/member_part.hpp"
 
+#include "coupling/results/disk.hpp"
+#include "coupling/results/joined.hpp"
+
 namespace coupling::decades {
 namespace {
 
-constexpr std::uint64_t magic = 0x35304D45'4D4E4142ULL;  // "BANMEM05", least byte first
+constexpr std::uint64_t member_part_magic = 0x36304D45'4D4E4142ULL;  // "BANMEM06", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
@@ -24,6 +27,12 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.targets);
 }
 
+/// As the names of part files count.
+std::string in_words(const Member& member) {
+    return joined("regime ", std::to_string(member.regime + 1), ", climate ",
+                  std::to_string(member.climate + 1), ", replicate ", std::to_string(member.replicate + 1));
+}
+
 }  // namespace
 
 void begin_part(ByteWriter& out, std::uint64_t magic_number, const std::string& hash) {
@@ -34,19 +43,19 @@ void begin_part(ByteWriter& out, std::uint64_t magic_number, const std::string& 
 void check_begin(ByteReader& in, std::uint64_t magic_number, const std::string& hash,
                  const std::filesystem::path& file) {
     if (in.value<std::uint64_t>() != magic_number) {
-        config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version",
-                     "delete it, or run with --overwrite to begin anew");
+        config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version", in.remedy());
     }
+    in.check_whole();
     if (in.text() != hash) {
         config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
-                     "delete it, or run with --overwrite to begin anew");
+                     in.remedy());
     }
 }
 
 void write_part(const std::filesystem::path& file, const std::string& hash, const MemberYears& years) {
     const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
-    begin_part(out, magic, hash);
+    begin_part(out, member_part_magic, hash);
     out.value(years.member);
     each_list(years, [&](const auto& list) { out.list(list); });
     out.value(static_cast<std::uint64_t>(years.maps.size()));
@@ -58,14 +67,19 @@ void write_part(const std::filesystem::path& file, const std::string& hash, cons
     close_and_rename(out, temporary, file);
 }
 
-std::optional<MemberYears> read_part(const std::filesystem::path& file, const std::string& hash) {
-    if (!std::filesystem::exists(file)) {
+std::optional<MemberYears> read_part(const std::filesystem::path& file, const std::string& hash,
+                                     const Member& member, const std::string& remedy) {
+    if (!is_there(file)) {
         return std::nullopt;
     }
-    ByteReader in{file};
-    check_begin(in, magic, hash, file);
+    ByteReader in{file, remedy};
+    check_begin(in, member_part_magic, hash, file);
     MemberYears years;
     years.member = in.value<Member>();
+    if (years.member != member) {
+        config::fail(config::ExitCode::file, {file.string()}, joined("the part of ", in_words(years.member)),
+                     joined("that of ", in_words(member), ", as its name says; ", remedy));
+    }
     each_list(years, [&]<class Row>(std::vector<Row>& list) { list = in.list<Row>(); });
     years.maps.resize(in.count_of(sizeof(std::int32_t)));
     for (CellMap& map : years.maps) {

@@ -2,6 +2,7 @@
 
 #include "coupling/decades/bare_part.hpp"
 #include "coupling/decades/member_part.hpp"
+#include "coupling/results/disk.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/output_folder.hpp"
@@ -19,32 +20,39 @@ std::filesystem::path Parts::of_bare(std::uint32_t replicate, std::size_t block)
 }
 
 bool Parts::any() const {
-    return std::filesystem::exists(OutputFolder::checkpoint_of(folder_));
+    return is_there(OutputFolder::checkpoint_of(folder_));
+}
+
+/// Says of which run the parts are; comes before the first one.
+void Parts::keep_marker() const {
+    if (!any()) {
+        write_marker(OutputFolder::checkpoint_of(folder_), hash_);
+    }
 }
 
 void Parts::keep(const MemberYears& years) const {
     const std::lock_guard lock{mutex_};
-    write_marker(OutputFolder::checkpoint_of(folder_), hash_);
+    keep_marker();
     write_part(of(years.member), hash_, years);
 }
 
 std::optional<MemberYears> Parts::read(const Member& member) const {
-    return read_part(of(member), hash_);
+    return read_part(of(member), hash_, member, remedy_);
 }
 
 void Parts::keep_bare(std::uint32_t replicate, std::size_t block,
                       std::span<const exchange::BareYear> years) const {
     const std::lock_guard lock{mutex_};
-    write_marker(OutputFolder::checkpoint_of(folder_), hash_);
-    write_bare_part(of_bare(replicate, block), hash_, years);
+    keep_marker();
+    write_bare_part(of_bare(replicate, block), hash_, {replicate, block}, years);
 }
 
 bool Parts::has_bare(std::uint32_t replicate, std::size_t block) const {
-    return std::filesystem::exists(of_bare(replicate, block));
+    return is_there(of_bare(replicate, block));
 }
 
 std::vector<exchange::BareYear> Parts::read_bare(std::uint32_t replicate, std::size_t block) const {
-    return read_bare_part(of_bare(replicate, block), hash_);
+    return read_bare_part(of_bare(replicate, block), hash_, {replicate, block});
 }
 
 }  // namespace coupling::decades

@@ -67,7 +67,8 @@ std::vector<Column> patch_raster_columns() {
 
 std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, const Names& names,
                                           std::span<const MemberYears> members, const forest::PatchGrid& grid,
-                                          const std::string& projection) {
+                                          const std::string& projection,
+                                          const WriteWatch& watch) {
     std::vector<WrittenFile> written;
     for (const Quantity& quantity : quantities) {
         Sums sums;
@@ -88,6 +89,7 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
             const std::string year = std::to_string(key.second);
             const std::string path =
                 joined("rasters/forest/", names.course_folder(key.first), "/year_", year);
+            watch(path);
             make_folder(folder / path);
             const std::string sentence =
                 joined(quantity.meaning, " [", quantity.unit, "], by patch in year ", year, ".");

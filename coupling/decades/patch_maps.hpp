@@ -9,6 +9,7 @@
 #include "coupling/decades/records.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/table_layout.hpp"
+#include "coupling/results/write_watch.hpp"
 #include "forest/patch.hpp"
 
 namespace coupling::decades {
@@ -21,6 +22,7 @@ std::vector<Column> patch_raster_columns();
 /// the text for the .prj files, empty for none.
 std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, const Names& names,
                                           std::span<const MemberYears> members, const forest::PatchGrid& grid,
-                                          const std::string& projection);
+                                          const std::string& projection,
+                                          const WriteWatch& watch = {});
 
 }  // namespace coupling::decades

@@ -237,7 +237,8 @@ SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods
     return slope;
 }
 
-std::vector<WrittenFile> write_results(const HazardResults& results, const fs::path& folder) {
+std::vector<WrittenFile> write_results(const HazardResults& results, const fs::path& folder,
+                                       const WriteWatch& watch) {
     std::vector<WrittenFile> files{
         {"report.html",
          "The hazard map as a page: levels, targets, intensities. Opens offline in any browser."},
@@ -248,12 +249,13 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
     };
     add(write_tables(results, folder));
     for (const SlopeHazard& slope : results.slopes) {
+        watch("rasters");
         add(write_slope(slope, results, folder));
     }
     add_data_dictionary(folder, {hazard_layouts(), hazard_raster_columns(results.periods)}, files);
     GisFiles wanted = results.scenario.gis;
     wanted.vtp = false;
-    add(write_gis_files(folder, wanted, results.site, files));
+    add(write_gis_files(folder, wanted, results.site, files, {}, {}, watch));
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);
     summary.close();

@@ -16,6 +16,7 @@
 #include "coupling/results/figures.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/table_layout.hpp"
+#include "coupling/results/write_watch.hpp"
 
 namespace coupling::hazard {
 
@@ -92,7 +93,8 @@ SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods
 const std::vector<TableLayout>& hazard_layouts();
 
 /// Writes rasters, tables, summary.json and report.html into a folder that exists.
-std::vector<WrittenFile> write_results(const HazardResults& results, const std::filesystem::path& folder);
+std::vector<WrittenFile> write_results(const HazardResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch = {});
 
 /// Columns of the rasters, for the dictionary.
 std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& periods);

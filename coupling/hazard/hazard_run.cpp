@@ -14,12 +14,14 @@
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
+#include "coupling/results/disk.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/run/assess_today.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/settings_hash.hpp"
 #include "coupling/run/telling.hpp"
+#include "coupling/run/writing_progress.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::hazard {
@@ -52,7 +54,7 @@ Period open_period(const RunRequest& request, double years, const fs::path& out,
 /// is finished.
 class NoEmptyFolder {
 public:
-    explicit NoEmptyFolder(fs::path folder) : folder_{std::move(folder)}, existed_{fs::exists(folder_)} {}
+    explicit NoEmptyFolder(fs::path folder) : folder_{std::move(folder)}, existed_{is_there(folder_)} {}
     ~NoEmptyFolder() {
         std::error_code ignored;
         if (!existed_) {
@@ -67,19 +69,46 @@ private:
     bool existed_;
 };
 
-bool is_finished(const Period& period) {
-    return OutputFolder::is_finished(period.folder, settings_hash(*period.scenario, period.site.inputs));
+/// One hazard run at a time in a folder; the runs of its return periods lock their own ones.
+class HazardLock {
+public:
+    explicit HazardLock(const fs::path& out) : lock_{out / ".bannwald_hazard", FolderLock::Use::alone} {}
+    ~HazardLock() { lock_.remove_file(); }
+    HazardLock(const HazardLock&) = delete;
+    HazardLock& operator=(const HazardLock&) = delete;
+
+private:
+    FolderLock lock_;
+};
+
+FolderState state_of(const Period& period) {
+    return OutputFolder::state_of(period.folder, settings_hash(*period.scenario, period.site.inputs));
+}
+
+constexpr const char* replaced_map = ".hazard_replaced";
+
+/// By one rename, so that a kill leaves a whole map or none.
+void delete_map(const fs::path& out) {
+    delete_entry(out / replaced_map);
+    if (is_there(out / map_folder)) {
+        move_entry(out / map_folder, out / replaced_map);
+        delete_entry(out / replaced_map);
+    }
+}
+
+void refuse_other_than_folder(const fs::path& out) {
+    if (is_there(out) && !is_folder(out)) {
+        config::fail(config::ExitCode::settings, {out.string()}, "the output folder is a file",
+                     "a folder; choose another one by --out");
+    }
 }
 
 /// Before any rock falls: what would be found wrong after the falls, and older results that must not lie
 /// beside new ones. True if all rocks are to fall anew: with --overwrite return periods that are finished
 /// stay where others are not.
 bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs::path& out) {
-    if (fs::exists(out) && !fs::is_directory(out)) {
-        config::fail(config::ExitCode::settings, {out.string()}, "the output folder is a file", "a folder");
-    }
     OutputFolder::refuse_foreign(out / map_folder);
-    if (fs::exists(out / "summary.json")) {
+    if (is_there(out / "summary.json")) {
         config::fail(config::ExitCode::settings, {out.string()},
                      "the output folder holds finished results of another run", "another folder by --out");
     }
@@ -88,18 +117,24 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
         config::Warnings told_later;
         const Period period = open_period(request, years, out, told_later);
         OutputFolder::refuse_foreign(period.folder);
-        const bool finished = is_finished(period);
-        finished_periods += finished ? 1 : 0;
-        if (!finished && !request.overwrite && fs::exists(period.folder / "summary.json")) {
+        const FolderState state = state_of(period);
+        finished_periods += state == FolderState::finished ? 1 : 0;
+        if (!request.overwrite && state == FolderState::other_settings) {
             config::fail(config::ExitCode::settings, {period.folder.string()},
                          "finished results of other settings or inputs",
                          "another folder by --out, or --overwrite to let the rocks fall anew");
+        }
+        if (!request.overwrite && state == FolderState::incomplete) {
+            config::fail(config::ExitCode::settings, {period.folder.string()},
+                         joined("results of which ", OutputFolder::missing_result(period.folder), " is missing"),
+                         "all files that its summary.json lists; put it back, or --overwrite to simulate this "
+                         "return period again");
         }
     }
     const bool all_finished = finished_periods == plan.return_periods_years.size();
     const bool all_anew = all_finished && request.overwrite;
     if (!all_finished || all_anew) {
-        delete_entry(out / map_folder);  // it would show falls that are no longer there
+        delete_map(out);  // it would show falls that are no longer there
     }
     return all_anew;
 }
@@ -195,7 +230,7 @@ int tell_interruption() {
 /// Falls of a return period, unless they are finished. Returns the exit code.
 int fall(const RunRequest& request, Period& period, bool anew, config::Warnings& warnings) {
     const std::string years = config::to_text(period.return_period_years);
-    if (!anew && is_finished(period)) {
+    if (!anew && state_of(period) == FolderState::finished) {
         if (!request.quiet) {
             std::printf("return period of %s years: finished before\n", years.c_str());
         }
@@ -214,22 +249,23 @@ int fall(const RunRequest& request, Period& period, bool anew, config::Warnings&
 }
 
 /// An older map stays until the new one is whole.
-std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path& out) {
+std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path& out, const WriteWatch& watch) {
     const fs::path fresh = out / ".hazard";
     std::vector<WrittenFile> written;
     {
         OutputFolder folder{fresh, settings_hash(results.scenario, results.inputs), true};
         make_folder(folder.staging());
-        written = write_results(results, folder.staging());
+        written = write_results(results, folder.staging(), watch);
+        watch("the last file");
         folder.publish();
     }
-    delete_entry(out / map_folder);
-    std::error_code error;
-    fs::rename(fresh, out / map_folder, error);
-    if (error) {
-        config::fail(config::ExitCode::file, {(out / map_folder).string()},
-                     joined("cannot be put in its place: ", error.message()));
+    delete_entry(out / replaced_map);
+    if (is_there(out / map_folder)) {
+        move_entry(out / map_folder, out / replaced_map);
     }
+    move_entry(fresh, out / map_folder);
+    sync_folder(out);
+    delete_entry(out / replaced_map);
     return written;
 }
 
@@ -270,6 +306,9 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     const HazardPlan plan = read_plan(scenario);
     const fs::path out = output_folder_of(request, scenario);
     const NoEmptyFolder tidy{out};
+    refuse_other_than_folder(out);
+    make_folder(out);
+    const HazardLock lock{out};
     const bool all_anew = look_at_folders(request, plan, out);
     config::Warnings of_map;
     for (const std::string& folder : left_over(plan, out)) {
@@ -328,7 +367,13 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         }
     }
     results.arrivals = arrivals_of(periods, longest->site);
-    const std::vector<WrittenFile> written = write_map(results, out);
+    std::vector<WrittenFile> written;
+    try {
+        WritingProgress progress{request.quiet};
+        written = write_map(results, out, progress.watch());
+    } catch (const WritingInterrupted&) {
+        return tell_interruption();
+    }
     if (!request.quiet) {
         print_summary(results);
         print_files(out / map_folder, written, request.verbose);

@@ -230,6 +230,10 @@ void declare_output(config::Options& options, Scenario& s) {
     options.flag("output.percentiles", s.percentiles,
                  {.meaning = "maps of percentiles; they need most of the memory", .source = "choice"});
     options.flag("output.rock_table", s.rock_table, {.meaning = "table of every rock", .source = "choice"});
+    options.flag("output.arrivals", s.arrival_table,
+                 {.meaning = "arrivals.csv, a row for each rock that reaches a target, also in results.gpkg; "
+                             "no: shares and distributions at the targets only",
+                  .source = "choice"});
     options.flag("output.tree_hit_table", s.tree_hit_table,
                  {.meaning = "tables of every hit on a tree and on a log", .source = "choice"});
     options.count("output.sample_paths", s.sample_paths,

@@ -85,6 +85,7 @@ struct Scenario {
     double cell_size_m = 0.0;  ///< of the maps; 0: that of the DEM
     bool percentiles = true;   ///< percentile maps
     bool rock_table = true;
+    bool arrival_table = true;
     bool tree_hit_table = true;
     std::uint64_t sample_paths = 500;
     std::vector<double> path_rocks;  ///< numbers of rocks whose paths are kept too

@@ -201,6 +201,12 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
     const InterruptGuard guard;
     OutputFolder folder{output_folder_of(request, scenario), settings_hash(scenario, site.inputs),
                         request.overwrite};
+    if (folder.was_completed()) {
+        if (!request.quiet) {
+            print_completed(folder);
+        }
+        return static_cast<int>(config::ExitCode::done);
+    }
     try {
         fall_and_write(request, scenario, site, warnings, folder);
     } catch (const Interrupted&) {

@@ -29,6 +29,7 @@ constexpr std::array meaningless{
     Meaningless{"targets.", "profile.stations_m or profile.stations"},
     Meaningless{"output.cell_size_m", "nothing: a profile has no maps"},
     Meaningless{"output.percentiles", "nothing: a profile has no maps"},
+    Meaningless{"output.arrivals", "nothing: a profile has stations, whose rocks are in rocks.csv"},
     Meaningless{"output.tree_hit_table", "nothing: rocks meet no trees along a profile"},
     Meaningless{"rockfall.vertical_tolerance_m", "nothing: a profile is not thinned"},
     Meaningless{"rockfall.lateral_slow_deg", "nothing: rocks are not turned sideways along a profile"},

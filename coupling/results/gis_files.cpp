@@ -15,14 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 
 void add_package(const fs::path& folder, const geopackage::Contents& contents,
-                 std::span<const WrittenFile> files, std::vector<WrittenFile>& added) {
-    const std::vector<geopackage::Written> layers = geopackage::write_package(folder, contents);
+                 std::span<const WrittenFile> files, std::vector<WrittenFile>& added, const WriteWatch& watch) {
+    const std::vector<geopackage::Written> layers = geopackage::write_package(folder, contents, watch);
     added.push_back({"results.gpkg", geopackage::package_sentence});
     added.push_back(qgis::write_results_tree(folder, contents.site.projection, files, layers));
 }
 
 void add_geotiffs(const fs::path& folder, const std::string& projection, std::span<const WrittenFile> files,
-                  std::vector<WrittenFile>& added) {
+                  std::vector<WrittenFile>& added, const WriteWatch& watch) {
     for (const WrittenFile& file : files) {
         if (!file.path.ends_with(".asc")) {
             continue;
@@ -30,6 +30,7 @@ void add_geotiffs(const fs::path& folder, const std::string& projection, std::sp
         const fs::path grid = folder / file.path;
         const FileBytes bytes = open_file(grid, {.file = grid.string()}, "a raster of this run");
         const std::string path = fs::path{file.path}.replace_extension(".tif").generic_string();
+        watch(path);
         write_geotiff(folder / path, config::read_ascii_grid(bytes.text(), grid.string()), projection);
         added.push_back({path, file.sentence});
     }
@@ -39,7 +40,8 @@ void add_geotiffs(const fs::path& folder, const std::string& projection, std::sp
 
 std::vector<WrittenFile> write_gis_files(const fs::path& folder, const GisFiles& wanted, const Site& site,
                                          std::span<const WrittenFile> files, const StreamedTables& streamed,
-                                         std::span<const rockfall::PathRecord> paths) {
+                                         std::span<const rockfall::PathRecord> paths,
+                                         const WriteWatch& watch) {
     std::vector<WrittenFile> added;
     geopackage::Contents contents{site, {}, paths};
     for (const WrittenFile& file : files) {
@@ -52,12 +54,13 @@ std::vector<WrittenFile> write_gis_files(const fs::path& folder, const GisFiles&
         }
     }
     if (wanted.geopackage) {
-        add_package(folder, contents, files, added);
+        add_package(folder, contents, files, added, watch);
     }
     if (wanted.geotiff) {
-        add_geotiffs(folder, site.projection, files, added);
+        add_geotiffs(folder, site.projection, files, added, watch);
     }
     if (wanted.vtp && !paths.empty()) {
+        watch("trajectories.vtp");
         OutFile vtp{folder / "trajectories.vtp"};
         write_vtp(vtp.stream(), paths, site.origin_m());
         vtp.close();

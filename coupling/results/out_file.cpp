@@ -1,25 +1,116 @@
 #include "coupling/results/out_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
+#include <optional>
+#include <streambuf>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "config/errors/input_error.hpp"
 
 namespace coupling {
 namespace {
 
-constexpr std::size_t buffer_bytes = 1 << 18;
+constexpr std::size_t out_buffer_bytes = 1 << 18;
 
 }  // namespace
 
-OutFile::OutFile(std::filesystem::path file, Begin begin) : file_{std::move(file)}, buffer_(buffer_bytes) {
-    stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    errno = 0;
-    stream_.open(file_, std::ios::binary | (begin == Begin::anew ? std::ios::trunc : std::ios::app));
-    if (!stream_) {
+/// Bytes on their way to a file. Keeps the first error: later calls may fail for another reason.
+class OutFile::Buffer : public std::streambuf {
+public:
+    Buffer(const std::filesystem::path& file, Begin begin) : waiting_(out_buffer_bytes) {
+        const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (begin == Begin::anew ? O_TRUNC : O_APPEND);
+        descriptor_ = ::open(file.c_str(), flags, 0666);
+        remember_error(descriptor_);
+        setp(waiting_.data(), waiting_.data() + waiting_.size());
+    }
+    ~Buffer() override {
+        if (descriptor_ >= 0) {
+            write_waiting();  // what is not closed is unfinished anyway: nobody is told of an error here
+            ::close(descriptor_);
+        }
+    }
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+
+    [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+    [[nodiscard]] int error() const { return error_; }
+    [[nodiscard]] const std::optional<Checksum>& kept_sum() const { return sum_; }
+    void keep_sum(const Checksum& so_far) { sum_ = so_far; }
+
+    bool write_waiting() {
+        const char* from = pbase();
+        while (error_ == 0 && from < pptr()) {
+            const ssize_t count = ::write(descriptor_, from, static_cast<std::size_t>(pptr() - from));
+            if (count < 0 && errno == EINTR) {
+                continue;
+            }
+            if (count <= 0) {
+                error_ = count < 0 ? errno : EIO;  // a write that takes nothing would never end
+                break;
+            }
+            if (sum_) {
+                sum_->add(from, static_cast<std::size_t>(count));
+            }
+            from += count;
+        }
+        setp(waiting_.data(), waiting_.data() + waiting_.size());
+        return error_ == 0;
+    }
+    bool sync_to_disk() {
+        if (write_waiting()) {
+            remember_error(::fsync(descriptor_));
+        }
+        return error_ == 0;
+    }
+    bool close() {
+        write_waiting();
+        if (descriptor_ >= 0) {
+            remember_error(::close(std::exchange(descriptor_, -1)));
+        }
+        return error_ == 0;
+    }
+
+private:
+    void remember_error(int result) {
+        if (result < 0 && error_ == 0) {
+            error_ = errno;
+        }
+    }
+    int_type overflow(int_type letter) override {
+        if (descriptor_ < 0 || !write_waiting()) {
+            return traits_type::eof();
+        }
+        if (!traits_type::eq_int_type(letter, traits_type::eof())) {
+            *pptr() = traits_type::to_char_type(letter);
+            pbump(1);
+        }
+        return traits_type::not_eof(letter);
+    }
+    int sync() override { return descriptor_ >= 0 && write_waiting() ? 0 : -1; }
+
+    std::vector<char> waiting_;
+    std::optional<Checksum> sum_;
+    int descriptor_ = -1;
+    int error_ = 0;
+};
+
+OutFile::OutFile(std::filesystem::path file, Begin begin)
+    : file_{std::move(file)}, buffer_{std::make_unique<Buffer>(file_, begin)}, stream_{buffer_.get()} {
+    if (!buffer_->is_open()) {
         fail("cannot be opened for writing");
     }
+}
+
+OutFile::~OutFile() = default;
+
+void OutFile::keep_sum(const Checksum& so_far) {
+    flush();
+    buffer_->keep_sum(so_far);
 }
 
 void OutFile::check() {
@@ -28,17 +119,31 @@ void OutFile::check() {
     }
 }
 
+void OutFile::flush() {
+    stream_.flush();
+    check();
+}
+
+std::uint64_t OutFile::sum() const {
+    return buffer_->kept_sum().value_or(Checksum{}).value();
+}
+
+void OutFile::sync() {
+    check();
+    if (!buffer_->sync_to_disk()) {
+        fail("cannot be written to the disk");
+    }
+}
+
 void OutFile::close() {
     check();
-    errno = 0;
-    stream_.close();
-    if (!stream_) {
+    if (!buffer_->close()) {
         fail("cannot be written");
     }
 }
 
 void OutFile::fail(const std::string& what) const {
-    const int reason = errno;
+    const int reason = buffer_->error();
     const std::string because = reason == 0 ? "" : ": " + std::generic_category().message(reason);
     config::fail(config::ExitCode::file, {.file = file_.string()}, what + because);
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
+#include <memory>
 #include <ostream>
 #include <string>
-#include <vector>
+
+#include "coupling/results/checksum.hpp"
 
 namespace coupling {
 
@@ -18,28 +20,38 @@ struct WrittenFile {
 /// A file being written: opened, filled, closed and checked.
 ///
 /// A file that cannot be opened or filled (folder missing, no permission, disk full) throws
-/// config::InputError (file) naming it. Only `close` can tell that all bytes have reached the disk; without
-/// it the file counts as unfinished.
+/// config::InputError (file) naming it. `close` reports whether the system took all bytes; without it the file
+/// counts as unfinished. `sync` reports whether they have reached the disk.
 class OutFile {
 public:
     enum class Begin { anew, at_end };  ///< at_end: goes on with a file that is there
     explicit OutFile(std::filesystem::path file, Begin begin = Begin::anew);
+    ~OutFile();
     OutFile(const OutFile&) = delete;
     OutFile& operator=(const OutFile&) = delete;
 
     [[nodiscard]] std::ostream& stream() { return stream_; }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
+    /// From now on a checksum of all bytes is kept, going on from the sum of those that the file holds.
+    void keep_sum(const Checksum& so_far);
+
     /// Throws if anything written so far was lost: to stop a long run early.
     void check();
+    /// Hands everything written so far to the system. Afterwards `sum` is that of the whole file.
+    void flush();
+    [[nodiscard]] std::uint64_t sum() const;
+    /// Flushes and returns once everything written so far is on the disk.
+    void sync();
     void close();
 
 private:
+    class Buffer;
     [[noreturn]] void fail(const std::string& what) const;
 
     std::filesystem::path file_;
-    std::vector<char> buffer_;
-    std::ofstream stream_;
+    std::unique_ptr<Buffer> buffer_;
+    std::ostream stream_;
 };
 
 /// Writes tables/NAME of a folder, which has to exist. Throws config::InputError (file) as OutFile does.

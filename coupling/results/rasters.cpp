@@ -304,7 +304,8 @@ ValueRange range_of(const config::Raster<float>& raster) {
     return range.low <= range.high ? range : ValueRange{};
 }
 
-std::vector<WrittenFile> write_rasters(const RunResults& results, const std::filesystem::path& folder) {
+std::vector<WrittenFile> write_rasters(const RunResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch) {
     std::vector<WrittenFile> written;
     make_folder(folder / "rasters/bare");
     if (results.with_forest) {
@@ -315,6 +316,7 @@ std::vector<WrittenFile> write_rasters(const RunResults& results, const std::fil
     Writer writer{results, folder, written};
     for (const RasterKind& kind : raster_kinds()) {
         if (!kind.percentile || with_percentiles) {
+            watch(std::string{"rasters, "}.append(kind.stem));
             write_kind(writer, kind);
         }
     }

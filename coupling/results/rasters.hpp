@@ -12,6 +12,7 @@
 #include "coupling/results/figures.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/run_results.hpp"
+#include "coupling/results/write_watch.hpp"
 
 namespace coupling {
 
@@ -80,6 +81,7 @@ ValueRange range_of(const config::Raster<float>& raster);
 /// Writes rasters/forest, rasters/bare and rasters/difference into a folder: grid, projection (.prj, where
 /// the DEM has one) and QGIS style (.qml). Both slopes share the colours of a quantity, so that they can be
 /// compared by eye.
-std::vector<WrittenFile> write_rasters(const RunResults& results, const std::filesystem::path& folder);
+std::vector<WrittenFile> write_rasters(const RunResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch = {});
 
 }  // namespace coupling

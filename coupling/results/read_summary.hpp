@@ -33,4 +33,7 @@ struct SummaryOfRun {
 /// run of this program wrote.
 SummaryOfRun read_summary(std::string_view text, const std::string& file);
 
+/// The files that a summary.json of any kind of run lists, as paths below its folder. Throws as read_summary.
+std::vector<std::string> files_in_summary(std::string_view text, const std::string& file);
+
 }  // namespace coupling

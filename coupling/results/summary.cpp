@@ -436,4 +436,18 @@ SummaryOfRun read_summary(std::string_view text, const std::string& file) {
     }
 }
 
+std::vector<std::string> files_in_summary(std::string_view text, const std::string& file) {
+    try {
+        std::vector<std::string> paths;
+        const Json summary = Json::parse(text);
+        for (const Json& entry : summary.at("files")) {
+            paths.push_back(entry.at("path").get<std::string>());
+        }
+        return paths;
+    } catch (const Json::exception&) {
+        config::fail(config::ExitCode::data, {file}, "no summary of a run",
+                     "summary.json as `bannwald run` writes it");
+    }
+}
+
 }  // namespace coupling

@@ -6,6 +6,7 @@
 #include "coupling/results/gis_files.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/run_results.hpp"
+#include "coupling/results/write_watch.hpp"
 
 namespace coupling {
 
@@ -14,8 +15,8 @@ namespace coupling {
 ///
 /// `streamed`: tables that were written while rocks fell: summary and report name them too, and results.gpkg
 /// holds them. Returns all files, one sentence each. A file that cannot be written, or a full disk, throws
-/// config::InputError (file) naming it; what was written so far stays.
+/// config::InputError (file) naming it; what was written so far stays. `watch` may end the writing by throwing.
 std::vector<WrittenFile> write_results(const RunResults& results, const std::filesystem::path& folder,
-                                       const StreamedTables& streamed = {});
+                                       const StreamedTables& streamed = {}, const WriteWatch& watch = {});
 
 }  // namespace coupling

@@ -20,6 +20,7 @@
 #include "coupling/run/progress.hpp"
 #include "coupling/run/row_tables.hpp"
 #include "coupling/run/settings_hash.hpp"
+#include "coupling/run/writing_progress.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling {
@@ -150,7 +151,7 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
         under_way.take_up(state_.begun);
     }
     state_.settings_hash = settings_hash(scenario_, site_.inputs);
-    tables_ = std::make_unique<RowTables>(scenario_, site_, folder.parts(), state_.table_bytes);
+    tables_ = std::make_unique<RowTables>(scenario_, site_, folder.parts(), state_.tables);
     const std::uint64_t done_before =
         state_.chunks_done < chunks.size() ? chunks[state_.chunks_done].first_rock : rocks_;
     Progress progress{"falling", rocks_, done_before, request_.quiet};
@@ -173,7 +174,7 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
         const bool long_enough = std::chrono::steady_clock::now() - begin >= worth_keeping;
         if (kept || long_enough || !(interrupted || last)) {
             state_.begun = under_way.begun();
-            state_.table_bytes = tables_->flush();
+            state_.tables = tables_->sync();  // on the disk before the checkpoint that counts on them
             write_checkpoint(folder.checkpoint(), state_, total_, histograms_.pointers());
             kept = true;
         }
@@ -231,16 +232,16 @@ Ended AssessmentRun::write(OutputFolder& folder) {
                              released,
                              !assessment_.only_bare(),
                              version()};
-    if (InterruptGuard::requested()) {
+    std::vector<WrittenFile> written;
+    try {
+        WritingProgress progress{request_.quiet};
+        const WriteWatch watch = progress.watch();
+        written = write_results(results, folder.staging(), {streamed, folder.parts()}, watch);
+        watch("streamed tables");
+    } catch (const WritingInterrupted&) {
         return Ended::interrupted;
     }
-    const std::vector<WrittenFile> written =
-        write_results(results, folder.staging(), {streamed, folder.parts()});
-    if (InterruptGuard::requested()) {
-        return Ended::interrupted;
-    }
-    // Last, when nothing can fail for want of space: until here finished parts can still be continued.
-    tables_->move_to(folder.staging() / "tables");
+    tables_->link_to(folder.staging() / "tables");
     folder.publish();
     if (!request_.quiet) {
         print_summary(results, folder.path(), written, request_.verbose);
@@ -258,6 +259,12 @@ int assess_today(const RunRequest& request, const Scenario& scenario, const Site
                  config::Warnings& warnings, const std::filesystem::path& out) {
     const InterruptGuard guard;
     OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};
+    if (folder.was_completed()) {
+        if (!request.quiet) {
+            print_completed(folder);
+        }
+        return static_cast<int>(config::ExitCode::done);
+    }
     AssessmentRun run{request, scenario, site, warnings};
     if (run.fall(folder) == Ended::interrupted || run.write(folder) == Ended::interrupted) {
         std::error_code ignored;

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/results/checksum.hpp"
 #include "coupling/results/out_file.hpp"
 
 namespace coupling {
@@ -19,28 +19,8 @@ namespace coupling {
 template <class T>
 concept Plain = std::is_trivially_copyable_v<T>;
 
-/// Running checksum of bytes (FNV-1a on words of eight).
-class Checksum {
-public:
-    void add(const char* bytes, std::size_t count) {
-        for (; count >= 8; bytes += 8, count -= 8) {
-            std::uint64_t word = 0;
-            std::memcpy(&word, bytes, 8);
-            value_ = (value_ ^ word) * prime;
-        }
-        for (; count > 0; ++bytes, --count) {
-            value_ = (value_ ^ static_cast<unsigned char>(*bytes)) * prime;
-        }
-    }
-    [[nodiscard]] std::uint64_t value() const { return value_; }
-
-private:
-    static constexpr std::uint64_t prime = 0x100000001B3ULL;
-    std::uint64_t value_ = 0xCBF29CE484222325ULL;
-};
-
-/// Writes plain values and vectors of them; `close` adds the checksum and makes sure that all reached the
-/// disk.
+/// Writes plain values and vectors of them. `close` adds the checksum and returns once all is on the disk; a
+/// disk that does not take it throws config::InputError (file).
 class ByteWriter {
 public:
     explicit ByteWriter(const std::filesystem::path& file) : out_{file} {}
@@ -60,6 +40,7 @@ public:
     void text(const std::string& v) { list(std::span<const char>{v.data(), v.size()}); }
     void close() {
         value(sum_.value());
+        out_.sync();
         out_.close();
     }
 
@@ -75,29 +56,29 @@ private:
 /// Name of a part file while it is written: of this process alone, as others may share the folder.
 std::filesystem::path temporary_beside(const std::filesystem::path& file);
 
-/// Ends a part file: closed under its temporary name, renamed when whole. Throws config::InputError (file).
-inline void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
-                             const std::filesystem::path& file) {
-    out.close();
-    std::error_code error;
-    std::filesystem::rename(temporary, file, error);
-    if (error) {
-        config::fail(config::ExitCode::file, {file.string()},
-                     "the part file cannot be renamed: " + error.message());
-    }
-}
+/// Ends a part file: closed under its temporary name, renamed when it is on the disk. Returns once the new name
+/// is on the disk too. Throws config::InputError (file).
+void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
+                      const std::filesystem::path& file);
 
-/// Reads back what ByteWriter wrote. Anything missing or changed throws config::InputError (file).
+/// What a message advises where a part of a run's own folder cannot be used.
+inline constexpr const char* own_part_remedy = "delete it, or run with --overwrite to begin anew";
+
+/// Reads back what ByteWriter wrote. Anything missing or changed throws config::InputError (file); its message
+/// ends with `remedy`: what the user may do about this file.
 class ByteReader {
 public:
-    explicit ByteReader(const std::filesystem::path& file)
-        : file_{file.string()}, in_{file, std::ios::binary} {
+    explicit ByteReader(const std::filesystem::path& file, std::string remedy = own_part_remedy)
+        : file_{file.string()}, remedy_{std::move(remedy)}, in_{file, std::ios::binary} {
         if (!in_) {
             config::fail(config::ExitCode::file, {file_}, "the part file cannot be opened");
         }
         std::error_code ignored;
         left_ = std::filesystem::file_size(file, ignored);
     }
+    [[nodiscard]] const std::string& remedy() const { return remedy_; }
+    /// Reads the whole file once for its checksum, before anything in it is used, and goes on where it was.
+    void check_whole();
     template <Plain T>
     T value() {
         T v{};
@@ -133,7 +114,7 @@ public:
 private:
     [[noreturn]] void damaged() const {
         config::fail(config::ExitCode::file, {file_}, "the part file is cut off or damaged",
-                     "a whole part file; delete it, or run with --overwrite to begin anew");
+                     "a whole part file; " + remedy_);
     }
     void bytes(char* to, std::size_t count) {
         if (count > left_ || !in_.read(to, static_cast<std::streamsize>(count))) {
@@ -143,6 +124,7 @@ private:
         sum_.add(to, count);
     }
     std::string file_;
+    std::string remedy_;
     std::ifstream in_;
     std::uintmax_t left_ = 0;
     Checksum sum_;

@@ -1,5 +1,6 @@
 #include "coupling/run/checkpoint.hpp"
 
+#include "coupling/results/disk.hpp"
 #include "coupling/run/tally_archive.hpp"
 
 namespace coupling {
@@ -56,7 +57,7 @@ void write(ByteWriter& out, const Checkpoint& checkpoint) {
     out.value(checkpoint.begun.source);
     out.list(checkpoint.begun.marks);
     out.value(checkpoint.not_started);
-    out.list(checkpoint.table_bytes);
+    out.list(checkpoint.tables);
     out.list(checkpoint.gone);
     out.value(static_cast<std::uint64_t>(checkpoint.paths.size()));
     for (const rockfall::PathRecord& path : checkpoint.paths) {
@@ -144,7 +145,7 @@ void write_marker(const std::filesystem::path& file, const std::string& settings
 }
 
 std::optional<std::string> checkpoint_hash(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) {
+    if (!is_there(file)) {
         return std::nullopt;
     }
     ByteReader in{file};
@@ -152,12 +153,14 @@ std::optional<std::string> checkpoint_hash(const std::filesystem::path& file) {
         config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version",
                      "run with --overwrite to begin anew");
     }
+    in.check_whole();
     return in.text();
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::EnsembleTally& tally,
                            const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms) {
     ByteReader in{file};
+    in.check_whole();
     Checkpoint checkpoint;
     in.value<std::uint64_t>();
     checkpoint.settings_hash = in.text();
@@ -165,7 +168,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
     checkpoint.begun.source = in.value<std::uint32_t>();
     checkpoint.begun.marks = in.list<std::uint8_t>();
     checkpoint.not_started = in.value<std::uint64_t>();
-    checkpoint.table_bytes = in.list<std::uint64_t>();
+    checkpoint.tables = in.list<KeptTable>();
     checkpoint.gone = in.list<std::uint8_t>();
     checkpoint.paths = read_paths(in);
     checkpoint.net_rows = read_net_rows(in);

@@ -13,20 +13,27 @@
 
 namespace coupling {
 
+/// A streamed table at the end of a part: its first bytes and their checksum.
+struct KeptTable {
+    std::uint64_t bytes = 0;
+    std::uint64_t sum = 0;
+};
+
 /// Where a long run stands after its last finished part: all that is needed to go on as if it had never
 /// stopped.
 struct Checkpoint {
     std::string settings_hash;  ///< of settings, inputs and version
     std::uint64_t chunks_done = 0;
     SourcesUnderWay::Begun begun;            ///< by them, and not yet through
-    std::uint64_t not_started = 0;           ///< rocks whose place lay outside the terrain
-    std::vector<std::uint64_t> table_bytes;  ///< length of each streamed table
-    std::vector<std::uint8_t> gone;          ///< broken stems, where they fall
+    std::uint64_t not_started = 0;   ///< rocks whose place lay outside the terrain
+    std::vector<KeptTable> tables;   ///< each streamed table; of one that is not wanted nothing
+    std::vector<std::uint8_t> gone;  ///< broken stems, where they fall
     std::vector<rockfall::PathRecord> paths;
     std::vector<NetRow> net_rows;  ///< crossings of nets, in the order of rocks
 };
 
-/// Writes a checkpoint with tallies and distributions, under a temporary name first, renamed when whole.
+/// Writes a checkpoint with tallies and distributions, under a temporary name first, renamed when whole and on
+/// the disk.
 /// Throws config::InputError (file) if the disk does not take it.
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint,
                       const rockfall::EnsembleTally& tally,
@@ -37,7 +44,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
 void write_marker(const std::filesystem::path& file, const std::string& settings_hash);
 
 /// The hash in a checkpoint file; nothing if there is no such file. Throws InputError (file) if it is not a
-/// whole checkpoint.
+/// checkpoint whose checksum fits.
 std::optional<std::string> checkpoint_hash(const std::filesystem::path& file);
 
 /// Reads a checkpoint back into tallies and distributions of the same shape.

@@ -1,8 +1,11 @@
 #include "coupling/run/row_tables.hpp"
 
+#include <algorithm>
+#include <fstream>
 #include <optional>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/results/disk.hpp"
 #include "coupling/results/rows.hpp"
 
 namespace coupling {
@@ -11,6 +14,45 @@ namespace {
 namespace fs = std::filesystem;
 
 enum Which : std::size_t { rocks_table, arrivals_table, hits_table, log_hits_table };
+
+constexpr const char* kept_table_remedy = "the table of that part; restore it, or run with --overwrite to begin anew";
+
+/// Of the first bytes of a file; nothing if it has fewer.
+std::optional<std::uint64_t> sum_of_first(const fs::path& file, std::uint64_t bytes) {
+    std::ifstream in{file, std::ios::binary};
+    Checksum sum;
+    std::vector<char> block(std::size_t{1} << 20);
+    while (bytes > 0) {
+        const std::size_t count = std::min<std::size_t>(bytes, block.size());
+        if (!in.read(block.data(), static_cast<std::streamsize>(count))) {
+            return std::nullopt;
+        }
+        sum.add(block.data(), count);
+        bytes -= count;
+    }
+    return sum.value();
+}
+
+/// Takes a table back to the end of a part: what was written later belongs to no part.
+void cut_to(const fs::path& file, const KeptTable& kept) {
+    const auto sum = sum_of_first(file, kept.bytes);
+    if (!sum) {
+        config::fail(config::ExitCode::file, {file.string()}, "shorter than its last finished part",
+                     kept_table_remedy);
+    }
+    if (*sum != kept.sum) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     "changed or damaged since its last finished part: its checksum differs", kept_table_remedy);
+    }
+    std::error_code error;
+    if (fs::file_size(file, error) != kept.bytes && !error) {
+        fs::resize_file(file, kept.bytes, error);
+    }
+    if (error) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     "cannot be cut to its last finished part: " + error.message());
+    }
+}
 
 }  // namespace
 
@@ -26,7 +68,7 @@ struct RowTables::Table {
 RowTables::~RowTables() = default;
 
 RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path& folder,
-                     const std::vector<std::uint64_t>& kept_bytes)
+                     const std::vector<KeptTable>& kept)
     : site_{site} {
     const auto open = [&](std::string name, std::string sentence, bool wanted,
                           void (*header)(std::ostream&)) {
@@ -36,17 +78,13 @@ RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path&
         const std::size_t number = tables_.size();
         if (wanted) {
             const fs::path file = folder / table->name;
-            if (number < kept_bytes.size()) {
-                std::error_code error;
-                if (fs::file_size(file, error) < kept_bytes[number] || error) {
-                    config::fail(config::ExitCode::file, {file.string()},
-                                 "shorter than its last finished part",
-                                 "the table of that part, or run with --overwrite");
-                }
-                fs::resize_file(file, kept_bytes[number]);
+            if (number < kept.size()) {
+                cut_to(file, kept[number]);
                 table->file.emplace(file, OutFile::Begin::at_end);
+                table->file->keep_sum(Checksum{kept[number].sum});
             } else {
                 table->file.emplace(file);
+                table->file->keep_sum({});
                 header(table->file->stream());
             }
         }
@@ -56,7 +94,7 @@ RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path&
          "each rock, with forest and without: start, end, run-out, speeds, heights, why it stopped",
          scenario.rock_table, write_rock_header);
     open("arrivals.csv", "each rock that reached a target: where, with which energy, speed and height",
-         !site.targets.empty(), write_arrival_header);
+         scenario.arrival_table && !site.targets.empty(), write_arrival_header);
     open("tree_hits.csv", "each hit of a rock on a tree", scenario.tree_hit_table && !site.trees.empty(),
          write_tree_hit_header);
     open("log_hits.csv", "each hit of a rock on a lying log", scenario.tree_hit_table && !site.logs.empty(),
@@ -121,18 +159,23 @@ void RowTables::add_log_hits(const rockfall::ChunkRows& rows) {
     }
 }
 
-std::vector<std::uint64_t> RowTables::flush() {
-    std::vector<std::uint64_t> bytes;
+std::vector<KeptTable> RowTables::sync() {
+    std::vector<KeptTable> kept;
     for (const auto& table : tables_) {
-        if (table->wanted()) {
-            table->file->stream().flush();
-            table->file->check();
-            bytes.push_back(fs::file_size(table->file->file()));
-        } else {
-            bytes.push_back(0);
+        if (!table->wanted()) {
+            kept.emplace_back();
+            continue;
         }
+        table->file->sync();
+        std::error_code error;
+        const std::uint64_t bytes = fs::file_size(table->file->file(), error);
+        if (error) {
+            config::fail(config::ExitCode::file, {table->file->file().string()},
+                         "cannot be examined: " + error.message());
+        }
+        kept.push_back({bytes, table->file->sum()});
     }
-    return bytes;
+    return kept;
 }
 
 std::vector<WrittenFile> RowTables::close() {
@@ -146,16 +189,10 @@ std::vector<WrittenFile> RowTables::close() {
     return written;
 }
 
-void RowTables::move_to(const fs::path& folder) {
+void RowTables::link_to(const fs::path& folder) {
     for (const auto& table : tables_) {
-        if (!table->wanted()) {
-            continue;
-        }
-        std::error_code error;
-        fs::rename(table->file->file(), folder / table->name, error);
-        if (error) {
-            config::fail(config::ExitCode::file, {(folder / table->name).string()},
-                         "cannot be written: " + error.message());
+        if (table->wanted()) {
+            link_or_copy(table->file->file(), folder / table->name);
         }
     }
 }

@@ -7,6 +7,7 @@
 
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/run/checkpoint.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {
@@ -14,19 +15,20 @@ namespace coupling {
 /// The tables that grow while rocks fall: a row a rock, an arrival, a tree hit. Streamed, never kept.
 class RowTables {
 public:
-    /// Opens the tables in a folder; with `kept_bytes` (from a checkpoint) they are cut to that length and go
-    /// on.
+    /// Opens the tables in a folder; with `kept` (from a checkpoint) they are cut to that length and go on.
+    /// Throws config::InputError (file) for a table whose kept bytes are missing or have changed.
     RowTables(const Scenario& scenario, const Site& site, const std::filesystem::path& folder,
-              const std::vector<std::uint64_t>& kept_bytes);
+              const std::vector<KeptTable>& kept);
     ~RowTables();
 
     void add(const rockfall::ChunkRows& rows);
-    /// Lengths so far, all of them on disk.
-    std::vector<std::uint64_t> flush();
+    /// What the tables hold so far, all of it on the disk.
+    std::vector<KeptTable> sync();
     /// Closes the tables; the list says what each holds.
     std::vector<WrittenFile> close();
-    /// Moves the closed tables to a folder on the same disk.
-    void move_to(const std::filesystem::path& folder);
+    /// Puts the closed tables into another folder too: under a second name, or as copies where the disk does
+    /// not offer that. Those here stay.
+    void link_to(const std::filesystem::path& folder);
 
 private:
     struct Table;

@@ -271,6 +271,50 @@ TEST(Hazard, DescribesItsTablesAndRasters) {
     }
 }
 
+/// A map would link a page that is not there.
+TEST(Hazard, CountsNoPeriodAsFinishedOfWhichAFileIsMissing) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    std::filesystem::remove(project.file("out/return_period_30/report.html"));
+    const Outcome refused = call(project, std::string{quick} + "--out out");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("return_period_30: found results of which report.html is missing"),
+              std::string::npos)
+        << refused.err;
+    const Outcome again = call(project, "run scenario.ini --set release.rocks=400 --out out --overwrite");
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("return period of 10 years: finished before"), std::string::npos) << again.out;
+    EXPECT_EQ(again.out.find("return period of 30 years: finished before"), std::string::npos) << again.out;
+    EXPECT_TRUE(std::filesystem::exists(project.file("out/return_period_30/report.html")));
+}
+
+TEST(Hazard, FinishesAPeriodWhosePublishingWasKilled) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    const Outcome outcome = shell(project, std::string{"cp -r out whole\nmkdir out/return_period_30/.complete\n"
+                                                       "mv out/return_period_30/summary.json "
+                                                       "out/return_period_30/.complete\nrm -r out/hazard\n"
+                                                       "mkdir out/.hazard_replaced\n\"$bannwald\" "} +
+                                               quick + "--out out || exit 1\ndiff -r out whole\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST(Hazard, KeepsOneFolderForOneRun) {
+    const SampleProject project;
+    add_blocks(project);
+    const std::string run = "run scenario.ini --quiet --out out --set release.rocks=100000000";
+    const Outcome outcome = shell(project, "\"$bannwald\" " + run +
+                                               " &\nfirst=$!\nwhile kill -0 $first && [ ! -e "
+                                               "out/return_period_10/parts ]; do :; done\n\"$bannwald\" " +
+                                               run + "\ncode=$?\nkill -INT $first\nwait $first\n[ $? = 75 ] && "
+                                                     "[ ! -e out ] && exit $code\n");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("another run of bannwald works in this output folder"), std::string::npos)
+        << outcome.err;
+}
+
 struct Refused {
     std::string arguments;
     int code;

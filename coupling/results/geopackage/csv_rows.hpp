@@ -17,6 +17,10 @@ public:
     [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
     /// Goes on to the next row; false at the end. Empty lines are passed over.
     bool next();
+    /// Share of the text that was gone through [0, 1].
+    [[nodiscard]] double share() const {
+        return static_cast<double>(at_) / static_cast<double>(text_.size());
+    }
     /// Fields of the row, until the next one.
     [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }
 

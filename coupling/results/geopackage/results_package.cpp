@@ -102,11 +102,32 @@ Geometry geometry_of(const PlaceColumns& places, const std::vector<std::string_v
     return vertices.size() == 1 ? point(vertices[0], dimensions, srs_id) : line(vertices, dimensions, srs_id);
 }
 
+/// Reports now and then how far a pass through a table is.
+class PassWatch {
+public:
+    PassWatch(const WriteWatch& watch, const std::string& layer) : watch_{watch}, what_{joined("results.gpkg, ", layer)} {
+        watch_(what_);
+    }
+    void row(const CsvRows& rows) {
+        constexpr std::uint64_t rows_between_reports = 4096;
+        if (++rows_ % rows_between_reports == 0) {
+            watch_(what_, rows.share());
+        }
+    }
+
+private:
+    const WriteWatch& watch_;
+    std::string what_;
+    std::uint64_t rows_ = 0;
+};
+
 /// All rows of a group in one pass for the types and one for the rows.
-void add_table(GeoPackage& package, const Group& group) {
+void add_table(GeoPackage& package, const Group& group, const WriteWatch& watch) {
+    PassWatch pass{watch, group.layer};
     ColumnTypes types{CsvRows{group.files.front().text()}.columns()};
     for (const FileBytes& file : group.files) {
         for (CsvRows rows{file.text()}; rows.next();) {
+            pass.row(rows);
             types.see(rows.fields());
         }
     }
@@ -115,6 +136,7 @@ void add_table(GeoPackage& package, const Group& group) {
                 {group.layer, group.sentence, types.columns(), places.form(), {.z = places.z.has_value()}}};
     for (const FileBytes& file : group.files) {
         for (CsvRows rows{file.text()}; rows.next();) {
+            pass.row(rows);
             if (places.form() == Form::none) {
                 layer.add(rows.fields());
             } else {
@@ -127,7 +149,8 @@ void add_table(GeoPackage& package, const Group& group) {
 }
 
 /// Where rocks came to rest, drawn from the table of rocks.
-void add_deposits(GeoPackage& package, const Group& rocks) {
+void add_deposits(GeoPackage& package, const Group& rocks, const WriteWatch& watch) {
+    PassWatch pass{watch, "deposits"};
     const std::vector<std::string> kept{"rock",        "cover",     "zone",          "diameter_m",
                                         "stop_reason", "run_out_m", "max_energy_kj", "tree_hits"};
     CsvRows rows{rocks.files.front().text()};
@@ -147,6 +170,7 @@ void add_deposits(GeoPackage& package, const Group& rocks) {
     };
     std::vector<std::string_view> fields;
     while (rows.next()) {
+        pass.row(rows);
         if (chosen(fields)) {
             types.see(fields);
         }
@@ -159,6 +183,7 @@ void add_deposits(GeoPackage& package, const Group& rocks) {
                  Form::point,
                  {.z = true}}};
     for (rows = CsvRows{rocks.files.front().text()}; rows.next();) {
+        pass.row(rows);
         if (chosen(fields)) {
             const Geometry place = geometry_of(places, rows.fields(), package.srs_id());
             layer.add(fields, &place);
@@ -292,7 +317,7 @@ void add_nets(GeoPackage& package, const Contents& contents) {
 
 }  // namespace
 
-std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents) {
+std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents, const WriteWatch& watch) {
     const std::vector<Group> groups = groups_of(contents);
     GeoPackage package{folder / "results.gpkg", spatial_reference(contents.site.projection)};
     if (!contents.site.targets.empty()) {
@@ -305,12 +330,13 @@ std::vector<Written> write_package(const std::filesystem::path& folder, const Co
         add_sources(package, contents);
     }
     if (!contents.paths.empty()) {
+        watch("results.gpkg, trajectories");
         add_trajectories(package, contents);
     }
     for (const Group& group : groups) {
-        add_table(package, group);
+        add_table(package, group, watch);
         if (group.layer == "rocks") {
-            add_deposits(package, group);
+            add_deposits(package, group, watch);
         }
     }
     package.close();

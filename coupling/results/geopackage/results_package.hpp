@@ -8,6 +8,7 @@
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/geopackage/package.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/results/write_watch.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling::geopackage {
@@ -26,8 +27,9 @@ struct Contents {
 /// of places. Other names: `trees` is stems.csv, or all trees_YEAR.csv one after the other; `target_arrivals`
 /// is targets.csv, as `targets` are their outlines. The two tables of paths are one layer, `trajectories`,
 /// whose corners carry height above sea and energy; heights above ground stay in trajectories.csv. Throws
-/// config::InputError (file).
-std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents);
+/// config::InputError (file), and what `watch` throws.
+std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents,
+                                   const WriteWatch& watch = {});
 
 /// A sentence for the list of files.
 inline constexpr const char* package_sentence =

@@ -58,6 +58,28 @@ TEST(OutFile, TellsOfAFullDiskWhileMuchIsWritten) {
     EXPECT_THROW(file.check(), InputError);
 }
 
+TEST(OutFile, KeepsTheChecksumOfAllItsBytes) {
+    const TestFolder folder;
+    const std::string much(700'000, 'x');
+    OutFile file{folder.path() / "table"};
+    file.keep_sum({});
+    file.stream() << much << "the first part\n";
+    file.sync();
+    Checksum expected;
+    expected.add(much.data(), much.size());
+    expected.add("the first part\n", 15);
+    EXPECT_EQ(file.sum(), expected.value());
+    file.close();
+
+    OutFile again{folder.path() / "table", OutFile::Begin::at_end};
+    again.keep_sum(Checksum{expected.value()});
+    again.stream() << "the second\n";
+    again.flush();
+    expected.add("the second\n", 11);
+    EXPECT_EQ(again.sum(), expected.value());
+    EXPECT_EQ(std::filesystem::file_size(folder.path() / "table"), much.size() + 26);
+}
+
 TEST(MakeFolder, NamesTheFolderThatCannotBeMade) {
     const TestFolder folder;
     OutFile file{folder.path() / "taken"};
