@@ -24,7 +24,7 @@ std::string without_values(const std::string& sentence) {
 
 /// Lines in their order; of each kind the first ones, and after the last of them how many more there are.
 std::vector<std::string> shortened(const std::vector<std::string>& lines,
-                                   const std::vector<std::string>& kinds) {
+                                   const std::vector<std::string>& kinds, const std::string& where) {
     std::map<std::string, std::size_t> count;
     for (const std::string& kind : kinds) {
         ++count[kind];
@@ -38,8 +38,7 @@ std::vector<std::string> shortened(const std::vector<std::string>& lines,
         if (number <= told_of_a_kind || all == told_of_a_kind + 1) {
             kept.push_back(lines[i]);
         } else if (number == told_of_a_kind + 1) {
-            kept.push_back("... and " + std::to_string(all - told_of_a_kind) +
-                           " more like this; --verbose tells all");
+            kept.push_back("... and " + std::to_string(all - told_of_a_kind) + " more like this; " + where);
         }
     }
     return kept;
@@ -55,16 +54,16 @@ std::vector<std::string> brief(const std::vector<Problem>& problems) {
         kinds.push_back(problem.place.file + '\n' + without_values(problem.found) + '\n' +
                         without_values(problem.expected));
     }
-    return shortened(lines, kinds);
+    return shortened(lines, kinds, "--verbose prints all");
 }
 
-std::vector<std::string> brief(const std::vector<std::string>& sentences) {
+std::vector<std::string> brief(const std::vector<std::string>& sentences, const std::string& where) {
     std::vector<std::string> kinds;
     kinds.reserve(sentences.size());
     for (const std::string& sentence : sentences) {
         kinds.push_back(without_values(sentence));
     }
-    return shortened(sentences, kinds);
+    return shortened(sentences, kinds, where);
 }
 
 }  // namespace config

@@ -15,7 +15,9 @@ inline constexpr std::size_t told_of_a_kind = 3;
 /// numbers and in what stands in quotes the first three, then how many more there are.
 std::vector<std::string> brief(const std::vector<Problem>& problems);
 
-/// The same for sentences: two are of a kind if only their numbers and quoted words differ.
-std::vector<std::string> brief(const std::vector<std::string>& sentences);
+/// The same for sentences: two are of a kind if only their numbers and quoted words differ. `where` says
+/// where all of them stand.
+std::vector<std::string> brief(const std::vector<std::string>& sentences,
+                               const std::string& where = "--verbose prints all");
 
 }  // namespace config

@@ -70,9 +70,11 @@ std::string to_string(const Problem& problem) {
         text += ": ";
     }
     if (problem.expected.empty()) {
-        return text + problem.found;
+        text.append(problem.found);
+    } else {
+        text.append("found ").append(problem.found).append(", expected ").append(problem.expected);
     }
-    return text + "found " + problem.found + ", expected " + problem.expected;
+    return problem.advice.empty() ? text : text.append("; ").append(problem.advice);
 }
 
 InputError::InputError(std::vector<Problem> problems)
@@ -80,12 +82,12 @@ InputError::InputError(std::vector<Problem> problems)
     assert(!problems_.empty());
 }
 
-void fail(ExitCode code, Place place, std::string found, std::string expected) {
-    throw InputError{{{code, std::move(place), std::move(found), std::move(expected)}}};
+void fail(ExitCode code, Place place, std::string found, std::string expected, std::string advice) {
+    throw InputError{{{code, std::move(place), std::move(found), std::move(expected), std::move(advice)}}};
 }
 
-void Problems::add(ExitCode code, Place place, std::string found, std::string expected) {
-    problems_.push_back({code, std::move(place), std::move(found), std::move(expected)});
+void Problems::add(ExitCode code, Place place, std::string found, std::string expected, std::string advice) {
+    problems_.push_back({code, std::move(place), std::move(found), std::move(expected), std::move(advice)});
 }
 
 void Problems::add(const InputError& error) {

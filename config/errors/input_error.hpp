@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace config {
@@ -27,15 +28,16 @@ struct Place {
     std::size_t column = 0;
 };
 
-/// One thing that is wrong with an input: where, what was found, what was expected.
+/// One thing that is wrong with an input: where, what was found, what was expected, what to do about it.
 struct Problem {
     ExitCode code = ExitCode::data;
     Place place{};
     std::string found{};
     std::string expected{};  ///< may be empty where `found` says it all
+    std::string advice{};  ///< what to do, a phrase such as "exchange the columns"; empty where it is obvious
 };
 
-/// "dem.asc:3:7: found 'abc', expected a number"; leaves out what is not known.
+/// "dem.asc:3:7: found 'abc', expected a number; correct the cell"; leaves out what is not known.
 std::string to_string(const Problem& problem);
 
 /// All that is wrong with the input, thrown once per file.
@@ -51,12 +53,15 @@ private:
 };
 
 /// Throws an InputError of one problem.
-[[noreturn]] void fail(ExitCode code, Place place, std::string found, std::string expected = "");
+[[noreturn]] void fail(ExitCode code, Place place, std::string found, std::string expected = "",
+                       std::string advice = "");
 
 /// Collects the problems of a file so that the user sees all of them at once.
 class Problems {
 public:
-    void add(ExitCode code, Place place, std::string found, std::string expected = "");
+    void add(ExitCode code, Place place, std::string found, std::string expected = "",
+             std::string advice = "");
+    void add(Problem problem) { problems_.push_back(std::move(problem)); }
     void add(const InputError& error);
     [[nodiscard]] bool empty() const { return problems_.empty(); }
     [[nodiscard]] const std::vector<Problem>& list() const { return problems_; }

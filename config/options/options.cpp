@@ -174,10 +174,14 @@ void Options::check(const IniEntry& entry, Problems& problems) const {
         if (const std::string nearest = nearest_word(entry.value, parameter->words); !nearest.empty()) {
             expected.append(" (is ").append(in_quotes(nearest)).append(" meant?)");
         }
+        std::string advice;
+        if (const auto plain = without_separators(entry.value); plain && parameter->accepts(*plain)) {
+            advice.append("write ").append(*plain).append(" without separators of thousands");
+        }
         problems.add(ExitCode::settings, entry.value_place,
                      std::string{entry.key()}.append(" = ").append(
                          entry.value.empty() ? "nothing" : in_quotes(entry.value)),
-                     expected);
+                     expected, advice);
     }
 }
 

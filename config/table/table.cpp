@@ -266,11 +266,15 @@ void Table::add_problem(std::size_t row, std::string_view column, std::string_vi
                         const NumberRange& range, Problems& problems) const {
     const std::string& field = text(row, column);
     std::string expected = describe(kind, range);
-    if (field.find(',') != std::string::npos) {
+    std::string advice;
+    const auto plain = without_separators(field);
+    if (plain && range.contains(parse_number(*plain).value_or(range.low))) {
+        advice.append("write ").append(*plain).append(" without separators of thousands");
+    } else if (field.find(',') != std::string::npos) {
         expected += ", with a decimal point";
     }
     problems.add(ExitCode::data, place(row, column),
-                 std::string{column} + " " + (field.empty() ? "empty" : in_quotes(field)), expected);
+                 std::string{column} + " " + (field.empty() ? "empty" : in_quotes(field)), expected, advice);
 }
 
 std::optional<double> Table::number(std::size_t row, std::string_view column, NumberRange range,

@@ -1,5 +1,6 @@
 #include "config/text/numbers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -27,6 +28,10 @@ std::string shortest(Number value) {
     std::array<char, 32> buffer{};
     const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), result.ptr};
+}
+
+std::size_t leading_digits(std::string_view text) {
+    return std::min(text.find_first_not_of("0123456789"), text.size());
 }
 
 }  // namespace
@@ -60,6 +65,9 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::optional<long long> parse_whole(std::string_view text) {
+    if (text.find('.') != std::string_view::npos && without_separators(text)) {
+        return std::nullopt;
+    }
     if (const std::optional<long long> value = parse_all<long long>(text)) {
         return value;
     }
@@ -68,6 +76,39 @@ std::optional<long long> parse_whole(std::string_view text) {
         return std::nullopt;
     }
     return static_cast<long long>(*value);
+}
+
+std::optional<std::string> without_separators(std::string_view text) {
+    constexpr std::array<std::string_view, 9> separators{".",      ",",      "'",      " ",     "_",
+                                                         "\u2019", "\u00A0", "\u202F", "\u2009"};
+    std::string sign;
+    if (text.starts_with('+') || text.starts_with('-')) {
+        sign = text.front() == '-' ? "-" : "";
+        text.remove_prefix(1);
+    }
+    const std::size_t first = leading_digits(text);
+    if (first < 1 || first > 3 || text.front() == '0') {
+        return std::nullopt;
+    }
+    for (const std::string_view separator : separators) {
+        std::string digits{text.substr(0, first)};
+        std::string_view rest = text.substr(first);
+        while (rest.starts_with(separator) && leading_digits(rest.substr(separator.size())) == 3) {
+            digits += rest.substr(separator.size(), 3);
+            rest.remove_prefix(separator.size() + 3);
+        }
+        if (digits.size() == first) {
+            continue;
+        }
+        const bool has_decimals = rest.size() > 1 && (rest.front() == '.' || rest.front() == ',') &&
+                                  !rest.starts_with(separator) &&
+                                  leading_digits(rest.substr(1)) == rest.size() - 1;
+        if (rest.empty() || has_decimals) {
+            sign.append(digits);
+            return has_decimals ? sign.append(".").append(rest.substr(1)) : sign;
+        }
+    }
+    return std::nullopt;
 }
 
 std::string to_text(double value) {

@@ -25,8 +25,14 @@ std::string describe(std::string_view kind, const NumberRange& range);
 
 /// The whole text as a finite number: no `nan`, no `inf`, no `1,5`, no `3abc`; a leading plus is fine.
 std::optional<double> parse_number(std::string_view text);
-/// The whole text as a whole number; `12.0` and `1e6` are whole too (up to 2^53).
+/// The whole text as a whole number; `12.0` and `1e6` are whole too (up to 2^53). Not `2.000`, which may
+/// be two or two thousand: a point before three digits separates thousands in much of Europe.
 std::optional<long long> parse_whole(std::string_view text);
+
+/// A number written with separators of thousands, without them: "2.000", "2,000", "2'000", "2 000" (and the
+/// blanks and apostrophes of typesetters) give "2000", "1.234,5" and "1'234.5" give "1234.5". Nothing for
+/// other texts. Of "2.000" the same text may also be a number without separators: the caller decides.
+std::optional<std::string> without_separators(std::string_view text);
 
 /// The shortest text that reads back as the same number.
 std::string to_text(double value);

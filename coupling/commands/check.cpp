@@ -17,6 +17,7 @@
 #include "coupling/decades/management.hpp"
 #include "coupling/hazard/hazard_run.hpp"
 #include "coupling/inputs/map_size.hpp"
+#include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
@@ -136,6 +137,7 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
     say_cost(estimate, threads, out);
+    plausible::warn_of_rocks(scenario, site, warnings);
     if (estimate.path_bytes > 0) {
         say(out, "disk",
             "about " + size_in_words(estimate.path_bytes) +
@@ -156,6 +158,7 @@ void describe_years(const Scenario& scenario, Site site, int threads, config::Wa
         say(out, "rocks",
             std::to_string(estimate.rocks) + " a year, in " + counted(estimate.rock_years, "year") +
                 " of each member, each with forest and on the bare slope");
+        plausible::warn_of_rocks(scenario, site, warnings);
     } else {
         say(out, "rocks", "none fall: run.rockfall_every is 0");
     }
@@ -207,6 +210,7 @@ void check_scenario(const CommandLine& line, config::Warnings& warnings, std::os
         }
     } else {
         profile::describe(*scenario, profile::open_profile(*scenario, warnings), out);
+        plausible::warn_of_few_rocks(profile::rocks_of(*scenario), warnings);
     }
     if (line.print_settings) {
         print_settings(*scenario->options, out);

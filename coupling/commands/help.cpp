@@ -35,7 +35,7 @@ Everywhere
   --help                               help of a command: bannwald run --help
   --help-all                           every setting of a scenario
   --version                            version, and what it was built with
-  -q, --quiet                          only errors
+  -q, --quiet                          only errors, and the warnings once at the end of a run
   -v, --verbose                        every warning and problem one by one, every file of the results
 
 A first run

@@ -9,6 +9,7 @@
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/deciding.hpp"
+#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map_sheet.hpp"
@@ -381,8 +382,8 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
         << escaped(results.version)
         << "\"/>\n<title>Rockfall hazard map: " << escaped(results.scenario.file.stem().string())
         << "</title>\n<style>" << report::style() << "</style>\n</head>\n<body>\n<main>\n"
-        << opening(results) << arrivals_table(results) << maps(results) << about_the_map(results)
-        << rocks_table(results) << "<h2>Warnings</h2>\n"
+        << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
+        << maps(results) << about_the_map(results) << rocks_table(results) << "<h2>Warnings</h2>\n"
         << report::list_of_warnings(results.warnings) << "<h2>Settings</h2>\n"
         << report::table_of_settings(results.scenario, [](const std::string&) { return true; })
         << "<h2>Data</h2>\n<section class=\"card\">" << report::table_of_inputs(results.inputs)

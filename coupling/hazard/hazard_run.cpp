@@ -12,6 +12,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_results.hpp"
+#include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
 #include "coupling/results/disk.hpp"
@@ -326,6 +327,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     for (const double each : plan.return_periods_years) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
+        plausible::warn_of_rocks(*period.scenario, period.site, warnings);
         if (InterruptGuard::requested()) {
             return tell_interruption();
         }
@@ -378,6 +380,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         print_summary(results);
         print_files(out / map_folder, written, request.verbose);
     }
+    repeat_warnings(all_warnings, request.verbose);
     return static_cast<int>(config::ExitCode::done);
 }
 

@@ -7,6 +7,8 @@
 
 #include "config/options/values.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/species_column.hpp"
 #include "coupling/inputs/species_table.hpp"
 #include "coupling/results/joined.hpp"
@@ -25,9 +27,10 @@ constexpr NumberRange strength_range{.low = 0.0, .high = 1.0};
 /// A log list with the fields of its rows; what is wrong becomes a problem.
 class LogTable {
 public:
-    LogTable(const config::Table& table, config::Problems& problems)
+    LogTable(const config::Table& table, config::Problems& problems, bool swap_axes)
         : table_{table},
           problems_{problems},
+          swap_axes_{swap_axes},
           by_ends_{table.has("x1_m") || table.has("x2_m")},
           one_diameter_{table.has("dbh_cm")} {}
 
@@ -77,10 +80,10 @@ private:
     }
     void take_ends(std::size_t row, rockfall::Log& log) const {
         const std::size_t problems_before = problems_.list().size();
-        log.x1_m = number(row, "x1_m", {});
-        log.y1_m = number(row, "y1_m", {});
-        log.x2_m = number(row, "x2_m", {});
-        log.y2_m = number(row, "y2_m", {});
+        log.x1_m = number(row, swap_axes_ ? "y1_m" : "x1_m", {});
+        log.y1_m = number(row, swap_axes_ ? "x1_m" : "y1_m", {});
+        log.x2_m = number(row, swap_axes_ ? "y2_m" : "x2_m", {});
+        log.y2_m = number(row, swap_axes_ ? "x2_m" : "y2_m", {});
         const double length_m = std::hypot(log.x2_m - log.x1_m, log.y2_m - log.y1_m);
         if (problems_.list().size() == problems_before && !length_range_m.contains(length_m)) {
             problems_.add(config::ExitCode::data, table_.place(row, "x2_m"),
@@ -92,14 +95,15 @@ private:
         const double length_m = number(row, "length_m", length_range_m);
         const double azimuth =
             number(row, "azimuth_deg", {.low = -360.0, .high = 360.0}) * std::numbers::pi / 180.0;
-        log.x1_m = number(row, "x_m", {});
-        log.y1_m = number(row, "y_m", {});
+        log.x1_m = number(row, swap_axes_ ? "y_m" : "x_m", {});
+        log.y1_m = number(row, swap_axes_ ? "x_m" : "y_m", {});
         log.x2_m = log.x1_m + length_m * std::sin(azimuth);
         log.y2_m = log.y1_m + length_m * std::cos(azimuth);
     }
 
     const config::Table& table_;
     config::Problems& problems_;
+    bool swap_axes_;
     bool by_ends_;
     bool one_diameter_;
 };
@@ -123,10 +127,11 @@ void tell_doubled_ids(const std::vector<LogRecord>& logs, const std::string& fil
 std::vector<LogRecord> read_log_table(Reading& reading) {
     const config::Table table = reading.table("trees.logs", "logs", reading.scenario().logs);
     config::Problems problems;
-    const LogTable rows{table, problems};
+    const LogTable rows{table, problems, reading.scenario().swap_log_axes};
     if (!rows.has_columns()) {
         problems.throw_if_any();
     }
+    plausible::check_log_units(table);
     const SpeciesTable known = SpeciesTable::shipped();
     const SpeciesLookup lookup = lookup_in(known);
     SpeciesColumn column{table, lookup};
@@ -166,16 +171,27 @@ std::vector<LogRecord> on_terrain(std::vector<LogRecord> logs, const rockfall::T
     const auto is_on = [&](double x_m, double y_m) {
         return terrain.locate(x_m - origin_m.x(), y_m - origin_m.y()).has_value();
     };
+    std::vector<config::Point2> places;
+    for (const LogRecord& record : logs) {
+        places.push_back({record.log.x1_m, record.log.y1_m});
+    }
     const auto outside = std::stable_partition(logs.begin(), logs.end(), [&](const LogRecord& record) {
         return is_on(record.log.x1_m, record.log.y1_m) && is_on(record.log.x2_m, record.log.y2_m);
     });
     if (outside != logs.end()) {
-        const auto count = static_cast<std::size_t>(logs.end() - outside);
-        reading.doubt({reading.shown(reading.scenario().logs)},
-                      joined(counted(count, "log"), " not wholly on the terrain, such as log ",
-                             config::in_quotes(outside->id), " (x ", config::to_text(outside->log.x1_m),
-                             ", y ", config::to_text(outside->log.y1_m), "); left out"),
-                      "logs on the terrain");
+        plausible::judge_off_terrain(
+            {.place = {reading.shown(reading.scenario().logs)},
+             .singular = "log",
+             .all = logs.size(),
+             .off = static_cast<std::size_t>(logs.end() - outside),
+             .example =
+                 joined("log ", config::in_quotes(outside->id), " (x ", config::to_text(outside->log.x1_m),
+                        ", y ", config::to_text(outside->log.y1_m), ")"),
+             .places = places,
+             .swap_advice = reading.scenario().swap_log_axes
+                                ? "set trees.swap_logs_xy = no: the columns are right as they are"
+                                : "set trees.swap_logs_xy = yes, or exchange the columns of x and y"},
+            plausible::extent_of(terrain), reading);
         logs.erase(outside, logs.end());
     }
     return logs;

@@ -10,10 +10,11 @@
 
 namespace coupling {
 
-void Reading::doubt(config::Place place, std::string found, std::string expected) {
-    config::Problem problem{config::ExitCode::data, std::move(place), std::move(found), std::move(expected)};
+void Reading::doubt(config::Place place, std::string found, std::string expected, std::string advice) {
+    config::Problem problem{config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
+                            std::move(advice)};
     if (scenario_.strict_inputs) {
-        problems_.add(problem.code, problem.place, problem.found, problem.expected);
+        problems_.add(std::move(problem));
     } else {
         warnings_.add(config::to_string(problem));
     }
@@ -103,7 +104,7 @@ void add_first(config::Problems& problems, const config::Problems& of_file, cons
     constexpr std::size_t most = 20;
     const auto& list = of_file.list();
     for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
-        problems.add(list[i].code, list[i].place, list[i].found, list[i].expected);
+        problems.add(list[i]);
     }
     if (list.size() > most) {
         problems.add(config::ExitCode::data, {file},

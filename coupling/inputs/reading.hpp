@@ -26,13 +26,14 @@ public:
     [[nodiscard]] config::Problems& problems() { return problems_; }
     [[nodiscard]] const std::vector<InputFile>& inputs() const { return inputs_; }
 
-    void refuse(config::Place place, std::string found, std::string expected = "") {
-        problems_.add(config::ExitCode::data, std::move(place), std::move(found), std::move(expected));
+    void refuse(config::Place place, std::string found, std::string expected = "", std::string advice = "") {
+        problems_.add(config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
+                      std::move(advice));
     }
     /// Only suspicious: a warning, or a problem with strict_inputs.
-    void doubt(config::Place place, std::string found, std::string expected = "");
+    void doubt(config::Place place, std::string found, std::string expected = "", std::string advice = "");
     /// Worth knowing, never an error.
-    void note(std::string sentence) { warnings_.add(std::move(sentence)); }
+    void note(std::string sentence) { warnings_.add_note(std::move(sentence)); }
 
     /// Runs a step; what it throws joins the other problems, and nothing comes back.
     template <class Step>

@@ -6,6 +6,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
+#include "coupling/inputs/plausible/source_cover.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
@@ -30,7 +31,8 @@ SourceInput read_shapes(Reading& reading) {
     std::vector<std::string> known = start_columns();
     known.emplace_back("wkt");
     doubt_columns(table, known, reading);
-    SourceInput input{.grid = {}, .shapes = {}, .starts = {}, .file = table.file()};
+    SourceInput input{
+        .grid = {}, .shapes = {}, .starts = {}, .file = table.file(), .has_zones = table.has("zone")};
     for (std::size_t row = 0; row < table.rows(); ++row) {
         auto shape =
             shape_of(table, row, {Shape::Kind::point, Shape::Kind::line, Shape::Kind::polygon}, problems);
@@ -133,25 +135,26 @@ struct CellCounts {
     std::size_t first_on_nodata = 0;
 };
 
-void tell(const CellCounts& counts, const config::GridFrame& frame, const SourceInput& input,
-          const HeightInput& heights, Reading& reading) {
+void warn_of_cells(const CellCounts& counts, const config::GridFrame& frame, const SourceInput& input,
+                   const HeightInput& heights, Reading& reading) {
     if (counts.on_nodata > 0) {
         reading.refuse({input.file},
                        counted(counts.on_nodata, "source cell") + " on NODATA of " + heights.file +
                            ", the first in " + cell_in_words(frame, counts.first_on_nodata),
-                       "heights all over the release area");
+                       "heights all over the release area",
+                       "take a terrain without gaps there, or take these cells out of the sources");
     }
     if (counts.in_ring > 0) {
         reading.doubt({input.file},
                       counted(counts.in_ring, "source cell") + " of " + std::to_string(counts.all) +
                           " in the outer ring of " + heights.file + ", where the terrain ends; left out",
-                      "sources at least one cell inside");
+                      "sources at least one cell inside", "take a larger terrain if rocks start there");
     }
     if (counts.off_terrain > 0) {
         reading.doubt({input.file},
                       counted(counts.off_terrain, "source cell") + " of " + std::to_string(counts.all) +
                           " off the terrain; left out",
-                      "sources on the terrain");
+                      "sources on the terrain", "take a larger terrain if rocks start there");
     }
 }
 
@@ -173,12 +176,16 @@ Placed place_cells(const SourceInput& input, const HeightInput& heights, const r
     const config::GridFrame& frame = cells.frame;
     Placed placed;
     CellCounts counts;
+    std::vector<std::size_t> cells_of_shape(input.shapes.size(), 0);
     for (std::size_t index = 0; index < cells.values.size(); ++index) {
         const double number = cells.values[index];
         if (std::isnan(number) || number == 0.0) {
             continue;
         }
         ++counts.all;
+        if (!input.grid) {
+            ++cells_of_shape[static_cast<std::size_t>(number) - 1];
+        }
         const SourceShape* shape = input.grid ? nullptr : &input.shapes[static_cast<std::size_t>(number) - 1];
         const auto zone = shape == nullptr ? static_cast<std::uint32_t>(number) : shape->zone;
         const auto start = start_of(input, zone, shape == nullptr ? 0 : shape->start);
@@ -199,7 +206,8 @@ Placed place_cells(const SourceInput& input, const HeightInput& heights, const r
             ++counts.off_terrain;
         }
     }
-    tell(counts, frame, input, heights, reading);
+    warn_of_cells(counts, frame, input, heights, reading);
+    plausible::doubt_polygons_without_cell(input, cells_of_shape, reading);
     return placed;
 }
 
@@ -251,7 +259,7 @@ void place_line(const SourceInput& input, const SourceShape& shape, std::size_t 
     if (const auto place = leaves_terrain_at(line, terrain)) {
         reading.refuse(shape.place,
                        "a line that leaves the terrain at " + to_dm(place->x_m) + ", " + to_dm(place->y_m),
-                       "lines of sources on the terrain");
+                       "lines of sources on the terrain", "cut the line at the border of the terrain");
         return;
     }
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -288,7 +296,7 @@ Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, 
         reading.doubt({input.file},
                       std::to_string(points - placed.sources.size()) + " of " + counted(points, "source") +
                           " off the terrain; left out",
-                      "sources on the terrain");
+                      "sources on the terrain", "correct their coordinates, or remove them");
     }
     return placed;
 }
@@ -313,6 +321,10 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
     const bool in_cells =
         input.grid || (!input.shapes.empty() && input.shapes.front().shape.kind == Shape::Kind::polygon);
     const std::size_t problems_before = reading.problems().list().size();
+    plausible::judge_source_shapes(input, terrain, reading);
+    if (reading.problems().list().size() > problems_before) {
+        return std::nullopt;
+    }
     Placed placed =
         in_cells ? place_cells(input, heights, terrain, reading) : place_pieces(input, terrain, reading);
     if (reading.problems().list().size() > problems_before) {
@@ -329,7 +341,8 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
     if (placed.sources.empty()) {
         reading.refuse(
             {input.file}, "no source of rocks that lies on the terrain",
-            input.grid ? "at least one cell above 0 inside the outer ring" : "at least one on the terrain");
+            input.grid ? "at least one cell above 0 inside the outer ring" : "at least one on the terrain",
+            "check that the file holds the sources, and a terrain that reaches beyond them");
         return std::nullopt;
     }
     share_rocks(placed.sources, placed.rows, input.starts, reading);

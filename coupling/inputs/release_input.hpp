@@ -31,6 +31,7 @@ struct SourceInput {
     std::vector<SourceShape> shapes;
     std::vector<SourceStart> starts;  ///< of each shape; of a grid one that says nothing; or of zones
     std::string file;                 ///< name in messages
+    bool has_zones = false;           ///< shapes name their zones; otherwise each row is one
     bool by_zone = false;             ///< the starts are those of zones; a zone without one has no rocks
     std::map<std::uint32_t, std::size_t> start_of_zone{};  ///< all_other_zones: of those without one
 };
@@ -43,7 +44,8 @@ rockfall::DiameterRange diameters_of(const std::optional<SourceInput>& input, co
 /// The sources on the terrain, in its coordinates, with their rocks allotted.
 ///
 /// A cell weighs its true surface, plan area / cos(slope); a piece of a line its length; a point 1. Cells of
-/// the outer ring, where the terrain ends halfway, and points off the terrain are left out and told. Refuses
+/// the outer ring, where the terrain ends halfway, points off the terrain and parts of polygons off it are
+/// left out with a warning. Refuses sources of which most lie off the terrain (plausible/source_cover.hpp),
 /// sources on NODATA, lines that leave the terrain, a grid on another frame and sources of which none is
 /// left.
 std::optional<std::vector<rockfall::ReleaseSource>> place_sources(const SourceInput& input,

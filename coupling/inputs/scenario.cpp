@@ -26,8 +26,7 @@ void declare_run(config::Options& options, Scenario& s) {
                    .meaning = "years to simulate; 0 assesses the trees as they stand",
                    .source = "choice"});
     options.flag("run.strict_inputs", s.strict_inputs,
-                 {.meaning = "what is only doubtful in the input ends the run instead of a warning",
-                  .source = "choice"});
+                 {.meaning = "treat warnings about the inputs as errors", .source = "choice"});
 }
 
 void declare_terrain(config::Options& options, Scenario& s) {
@@ -271,6 +270,10 @@ void declare(config::Options& options, Scenario& scenario) {
     options.text(
         "trees.logs", scenario.logs,
         {.meaning = "CSV of lying logs: x1_m, y1_m, x2_m, y2_m, species, dbh_cm, clearance_m, strength"});
+    options.flag("trees.swap_xy", scenario.swap_tree_axes,
+                 {.meaning = "x_m and y_m of trees.file stand in each other's column", .source = "choice"});
+    options.flag("trees.swap_logs_xy", scenario.swap_log_axes,
+                 {.meaning = "x and y of trees.logs stand in each other's columns", .source = "choice"});
     declare_release(options, scenario);
     declare_diameter(options, scenario);
     declare_start(options, scenario);

@@ -52,8 +52,10 @@ struct Scenario {
     double profile_segment_m = 10.0;         ///< length along the slope over which jumps are put together
 
     // [trees]
-    std::string trees;  ///< CSV; empty: none
-    std::string logs;   ///< CSV of lying logs; empty: none; without either bare slope only
+    std::string trees;            ///< CSV; empty: none
+    std::string logs;             ///< CSV of lying logs; empty: none; without either bare slope only
+    bool swap_tree_axes = false;  ///< x_m and y_m of the tree list are exchanged
+    bool swap_log_axes = false;   ///< the same of the logs
 
     // [release]
     std::string source;         ///< grid: 0 no source, k > 0 release zone k, or

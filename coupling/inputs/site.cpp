@@ -173,7 +173,7 @@ std::shared_ptr<ForestSite> forest_on(const HeightInput& heights, const rockfall
 
 /// Takes the obstacles that rocks cannot meet out of the forest.
 void drop_off_terrain(ForestSite& forest, const rockfall::Terrain& terrain, Reading& reading) {
-    forest.obstacles = on_terrain(std::move(forest.obstacles), terrain, reading);
+    forest.obstacles = on_terrain(std::move(forest.obstacles), terrain, reading, forest.listed.size());
 }
 
 }  // namespace

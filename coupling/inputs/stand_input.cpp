@@ -125,7 +125,7 @@ public:
         const auto stand = table_.whole(row, "stand", {1.0, highest_stand}, problems_);
         const auto species = column_.find(row);
         forest::SpeciesRecord record;
-        record.stems_pha = optional(row, "stems_pha", {0.0, 1e6});
+        record.stems_pha = stems_pha(row);
         record.basal_area_m2pha = optional(row, "basal_area_m2pha", {0.0, 200.0});
         record.mean_dbh_cm = optional(row, "mean_dbh_cm", {forest::smallest_tree_cm, 500.0});
         record.mean_height_m =
@@ -151,6 +151,21 @@ public:
     }
 
 private:
+    /// A count in all but name: 1.200 may be one stem or more than a thousand. 412.345 is no thousands: no
+    /// forest has as many stems.
+    std::optional<double> stems_pha(std::size_t row) {
+        const auto plain = table_.has("stems_pha") ? config::without_separators(table_.text(row, "stems_pha"))
+                                                   : std::nullopt;
+        if (plain && config::parse_number(*plain).value_or(0.0) < 1e5) {
+            problems_.add(ExitCode::data, table_.place(row, "stems_pha"),
+                          joined("stems_pha ", config::in_quotes(table_.text(row, "stems_pha"))),
+                          "a number without separators of thousands",
+                          joined("write ", *plain, ", or with fewer decimals if the point is one"));
+            return std::nullopt;
+        }
+        return optional(row, "stems_pha", {0.0, 1e6});
+    }
+
     std::optional<double> optional(std::size_t row, const std::string& column,
                                    const config::NumberRange& range) {
         return table_.has(column) && !table_.text(row, column).empty()

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <string>
 
+#include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/shape_input.hpp"
+#include "coupling/results/joined.hpp"
 
 namespace coupling {
 
@@ -58,18 +61,47 @@ std::vector<rockfall::Target> read_target_table(Reading& reading) {
     return targets;
 }
 
-/// How many of a target's vertices lie on the terrain, and how many there are.
-std::pair<std::size_t, std::size_t> vertices_on_terrain(const rockfall::Target& target,
-                                                        const rockfall::Terrain& terrain) {
-    std::size_t on = 0;
-    std::size_t all = 0;
+config::Shape outline_of(const rockfall::Target& target) {
+    config::Shape shape{target.is_area ? config::Shape::Kind::polygon : config::Shape::Kind::line, {}};
     for (const auto& part : target.parts) {
+        std::vector<config::Point2>& points = shape.parts.emplace_back();
         for (const Eigen::Vector2d& vertex : part) {
-            ++all;
-            on += terrain.locate(vertex.x(), vertex.y()) ? 1U : 0U;
+            points.push_back({vertex.x(), vertex.y()});
         }
     }
-    return {on, all};
+    return shape;
+}
+
+/// Refuses a target wholly off the terrain; warns of one that is partly off it. Requires absolute
+/// coordinates.
+void judge_target(const rockfall::Target& target, const rockfall::Terrain& terrain,
+                  const plausible::Extent& extent, int samples, Reading& reading) {
+    const config::Shape shape = outline_of(target);
+    const plausible::OnTerrain found = plausible::on_terrain(shape, terrain, samples);
+    if (found.share >= 1.0) {
+        return;
+    }
+    const config::Place place{reading.shown(reading.scenario().targets)};
+    const std::string name = joined("target ", config::in_quotes(target.id));
+    if (found.share > 0.0) {
+        reading.doubt(place,
+                      joined(name, " with ", plausible::percent_in_words(1.0 - found.share),
+                             target.is_area ? " of its area" : " of its length", " off the terrain"),
+                      "targets where rocks can be followed to",
+                      "take a larger terrain if that part matters: no rock is counted there");
+        return;
+    }
+    std::vector<config::Point2> vertices;
+    for (const auto& part : shape.parts) {
+        vertices.insert(vertices.end(), part.begin(), part.end());
+    }
+    const plausible::OffCause cause =
+        plausible::cause_off_terrain(extent, vertices, "exchange x and y in the shapes");
+    reading.refuse(place,
+                   joined(name, " outside the terrain: ", cause.reason, "; the target spans ",
+                          plausible::in_words(plausible::extent_of(vertices)), ", the terrain ",
+                          plausible::in_words(extent)),
+                   "targets on the terrain: no rock can arrive elsewhere", cause.advice);
 }
 
 }  // namespace
@@ -83,24 +115,15 @@ std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading) {
 
 std::vector<rockfall::Target> on_terrain(std::vector<rockfall::Target> targets,
                                          const rockfall::Terrain& terrain, Reading& reading) {
+    const plausible::Extent extent = plausible::extent_of(terrain);
     for (rockfall::Target& target : targets) {
+        judge_target(target, terrain, extent, plausible::samples_a_side(targets.size()), reading);
         for (auto& part : target.parts) {
             for (Eigen::Vector2d& vertex : part) {
                 vertex -= terrain.origin_m();
             }
         }
         target = rockfall::with_bounds(std::move(target));
-        const auto [on, all] = vertices_on_terrain(target, terrain);
-        if (on == 0) {
-            reading.refuse({reading.shown(reading.scenario().targets)},
-                           "target " + config::in_quotes(target.id) + " with no vertex on the terrain",
-                           "coordinates of the DEM: no rock can arrive there");
-        } else if (on < all) {
-            reading.doubt({reading.shown(reading.scenario().targets)},
-                          "target " + config::in_quotes(target.id) + " with " + std::to_string(all - on) +
-                              " of " + std::to_string(all) + " vertices" + " off the terrain",
-                          "targets where rocks can be followed to");
-        }
     }
     return targets;
 }

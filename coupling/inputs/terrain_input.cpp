@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <limits>
 
-#include "config/grid/holes.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/map_size.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
+#include "coupling/inputs/plausible/coordinate_systems.hpp"
+#include "coupling/inputs/plausible/extent.hpp"
+#include "coupling/inputs/plausible/heights.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
 
@@ -29,72 +31,34 @@ std::string projection_name(const std::string& grid_name) {
     return path.replace_extension(".prj").string();
 }
 
-std::vector<double> known_heights(const config::Raster<double>& grid) {
-    std::vector<double> known;
-    std::copy_if(grid.values.begin(), grid.values.end(), std::back_inserter(known),
-                 [](double height_m) { return !std::isnan(height_m); });
-    return known;
-}
-
-/// Heights that no mountain has.
-void doubt_heights(double low_m, double high_m, const std::string& file, Reading& reading) {
-    if (low_m < -500.0 || high_m > 9000.0) {
-        reading.doubt({file}, "heights from " + config::to_text(low_m) + " to " + config::to_text(high_m),
-                      "metres above sea level");
-    }
-}
-
-/// Those, and zeros that stand for NODATA.
-void check_heights(std::vector<double> heights, const std::string& file, Reading& reading) {
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    doubt_heights(*low, *high, file, reading);
-    const auto zeros = static_cast<std::size_t>(std::count(heights.begin(), heights.end(), 0.0));
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    if (zeros > 0 && *middle > 100.0) {
-        reading.doubt({file},
-                      counted(zeros, "cell") + " of height 0 where half of them lie above " +
-                          config::to_text(*middle) + " m",
-                      "NODATA where the ground is not known");
-    }
-}
-
-/// Rocks that come to a hole are lost from the count behind it.
-void doubt_holes(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
-    const std::vector<config::Hole> holes = config::holes_of(grid);
-    if (holes.empty()) {
-        return;
-    }
-    std::size_t cells = 0;
-    for (const config::Hole& hole : holes) {
-        cells += hole.cells;
-    }
-    const config::Hole& largest =
-        *std::max_element(holes.begin(), holes.end(),
-                          [](const config::Hole& a, const config::Hole& b) { return a.cells < b.cells; });
-    reading.doubt({file},
-                  counted(holes.size(), "hole") + " of NODATA, together " + counted(cells, "cell") +
-                      ", the largest of " + counted(largest.cells, "cell") + " from " +
-                      cell_in_words(grid.frame, largest.first_cell) +
-                      "; rocks that come there leave the terrain",
-                  "heights everywhere inside the rim");
-}
-
 /// Throws InputError where no terrain can be made of the heights.
 void check_grid(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
     const config::GridFrame& frame = grid.frame;
     if (std::min(frame.cell_width_m, frame.cell_height_m) < 0.05) {
         config::fail(config::ExitCode::data, {file}, "cells of " + config::to_text(frame.cell_width_m),
-                     "metres of a projected coordinate system, not degrees");
+                     "metres of a projected coordinate system, not degrees",
+                     "transform the grid to the projected system of the other files");
     }
-    const std::vector<double> known = known_heights(grid);
-    if (frame.columns < 3 || frame.rows < 3 || known.size() < 9) {
+    const auto known = static_cast<std::size_t>(std::count_if(
+        grid.values.begin(), grid.values.end(), [](double height_m) { return !std::isnan(height_m); }));
+    if (frame.columns < 3 || frame.rows < 3 || known < 9) {
         config::fail(config::ExitCode::data, {file},
-                     counted(known.size(), "known height") + " in " + to_string(frame),
+                     counted(known, "known height") + " in " + to_string(frame),
                      "at least 3 x 3 known cells");
     }
-    check_heights(known, file, reading);
-    doubt_holes(grid, file, reading);
+    plausible::check_grid_heights(grid, file, reading);
+    plausible::doubt_holes(grid, file, reading);
+}
+
+/// The text of the .prj file beside the heights, "" without one. A projection that contradicts their
+/// coordinates becomes a problem.
+std::string projection_beside(const std::string& name, const plausible::Extent& extent, Reading& reading) {
+    const std::string beside = projection_name(name);
+    std::string text = reading.text_beside("projection", beside);
+    if (const auto wrong = plausible::contradiction_of(text, extent, beside)) {
+        reading.refuse({reading.shown(beside)}, wrong->found, wrong->expected, wrong->advice);
+    }
+    return text;
 }
 
 HeightInput read_dem(Reading& reading) {
@@ -103,7 +67,7 @@ HeightInput read_dem(Reading& reading) {
     input.file = reading.shown(scenario.dem);
     input.grid = reading.grid("terrain.dem", "dem", scenario.dem);
     check_grid(*input.grid, input.file, reading);
-    input.projection = reading.text_beside("projection", projection_name(scenario.dem));
+    input.projection = projection_beside(scenario.dem, plausible::extent_of(input.grid->frame), reading);
     if (input.projection.empty()) {
         reading.note(input.file + ": no " + projection_name(scenario.dem) +
                      " beside it, so the results name no projection");
@@ -139,7 +103,7 @@ config::GridFrame checked_frame_over(const std::vector<Eigen::Vector3d>& points,
     check_extent(extent.cell_width_m, extent.cell_height_m, file);
     const auto [low, high] = std::minmax_element(points.begin(), points.end(),
                                                  [](const auto& a, const auto& b) { return a.z() < b.z(); });
-    doubt_heights(low->z(), high->z(), file, reading);
+    plausible::check_height_range(low->z(), high->z(), file);
     const double cell_size_m = reading.scenario().cell_size_m;
     if (cell_size_m > 0.0) {
         check_map_size(extent, cell_size_m, reading.scenario());
@@ -157,7 +121,8 @@ HeightInput read_point_cloud(Reading& reading) {
         config::fail(config::ExitCode::data, {input.file}, counted(input.points.size(), "point"),
                      "at least three");
     }
-    input.projection = reading.text_beside("projection", projection_name(scenario.points));
+    input.projection =
+        projection_beside(scenario.points, plausible::extent_of(extent_over(input.points)), reading);
     input.map_frame = checked_frame_over(input.points, input.file, reading);
     return input;
 }
@@ -180,7 +145,8 @@ HeightInput read_given_mesh(Reading& reading) {
         input.points = std::move(mesh.points_m);
         input.lines = std::move(mesh.lines);
     }
-    input.projection = reading.text_beside("projection", projection_name(scenario.mesh));
+    input.projection =
+        projection_beside(scenario.mesh, plausible::extent_of(extent_over(input.points)), reading);
     input.map_frame = checked_frame_over(input.points, input.file, reading);
     return input;
 }

@@ -6,8 +6,11 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/species_table.hpp"
 #include "coupling/results/joined.hpp"
 #include "forest/start/height_curve.hpp"
@@ -19,39 +22,6 @@ namespace {
 constexpr config::NumberRange dbh_range_cm{.low = 0.0, .high = 500.0, .low_excluded = true};
 constexpr config::NumberRange height_range_m{.low = 0.0, .high = 150.0, .low_excluded = true};
 constexpr config::NumberRange strength_range{.low = 0.0, .high = 1.0};
-
-/// Median of the positive numbers of a column, 0 without any.
-double median_of(const config::Table& table, const std::string& column) {
-    std::vector<double> values;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto value = config::parse_number(table.text(row, column));
-        if (value && *value > 0.0) {
-            values.push_back(*value);
-        }
-    }
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-/// A wrong unit shows in the median before it shows anywhere else.
-void check_units(const config::Table& table, Reading& reading) {
-    const double dbh = median_of(table, "dbh_cm");
-    const double height = table.has("height_m") ? median_of(table, "height_m") : 0.0;
-    if (dbh > 200.0 || (dbh > 0.0 && dbh < 1.0)) {
-        reading.doubt(
-            {table.file()}, "a median dbh_cm of " + config::to_text(dbh),
-            std::string{"centimetres; these look like "} + (dbh > 200.0 ? "millimetres" : "metres"));
-    }
-    if (height > 100.0 || (height > 0.0 && height < 1.0)) {
-        reading.doubt({table.file()}, "a median height_m of " + config::to_text(height),
-                      std::string{"metres; these look like "} +
-                          (height > 100.0 ? "decimetres or centimetres" : "another unit"));
-    }
-}
 
 std::optional<double> optional_number(const config::Table& table, std::size_t row, const std::string& column,
                                       const config::NumberRange& range, config::Problems& problems) {
@@ -225,12 +195,15 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
     if (!table.require({"x_m", "y_m", "species", "dbh_cm"}, problems)) {
         problems.throw_if_any();
     }
-    check_units(table, reading);
+    plausible::check_tree_units(table);
     std::vector<ListedRow> rows;
     rows.reserve(table.rows());
     for (std::size_t row = 0; row < table.rows(); ++row) {
         if (auto tree = row_of(table, row, column, may_be_dead, problems)) {
             tree->row = row;
+            if (reading.scenario().swap_tree_axes) {
+                std::swap(tree->x_m, tree->y_m);
+            }
             rows.push_back(std::move(*tree));
         }
     }
@@ -245,6 +218,11 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
     return rows;
 }
 
+std::string_view swap_tree_advice(const Scenario& scenario) {
+    return scenario.swap_tree_axes ? "set trees.swap_xy = no: the columns x_m and y_m are right as they are"
+                                   : "set trees.swap_xy = yes, or exchange the columns x_m and y_m";
+}
+
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading) {
     if (reading.scenario().trees.empty()) {
         return std::vector<TreeRecord>{};
@@ -253,18 +231,27 @@ std::optional<std::vector<TreeRecord>> read_trees(Reading& reading) {
 }
 
 std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall::Terrain& terrain,
-                                   Reading& reading) {
+                                   Reading& reading, std::size_t others) {
     const Eigen::Vector2d origin_m = terrain.origin_m();
-    const auto outside = std::stable_partition(trees.begin(), trees.end(), [&](const TreeRecord& tree) {
+    const auto is_on = [&](const TreeRecord& tree) {
         return terrain.locate(tree.stem.x_m - origin_m.x(), tree.stem.y_m - origin_m.y()).has_value();
-    });
+    };
+    std::vector<config::Point2> places;
+    for (const TreeRecord& tree : trees) {
+        places.push_back({tree.stem.x_m, tree.stem.y_m});
+    }
+    const auto outside = std::stable_partition(trees.begin(), trees.end(), is_on);
     if (outside != trees.end()) {
-        const auto count = static_cast<std::size_t>(trees.end() - outside);
-        reading.doubt({reading.shown(reading.scenario().trees)},
-                      counted(count, "tree") + " outside the terrain, such as tree " +
-                          config::in_quotes(outside->id) + " (x " + config::to_text(outside->stem.x_m) +
-                          ", y " + config::to_text(outside->stem.y_m) + "); left out",
-                      "trees on the terrain");
+        plausible::judge_off_terrain({.place = {reading.shown(reading.scenario().trees)},
+                                      .singular = "tree",
+                                      .all = trees.size() + others,
+                                      .off = static_cast<std::size_t>(trees.end() - outside),
+                                      .example = joined("tree ", config::in_quotes(outside->id), " (x ",
+                                                        config::to_text(outside->stem.x_m), ", y ",
+                                                        config::to_text(outside->stem.y_m), ")"),
+                                      .places = places,
+                                      .swap_advice = swap_tree_advice(reading.scenario())},
+                                     plausible::extent_of(terrain), reading);
         trees.erase(outside, trees.end());
     }
     return trees;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "coupling/inputs/reading.hpp"
@@ -26,8 +27,9 @@ struct ListedRow {
 };
 
 /// Rows of a tree list with the columns x_m, y_m, species, dbh_cm and perhaps tree_id, height_m, age_years;
-/// others are passed over. Medians that look like another unit and identities used twice are told. Throws
-/// InputError (data) with unknown species and up to 20 other faults.
+/// others are passed over. trees.swap_xy exchanges the axes. Identities used twice are reported. Throws
+/// InputError (data) where the medians show another unit (plausible/units.hpp), for unknown species and up to
+/// 20 other faults.
 /// `may_be_dead`: snags and stumps are taken (state, strength, broken_at_m); otherwise refused.
 std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading,
                                         bool may_be_dead = false);
@@ -38,8 +40,12 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
 /// told; where there are too few of them the list is refused. Species that borrow parameters are told.
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading);
 
-/// Drops trees that do not stand on the terrain and tells how many.
+/// What to do about exchanged axes of the tree list.
+std::string_view swap_tree_advice(const Scenario& scenario);
+
+/// Drops trees that do not stand on the terrain and warns of them; refuses a list of which most do not.
+/// `others` trees of the same list are known to stand on it.
 std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall::Terrain& terrain,
-                                   Reading& reading);
+                                   Reading& reading, std::size_t others = 0);
 
 }  // namespace coupling

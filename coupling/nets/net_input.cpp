@@ -253,7 +253,7 @@ std::optional<GivenNets> read_nets(Reading& reading) {
         const config::Table table = reading.table("nets.file", "nets", file);
         GivenNets given = nets_of(table);
         for (const config::Problem& doubt : doubts_about(table, given.nets)) {
-            reading.doubt(doubt.place, doubt.found, doubt.expected);
+            reading.doubt(doubt.place, doubt.found, doubt.expected, doubt.advice);
         }
         return given;
     });

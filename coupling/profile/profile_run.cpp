@@ -8,6 +8,7 @@
 #include <iomanip>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/profile/profile_results.hpp"
 #include "coupling/profile/profile_settings.hpp"
@@ -195,6 +196,7 @@ void describe(const Scenario& scenario, const ProfileSite& site, std::ostream& o
 int run_profile(const RunRequest& request, const Scenario& scenario) {
     config::Warnings warnings;
     const ProfileSite site = open_profile(scenario, warnings);
+    plausible::warn_of_few_rocks(rocks_of(scenario), warnings);
     if (!request.quiet) {
         tell_warnings(warnings, request.verbose);
     }
@@ -213,6 +215,7 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
         std::fprintf(stderr, "bannwald: interrupted; run the same command again to begin anew\n");
         return static_cast<int>(config::ExitCode::interrupted);
     }
+    repeat_warnings(warnings, request.verbose);
     return static_cast<int>(config::ExitCode::done);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/surface_types.hpp"
 
@@ -285,6 +286,13 @@ ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
     if (!files) {
         reading.problems().throw_if_any();
     }
+    reading.attempt([&] {
+        const auto [low, high] =
+            std::minmax_element(files->corners.begin(), files->corners.end(),
+                                [](const auto& a, const auto& b) { return a.height_m < b.height_m; });
+        plausible::check_height_range(low->height_m, high->height_m, reading.shown(scenario.profile));
+        return true;
+    });
     const double start_m = scenario.options->was_set("profile.start_m") ? scenario.profile_start_m
                                                                         : files->corners.front().distance_m;
     check_on_profile(files->corners, start_m, scenario.options->place_of("profile.start_m"),

@@ -27,6 +27,7 @@ struct SummaryOfRun {
     std::uint32_t replicates = 1;
     std::vector<Setting> settings;
     std::vector<Input> inputs;
+    std::vector<std::string> warnings;
 };
 
 /// In summary.cpp, where summaries are written. Throws config::InputError (data) naming the file for what no

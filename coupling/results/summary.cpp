@@ -429,6 +429,7 @@ SummaryOfRun read_summary(std::string_view text, const std::string& file) {
             read.inputs.push_back({input.at("role").get<std::string>(), input.at("file").get<std::string>(),
                                    input.at("hash").get<std::string>()});
         }
+        read.warnings = summary.value("warnings", std::vector<std::string>{});
         return read;
     } catch (const Json::exception&) {
         config::fail(config::ExitCode::data, {file}, "no summary of a run",

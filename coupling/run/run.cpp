@@ -4,6 +4,7 @@
 
 #include "coupling/decades/decade_run.hpp"
 #include "coupling/hazard/hazard_run.hpp"
+#include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/profile/profile_run.hpp"
@@ -37,13 +38,17 @@ int run_assessment(const RunRequest& request, RankGroup& ranks) {
     }
     config::Warnings warnings;
     Site site = open_site(*scenario, warnings);
+    plausible::warn_of_rocks(*scenario, site, warnings);
     if (!request.quiet) {
         tell_warnings(warnings, request.verbose);
     }
-    if (site.forest) {
-        return decades::run_decades(request, *scenario, site, warnings, ranks);
+    const int code =
+        site.forest ? decades::run_decades(request, *scenario, site, warnings, ranks)
+                    : assess_today(request, *scenario, site, warnings, output_folder_of(request, *scenario));
+    if (code == static_cast<int>(config::ExitCode::done) && ranks.first()) {
+        repeat_warnings(warnings, request.verbose);
     }
-    return assess_today(request, *scenario, site, warnings, output_folder_of(request, *scenario));
+    return code;
 }
 
 }  // namespace coupling

@@ -32,6 +32,16 @@ void tell_warnings(const config::Warnings& warnings, bool verbose) {
     }
 }
 
+void repeat_warnings(const config::Warnings& warnings, bool verbose) {
+    const std::size_t count = warnings.sentences().size();
+    if (count == 0) {
+        return;
+    }
+    std::fflush(stdout);
+    std::fprintf(stderr, "bannwald: done, with %zu %s:\n", count, count == 1 ? "warning" : "warnings");
+    tell_warnings(warnings, verbose);
+}
+
 void print_files(const std::filesystem::path& folder, std::span<const WrittenFile> files, bool verbose) {
     std::printf("Results in %s\n", folder.string().c_str());
     std::size_t told = 0;

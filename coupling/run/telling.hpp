@@ -11,6 +11,9 @@ namespace coupling {
 /// Warnings to stderr; of many of a kind the first three and their number, all of them if `verbose`.
 void tell_warnings(const config::Warnings& warnings, bool verbose);
 
+/// The same as the closing lines of a run, which even a quiet one prints.
+void repeat_warnings(const config::Warnings& warnings, bool verbose);
+
 /// To stdout: where the results lie and which files are worth opening, or all of them if `verbose`.
 void print_files(const std::filesystem::path& folder, std::span<const WrittenFile> files, bool verbose);
 

@@ -240,7 +240,8 @@ private:
             }
         } catch (const config::InputError& error) {
             for (const config::Problem& problem : error.problems()) {
-                problems_.add(problem.code, t.place(row, "overrides"), problem.found, problem.expected);
+                problems_.add(problem.code, t.place(row, "overrides"), problem.found, problem.expected,
+                              problem.advice);
             }
         }
     }

@@ -66,7 +66,7 @@ const BadInput bad_inputs[] = {
      4, "bannwald: source.asc: found no source of rocks that lies on the terrain"},
     {"TreeOutsideWithStrictInputs",
      [](SampleProject& p) { p.replace("trees.csv", "1060,2050", "1060,2500"); }, 4,
-     "bannwald: trees.csv: found 1 tree outside the terrain, such as tree '1'",
+     "bannwald: trees.csv: found 1 of 3 trees off the terrain, such as tree '1'",
      "--set run.strict_inputs=yes"},
     {"UnknownSpecies", [](SampleProject& p) { p.replace("trees.csv", "piab", "piax"); }, 4,
      "bannwald: trees.csv:3:13: found species 'piax', expected a code or Latin name of the species table "
@@ -116,7 +116,7 @@ TEST(ProgramWithDoubts, GoesOnAndTellsThem) {
     const Outcome outcome = call(project, "run scenario.ini --quiet");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const Outcome checked = call(project, "check scenario.ini");
-    EXPECT_NE(checked.err.find("warning: trees.csv: found 1 tree outside the terrain"), std::string::npos)
+    EXPECT_NE(checked.err.find("warning: trees.csv: found 1 of 3 trees off the terrain"), std::string::npos)
         << checked.err;
     EXPECT_NE(checked.err.find("warning: trees.csv: 1 tree of TABA (Taxus baccata) taken like ABAL"),
               std::string::npos)

@@ -1,10 +1,13 @@
 #include "coupling/compare/page/page.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
+#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -15,6 +18,27 @@ namespace {
 
 using report::escaped;
 using report::HtmlTable;
+
+/// The warnings of all runs, each with the names of those that have it.
+std::string warnings_of(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    std::vector<std::pair<std::string, std::string>> entries;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        for (const std::string& sentence : runs[i].summary.warnings) {
+            const auto known = std::find_if(entries.begin(), entries.end(),
+                                            [&](const auto& entry) { return entry.first == sentence; });
+            if (known == entries.end()) {
+                entries.emplace_back(sentence, comparison.names[i]);
+            } else {
+                known->second += joined(", ", comparison.names[i]);
+            }
+        }
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [sentence, names] : entries) {
+        sentences.push_back(joined(names, ": ", sentence));
+    }
+    return report::first_warnings(sentences, "the pages of the runs list all");
+}
 
 std::string opening(std::span<const FinishedRun> runs, const SideBySide& comparison) {
     std::string html = "<h1>Runs side by side</h1>\n<dl class=\"facts\">";
@@ -145,8 +169,9 @@ void write_page(std::ostream& out, std::span<const FinishedRun> runs, const Side
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(version()) << "\"/>\n<title>Runs side by side</title>\n<style>" << report::style()
         << run_style() << "</style>\n</head>\n<body>\n<main>\n"
-        << opening(runs, comparison) << disagreements(comparison) << interval_charts(comparison)
-        << over_years(runs, comparison) << distributions(runs, comparison) << maps(runs, comparison)
+        << warnings_of(runs, comparison) << opening(runs, comparison) << disagreements(comparison)
+        << interval_charts(comparison) << over_years(runs, comparison) << distributions(runs, comparison)
+        << maps(runs, comparison)
         << figures(comparison, runs.front().summary.years > 0, all_of_one_replicate(runs)) << "</main>\n"
         << page_scripts::elements(scripts) << "</body>\n</html>\n";
 }

@@ -4,6 +4,7 @@
 
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
+#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -49,7 +50,7 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
         << "\"/>\n<title>A forest over years: " << escaped(content.scenario.file.stem().string())
         << "</title>\n<style>" << report::style() << page_style() << "</style>\n</head>\n<body>\n"
         << fill_definitions() << "<main>\n"
-        << page_opening(content, run);
+        << report::first_warnings(content.warnings) << page_opening(content, run);
     for (const Section& section : sections_of(content, run)) {
         if (section.html.empty()) {
             continue;

@@ -10,6 +10,7 @@
 #include "coupling/results/indicators.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/energy_rates.hpp"
+#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -167,8 +168,8 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         << "\"/>\n<title>Rockfall along a profile: " << escaped(results.scenario.file.stem().string())
         << "</title>\n<style>" << report::style() << style_of_profile()
         << "</style>\n</head>\n<body>\n<main>\n"
-        << opening(results) << drawing(results) << charts_along(results) << stations(results)
-        << key_figures(results) << "<h2>Warnings</h2>\n"
+        << report::first_warnings(results.warnings) << opening(results) << drawing(results)
+        << charts_along(results) << stations(results) << key_figures(results) << "<h2>Warnings</h2>\n"
         << report::list_of_warnings(results.warnings) << "<h2>Settings</h2>\n"
         << report::table_of_settings(results.scenario,
                                      [](const std::string& key) {

@@ -87,7 +87,8 @@ std::string answer(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
     if (!results.with_forest) {
         return joined("<p class=\"answer\">", reaching(bare), " reach it over the bare slope (95 % interval ",
-                      interval_text(bare.interval), "). Neither trees nor logs were given.</p>");
+                      interval_text(bare.interval),
+                      "). Only the bare slope is assessed: ", why_no_obstacles(results), ".</p>");
     }
     return joined("<p class=\"answer\">", reaching(target.at(Cover::forest).share),
                   " reach it with today's forest, ", reaching(bare), " over the bare slope. ",

@@ -188,6 +188,16 @@ std::string motion_in_words(const Scenario& scenario) {
     return "PICUS Rock’n’Roll: rocks jump, roll and spin";
 }
 
+std::string why_no_obstacles(const RunResults& results) {
+    const Scenario& scenario = results.scenario;
+    if (scenario.trees.empty() && scenario.logs.empty()) {
+        return "neither trees nor logs were given";
+    }
+    const std::string files =
+        joined(scenario.trees, scenario.trees.empty() || scenario.logs.empty() ? "" : " and ", scenario.logs);
+    return joined("no trees or logs are left: ", escaped(files), " list none on the terrain");
+}
+
 std::string opening(const RunResults& results, const Figures&) {
     const Scenario& scenario = results.scenario;
     const Site& site = results.site;
@@ -198,9 +208,9 @@ std::string opening(const RunResults& results, const Figures&) {
         "</b>: ", grouped(results.rocks), " rocks were released from ", grouped(site.sources.size()),
         " places",
         (results.with_forest
-             ? ", each falling twice with the same random numbers: through the forest as it stands, lying "
-               "logs included, and over the bare slope without either."
-             : " and fell over the bare slope; neither trees nor logs were given."),
+             ? std::string{", each falling twice with the same random numbers: through the forest as it "
+                           "stands, lying logs included, and over the bare slope without either."}
+             : joined(" and fell over the bare slope: ", why_no_obstacles(results), ".")),
         "</p>\n<dl class=\"facts\">");
     html += fact("Terrain", joined(three_digits(frame.x_east_m() - frame.x_west_m), " × ",
                                    three_digits(frame.y_north_m() - frame.y_south_m), " m, cells of ",

@@ -21,6 +21,7 @@ std::string rock_size(const Scenario& scenario);
 
 /// The motion model, and what its energies are made of.
 std::string motion_in_words(const Scenario& scenario);
+/// All warnings, for the section of that name.
 std::string list_of_warnings(const config::Warnings& warnings);
 /// Settings by section; those that `is_shown` refuses are left out.
 std::string table_of_settings(const Scenario& scenario,

@@ -2,6 +2,7 @@
 
 #include "coupling/nets/net_page.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
+#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
 
@@ -17,10 +18,10 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(results.version) << "\"/>\n<title>Rockfall with and without forest: " << name
         << "</title>\n<style>" << style() << "</style>\n</head>\n<body>\n<main>\n"
-        << opening(results, figures) << answers(results, figures) << nets(results) << slope_view(results)
-        << maps(results) << charts(results, figures) << along_paths(results) << key_figures(results, figures)
-        << grounds(results) << warnings(results) << settings(results) << sources_and_files(results, files)
-        << "</main>\n"
+        << first_warnings(results.warnings) << opening(results, figures) << answers(results, figures)
+        << nets(results) << slope_view(results) << maps(results) << charts(results, figures)
+        << along_paths(results) << key_figures(results, figures) << grounds(results) << warnings(results)
+        << settings(results) << sources_and_files(results, files) << "</main>\n"
         << page_scripts::elements(scripts) << "</body>\n</html>\n";
 }
 

@@ -11,6 +11,8 @@ namespace coupling::report {
 
 // The parts of the page, each a piece of HTML.
 
+/// Why a run has neither trees nor logs: none were given, or none of those given is left.
+std::string why_no_obstacles(const RunResults& results);
 /// What was run, in one paragraph and a few figures.
 std::string opening(const RunResults& results, const Figures& figures);
 /// Share of rocks that reach each target, what the forest keeps away, energies and heights there.

@@ -92,6 +92,8 @@ tr.changed td:first-child{font-weight:700}
 tr.changed td:first-child::after{content:" \25CF";color:var(--bare)}
 tr.group th{padding-top:1em;text-align:left;color:var(--soft)}
 code{font:.86em ui-monospace,"DejaVu Sans Mono",monospace}
+.alert{background:var(--note);border:1px solid var(--bare);border-left-width:5px;border-radius:6px;padding:.6em 1em;margin:0 0 16px;font-size:.92rem}
+.alert ul{margin:.25em 0 0;padding-left:1.3em}.alert li{overflow-wrap:anywhere}.alert details{margin:.3em 0 0}
 ul.notes{background:var(--note);border:1px solid var(--line);border-radius:6px;padding:.7em 1em .7em 2em;margin:0}
 fieldset.switches{border:0;margin:0 0 1em;padding:0}
 .switches label{margin-right:1.4em;white-space:nowrap}

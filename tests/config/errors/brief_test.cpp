@@ -18,7 +18,7 @@ TEST(Brief, TellsThreeOfAKindAndHowManyMore) {
     ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0], "climate.csv:1: found tmax_c '41', expected a number in [-60, 50]");
     EXPECT_EQ(lines[2], "climate.csv:3: found tmax_c '43', expected a number in [-60, 50]");
-    EXPECT_EQ(lines[3], "... and 729 more like this; --verbose tells all");
+    EXPECT_EQ(lines[3], "... and 729 more like this; --verbose prints all");
 }
 
 TEST(Brief, TellsFourInFull) {
@@ -45,7 +45,7 @@ TEST(Brief, TakesSentencesThatDifferInNumbersForOneKind) {
     sentences.insert(sentences.begin() + 5, "something else");
     const std::vector<std::string> lines = brief(sentences);
     ASSERT_EQ(lines.size(), 5U);
-    EXPECT_EQ(lines[3], "... and 7 more like this; --verbose tells all");
+    EXPECT_EQ(lines[3], "... and 7 more like this; --verbose prints all");
     EXPECT_EQ(lines[4], "something else");
 }
 

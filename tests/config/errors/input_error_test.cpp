@@ -16,6 +16,10 @@ TEST(ToString, LeavesOutWhatIsNotKnown) {
     const Place nowhere;
     EXPECT_EQ(to_string(Problem{ExitCode::data, line, "'abc'", "a number"}),
               "dem.asc:3: found 'abc', expected a number");
+    EXPECT_EQ(to_string(Problem{ExitCode::data, line, "'abc'", "a number", "correct the cell"}),
+              to_string(Problem{ExitCode::data, line, "'abc'", "a number"}) + "; correct the cell");
+    EXPECT_EQ(to_string(Problem{ExitCode::settings, nowhere, "no scenario given", "", "name one"}),
+              "no scenario given; name one");
     EXPECT_EQ(to_string(Problem{ExitCode::file, file, "cannot be opened", ""}), "dem.asc: cannot be opened");
     EXPECT_EQ(to_string(Problem{ExitCode::settings, nowhere, "no scenario given", ""}), "no scenario given");
 }

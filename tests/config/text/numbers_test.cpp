@@ -33,6 +33,32 @@ TEST(ParseWhole, TakesAnyNotationWithoutAFraction) {
     }
 }
 
+TEST(ParseWhole, RefusesAPointThatMaySeparateThousands) {
+    for (const char* text : {"2.000", "-2.000", "12.345", "1.234.567"}) {
+        EXPECT_FALSE(parse_whole(text)) << text;
+    }
+    EXPECT_EQ(parse_whole("2000.000"), 2000);  // as programs write whole numbers with decimals
+    EXPECT_EQ(parse_whole("0.000"), 0);
+}
+
+TEST(WithoutSeparators, ReadsTheHabitsOfEurope) {
+    for (const char* text :
+         {"2.000", "2,000", "2'000", "2 000", "2_000", "2\u2019000", "2\u00A0000", "2\u202F000", "+2.000"}) {
+        EXPECT_EQ(without_separators(text), "2000") << text;
+    }
+    EXPECT_EQ(without_separators("-12.345.678"), "-12345678");
+    EXPECT_EQ(without_separators("1.234,5"), "1234.5");
+    EXPECT_EQ(without_separators("1'234.5"), "1234.5");
+    EXPECT_EQ(without_separators("1,234.5"), "1234.5");
+}
+
+TEST(WithoutSeparators, LeavesOtherNumbersAlone) {
+    for (const char* text : {"", "2000", "2.0", "2.00", "2.0000", "0.125", "0,5", "1234.567", "1.23.456",
+                             "1,5", "2.000x", "a", ".000", "1e3", "2.000.", "1.000,", "1 2"}) {
+        EXPECT_FALSE(without_separators(text)) << text;
+    }
+}
+
 RC_GTEST_PROP(ToText, ReadsBackAsTheSameNumber, (double value)) {
     RC_PRE(std::isfinite(value));
     RC_ASSERT(parse_number(to_text(value)) == value);

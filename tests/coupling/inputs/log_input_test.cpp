@@ -93,9 +93,33 @@ TEST(Logs, OutsideTheTerrainAreLeftOutAndCounted) {
     EXPECT_EQ(opened.site->logs.size(), 1U);
     EXPECT_EQ(opened.warnings,
               std::vector<std::string>{
-                  "logs.csv: found 1 log not wholly on the terrain, such as log 'b' (x 1060, y "
-                  "2050); left out, expected logs on the terrain"});
+                  "logs.csv: found 1 of 2 logs off the terrain, such as log 'b' (x 1060, y 2050); left out, "
+                  "expected logs on the terrain; correct their coordinates unless they stand beyond its "
+                  "border"});
     EXPECT_EQ(with_logs(text, {"run.strict_inputs=yes"}).code, ExitCode::data);
+}
+
+TEST(Logs, WithSwappedAxesAreRefusedUntilTheSettingSwapsThem) {
+    for (const std::string& text : {std::string{by_ends} + "a,2050,1060,2060,1065,ABAL,30\n",
+                                    std::string{"log_id,x_m,y_m,length_m,azimuth_deg,species,dbh_cm\n"} +
+                                        "a,2050,1060,8,90,ABAL,30\n"}) {
+        const Opened swapped = with_logs(text);
+        EXPECT_EQ(swapped.code, ExitCode::data);
+        EXPECT_NE(swapped.errors.find("1 of 1 log off the terrain: x and y look swapped"), std::string::npos)
+            << swapped.errors;
+        const Opened right = with_logs(text, {"trees.swap_logs_xy=yes"});
+        ASSERT_TRUE(right.site) << right.errors;
+        ASSERT_EQ(right.site->logs.size(), 1U);
+        EXPECT_EQ(right.site->logs[0].log.x1_m, 1060.0);
+        EXPECT_GT(right.site->logs[0].log.x2_m, 1060.0);
+    }
+}
+
+TEST(Logs, InAnotherUnitAreRefused) {
+    EXPECT_EQ(
+        with_logs(std::string{by_ends} + "a,1060,2050,1060,2060,ABAL,0.3\n").errors,
+        "logs.csv: found a median dbh_cm of 0.3, which looks like metres, expected centimetres; multiply "
+        "the column dbh_cm by 100");
 }
 
 TEST(Logs, OfOneIdentityOrNoneAreDoubted) {

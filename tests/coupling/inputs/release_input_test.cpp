@@ -55,7 +55,8 @@ TEST(SourceGrid, OnNodataIsRefused) {
     EXPECT_EQ(opened.errors,
               "source.asc: found 1 source cell on NODATA of dem.asc, the first in row 5, column 3 (x 1025, y "
               "2055), "
-              "expected heights all over the release area");
+              "expected heights all over the release area; take a terrain without gaps there, or take these "
+              "cells out of the sources");
 }
 
 TEST(SourceGrid, InTheOuterRingIsLeftOutAndCounted) {
@@ -67,7 +68,8 @@ TEST(SourceGrid, InTheOuterRingIsLeftOutAndCounted) {
     EXPECT_EQ(opened.warnings,
               std::vector<std::string>{
                   "source.asc: found 1 source cell of 5 in the outer ring of dem.asc, where the "
-                  "terrain ends; left out, expected sources at least one cell inside"});
+                  "terrain ends; left out, expected sources at least one cell inside; take a larger terrain "
+                  "if rocks start there"});
 }
 
 TEST(SourceGrid, WithoutAnySourceLeftIsRefused) {
@@ -77,8 +79,8 @@ TEST(SourceGrid, WithoutAnySourceLeftIsRefused) {
     EXPECT_EQ(in_ring.code, ExitCode::data);
     EXPECT_EQ(in_ring.errors,
               "source.asc: found no source of rocks that lies on the terrain, expected at least one cell "
-              "above 0 inside "
-              "the outer ring");
+              "above 0 inside the outer ring; check that the file holds the sources, and a terrain that "
+              "reaches beyond them");
     project.write("source.asc", source_grid(-1, 0, 0));
     EXPECT_EQ(open(project).code, ExitCode::data);
 }
@@ -114,7 +116,7 @@ TEST(SourceShapes, OfPointsShareRocksEvenly) {
     EXPECT_EQ(opened.warnings,
               std::vector<std::string>{
                   "points.csv: found 1 of 3 sources off the terrain; left out, expected sources on the "
-                  "terrain"});
+                  "terrain; correct their coordinates, or remove them"});
 }
 
 TEST(SourceShapes, OfPolygonsBecomeCells) {
@@ -129,6 +131,62 @@ TEST(SourceShapes, OfPolygonsBecomeCells) {
         EXPECT_EQ(shapes.site->sources[i].first_m, grid.site->sources[i].first_m);
         EXPECT_EQ(shapes.site->sources[i].zone, 3U);
     }
+}
+
+TEST(SourceShapes, PartlyOffTheTerrainSayWithWhichShareOfTheirArea) {
+    const SampleProject project;
+    // The terrain ends at 1005: half of 20 m.
+    project.write("areas.csv",
+                  "zone,wkt\n3,\"POLYGON ((995 2030, 1015 2030, 1015 2070, 995 2070, 995 2030))\"\n"
+                  "3,\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 2030))\"\n");
+    const Opened opened = open(project, {"release.source=", "release.source_shapes=areas.csv"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(
+        opened.warnings.front(),
+        "areas.csv:2:3: found a source polygon of zone 3 with 50 % of its area (400 m2 of 800 m2) off the "
+        "terrain; no rock starts there, expected sources on the terrain; take a larger terrain if rocks "
+        "start there too");
+}
+
+TEST(SourceShapes, WhollyOffTheTerrainAreRefusedEvenBesideOthers) {
+    const SampleProject project;
+    const std::string inside = "3,\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 2030))\"\n";
+    const std::string outside = "\"POLYGON ((1520 2030, 1530 2030, 1530 2040, 1520 2040, 1520 2030))\"\n";
+    project.write("areas.csv", "zone,wkt\n" + inside + "3," + outside);
+    const std::vector<std::string> settings{"release.source=", "release.source_shapes=areas.csv"};
+    EXPECT_EQ(
+        open(project, settings).errors,
+        "areas.csv:3:3: found a source polygon of zone 3 wholly off the terrain, expected sources on the "
+        "terrain; remove the row, correct it or take a larger terrain");
+    project.write("areas.csv", "zone,wkt\n" + inside + "4," + outside);
+    EXPECT_NE(open(project, settings)
+                  .errors.find("areas.csv:3:3: found 100 % of the area of zone 4 off the terrain"),
+              std::string::npos)
+        << open(project, settings).errors;
+}
+
+TEST(SourceShapes, WithSwappedAxesAreRefusedWithTheCause) {
+    const SampleProject project;
+    project.write("points.csv", "wkt\nPOINT (2050 1020)\nPOINT (2050 1030)\n");
+    const Opened opened = open(project, {"release.source=", "release.source_shapes=points.csv"});
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_NE(opened.errors.find("100 % of the sources off the terrain: x and y look swapped"),
+              std::string::npos)
+        << opened.errors;
+}
+
+TEST(SourceShapes, SmallerThanACellAreDoubted) {
+    const SampleProject project;
+    project.write("areas.csv",
+                  "zone,wkt\n3,\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 2030))\"\n"
+                  "4,\"POLYGON ((1041 2031, 1043 2031, 1043 2033, 1041 2033, 1041 2031))\"\n");
+    const Opened opened = open(project, {"release.source=", "release.source_shapes=areas.csv"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    ASSERT_EQ(opened.warnings.size(), 1U);
+    EXPECT_NE(opened.warnings[0].find(
+                  "areas.csv:3:3: found a source polygon of zone 4 that holds the centre of no cell"),
+              std::string::npos)
+        << opened.warnings[0];
 }
 
 TEST(SourceShapes, OfDifferentKindsAreRefused) {
@@ -269,7 +327,7 @@ TEST(SourceStart, SaysWhereALineLeavesTheTerrain) {
     EXPECT_EQ(opened.code, ExitCode::data);
     EXPECT_EQ(opened.errors,
               "cliffs.csv:3:1: found a line that leaves the terrain at 1020, 2095.5, expected lines of "
-              "sources on the terrain");
+              "sources on the terrain; cut the line at the border of the terrain");
 }
 
 TEST(SourceStart, DoubtsColumnsThatAreNearlyItsOwn) {

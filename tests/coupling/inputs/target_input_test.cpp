@@ -36,10 +36,12 @@ TEST(Targets, OffTheTerrainAreDoubted) {
     project.replace("targets.csv", "1105 2090", "1105 2190");
     const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_EQ(opened.warnings,
-              std::vector<std::string>{
-                  "targets.csv: found target 'road' with 1 of 2 vertices off the terrain, expected "
-                  "targets where rocks can be followed to"});
+    EXPECT_EQ(
+        opened.warnings,
+        std::vector<std::string>{
+            "targets.csv: found target 'road' with 53 % of its length off the terrain, expected targets "
+            "where rocks can be followed to; take a larger terrain if that part matters: no rock is "
+            "counted there"});
 }
 
 TEST(Targets, WhollyOffTheTerrainAreRefused) {
@@ -49,8 +51,20 @@ TEST(Targets, WhollyOffTheTerrainAreRefused) {
     EXPECT_FALSE(opened.site);
     EXPECT_EQ(
         opened.errors,
-        "targets.csv: found target 'road' with no vertex on the terrain, expected coordinates of the DEM: "
-        "no rock can arrive there");
+        "targets.csv: found target 'road' outside the terrain: perhaps another coordinate system or another "
+        "place; the target spans 91 010 to 91 090 east, 2 010 to 2 010 north, the terrain 1 005 to 1 115 "
+        "east, 2 005 to 2 095 north, expected targets on the terrain: no rock can arrive elsewhere; "
+        "compare the coordinate system of both files, then transform one of them");
+}
+
+TEST(Targets, ThatOnlyCrossTheTerrainAreKept) {
+    const SampleProject project;
+    project.write("targets.csv", "target_id,wkt\nroad,\"LINESTRING (1105 1900, 1105 2200)\"\n");
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    ASSERT_EQ(opened.warnings.size(), 1U);
+    EXPECT_NE(opened.warnings[0].find("70 % of its length off the terrain"), std::string::npos)
+        << opened.warnings[0];
 }
 
 }  // namespace

@@ -37,7 +37,48 @@ TEST(Heights, InDegreesAreRefused) {
     EXPECT_EQ(opened.code, ExitCode::data);
     EXPECT_EQ(opened.errors,
               "dem.asc: found cells of 0.001, expected metres of a projected coordinate system, not "
-              "degrees");
+              "degrees; transform the grid to the projected system of the other files");
+}
+
+TEST(Heights, BeyondThoseOfMountainsAreRefused) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                 return std::to_string(12'400 - 7 * column);
+                             }));
+    EXPECT_EQ(
+        open(project).errors,
+        "dem.asc: found heights from 12323 to 12400, expected metres above sea level, -500 to 9000; write "
+        "the heights in metres (these may be decimetres, centimetres or millimetres)");
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                 return column == 0 ? "-32768" : std::to_string(400 - 7 * column);
+                             }));
+    EXPECT_NE(open(project).errors.find("; declare the value of unknown ground as NODATA_value"),
+              std::string::npos)
+        << open(project).errors;
+}
+
+TEST(Heights, SteeperThanAnyMountainAreRefused) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                 return std::to_string(9000 - 700 * column);
+                             }));
+    EXPECT_NE(open(project).errors.find("dem.asc: found half of the cells steeper than 89 degrees"),
+              std::string::npos)
+        << open(project).errors;
+}
+
+TEST(Heights, BesideAProjectionThatContradictsThemAreRefused) {
+    const SampleProject project;
+    project.write("dem.prj",
+                  "PROJCS[\"CH1903+_LV95\",GEOGCS[\"CH\"],PARAMETER[\"False_Easting\",2600000],"
+                  "PARAMETER[\"False_Northing\",1200000],PARAMETER[\"Longitude_Of_Center\",7.43958333]]");
+    const Opened opened = open(project);
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(
+        opened.errors,
+        "dem.prj: found coordinates of 1 000 to 1 120 east, 2 000 to 2 100 north with the projection "
+        "'CH1903+_LV95', expected for CH1903+ / LV95 about 2 480 000 to 2 840 000 east, 1 070 000 to 1 300 "
+        "000 north; replace dem.prj, or delete it: the results then name no projection");
 }
 
 TEST(Heights, ThatAreAllMissingAreRefused) {

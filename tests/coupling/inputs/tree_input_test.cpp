@@ -20,14 +20,16 @@ Opened with_trees(const std::string& rows, const std::vector<std::string>& overr
 }
 
 TEST(Trees, OutsideTheTerrainAreLeftOutAndCounted) {
-    const std::string rows = "1,1060,2050,ABAL,30,25\n2,1060,2150,ABAL,30,25\n3,900,2050,ABAL,30,25\n";
+    const std::string rows = "1,1060,2050,ABAL,30,25\n2,1060,2150,ABAL,30,25\n3,1061,2050,ABAL,30,25\n";
     const Opened opened = with_trees(rows);
     ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_EQ(opened.site->trees.size(), 1U);
-    EXPECT_EQ(opened.warnings,
-              std::vector<std::string>{
-                  "trees.csv: found 2 trees outside the terrain, such as tree '2' (x 1060, y 2150); "
-                  "left out, expected trees on the terrain"});
+    EXPECT_EQ(opened.site->trees.size(), 2U);
+    EXPECT_EQ(
+        opened.warnings,
+        std::vector<std::string>{
+            "trees.csv: found 1 of 3 trees off the terrain, such as tree '2' (x 1060, y 2150); left out, "
+            "expected trees on the terrain; correct their coordinates unless they stand beyond its "
+            "border"});
     EXPECT_EQ(with_trees(rows, {"run.strict_inputs=yes"}).code, ExitCode::data);
 }
 
@@ -107,19 +109,45 @@ TEST(Trees, WithoutHeightAreRefusedWhereTooFewWereMeasured) {
               std::string::npos);
 }
 
-TEST(Trees, InAnotherUnitAreDoubted) {
+TEST(Trees, OfWhichMostAreOffTheTerrainAreRefused) {
+    const Opened most = with_trees("1,1060,2050,ABAL,30,25\n2,1060,2150,ABAL,30,25\n3,900,2050,ABAL,30,25\n");
+    EXPECT_EQ(most.code, ExitCode::data);
+    EXPECT_EQ(
+        most.errors,
+        "trees.csv: found 2 of 3 trees off the terrain: they reach beyond the terrain; the trees span 900 "
+        "to 1 060 east, 2 050 to 2 150 north, the terrain 1 005 to 1 115 east, 2 005 to 2 095 north, "
+        "expected at least half of the trees on the terrain; cut the file to the terrain, or take a "
+        "larger terrain");
+}
+
+TEST(Trees, WithSwappedAxesAreRefusedUntilTheSettingSwapsThem) {
+    const std::string rows = "1,2050,1060,ABAL,30,25\n2,2042,1070,ABAL,30,25\n";
+    const Opened swapped = with_trees(rows);
+    EXPECT_EQ(swapped.code, ExitCode::data);
+    EXPECT_NE(swapped.errors.find("2 of 2 trees off the terrain: x and y look swapped"), std::string::npos)
+        << swapped.errors;
+    EXPECT_NE(swapped.errors.find("; set trees.swap_xy = yes, or exchange the columns x_m and y_m"),
+              std::string::npos)
+        << swapped.errors;
+    const Opened right = with_trees(rows, {"trees.swap_xy=yes"});
+    ASSERT_TRUE(right.site) << right.errors;
+    ASSERT_EQ(right.site->trees.size(), 2U);
+    EXPECT_EQ(right.site->trees[0].stem.x_m, 1060.0);
+    EXPECT_EQ(right.site->trees[0].stem.y_m, 2050.0);
+}
+
+TEST(Trees, InAnotherUnitAreRefused) {
     const Opened millimetres = with_trees("1,1060,2050,ABAL,325,25\n2,1061,2050,ABAL,280,25\n");
-    EXPECT_EQ(millimetres.warnings,
-              std::vector<std::string>{
-                  "trees.csv: found a median dbh_cm of 325, expected centimetres; these look like "
-                  "millimetres"});
-    const Opened metres = with_trees("1,1060,2050,ABAL,0.3,25\n");
-    EXPECT_EQ(metres.warnings,
-              std::vector<std::string>{"trees.csv: found a median dbh_cm of 0.3, expected centimetres; "
-                                       "these look like metres"});
-    const Opened decimetres = with_trees("1,1060,2050,ABAL,30,120\n");
-    EXPECT_EQ(decimetres.warnings.size(), 1U);
-    EXPECT_EQ(with_trees("1,1060,2050,ABAL,0.3,25\n", {"run.strict_inputs=yes"}).code, ExitCode::data);
+    EXPECT_EQ(millimetres.errors,
+              "trees.csv: found a median dbh_cm of 325, which looks like millimetres, expected centimetres; "
+              "multiply the column dbh_cm by 0.1");
+    EXPECT_EQ(with_trees("1,1060,2050,ABAL,0.3,25\n").errors,
+              "trees.csv: found a median dbh_cm of 0.3, which looks like metres, expected centimetres; "
+              "multiply the column dbh_cm by 100");
+    EXPECT_EQ(
+        with_trees("1,1060,2050,ABAL,30,120\n").errors,
+        "trees.csv: found a median height_m of 120, which looks like decimetres or centimetres, expected "
+        "metres; write the heights in metres");
 }
 
 TEST(Trees, WithTheSameIdentityAreTold) {

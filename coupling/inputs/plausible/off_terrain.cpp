@@ -1,0 +1,142 @@
+#include "coupling/inputs/plausible/off_terrain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "coupling/inputs/plausible/coordinate_systems.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::plausible {
+namespace {
+
+using config::Point2;
+
+constexpr const char* transform =
+    "transform the file to the coordinate system of the terrain, or take the terrain in that of the file";
+
+/// A change of coordinates that people forget.
+struct KnownShift {
+    double east_m;
+    double north_m;
+    const char* reason;
+};
+
+/// Added to the places. Plain shifts only show the cause: between LV03 and LV95 they are up to 1.6 m wrong
+/// (swisstopo, FINELTRA), so the advice is always to transform.
+constexpr std::array shifts{
+    KnownShift{2e6, 1e6, "they look like Swiss LV03 while the terrain is in LV95"},
+    KnownShift{-2e6, -1e6, "they look like Swiss LV95 while the terrain is in LV03"},
+    KnownShift{0.0, 5e6, "their northing lacks 5 000 000 m (MGI: Austria GK and Austria M)"},
+    KnownShift{0.0, -5e6, "their northing has 5 000 000 m more (MGI: Austria GK and Austria M)"},
+    KnownShift{150e3, 0.0, "their easting lacks 150 000 m (MGI: Austria GK West and M28)"},
+    KnownShift{-150e3, 0.0, "their easting has 150 000 m more (MGI: Austria GK West and M28)"},
+    KnownShift{450e3, 0.0, "their easting lacks 450 000 m (MGI: Austria GK Central and M31)"},
+    KnownShift{-450e3, 0.0, "their easting has 450 000 m more (MGI: Austria GK Central and M31)"},
+    KnownShift{750e3, 0.0, "their easting lacks 750 000 m (MGI: Austria GK East and M34)"},
+    KnownShift{-750e3, 0.0, "their easting has 750 000 m more (MGI: Austria GK East and M34)"},
+};
+
+/// Share of the places that a change of their coordinates brings into the extent.
+double share_inside(const Extent& terrain, std::span<const Point2> places,
+                    const std::function<Point2(const Point2&)>& changed) {
+    const auto inside = std::count_if(places.begin(), places.end(),
+                                      [&](const Point2& point) { return terrain.contains(changed(point)); });
+    return static_cast<double>(inside) / static_cast<double>(places.size());
+}
+
+bool looks_like_degrees(const Extent& extent) {
+    return Extent{-180.0, 180.0, -90.0, 90.0}.covers(extent);
+}
+
+/// The number of a zone before the easting: 2 to 5 of Gauss-Kruger, 31 to 33 of UTM, there or not.
+std::string zone_number(const std::function<bool(double, double)>& fits_shifted) {
+    for (const int zone : {2, 3, 4, 5, 31, 32, 33}) {
+        for (const double sign : {1.0, -1.0}) {
+            if (fits_shifted(sign * 1e6 * zone, 0.0)) {
+                return joined("their easting ", sign > 0.0 ? "lacks" : "has", " the number of the zone, ",
+                              std::to_string(zone), ", before it");
+            }
+        }
+    }
+    return "";
+}
+
+std::string unit_in_words(const Extent& terrain, std::span<const Point2> places) {
+    struct Unit {
+        double metres;
+        const char* name;
+    };
+    for (const Unit& unit : {Unit{1e3, "kilometres"}, Unit{1e-2, "centimetres"}, Unit{1e-3, "millimetres"},
+                             Unit{0.3048, "feet"}}) {
+        const auto scaled = [&](const Point2& p) { return Point2{unit.metres * p.x_m, unit.metres * p.y_m}; };
+        if (share_inside(terrain, places, scaled) > most_off_terrain) {
+            return unit.name;
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+OffCause cause_off_terrain(const Extent& terrain, std::span<const Point2> places,
+                           std::string_view swap_advice) {
+    const Extent extent = extent_of(places);
+    const auto fits = [&](const auto& changed) {
+        return share_inside(terrain, places, changed) > most_off_terrain;
+    };
+    const auto fits_shifted = [&](double east_m, double north_m) {
+        return fits([&](const Point2& p) { return Point2{p.x_m + east_m, p.y_m + north_m}; });
+    };
+    if (fits([](const Point2& p) { return Point2{p.y_m, p.x_m}; })) {
+        return {"x and y look swapped", std::string{swap_advice}};
+    }
+    if (looks_like_degrees(extent) && !looks_like_degrees(terrain)) {
+        return {"they look like degrees of longitude and latitude", transform};
+    }
+    for (const KnownShift& shift : shifts) {
+        if (fits_shifted(shift.east_m, shift.north_m)) {
+            return {shift.reason, transform};
+        }
+    }
+    if (const std::string zone = zone_number(fits_shifted); !zone.empty()) {
+        return {zone, transform};
+    }
+    if (const std::string unit = unit_in_words(terrain, places); !unit.empty()) {
+        return {joined("they look like ", unit), "write the coordinates in metres"};
+    }
+    if (extent.overlaps(terrain)) {
+        return {"they reach beyond the terrain", "cut the file to the terrain, or take a larger terrain"};
+    }
+    const std::string own = systems_around(extent);
+    const std::string of_terrain = systems_around(terrain);
+    if (!own.empty() && !of_terrain.empty() && own != of_terrain) {
+        return {joined("another coordinate system: they would fit ", own, ", the terrain ", of_terrain),
+                transform};
+    }
+    return {"perhaps another coordinate system or another place",
+            "compare the coordinate system of both files, then transform one of them"};
+}
+
+void judge_off_terrain(const OffTerrain& things, const Extent& terrain, Reading& reading) {
+    if (things.off == 0) {
+        return;
+    }
+    const std::string names = joined(things.singular, "s");
+    const std::string count =
+        joined(std::to_string(things.off), " of ", counted(things.all, things.singular), " off the terrain");
+    if (static_cast<double>(things.off) > most_off_terrain * static_cast<double>(things.all)) {
+        const OffCause cause = cause_off_terrain(terrain, things.places, things.swap_advice);
+        reading.refuse(things.place,
+                       joined(count, ": ", cause.reason, "; the ", names, " span ",
+                              in_words(extent_of(things.places)), ", the terrain ", in_words(terrain)),
+                       joined("at least half of the ", names, " on the terrain"), cause.advice);
+        return;
+    }
+    reading.doubt(things.place, joined(count, ", such as ", things.example, "; left out"),
+                  joined(names, " on the terrain"),
+                  "correct their coordinates unless they stand beyond its border");
+}
+
+}  // namespace coupling::plausible

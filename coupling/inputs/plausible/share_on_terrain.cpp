@@ -1,0 +1,124 @@
+#include "coupling/inputs/plausible/share_on_terrain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "coupling/inputs/plausible/extent.hpp"
+
+namespace coupling::plausible {
+namespace {
+
+using config::Point2;
+using config::Shape;
+
+/// Sums what lies on the terrain and what there is.
+class ShareSum {
+public:
+    explicit ShareSum(const rockfall::Terrain& terrain) : terrain_{terrain} {}
+
+    void add(const Point2& point, double weight) {
+        const Eigen::Vector2d origin_m = terrain_.origin_m();
+        const bool is_on = terrain_.locate(point.x_m - origin_m.x(), point.y_m - origin_m.y()).has_value();
+        all_ += weight;
+        on_ += is_on ? weight : 0.0;
+    }
+    [[nodiscard]] OnTerrain result() const { return {all_, all_ > 0.0 ? on_ / all_ : 1.0}; }
+
+private:
+    const rockfall::Terrain& terrain_;
+    double all_ = 0.0;
+    double on_ = 0.0;
+};
+
+std::vector<Point2> vertices_of(const Shape& shape) {
+    std::vector<Point2> vertices;
+    for (const auto& part : shape.parts) {
+        vertices.insert(vertices.end(), part.begin(), part.end());
+    }
+    return vertices;
+}
+
+OnTerrain by_vertices(const Shape& shape, const rockfall::Terrain& terrain) {
+    ShareSum sum{terrain};
+    for (const Point2& vertex : vertices_of(shape)) {
+        sum.add(vertex, 1.0);
+    }
+    return sum.result();
+}
+
+OnTerrain by_area(const Shape& polygon, const rockfall::Terrain& terrain, int places) {
+    const Extent box = extent_of(vertices_of(polygon));
+    const config::GridFrame frame{.columns = places,
+                                  .rows = places,
+                                  .x_west_m = box.west_m,
+                                  .y_south_m = box.south_m,
+                                  .cell_width_m = (box.east_m - box.west_m) / places,
+                                  .cell_height_m = (box.north_m - box.south_m) / places};
+    ShareSum sum{terrain};
+    if (!(frame.cell_width_m > 0.0 && frame.cell_height_m > 0.0)) {
+        return sum.result();
+    }
+    const std::array<config::CodedPolygon, 1> only{config::CodedPolygon{polygon, 1.0}};
+    const config::Raster<double> inside = config::rasterise_polygons(frame, only, 0.0);
+    for (std::size_t i = 0; i < inside.values.size(); ++i) {
+        if (inside.values[i] > 0.0) {
+            const config::Cell cell = frame.cell_of(i);
+            sum.add({frame.x_centre_m(cell.column), frame.y_centre_m(cell.row)},
+                    frame.cell_width_m * frame.cell_height_m);
+        }
+    }
+    return sum.result();
+}
+
+OnTerrain by_length(const Shape& lines, const rockfall::Terrain& terrain) {
+    constexpr double pieces = 1000.0;
+    double all_m = 0.0;
+    for (const auto& part : lines.parts) {
+        all_m += config::length_m(part);
+    }
+    ShareSum sum{terrain};
+    for (const auto& part : lines.parts) {
+        for (std::size_t i = 1; i < part.size(); ++i) {
+            const Point2& from = part[i - 1];
+            const Point2& to = part[i];
+            const double length_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+            const int steps = all_m > 0.0 ? std::max(1, static_cast<int>(pieces * length_m / all_m)) : 0;
+            for (int k = 0; k < steps; ++k) {
+                const double share = (k + 0.5) / steps;
+                sum.add({from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m)},
+                        length_m / steps);
+            }
+        }
+    }
+    return sum.result();
+}
+
+}  // namespace
+
+int samples_a_side(std::size_t shapes) {
+    return shapes > 100 ? 40 : 150;
+}
+
+OnTerrain on_terrain(const Shape& shape, const rockfall::Terrain& terrain, int samples) {
+    if (shape.kind == Shape::Kind::point) {
+        return by_vertices(shape, terrain);
+    }
+    const OnTerrain result =
+        shape.kind == Shape::Kind::polygon ? by_area(shape, terrain, samples) : by_length(shape, terrain);
+    return result.size > 0.0 ? result : by_vertices(shape, terrain);
+}
+
+std::string percent_in_words(double share) {
+    const long percent = std::lround(100.0 * share);
+    if (percent == 0 && share > 0.0) {
+        return "less than 1 %";
+    }
+    if (percent == 100 && share < 1.0) {
+        return "more than 99 %";
+    }
+    return std::to_string(percent) + " %";
+}
+
+}  // namespace coupling::plausible

@@ -1,0 +1,125 @@
+#include "coupling/inputs/plausible/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/joined.hpp"
+
+namespace coupling::plausible {
+namespace {
+
+constexpr double thickest_median_cm = 200.0;
+constexpr double thickest_log_median_cm = 100.0;
+constexpr double thinnest_median_cm = 1.5;
+constexpr double highest_median_m = 75.0;
+constexpr double breast_height_m = 1.3;
+
+/// The value that a share of all lies below; 0 without any.
+double share_below(std::vector<double> values, double share) {
+    if (values.empty()) {
+        return 0.0;
+    }
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), values.begin() + place, values.end());
+    return values[static_cast<std::size_t>(place)];
+}
+
+double median_of(const std::vector<double>& values) {
+    return share_below(values, 0.5);
+}
+
+bool is_living(const config::Table& table, std::size_t row) {
+    return !table.has("state") || table.text(row, "state").empty() || table.text(row, "state") == "living";
+}
+
+/// A positive number; 0 for anything else.
+double number_or_0(const config::Table& table, std::size_t row, const std::string& column) {
+    const auto value = table.has(column) ? config::parse_number(table.text(row, column)) : std::nullopt;
+    return value ? std::max(0.0, *value) : 0.0;
+}
+
+[[noreturn]] void refuse_unit(const config::Table& table, const std::string& column, double median,
+                              const std::string& unit, const std::string& looks_like,
+                              const std::string& advice) {
+    config::fail(config::ExitCode::data, {table.file()},
+                 joined("a median ", column, " of ", config::to_text(std::round(1e4 * median) / 1e4),
+                        ", which looks like ", looks_like),
+                 unit, advice);
+}
+
+std::string times(const std::string& factor, const std::string& column) {
+    return joined("multiply the column ", column, " by ", factor);
+}
+
+}  // namespace
+
+void check_tree_units(const config::Table& table) {
+    std::vector<double> diameters_cm;
+    std::vector<double> heights_m;
+    std::vector<double> slenderness;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (!is_living(table, row)) {
+            continue;
+        }
+        const double dbh_cm = number_or_0(table, row, "dbh_cm");
+        const double height_m = number_or_0(table, row, "height_m");
+        if (dbh_cm > 0.0) {
+            diameters_cm.push_back(dbh_cm);
+        }
+        if (height_m > 0.0) {
+            heights_m.push_back(height_m);
+        }
+        if (dbh_cm > 0.0 && height_m > 0.0) {
+            slenderness.push_back(100.0 * height_m / dbh_cm);
+        }
+    }
+    const double dbh_cm = median_of(diameters_cm);
+    const double height_m = median_of(heights_m);
+    const double ratio = median_of(slenderness);
+    const bool many_thick = share_below(diameters_cm, 0.95) > 150.0 && ratio < 15.0;
+    if (dbh_cm > thickest_median_cm || many_thick) {
+        refuse_unit(table, "dbh_cm", dbh_cm, "centimetres", "millimetres", times("0.1", "dbh_cm"));
+    }
+    if (height_m > highest_median_m) {
+        refuse_unit(table, "height_m", height_m, "metres", "decimetres or centimetres",
+                    "write the heights in metres");
+    }
+    const bool tall = height_m > 5.0;
+    if (dbh_cm > 0.0 && dbh_cm < thinnest_median_cm && (tall || height_m == 0.0)) {
+        refuse_unit(table, "dbh_cm", dbh_cm, "centimetres", "metres",
+                    joined(times("100", "dbh_cm"), tall ? "" : "; if these are saplings, add height_m"));
+    }
+    if (tall && ratio > 300.0) {
+        refuse_unit(table, "height_m", height_m,
+                    joined("trees not ", config::to_text(std::round(ratio)), " times as high as thick"),
+                    "decimetres, or dbh_cm another unit",
+                    "write heights in metres and dbh_cm in centimetres");
+    }
+    if (height_m > 0.0 && height_m < breast_height_m && dbh_cm >= 5.0) {
+        refuse_unit(table, "height_m", height_m, "metres", "another unit",
+                    "write the heights in metres, or leave out the column");
+    }
+}
+
+void check_log_units(const config::Table& table) {
+    for (const char* column : {"dbh_cm", "diameter1_cm", "diameter2_cm"}) {
+        std::vector<double> diameters_cm;
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            if (const double diameter_cm = number_or_0(table, row, column); diameter_cm > 0.0) {
+                diameters_cm.push_back(diameter_cm);
+            }
+        }
+        const double median_cm = median_of(diameters_cm);
+        if (median_cm > thickest_log_median_cm) {
+            refuse_unit(table, column, median_cm, "centimetres", "millimetres", times("0.1", column));
+        }
+        if (median_cm > 0.0 && median_cm < thinnest_median_cm) {
+            refuse_unit(table, column, median_cm, "centimetres", "metres", times("100", column));
+        }
+    }
+}
+
+}  // namespace coupling::plausible

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "config/table/table.hpp"
+
+namespace coupling::plausible {
+
+/// Holds a list of trees against what trees look like: throws config::InputError (data) where the medians of
+/// `dbh_cm` and `height_m` of the living trees show another unit.
+///
+/// - A median DBH above 200 is taken for millimetres. So are diameters of which one in twenty is above 150
+///   where no height is given or the trees are less than 15 times as high as thick; stands have 60 to 130.
+/// - A median below 1.5 is taken for metres where the trees are more than 5 m high or no height is given.
+///   Saplings of a centimetre pass with their heights.
+/// - A median height above 75 m is taken for decimetres or centimetres: the tallest trees of Europe reach
+///   about 70 m. So is a median of more than 300 times the DBH in trees above 5 m.
+/// - A median height below 1.3 m of trees of 5 cm or more: DBH is measured at 1.3 m.
+///
+/// All are choices with a wide margin around real inventories.
+void check_tree_units(const config::Table& table);
+
+/// The same for the diameters of lying logs: a median below 1.5 is taken for metres, above 100 for
+/// millimetres.
+void check_log_units(const config::Table& table);
+
+}  // namespace coupling::plausible

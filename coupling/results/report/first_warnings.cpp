@@ -1,0 +1,43 @@
+#include "coupling/results/report/first_warnings.hpp"
+
+#include <algorithm>
+
+#include "config/errors/brief.hpp"
+#include "coupling/results/joined.hpp"
+#include "coupling/results/report/markup.hpp"
+
+namespace coupling::report {
+namespace {
+
+std::string items_of(const std::vector<std::string>& lines, std::size_t first, std::size_t last) {
+    std::string items;
+    for (std::size_t i = first; i < last; ++i) {
+        items += joined("<li>", escaped(lines[i]), "</li>");
+    }
+    return joined("<ul>", items, "</ul>");
+}
+
+}  // namespace
+
+std::string first_warnings(const config::Warnings& warnings) {
+    return first_warnings(warnings.sentences(), "the section Warnings lists all");
+}
+
+std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where) {
+    constexpr std::size_t most = 5;
+    if (sentences.empty()) {
+        return "";
+    }
+    const std::vector<std::string> lines = config::brief(sentences, where);
+    const std::size_t open = lines.size() == most + 1 ? lines.size() : std::min(most, lines.size());
+    std::string html = joined(
+        "<section class=\"alert\" aria-label=\"Warnings\"><b>", std::to_string(sentences.size()),
+        sentences.size() == 1 ? " warning" : " warnings", " about this run</b>", items_of(lines, 0, open));
+    if (open < lines.size()) {
+        html += joined("<details><summary>", std::to_string(lines.size() - open), " more</summary>",
+                       items_of(lines, open, lines.size()), "</details>");
+    }
+    return joined(html, "</section>\n");
+}
+
+}  // namespace coupling::report

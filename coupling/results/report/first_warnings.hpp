@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/errors/warnings.hpp"
+
+namespace coupling::report {
+
+/// The warnings for the first screen of a page, above its heading: of many of a kind the first three and how
+/// many more there are; beyond the first five lines folded. "" without any.
+std::string first_warnings(const config::Warnings& warnings);
+
+/// The same for the sentences of several sources, as they are. `where` says where all of them stand.
+std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where);
+
+}  // namespace coupling::report
