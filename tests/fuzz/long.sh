@@ -13,34 +13,29 @@ program="$root/build/sanitize/tests/fuzz_tests"
 logs=$(mktemp -d)
 trap 'rm -rf "$logs"' EXIT
 
-files=$("$program" --gtest_list_tests --gtest_filter='*EveryReader*' | grep -c '^  ')
+"$program" --gtest_list_tests --gtest_filter='*EveryReader*' | sed -n 's/^  \([^ ]*\).*/\1/p' >"$logs/names"
+files=$(wc -l <"$logs/names")
 export BANNWALD_FUZZ_SEED=$seed
 export BANNWALD_FUZZ_INPUTS=$(((inputs + files - 1) / files))
 export BANNWALD_FUZZ_FIRST=0
 export BANNWALD_FUZZ_FIGURES="$logs/figures.csv"
-export GTEST_TOTAL_SHARDS
-GTEST_TOTAL_SHARDS=$(nproc)
+
+# Each file in a process of its own: one that ends its process takes no other along.
+change_share() {
+    local failed=0 name
+    while read -r name; do
+        "$program" --gtest_filter="Fuzz/EveryReader.$name" --gtest_brief=1 >"$logs/out.$1" 2>&1 || {
+            failed=1
+            cat "$logs/out.$1" >&2
+        }
+    done < <(awk -v n="$2" -v i="$1" 'NR % n == i' "$logs/names")
+    return $failed
+}
+
+shares=$(nproc)
 processes=()
-for ((shard = 0; shard < GTEST_TOTAL_SHARDS; ++shard)); do
-    # Each test in a process of its own: one that ends its process takes no other along.
-    (
-        failed=0
-        GTEST_SHARD_INDEX=$shard "$program" --gtest_list_tests --gtest_filter='*EveryReader*' >"$logs/names.$shard"
-        unset GTEST_TOTAL_SHARDS
-        suite=
-        while read -r line; do
-            case $line in
-                *.) suite=$line ;;
-                *)
-                    "$program" --gtest_filter="$suite${line%% *}" --gtest_brief=1 >"$logs/out.$shard" 2>&1 || {
-                        failed=1
-                        cat "$logs/out.$shard" >&2
-                    }
-                    ;;
-            esac
-        done <"$logs/names.$shard"
-        exit $failed
-    ) &
+for ((share = 0; share < shares; ++share)); do
+    change_share "$share" "$shares" &
     processes+=($!)
 done
 failed=0
