@@ -91,9 +91,10 @@ private:
         Record record;
         while (true) {
             if (record.size() == Table::most_columns) {
-                refuse_at_once(place_, "a line of more than " + std::to_string(Table::most_columns) + " fields",
-                               "a table of at most so many columns: is this the file that was meant, and do its "
-                               "lines end where rows end?");
+                refuse_at_once(
+                    place_, "a line of more than " + std::to_string(Table::most_columns) + " fields",
+                    "a table of at most so many columns: is this the file that was meant, and do its "
+                    "lines end where rows end?");
             }
             record.push_back(read_field());
             if (at_end() || text_[at_] == '\n') {

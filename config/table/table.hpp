@@ -26,8 +26,9 @@ public:
     static constexpr std::size_t most_columns = 1000;
     static constexpr std::size_t longest_field_bytes = 10'000'000;
 
-    /// Throws one InputError (data) with line and column for uneven rows (the first 100 of them), open quotes,
-    /// doubled or unnamed columns, no header, text that is not UTF-8, a record or a field that is too long.
+    /// Throws one InputError (data) with line and column for uneven rows (the first 100 of them), open
+    /// quotes, doubled or unnamed columns, no header, text that is not UTF-8, a record or a field that is too
+    /// long.
     static Table read(std::istream& in, std::string file);
     /// The same of a text in memory, without a copy of it.
     static Table read(std::string_view text, std::string file);

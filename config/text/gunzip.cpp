@@ -23,7 +23,8 @@ std::string megabytes(std::uint64_t bytes) {
 
 [[noreturn]] void refuse_size(const std::string& file, std::uint64_t bound) {
     fail(ExitCode::data, {file}, "a gzip file that holds more than " + megabytes(bound),
-         "at most that much, which is what a grid of the size in its header or a packed text may take; check the "
+         "at most that much, which is what a grid of the size in its header or a packed text may take; check "
+         "the "
          "file, or unpack it (gunzip) and name the unpacked file");
 }
 

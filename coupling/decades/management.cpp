@@ -59,7 +59,8 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
         problems.throw_if_any();
         return shapes;
     };
-    return Regime::read(table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid, polygons_of);
+    return Regime::read(table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid,
+                        polygons_of);
 }
 
 /// With fewer areas than turns some turns find nothing, and the rotation of what there is becomes shorter.
@@ -98,7 +99,8 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
     std::set<std::string> names{"bare"};  // a folder of the rasters has this name
     for (const std::string& entry : entries_of(scenario.forest.regimes)) {
         if (is_file(entry) && !is_result_name(regime_name(entry))) {
-            refuse_entry(entry, joined("a file whose name without ending is ", result_name_in_words), reading);
+            refuse_entry(entry, joined("a file whose name without ending is ", result_name_in_words),
+                         reading);
             continue;
         }
         if (!is_file(entry) && shipped_regime(entry).empty()) {

@@ -82,12 +82,13 @@ std::vector<config::Problem> formula_doubts(const config::Table& table) {
             }
         }
         if (count > 0) {
-            doubts.push_back({config::ExitCode::data, table.place(first, column),
-                              column + " " + config::in_quotes(table.text(first, column)) +
-                                  (count > 1 ? " and " + counted(count - 1, "more such text") : "") +
-                                  ", which a spreadsheet takes for a formula when it opens the results",
-                              "texts that do not begin with =, +, - or @: rename them, or import the results as "
-                              "text"});
+            doubts.push_back(
+                {config::ExitCode::data, table.place(first, column),
+                 column + " " + config::in_quotes(table.text(first, column)) +
+                     (count > 1 ? " and " + counted(count - 1, "more such text") : "") +
+                     ", which a spreadsheet takes for a formula when it opens the results",
+                 "texts that do not begin with =, +, - or @: rename them, or import the results as "
+                 "text"});
         }
     }
     return doubts;

@@ -4,8 +4,9 @@
 
 namespace coupling {
 
-/// Whether a regime or a climate may have this name: folders and files of the results have it too. At most 100
-/// letters without accents, digits, `_` and `-`; neither `bare` nor `year_...`, which are folders already.
+/// Whether a regime or a climate may have this name: folders and files of the results have it too. At most
+/// 100 letters without accents, digits, `_` and `-`; neither `bare` nor `year_...`, which are folders
+/// already.
 bool is_result_name(std::string_view name);
 
 /// The same in words, for messages.

@@ -49,9 +49,10 @@ void SpeciesColumn::refuse_unknown(config::Problems& problems) const {
                      lookup_.expected(name));
     }
     if (unknown > most_told) {
-        problems.add(config::ExitCode::data, {table_.file()},
-                     std::to_string(unknown - most_told) + " more names in the column species that are no species",
-                     "codes or Latin names of the species table");
+        problems.add(
+            config::ExitCode::data, {table_.file()},
+            std::to_string(unknown - most_told) + " more names in the column species that are no species",
+            "codes or Latin names of the species table");
     }
 }
 

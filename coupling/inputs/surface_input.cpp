@@ -84,7 +84,7 @@ config::Raster<double> codes_on(const config::GridFrame& frame, const GroundCove
 
 /// Outside its frame a map of ground types goes on as at its border, which nobody asked for.
 bool covers_terrain(const config::GridFrame& frame, const std::string& file, const rockfall::Terrain& terrain,
-                  Reading& reading) {
+                    Reading& reading) {
     for (const rockfall::Vertex& vertex : terrain.vertices()) {
         const double x_m = vertex.x_m + terrain.origin_m().x();
         const double y_m = vertex.y_m + terrain.origin_m().y();

@@ -56,12 +56,12 @@ struct PathsHead {
 Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
                       const rockfall::Assessment& assessment, int threads);
 
-/// Whether a file can hold this terrain: at least one triangle, finite coordinates, corners and neighbours that
-/// there are, and neighbours that know each other.
+/// Whether a file can hold this terrain: at least one triangle, finite coordinates, corners and neighbours
+/// that there are, and neighbours that know each other.
 bool is_whole_terrain(std::span<const rockfall::Vertex> vertices,
                       std::span<const rockfall::Triangle> triangles);
-/// Whether a path can lie on a terrain of so many triangles: all of them there, all numbers finite, a rock with
-/// size and mass.
+/// Whether a path can lie on a terrain of so many triangles: all of them there, all numbers finite, a rock
+/// with size and mass.
 bool is_whole_path(const StoredPath& path, std::size_t triangles);
 
 /// Reads the file back, path by path. The whole file is read once for its checksum before anything is built

@@ -60,8 +60,8 @@ void keep(const Figures& figures, const std::string& name) {
     if (const char* const file = std::getenv("BANNWALD_FUZZ_FIGURES")) {
         std::ofstream{file, std::ios::app} << name << ',' << figures.inputs << ',' << figures.refused << ','
                                            << std::fixed << std::setprecision(3) << figures.longest_s << ','
-                                           << std::setprecision(1) << static_cast<double>(figures.most_bytes) / 1e6
-                                           << '\n';
+                                           << std::setprecision(1)
+                                           << static_cast<double>(figures.most_bytes) / 1e6 << '\n';
     }
 }
 

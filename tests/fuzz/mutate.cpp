@@ -10,20 +10,73 @@
 namespace fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 40> hostile_numbers{
-    "nan",         "inf",        "-inf",     "NaN",   "1e308",  "-1e308",     "1e309",
-    "5e-324",      "-0",         "0",        "-1",    "1",      "2",          "3.5",
-    "1e-300",      "1e15",       "9e15",     "1e18",  "1e19",   "2147483647", "2147483648",
-    "-2147483648", "4294967295", "4294967296", "9223372036854775807", "9223372036854775808",
-    "18446744073709551615", "18446744073709551616", "1e6", "1000000", "65536", "255", "256",
-    "0x10",        "1,5",        "1.000,5",  "--1",   "1e",     "+1",         ""};
+constexpr std::array<std::string_view, 40> hostile_numbers{"nan",
+                                                           "inf",
+                                                           "-inf",
+                                                           "NaN",
+                                                           "1e308",
+                                                           "-1e308",
+                                                           "1e309",
+                                                           "5e-324",
+                                                           "-0",
+                                                           "0",
+                                                           "-1",
+                                                           "1",
+                                                           "2",
+                                                           "3.5",
+                                                           "1e-300",
+                                                           "1e15",
+                                                           "9e15",
+                                                           "1e18",
+                                                           "1e19",
+                                                           "2147483647",
+                                                           "2147483648",
+                                                           "-2147483648",
+                                                           "4294967295",
+                                                           "4294967296",
+                                                           "9223372036854775807",
+                                                           "9223372036854775808",
+                                                           "18446744073709551615",
+                                                           "18446744073709551616",
+                                                           "1e6",
+                                                           "1000000",
+                                                           "65536",
+                                                           "255",
+                                                           "256",
+                                                           "0x10",
+                                                           "1,5",
+                                                           "1.000,5",
+                                                           "--1",
+                                                           "1e",
+                                                           "+1",
+                                                           ""};
 
-constexpr std::array<std::string_view, 26> hostile_texts{
-    "\xEF\xBB\xBF", "\xFF\xFE",  "\xC3\x28",  "\xE2\x82",  "\xF0\x9F\x98\x80", std::string_view{"\0", 1},
-    "\r\n",         "\r",        "\n\n",      "\"",        "\"\"",             ",",
-    ";",            "\t",        "#",         "=",         "[",                "]",
-    "%s%n",         "../../x",   "=1+1",      "EMPTY",     "((((((((",         "))",
-    "unit",         "<script>"};
+constexpr std::array<std::string_view, 26> hostile_texts{"\xEF\xBB\xBF",
+                                                         "\xFF\xFE",
+                                                         "\xC3\x28",
+                                                         "\xE2\x82",
+                                                         "\xF0\x9F\x98\x80",
+                                                         std::string_view{"\0", 1},
+                                                         "\r\n",
+                                                         "\r",
+                                                         "\n\n",
+                                                         "\"",
+                                                         "\"\"",
+                                                         ",",
+                                                         ";",
+                                                         "\t",
+                                                         "#",
+                                                         "=",
+                                                         "[",
+                                                         "]",
+                                                         "%s%n",
+                                                         "../../x",
+                                                         "=1+1",
+                                                         "EMPTY",
+                                                         "((((((((",
+                                                         "))",
+                                                         "unit",
+                                                         "<script>"};
 
 bool is_number_byte(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+' || c == 'e';
@@ -77,8 +130,8 @@ void exchange_pieces(std::string& text, std::string_view breaks, Chance& chance)
 }
 
 void repeat_piece(std::string& text, Range piece, std::size_t times, Chance& chance) {
-    const std::string part = text.substr(piece.at, std::max<std::size_t>(piece.size, 1)) +
-                             (chance.one_in(2) ? "" : ",");
+    const std::string part =
+        text.substr(piece.at, std::max<std::size_t>(piece.size, 1)) + (chance.one_in(2) ? "" : ",");
     times = std::min(times, longest_input_bytes / std::max<std::size_t>(part.size(), 1));
     std::string many;
     many.reserve(part.size() * times);
@@ -165,10 +218,12 @@ void change_all(std::string& text, Chance& chance) {
             text.resize(chance.below(text.size()));
             return;
         case 1:
-            repeat_piece(text, any_piece(text, field_breaks, chance), std::size_t{1} << chance.below(18), chance);
+            repeat_piece(text, any_piece(text, field_breaks, chance), std::size_t{1} << chance.below(18),
+                         chance);
             return;
         case 2:
-            repeat_piece(text, any_piece(text, line_breaks, chance), std::size_t{1} << chance.below(10), chance);
+            repeat_piece(text, any_piece(text, line_breaks, chance), std::size_t{1} << chance.below(10),
+                         chance);
             return;
         case 3:
             replace_all(text, "\n", chance.one_in(2) ? "\r\n" : "\r");

@@ -36,7 +36,8 @@ Subject shown_by_info(const std::string& name, const std::string& bytes) {
 
 /// Four triangles around a point.
 rockfall::Terrain pyramid() {
-    std::vector<rockfall::Vertex> vertices{{0, 0, 400}, {120, 0, 316}, {120, 100, 316}, {0, 100, 400}, {60, 50, 357}};
+    std::vector<rockfall::Vertex> vertices{
+        {0, 0, 400}, {120, 0, 316}, {120, 100, 316}, {0, 100, 400}, {60, 50, 357}};
     constexpr std::uint32_t none = rockfall::no_triangle;
     std::vector<rockfall::Triangle> triangles{{{0, 1, 4}, {none, 1, 3}},
                                               {{1, 2, 4}, {none, 2, 0}},
@@ -46,10 +47,13 @@ rockfall::Terrain pyramid() {
 }
 
 constexpr const char* drawing =
-    "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n1000\n20\n2000\n30\n400\n0\nLINE\n10\n1000\n20\n2010\n30\n399\n11\n1010\n"
-    "21\n2010\n31\n398\n0\nLWPOLYLINE\n38\n390\n10\n1000\n20\n2020\n10\n1010\n20\n2020\n10\n1020\n20\n2021\n0\n"
+    "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n1000\n20\n2000\n30\n400\n0\nLINE\n10\n1000\n20\n2010\n30\n399\n11"
+    "\n1010\n"
+    "21\n2010\n31\n398\n0\nLWPOLYLINE\n38\n390\n10\n1000\n20\n2020\n10\n1010\n20\n2020\n10\n1020\n20\n2021\n0"
+    "\n"
     "POLYLINE\n0\nVERTEX\n10\n1000\n20\n2030\n30\n380\n0\nVERTEX\n10\n1010\n20\n2030\n30\n381\n0\nSEQEND\n0\n"
-    "3DFACE\n10\n1000\n20\n2040\n30\n370\n11\n1010\n21\n2040\n31\n370\n12\n1010\n22\n2050\n32\n360\n13\n1000\n23\n"
+    "3DFACE\n10\n1000\n20\n2040\n30\n370\n11\n1010\n21\n2040\n31\n370\n12\n1010\n22\n2050\n32\n360\n13\n1000"
+    "\n23\n"
     "2050\n33\n360\n0\nENDSEC\n0\nEOF\n";
 
 std::vector<Subject> files_of_info() {
@@ -62,9 +66,10 @@ std::vector<Subject> files_of_info() {
         shown_by_info("slope.stl", texts.stl()),
         shown_by_info("binary.stl", texts.binary_stl()),
         shown_by_info("slope.dxf", drawing),
-        shown_by_info("contours.csv",
-                      "wkt,height_m\n\"LINESTRING (1000 2000, 1010 2000)\",400\n\"LINESTRING Z (1000 2010 390, 1010 "
-                      "2012 391)\",\nPOINT (1005 2020),380\n"),
+        shown_by_info(
+            "contours.csv",
+            "wkt,height_m\n\"LINESTRING (1000 2000, 1010 2000)\",400\n\"LINESTRING Z (1000 2010 390, 1010 "
+            "2012 391)\",\nPOINT (1005 2020),380\n"),
         shown_by_info("grid.asc", SampleProject::header() + "NODATA_value -9999\n" +
                                       SampleProject::rows([](int column, int row) {
                                           return column == row ? "-9999" : std::to_string(400.5 - column);
@@ -101,13 +106,13 @@ std::string rocky_grid(const std::string& elsewhere, const std::string& at_sourc
 
 const std::vector<std::pair<std::string, std::string>>& rocky_files() {
     static const std::vector<std::pair<std::string, std::string>> files{
-        {"dem.asc", rocky_grid("500", "520")},       {"rockdensity.asc", rocky_grid("0", "2650")},
-        {"d1.asc", rocky_grid("0", "0.8")},          {"d2.asc", rocky_grid("0", "0.6")},
-        {"d3.asc", rocky_grid("0", "0.5")},          {"blshape.asc", rocky_grid("0", "1")},
-        {"soiltype.asc", rocky_grid("4", "6")},      {"rg70.asc", rocky_grid("0.25", "0")},
-        {"rg20.asc", rocky_grid("0.5", "0.05")},     {"rg10.asc", rocky_grid("0.9", "0.1")},
-        {"nrtrees.asc", rocky_grid("400", "0")},     {"dbhmean.asc", rocky_grid("30", "30")},
-        {"dbhstd.asc", rocky_grid("8", "8")},        {"conif_percent.asc", rocky_grid("60", "60")},
+        {"dem.asc", rocky_grid("500", "520")},   {"rockdensity.asc", rocky_grid("0", "2650")},
+        {"d1.asc", rocky_grid("0", "0.8")},      {"d2.asc", rocky_grid("0", "0.6")},
+        {"d3.asc", rocky_grid("0", "0.5")},      {"blshape.asc", rocky_grid("0", "1")},
+        {"soiltype.asc", rocky_grid("4", "6")},  {"rg70.asc", rocky_grid("0.25", "0")},
+        {"rg20.asc", rocky_grid("0.5", "0.05")}, {"rg10.asc", rocky_grid("0.9", "0.1")},
+        {"nrtrees.asc", rocky_grid("400", "0")}, {"dbhmean.asc", rocky_grid("30", "30")},
+        {"dbhstd.asc", rocky_grid("8", "8")},    {"conif_percent.asc", rocky_grid("60", "60")},
         {"dem.prj", "PROJCS[\"Some\"]\n"},
     };
     return files;

@@ -50,9 +50,10 @@ std::unique_ptr<SampleProject> today() {
     append(*project, "scenario.ini",
            "[nets]\nfile = nets.csv\n[hazard]\nblocks = blocks.csv\nmatrix = matrix.csv\n"
            "return_period_years = 100\n");
-    project->write("logs.csv",
-                   "log_id,x1_m,y1_m,x2_m,y2_m,species,diameter1_cm,diameter2_cm,clearance_m,strength,anchored\n"
-                   "a,1060,2050,1060,2062,piab,40,25,0.3,0.8,yes\nb,1070,2050,1075,2050,Fagus sylvatica,30,30,,,\n");
+    project->write(
+        "logs.csv",
+        "log_id,x1_m,y1_m,x2_m,y2_m,species,diameter1_cm,diameter2_cm,clearance_m,strength,anchored\n"
+        "a,1060,2050,1060,2062,piab,40,25,0.3,0.8,yes\nb,1070,2050,1075,2050,Fagus sylvatica,30,30,,,\n");
     project->write("stopping.csv",
                    "code,diameter_m,p_stop,rolling_stops_per_m\n1,0.3,0.001,0.01\n1,1,0.0005,0.005\n"
                    "3,0.3,0.02,0.1\n3,1,0.01,0.05\n");
@@ -60,8 +61,9 @@ std::unique_ptr<SampleProject> today() {
                    "name,height_m,capacity_kj,class,gap_m,wkt\n"
                    "upper,1.2,5,,0.1,\"LINESTRING (1075 2010, 1078 2050, 1075 2090)\"\n"
                    "lower,3,,1,,\"LINESTRING (1098 2005, 1098 2095)\"\n");
-    project->write("blocks.csv",
-                   "return_period_years,zone,diameter_m,volume_m3,blocks\n10,1,0.3,,\n100,1,,1.5,60\n300,1,2,,\n");
+    project->write(
+        "blocks.csv",
+        "return_period_years,zone,diameter_m,volume_m3,blocks\n10,1,0.3,,\n100,1,,1.5,60\n300,1,2,,\n");
     project->write("matrix.csv", std::string{config::shipped_table("hazard_matrix.csv")});
     return project;
 }
@@ -97,15 +99,17 @@ std::unique_ptr<SampleProject> shapes() {
                    "1,\"POLYGON ((1000 2000, 1030 2000, 1030 2100, 1000 2100, 1000 2000))\"\n");
     project->write("soils.csv", "name,like,r_t,threshold_deg\nmeadow,soft_soil_step_1,0.75,5\n");
     project->write("surface_types.csv", "code,like,soil\n1,solid_rock,meadow\n3,solid_rock,\n");
-    project->write("cliff.csv",
-                   "wkt,zone,speed_mps,mass_t\nPOINT (1030 2050),1,4,2\n\"LINESTRING (1025 2020, 1030 2060)\",2,,\n"
-                   "\"POLYGON ((1020 2070, 1030 2070, 1030 2080, 1020 2080, 1020 2070))\",3,3,1\n");
+    project->write(
+        "cliff.csv",
+        "wkt,zone,speed_mps,mass_t\nPOINT (1030 2050),1,4,2\n\"LINESTRING (1025 2020, 1030 2060)\",2,,\n"
+        "\"POLYGON ((1020 2070, 1030 2070, 1030 2080, 1020 2080, 1020 2070))\",3,3,1\n");
     return project;
 }
 
 /// The terrain of the sample project as a list of triangles.
 rockfall::Terrain sloping_square() {
-    std::vector<rockfall::Vertex> vertices{{0, 0, 400}, {120, 0, 316}, {120, 100, 316}, {0, 100, 400}, {60, 50, 357}};
+    std::vector<rockfall::Vertex> vertices{
+        {0, 0, 400}, {120, 0, 316}, {120, 100, 316}, {0, 100, 400}, {60, 50, 357}};
     constexpr std::uint32_t none = rockfall::no_triangle;
     std::vector<rockfall::Triangle> triangles{{{0, 1, 4}, {none, 1, 3}},
                                               {{1, 2, 4}, {none, 2, 0}},
@@ -140,10 +144,11 @@ std::unique_ptr<SampleProject> years() {
         change += std::to_string(month) + ",1.5,0.95\n";
     }
     project->write("change.csv", change);
-    project->write("mine.csv",
-                   "name,treatment,where,first_year,every_years,share,min_stems_pha,after,after_years,species,"
-                   "plants_pha\n"
-                   "cut,clear_cut,,1,,,,,,,\nthin,thin_below,,2,,0.2,,,,,\nplant,plant,,,,,,cut,1,PIAB ABAL,500 300\n");
+    project->write(
+        "mine.csv",
+        "name,treatment,where,first_year,every_years,share,min_stems_pha,after,after_years,species,"
+        "plants_pha\n"
+        "cut,clear_cut,,1,,,,,,,\nthin,thin_below,,2,,0.2,,,,,\nplant,plant,,,,,,cut,1,PIAB ABAL,500 300\n");
     project->write("species.csv", std::string{config::shipped_table("species.csv")});
     project->write("prices.csv", std::string{config::shipped_table("timber_prices.csv")});
     project->write("work.csv", std::string{config::shipped_table("work_costs.csv")});
@@ -187,7 +192,8 @@ std::vector<Subject> subjects_of_inputs() {
          read_project},
         {"packed", {"dem.asc.gz"}, packed, read_project},
         {"shapes",
-         {"scenario.ini", "points.xyz", "areas.csv", "soils.csv", "surface_types.csv", "cliff.csv", "targets.csv"},
+         {"scenario.ini", "points.xyz", "areas.csv", "soils.csv", "surface_types.csv", "cliff.csv",
+          "targets.csv"},
          shapes,
          read_project},
         {"mesh", {"slope.ply"}, mesh, read_project},

@@ -42,7 +42,8 @@ std::unique_ptr<SampleProject> with_member_part() {
 std::unique_ptr<SampleProject> with_bare_part() {
     auto project = std::make_unique<SampleProject>();
     const SmallRun run;
-    decades::BareYear year{.year = 1, .run = run.tally.runs[0], .targets = {}, .cells = {}, .arrived = {3, 5}};
+    decades::BareYear year{
+        .year = 1, .run = run.tally.runs[0], .targets = {}, .cells = {}, .arrived = {3, 5}};
     year.targets.resize(2);
     year.cells.resize(6);
     decades::write_bare_part(project->file("bare.part"), part_hash, std::vector{year, year});
@@ -92,7 +93,8 @@ void simulate(const SampleProject& project, const std::vector<std::string>& over
 
 std::unique_ptr<SampleProject> run_with_nets() {
     auto project = std::make_unique<SampleProject>();
-    project->write("nets.csv", "name,height_m,capacity_kj,wkt\nlower,3,250,\"LINESTRING (1098 2005, 1098 2095)\"\n");
+    project->write("nets.csv",
+                   "name,height_m,capacity_kj,wkt\nlower,3,250,\"LINESTRING (1098 2005, 1098 2095)\"\n");
     simulate(*project, {"release.rocks=30", "nets.keep_paths=yes", "output.geopackage=no"});
     return project;
 }
@@ -109,12 +111,14 @@ void try_the_nets(const SampleProject& project) {
 
 /// A second folder to compare with, which stays as it is.
 void keep_a_copy(const SampleProject& project) {
-    std::filesystem::copy(project.file("out"), project.file("other"), std::filesystem::copy_options::recursive);
+    std::filesystem::copy(project.file("out"), project.file("other"),
+                          std::filesystem::copy_options::recursive);
 }
 
 std::unique_ptr<SampleProject> run_of_today() {
     auto project = std::make_unique<SampleProject>();
-    project->write("nets.csv", "name,height_m,capacity_kj,wkt\nlower,3,250,\"LINESTRING (1098 2005, 1098 2095)\"\n");
+    project->write("nets.csv",
+                   "name,height_m,capacity_kj,wkt\nlower,3,250,\"LINESTRING (1098 2005, 1098 2095)\"\n");
     simulate(*project, {"release.rocks=200", "nets.file=nets.csv", "output.geopackage=no"});
     keep_a_copy(*project);
     return project;

@@ -20,8 +20,9 @@ TEST(OversizedInput, PackedGridsHoldNoMoreThanTheirHeaderSays) {
     project.replace("scenario.ini", "dem.asc", "dem.asc.gz");
     // 64 MB of blanks after a grid of 120 values.
     const Outcome outcome =
-        shell(project, "(cat dem.asc; head -c 64000000 /dev/zero | tr '\\0' ' ') | gzip -1 > dem.asc.gz\n"
-                       "\"$bannwald\" check scenario.ini\n");
+        shell(project,
+              "(cat dem.asc; head -c 64000000 /dev/zero | tr '\\0' ' ') | gzip -1 > dem.asc.gz\n"
+              "\"$bannwald\" check scenario.ini\n");
     expect_refused(outcome, 4, "dem.asc.gz: found a gzip file that holds more than 1 MB, expected");
 }
 
@@ -36,8 +37,9 @@ TEST(OversizedInput, PackedTablesHoldNoMoreThanABound) {
     const SampleProject project;
     project.replace("scenario.ini", "trees.csv", "trees.csv.gz");
     const Outcome outcome =
-        shell(project, "(cat trees.csv; head -c 600000000 /dev/zero | tr '\\0' ' ') | gzip -1 > trees.csv.gz\n"
-                       "\"$bannwald\" check scenario.ini\n");
+        shell(project,
+              "(cat trees.csv; head -c 600000000 /dev/zero | tr '\\0' ' ') | gzip -1 > trees.csv.gz\n"
+              "\"$bannwald\" check scenario.ini\n");
     expect_refused(outcome, 4, "trees.csv.gz: found a gzip file that holds more than 537 MB, expected");
 }
 
@@ -65,8 +67,9 @@ TEST(RegimeFiles, HaveNamesThatFoldersOfTheResultsCanHave) {
     for (const std::string name : {"..csv", "...csv", "year_1.csv", "bare.csv", "two words.csv"}) {
         const ForestProject project;
         project.write(name, "treatment\n");
-        expect_refused(call(project, "check scenario.ini --quiet --set \"regimes.list=none, " + name + "\""), 2,
-                       "found regime '" + name + "', expected a file whose name without ending is at most 100");
+        expect_refused(
+            call(project, "check scenario.ini --quiet --set \"regimes.list=none, " + name + "\""), 2,
+            "found regime '" + name + "', expected a file whose name without ending is at most 100");
     }
 }
 
@@ -75,7 +78,8 @@ TEST(FormulaText, InIdsIsTold) {
     project.replace("targets.csv", "road,road", "=cmd|' /C calc'!A0,road");
     const Outcome outcome = call(project, "run scenario.ini --set release.rocks=50");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const std::string doubt = "targets.csv:2:1: found target_id '=cmd|' /C calc'!A0', which a spreadsheet takes";
+    const std::string doubt =
+        "targets.csv:2:1: found target_id '=cmd|' /C calc'!A0', which a spreadsheet takes";
     EXPECT_NE(outcome.err.find("bannwald: warning: " + doubt), std::string::npos) << outcome.err;
     EXPECT_NE(project.read("out/summary.json").find("targets.csv:2:1: found target_id"), std::string::npos);
     // It stands in the results as it was given, so that they can be joined.
@@ -87,9 +91,10 @@ TEST(StoredPaths, AreRefusedWithAnyByteChanged) {
     const SampleProject project;
     project.write("nets.csv",
                   "name,height_m,capacity_kj,wkt\nlower,3,250,\"LINESTRING (1098 2005, 1098 2095)\"\n");
-    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=20 --set nets.keep_paths=yes --out out")
-                  .code,
-              0);
+    ASSERT_EQ(
+        call(project, "run scenario.ini --quiet --set release.rocks=20 --set nets.keep_paths=yes --out out")
+            .code,
+        0);
     const std::string whole = project.read("out/net_paths.bin");
     ASSERT_EQ(call(project, "net try out --nets nets.csv --out whole").code, 0);
     for (std::size_t i = 0; i < 60; ++i) {

@@ -140,7 +140,8 @@ private:
         const bool doubled = std::any_of(header_.elements.begin(), header_.elements.end(),
                                          [&](const Element& other) { return other.name == words[1]; });
         if (doubled) {
-            fail(ExitCode::data, place(), "element " + in_quotes(words[1]) + " a second time", "each element once");
+            fail(ExitCode::data, place(), "element " + in_quotes(words[1]) + " a second time",
+                 "each element once");
         }
         header_.elements.push_back({std::string{words[1]}, static_cast<std::uint64_t>(*count), {}});
     }
@@ -403,7 +404,8 @@ MeshFile read_ply(std::string_view bytes, const std::string& file) {
         fail(ExitCode::data, {file}, "no element vertex", "vertices with x, y and z");
     }
     if (!mesh.codes.empty() && mesh.codes.size() != mesh.faces.size()) {
-        fail(ExitCode::data, {file}, "both vertex_indices and vertex_index in each face", "one list of corners");
+        fail(ExitCode::data, {file}, "both vertex_indices and vertex_index in each face",
+             "one list of corners");
     }
     if (!values.at_end()) {
         fail(ExitCode::data, {file}, "more values than the header says", "the end of the file");

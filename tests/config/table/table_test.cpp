@@ -141,7 +141,8 @@ TEST(Table, RefusesAFieldThatIsTooLongAtOnce) {
     const std::string longest(Table::longest_field_bytes, 'x');
     EXPECT_EQ(refused("a,b\n1," + longest + "\n"), std::vector<std::string>{});
     for (const std::string quote : {"", "\""}) {
-        const std::vector<std::string> messages = refused("a,b\n1," + quote + longest + "x" + quote + "\n1\n");
+        const std::vector<std::string> messages =
+            refused("a,b\n1," + quote + longest + "x" + quote + "\n1\n");
         ASSERT_EQ(messages.size(), 1U);
         EXPECT_TRUE(
             messages[0].starts_with("trees.csv:2:3: found a field of more than 10 million bytes, expected"))

@@ -60,7 +60,8 @@ TEST(Gunzip, RefusesMoreThanTheBoundThatTheBeginningSets) {
         ADD_FAILURE() << "taken";
     } catch (const InputError& error) {
         EXPECT_EQ(error.code(), ExitCode::data);
-        EXPECT_TRUE(std::string{error.what()}.starts_with("a.gz: found a gzip file that holds more than 1 MB"))
+        EXPECT_TRUE(
+            std::string{error.what()}.starts_with("a.gz: found a gzip file that holds more than 1 MB"))
             << error.what();
     }
 }

@@ -67,10 +67,10 @@ TEST(FormulaDoubts, NameIdsThatASpreadsheetComputes) {
         "trees.csv");
     const std::vector<config::Problem> doubts = formula_doubts(table);
     ASSERT_EQ(doubts.size(), 2U);
-    EXPECT_TRUE(config::to_string(doubts[0])
-                    .starts_with("trees.csv:2:1: found tree_id '=1+1' and 1 more such text, which a spreadsheet "
-                                 "takes for a formula when it opens the results, expected texts that do not "
-                                 "begin with =, +, - or @"))
+    EXPECT_TRUE(config::to_string(doubts[0]).starts_with(
+        "trees.csv:2:1: found tree_id '=1+1' and 1 more such text, which a spreadsheet "
+        "takes for a formula when it opens the results, expected texts that do not "
+        "begin with =, +, - or @"))
         << config::to_string(doubts[0]);
     EXPECT_TRUE(config::to_string(doubts[1]).starts_with("trees.csv:3:4: found name '+A1' and 1 more"))
         << config::to_string(doubts[1]);

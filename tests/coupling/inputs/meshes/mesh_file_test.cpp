@@ -184,8 +184,9 @@ TEST(Dxf, ThatCannotBeReadIsRefusedWithItsPlace) {
 
 TEST(Ply, IsRefusedWithElementsOrPropertiesTwice) {
     const std::string surface = "property int surface\n";
-    EXPECT_EQ(fault_of(replaced(head, surface, surface + surface) + "0 0 5 255\n", "a.ply"),
-              "a.ply:12:1: found property 'surface' a second time, expected each property of an element once");
+    EXPECT_EQ(
+        fault_of(replaced(head, surface, surface + surface) + "0 0 5 255\n", "a.ply"),
+        "a.ply:12:1: found property 'surface' a second time, expected each property of an element once");
     EXPECT_EQ(fault_of(replaced(head, "end_header", "element face 1\nend_header") + body, "a.ply"),
               "a.ply:12:1: found element 'face' a second time, expected each element once");
     const std::string corners = "property list uchar int vertex_index\n";
@@ -196,7 +197,8 @@ TEST(Ply, IsRefusedWithElementsOrPropertiesTwice) {
 }
 
 TEST(Ply, PassesOverElementsWithoutPropertiesWhateverTheirNumber) {
-    EXPECT_EQ(fault_of(replaced(head, "end_header", "element note 4000000000\nend_header") + body, "a.ply"), "");
+    EXPECT_EQ(fault_of(replaced(head, "end_header", "element note 4000000000\nend_header") + body, "a.ply"),
+              "");
 }
 
 TEST(Dxf, IsRefusedWithCodesThatAreNone) {
