@@ -101,10 +101,17 @@ void Problems::throw_if_any() const {
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& legal) {
+    if (word.size() > longest_word_bytes) {
+        return "";
+    }
     const std::string wanted = lower_case(word);
     std::size_t best = word.size() / 3 + 1;
     std::string nearest;
     for (const std::string& candidate : legal) {
+        const std::size_t longer = std::max(candidate.size(), wanted.size());
+        if (longer - std::min(candidate.size(), wanted.size()) >= best) {
+            continue;  // so many letters at least are to be added or dropped
+        }
         const std::size_t distance = edit_distance(wanted, lower_case(candidate));
         if (distance < best) {
             best = distance;

@@ -71,8 +71,12 @@ private:
     std::vector<Problem> problems_;
 };
 
+/// Longest text that `nearest_word` looks for a neighbour of [bytes]: no name of ours is half as long, and
+/// the search takes time with the square of the length.
+inline constexpr std::size_t longest_word_bytes = 64;
+
 /// The legal word nearest to what the user wrote, or "": edit distance up to a third of its length, case
-/// ignored.
+/// ignored. "" for texts above longest_word_bytes.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& legal);
 
 /// What the user wrote, as a message shows it: 'in quotes', one line, cut off after 60 bytes.

@@ -101,7 +101,7 @@ std::string canonical_key(std::string_view token) {
 
 HeaderEntries read_header_entries(Reading& reading) {
     HeaderEntries entries;
-    while (true) {
+    while (reading.problems.list().size() < most_bad_values) {
         reading.skip_blanks();
         const std::size_t start = reading.at;
         const std::string_view token = reading.next_token();
@@ -121,6 +121,7 @@ HeaderEntries read_header_entries(Reading& reading) {
             entries.push_back({key, value});
         }
     }
+    return entries;
 }
 
 /// The numbers of a header, each checked where it is taken.
@@ -315,6 +316,37 @@ Raster<double> read_ascii_grid(std::string_view text, const std::string& file) {
     }
     reading.problems.throw_if_any();
     return raster;
+}
+
+std::optional<std::uint64_t> most_grid_bytes(std::string_view beginning) {
+    constexpr std::uint64_t bytes_a_value = 64;
+    constexpr std::uint64_t header_bytes = std::uint64_t{1} << 20U;
+    const std::string file;
+    Reading reading{.text = without_byte_order_mark(beginning), .file = file};
+    std::optional<std::uint64_t> columns;
+    std::optional<std::uint64_t> rows;
+    for (std::size_t entry = 0; entry < header_keys.size(); ++entry) {
+        const std::string key = canonical_key(reading.next_token());
+        const std::string_view value = reading.next_token();
+        if (std::find(header_keys.begin(), header_keys.end(), key) == header_keys.end()) {
+            break;
+        }
+        const std::optional<long long> count = parse_whole(value);
+        if (!count || *count < 1 || *count > std::numeric_limits<int>::max()) {
+            continue;  // no count, or one that the reader of the whole grid refuses
+        }
+        if (key == "ncols") {
+            columns = static_cast<std::uint64_t>(*count);
+        } else if (key == "nrows") {
+            rows = static_cast<std::uint64_t>(*count);
+        }
+    }
+    if (!columns || !rows) {
+        return std::nullopt;
+    }
+    const std::uint64_t cells = *columns * *rows;  // below 2^62
+    const std::uint64_t most_cells = std::numeric_limits<std::uint64_t>::max() / bytes_a_value / 2;
+    return std::min(cells, most_cells) * bytes_a_value + header_bytes;
 }
 
 void write_ascii_grid(std::ostream& out, const Raster<double>& raster) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <istream>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -20,6 +22,11 @@ namespace config {
 /// missing keys, sizes that are no numbers or not above 0), else for up to 20 values that are no numbers
 /// (`nan`, `1,5`) and for too few or too many of them, with how many were found and expected.
 Raster<double> read_ascii_grid(std::string_view text, const std::string& file);
+
+/// The most bytes that the text of a grid may take, by the counts of its header: 64 for each value [choice],
+/// which is written in 25 at most, and a mebibyte for the header. `beginning`: the first part of the text.
+/// Nothing where it does not begin as a grid or holds no whole counts.
+std::optional<std::uint64_t> most_grid_bytes(std::string_view beginning);
 
 /// Writes a grid; NaN becomes -9999. Numbers are the shortest text that reads back the same. Cell size is
 /// written as cellsize where cells are square, else as dx and dy. Requires no infinite value.

@@ -97,12 +97,19 @@ void add_assignment(std::string_view line, const std::string& section, const Pla
 }  // namespace
 
 std::vector<IniEntry> read_ini(std::istream& in, const std::string& file, Problems& problems) {
-    const std::string text = read_text(in, file, ExitCode::settings);
+    std::string text = read_text(in, file, ExitCode::settings);
+    if (text.size() > longest_ini_bytes) {
+        fail(ExitCode::settings, {file},
+             std::to_string(text.size()) + " bytes, more than " + std::to_string(longest_ini_bytes),
+             "a file of settings: is this the file that was meant?");
+    }
     std::vector<IniEntry> entries;
     std::string section;
-    std::istringstream lines{text};
+    std::istringstream lines{std::move(text)};
     std::string whole_line;
-    for (std::size_t number = 1; std::getline(lines, whole_line); ++number) {
+    // A file of another kind is wrong on every line: after so many problems the rest tells nothing new.
+    for (std::size_t number = 1;
+         problems.list().size() < most_ini_problems && std::getline(lines, whole_line); ++number) {
         const std::string_view line = trimmed(without_comment(whole_line));
         if (line.empty()) {
             continue;

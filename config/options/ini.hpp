@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <istream>
 #include <string>
 #include <string_view>
@@ -20,7 +21,13 @@ struct IniEntry {
     [[nodiscard]] std::string key() const { return section.empty() ? name : section + '.' + name; }
 };
 
-/// The assignments of an INI file, in their order. Lines that are none become problems (settings).
+/// Longest file of settings [bytes], and how many problems it may have before reading ends [choice]: a file
+/// of another kind is recognised by them.
+inline constexpr std::size_t longest_ini_bytes = 1 << 20;
+inline constexpr std::size_t most_ini_problems = 100;
+
+/// The assignments of an INI file, in their order. Lines that are none become problems (settings). Throws
+/// InputError (settings) for a file that is longer than longest_ini_bytes or no text.
 ///
 /// Takes UTF-8 with or without byte-order mark, LF or CRLF. `#` and `;` begin a comment at the start of a
 /// line or after a blank. A value in "double quotes" keeps its blanks and comment signs; a quote in it is

@@ -14,6 +14,9 @@ namespace config {
 
 namespace {
 
+/// More keys of free names than any file of ours holds [choice]; they are compared with each other.
+constexpr std::size_t most_free_entries = 10'000;
+
 std::string with_unit(std::string words, const ParameterInfo& info) {
     if (!info.unit.empty() && info.unit != "-") {
         words.append(" ").append(info.unit);
@@ -218,7 +221,7 @@ void Options::read(std::istream& in, const std::string& file, const std::vector<
     std::map<std::string, std::size_t> lines;
     for (const IniEntry& entry : entries) {
         const auto [first, is_new] = lines.emplace(entry.key(), entry.key_place.line);
-        if (!is_new) {
+        if (!is_new && problems.list().size() < most_ini_problems) {
             problems.add(ExitCode::settings, entry.key_place,
                          in_quotes(entry.key())
                              .append(" a second time (first on line ")
@@ -234,8 +237,16 @@ void Options::read(std::istream& in, const std::string& file, const std::vector<
     const auto declared_end = std::stable_partition(
         entries.begin(), entries.end(), [&](const IniEntry& entry) { return !is_free(entry.section); });
     const std::vector<IniEntry> free_part(declared_end, entries.end());
+    if (free_part.size() > most_free_entries) {
+        fail(ExitCode::settings, free_part[most_free_entries].key_place,
+             "more than " + std::to_string(most_free_entries) + " keys in sections of free names",
+             "a file of settings: is this the file that was meant?");
+    }
     entries.erase(declared_end, entries.end());
     for (const IniEntry& entry : entries) {
+        if (problems.list().size() >= most_ini_problems) {
+            break;
+        }
         check(entry, problems);
     }
     const std::string preset = preset_asked_for(preset_key, entries, problems);

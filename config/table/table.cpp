@@ -90,6 +90,12 @@ private:
     Record read_record() {
         Record record;
         while (true) {
+            if (record.size() == Table::most_columns) {
+                refuse_at_once(
+                    place_, "a line of more than " + std::to_string(Table::most_columns) + " fields",
+                    "a table of at most so many columns: is this the file that was meant, and do its "
+                    "lines end where rows end?");
+            }
             record.push_back(read_field());
             if (at_end() || text_[at_] == '\n') {
                 skip_line();
@@ -109,6 +115,7 @@ private:
         const std::size_t plain_start = at_;
         while (!at_end() && text_[at_] != separator_ && text_[at_] != '\n') {
             advance();
+            check_length(at_ - plain_start, start);
         }
         const std::string_view plain = trimmed(text_.substr(plain_start, at_ - plain_start));
         if (quoted && !plain.empty()) {
@@ -132,9 +139,24 @@ private:
             }
             text += text_[at_];
             advance();
+            check_length(text.size(), start);
         }
         problems_.add(ExitCode::data, start, "a quote that is never closed");
         return text;
+    }
+
+    void check_length(std::size_t bytes, const Place& start) const {
+        if (bytes > Table::longest_field_bytes) {
+            refuse_at_once(start,
+                           "a field of more than " + std::to_string(Table::longest_field_bytes / 1'000'000) +
+                               " million bytes",
+                           "shorter fields: is this the file that was meant, or is a quote not closed?");
+        }
+    }
+
+    /// What makes all that follows meaningless: told alone, before it fills the memory.
+    [[noreturn]] static void refuse_at_once(const Place& place, std::string found, std::string expected) {
+        fail(ExitCode::data, place, std::move(found), std::move(expected));
     }
 
     std::string_view text_;
@@ -193,6 +215,12 @@ bool fits(Record& record, std::size_t columns, Problems& problems) {
 
 Table Table::read(std::istream& in, std::string file) {
     const std::string text = read_text(in, file);
+    return read(std::string_view{text}, std::move(file));
+}
+
+Table Table::read(std::string_view bytes, std::string file) {
+    constexpr std::size_t most_uneven_rows = 100;
+    const std::string_view text = checked_text(bytes, file);
     Problems problems;
     Records records{text, file, problems};
 
@@ -209,6 +237,9 @@ Table Table::read(std::istream& in, std::string file) {
     for (Record record = records.next(); !record.empty(); record = records.next()) {
         const bool unit_row = std::exchange(first, false) && is_unit_row(record);
         if (!fits(record, table.columns_.size(), problems)) {
+            if (problems.list().size() >= most_uneven_rows) {
+                break;  // hardly a table, or not with this header
+            }
             continue;
         }
         if (unit_row) {

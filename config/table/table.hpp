@@ -21,9 +21,17 @@ namespace config {
 /// Every field knows the line and column it stood on.
 class Table {
 public:
-    /// Throws one InputError (data) with line and column for all uneven rows, open quotes, doubled or unnamed
-    /// columns, no header, text that is not UTF-8.
+    /// A record with more fields, or a longer field, is none of a table of ours: reading ends there. The
+    /// longest fields are outlines of areas, at about 30 bytes a corner [choice].
+    static constexpr std::size_t most_columns = 1000;
+    static constexpr std::size_t longest_field_bytes = 10'000'000;
+
+    /// Throws one InputError (data) with line and column for uneven rows (the first 100 of them), open
+    /// quotes, doubled or unnamed columns, no header, text that is not UTF-8, a record or a field that is too
+    /// long.
     static Table read(std::istream& in, std::string file);
+    /// The same of a text in memory, without a copy of it.
+    static Table read(std::string_view text, std::string file);
 
     [[nodiscard]] std::size_t rows() const { return cells_.size(); }
     [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }

@@ -1,31 +1,71 @@
 #include "config/text/gunzip.hpp"
 
-#include <boost/iostreams/copy.hpp>
+#include <algorithm>
 #include <boost/iostreams/device/array.hpp>
-#include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
+#include <optional>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/numbers.hpp"
 
 namespace config {
+
+namespace {
+
+constexpr std::size_t piece_bytes = std::size_t{64} << 10U;
+
+/// "512 MB".
+std::string megabytes(std::uint64_t bytes) {
+    const auto rounded = static_cast<double>((bytes + 500'000) / 1'000'000);
+    return to_text(std::max(rounded, 1.0)) + " MB";
+}
+
+[[noreturn]] void refuse_size(const std::string& file, std::uint64_t bound) {
+    fail(ExitCode::data, {file}, "a gzip file that holds more than " + megabytes(bound),
+         "at most that much, which is what a grid of the size in its header or a packed text may take; check "
+         "the "
+         "file, or unpack it (gunzip) and name the unpacked file");
+}
+
+/// Unpacks piece by piece; the bound is asked for once, after the first piece.
+std::string unpacked_in_pieces(std::istream& in, const std::string& file, const UnpackedBound& most_bytes) {
+    std::string unpacked;
+    std::optional<std::uint64_t> bound;
+    while (true) {
+        const std::size_t before = unpacked.size();
+        unpacked.resize(before + piece_bytes);
+        in.read(unpacked.data() + before, static_cast<std::streamsize>(piece_bytes));
+        unpacked.resize(before + static_cast<std::size_t>(in.gcount()));
+        if (!bound) {
+            bound = most_bytes(unpacked);
+        }
+        if (unpacked.size() > *bound) {
+            refuse_size(file, *bound);
+        }
+        if (unpacked.size() < before + piece_bytes) {
+            return unpacked;
+        }
+    }
+}
+
+}  // namespace
 
 bool is_gzip(std::string_view bytes) {
     return bytes.starts_with("\x1F\x8B");
 }
 
-std::string gunzip(std::string_view bytes, const std::string& file) {
+std::string gunzip(std::string_view bytes, const std::string& file, const UnpackedBound& most_bytes) {
     namespace io = boost::iostreams;
     if (!is_gzip(bytes)) {
         fail(ExitCode::file, {file}, "another beginning", "a gzip file");
     }
-    std::string unpacked;
     try {
         io::filtering_istream in;
         in.push(io::gzip_decompressor{});
         in.push(io::array_source{bytes.data(), bytes.size()});
         in.exceptions(std::ios::badbit);
-        io::copy(in, io::back_inserter(unpacked));
+        return unpacked_in_pieces(in, file, most_bytes);
     } catch (const io::gzip_error& error) {
         const bool checksum = error.error() == io::gzip::bad_crc;
         fail(ExitCode::file, {file},
@@ -35,7 +75,6 @@ std::string gunzip(std::string_view bytes, const std::string& file) {
     } catch (const std::ios::failure&) {
         fail(ExitCode::file, {file}, "a gzip file that is cut off or broken", "a whole one: copy it again");
     }
-    return unpacked;
 }
 
 }  // namespace config

@@ -5,14 +5,18 @@
 namespace config {
 
 std::string read_text(std::istream& in, const std::string& file, ExitCode code) {
-    std::string text{std::istreambuf_iterator<char>{in}, {}};
+    const std::string text{std::istreambuf_iterator<char>{in}, {}};
+    return std::string{checked_text(text, file, code)};
+}
+
+std::string_view checked_text(std::string_view text, const std::string& file, ExitCode code) {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
         fail(code, {file}, "UTF-16 text", "UTF-8 text: save the file as UTF-8");
     }
-    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
         fail(code, place_in(text, zero, {file}), "a byte of zero", "a text file");
     }
-    return std::string{without_byte_order_mark(text)};
+    return without_byte_order_mark(text);
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {

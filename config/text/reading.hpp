@@ -11,6 +11,9 @@ namespace config {
 /// All of a text file: UTF-8 without its byte-order mark. Throws InputError (`code`) for UTF-16, as some
 /// programs save "Unicode text", and for bytes of zero, which no text holds.
 std::string read_text(std::istream& in, const std::string& file, ExitCode code = ExitCode::data);
+/// The same of bytes in memory, which the result refers to.
+std::string_view checked_text(std::string_view bytes, const std::string& file,
+                              ExitCode code = ExitCode::data);
 
 /// The text without the byte-order mark that Windows programs put before UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);

@@ -182,8 +182,7 @@ void write_info(const std::string& name, const std::string& table, std::ostream&
         write_grid(config::read_ascii_grid(bytes.text(), name), name, out);
         return;
     }
-    std::istringstream in{std::string{bytes.text()}};
-    write_table(config::Table::read(in, name), out);
+    write_table(config::Table::read(bytes.text(), name), out);
 }
 
 }  // namespace coupling

@@ -1,7 +1,6 @@
 #include "coupling/compare/run_tables.hpp"
 
 #include <limits>
-#include <sstream>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
@@ -15,8 +14,7 @@ config::Table read_table(const std::filesystem::path& folder, const std::string&
                          const std::vector<std::string>& wanted) {
     const std::filesystem::path path = folder / "tables" / name;
     const FileBytes bytes = open_file(path, {}, "a table of the results");
-    std::istringstream in{std::string{bytes.text()}};
-    config::Table table = config::Table::read(in, path.string());
+    config::Table table = config::Table::read(bytes.text(), path.string());
     config::Problems problems;
     table.require(wanted, problems);
     problems.throw_if_any();

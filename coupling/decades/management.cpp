@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/result_name.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/regimes/shipped.hpp"
 #include "coupling/results/joined.hpp"
@@ -28,6 +29,11 @@ std::vector<std::string> entries_of(const std::string& list) {
 
 bool is_file(const std::string& entry) {
     return entry.find('.') != std::string::npos;
+}
+
+/// A shipped regime is named as it is, a file without folder and ending.
+std::string regime_name(const std::string& entry) {
+    return is_file(entry) ? std::filesystem::path{entry}.stem().string() : entry;
 }
 
 config::Table table_of(const std::string& entry, Reading& reading) {
@@ -53,8 +59,8 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
         problems.throw_if_any();
         return shapes;
     };
-    const std::string name = is_file(entry) ? std::filesystem::path{entry}.stem().string() : entry;
-    return Regime::read(table_of(entry, reading), name, forest.species.table, forest.grid, polygons_of);
+    return Regime::read(table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid,
+                        polygons_of);
 }
 
 /// With fewer areas than turns some turns find nothing, and the rotation of what there is becomes shorter.
@@ -92,6 +98,11 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
     Management management;
     std::set<std::string> names{"bare"};  // a folder of the rasters has this name
     for (const std::string& entry : entries_of(scenario.forest.regimes)) {
+        if (is_file(entry) && !is_result_name(regime_name(entry))) {
+            refuse_entry(entry, joined("a file whose name without ending is ", result_name_in_words),
+                         reading);
+            continue;
+        }
         if (!is_file(entry) && shipped_regime(entry).empty()) {
             refuse_entry(entry, joined("one of ", shipped_in_words(), ", or the name of a CSV file"),
                          reading);

@@ -7,6 +7,7 @@
 #include "config/table/table.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/climate_input.hpp"
+#include "coupling/inputs/result_name.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
@@ -95,15 +96,9 @@ private:
     void check(std::size_t row, const std::vector<ClimateAsked>& climates) {
         const ClimateAsked& asked = climates[row];
         const config::Place place = table_.place(row, "name");
-        const auto is_fine = [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-                   c == '-';
-        };
-        const bool is_taken = asked.name == "bare" || asked.name.starts_with("year_");
-        if (asked.name.empty() || is_taken || !std::all_of(asked.name.begin(), asked.name.end(), is_fine)) {
-            problems_.add(ExitCode::data, place, joined("name '", asked.name, "'"),
-                          "letters without accents, digits, _ and -, not 'bare' nor 'year_...': folders of "
-                          "the results have this name");
+        if (!is_result_name(asked.name)) {
+            problems_.add(ExitCode::data, place, joined("name ", config::in_quotes(asked.name)),
+                          result_name_in_words);
         }
         const auto same = std::find_if(climates.begin(), climates.begin() + static_cast<std::ptrdiff_t>(row),
                                        [&](const ClimateAsked& other) { return other.name == asked.name; });

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "config/text/numbers.hpp"
+
 namespace coupling {
 namespace {
 
@@ -53,7 +55,44 @@ std::string letters_of(const std::string& name) {
     return letters;
 }
 
+bool names_things(std::string_view column) {
+    return column == "name" || column == "label" || column == "code" || column.ends_with("_id");
+}
+
+/// Whether a spreadsheet computes a text: `=1+1`, `+A1`, `@SUM(A1)`, but not `-3.5` and not a lone dash.
+bool is_formula(std::string_view text) {
+    constexpr std::string_view beginnings = "=+-@";
+    return text.size() > 1 && beginnings.find(text.front()) != std::string_view::npos &&
+           !config::parse_number(text);
+}
+
 }  // namespace
+
+std::vector<config::Problem> formula_doubts(const config::Table& table) {
+    std::vector<config::Problem> doubts;
+    for (const std::string& column : table.columns()) {
+        if (!names_things(column)) {
+            continue;
+        }
+        std::size_t count = 0;
+        std::size_t first = 0;
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            if (is_formula(table.text(row, column))) {
+                first = count++ == 0 ? row : first;
+            }
+        }
+        if (count > 0) {
+            doubts.push_back(
+                {config::ExitCode::data, table.place(first, column),
+                 column + " " + config::in_quotes(table.text(first, column)) +
+                     (count > 1 ? " and " + counted(count - 1, "more such text") : "") +
+                     ", which a spreadsheet takes for a formula when it opens the results",
+                 "texts that do not begin with =, +, - or @: rename them, or import the results as "
+                 "text"});
+        }
+    }
+    return doubts;
+}
 
 std::string meant_column(const std::string& name, const std::vector<std::string>& known) {
     for (const std::string& column : known) {

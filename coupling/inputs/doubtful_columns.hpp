@@ -13,6 +13,11 @@ namespace coupling {
 /// `mass_tonnes`, `velocity_mps`). Requires a name that is not itself known.
 std::string meant_column(const std::string& name, const std::vector<std::string>& known);
 
+/// What a spreadsheet would take for a formula when it opens results: ids and names (columns `name`, `label`,
+/// `code` and `..._id`) that begin with =, +, - or @ and are no numbers. They go unchanged into the results,
+/// so that tables can be joined with the user's own. One problem a column.
+std::vector<config::Problem> formula_doubts(const config::Table& table);
+
 /// Doubts columns that are passed over but may stand for a known one that the table lacks.
 void doubt_columns(const config::Table& table, const std::vector<std::string>& known, Reading& reading);
 

@@ -2,12 +2,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <exception>
 #include <system_error>
 
+#include "config/grid/ascii_grid.hpp"
 #include "config/text/gunzip.hpp"
 
 namespace coupling {
@@ -31,6 +33,14 @@ std::string reason_against(const std::filesystem::path& path) {
         return std::string{std::strerror(errno)} + ":";
     }
     return status.type() == std::filesystem::file_type::regular ? "" : "no ordinary file:";
+}
+
+/// The most that a packed file may unpack to. A grid says by its header how large it is; above 2 GiB [choice]
+/// it has to be unpacked first, as packed text is held in memory.
+std::uint64_t unpacked_bound(std::string_view beginning) {
+    constexpr std::uint64_t most_of_grid = std::uint64_t{2} << 30U;
+    const auto of_grid = config::most_grid_bytes(beginning);
+    return of_grid ? std::min(*of_grid, most_of_grid) : config::most_unpacked_bytes;
 }
 
 }  // namespace
@@ -80,7 +90,7 @@ FileBytes open_file(const std::filesystem::path& path, const config::Place& aske
     }
     bytes.is_packed_ = config::is_gzip(bytes.stored());
     if (bytes.is_packed_) {
-        bytes.unpacked_ = config::gunzip(bytes.stored(), path.string());
+        bytes.unpacked_ = config::gunzip(bytes.stored(), path.string(), unpacked_bound);
     }
     return bytes;
 }

@@ -31,8 +31,9 @@ private:
 };
 
 /// Opens a file; the only place in the program that reads one. `asked_at` is where the user named it and
-/// `expected` what it ought to be. Throws InputError (file) for a file that is missing, a folder or
-/// unreadable.
+/// `expected` what it ought to be. Throws InputError: (file) for a file that is missing, a folder or
+/// unreadable, (data) for a packed one that holds more than a grid of its header's size, a text of 512 MiB or
+/// a grid of 2 GiB.
 FileBytes open_file(const std::filesystem::path& path, const config::Place& asked_at,
                     std::string_view expected);
 

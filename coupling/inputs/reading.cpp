@@ -6,6 +6,7 @@
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
@@ -39,8 +40,11 @@ config::Table Reading::table(const std::string& key, const std::string& role, co
 config::Table Reading::table_at(const config::Place& place, const std::string& role,
                                 const std::string& name) {
     const FileBytes bytes = open_at(place, role, name, "a CSV table");
-    std::istringstream in{std::string{bytes.text()}};
-    return config::Table::read(in, shown(name));
+    config::Table read = config::Table::read(bytes.text(), shown(name));
+    for (const config::Problem& doubt_found : formula_doubts(read)) {
+        doubt(doubt_found.place, doubt_found.found, doubt_found.expected);
+    }
+    return read;
 }
 
 config::Raster<double> Reading::grid(const std::string& key, const std::string& role,

@@ -35,8 +35,10 @@ std::optional<std::size_t> SpeciesColumn::find(std::size_t row) {
 }
 
 void SpeciesColumn::refuse_unknown(config::Problems& problems) const {
+    constexpr std::size_t most_told = 20;  // a column of something else would fill the screen
+    std::size_t unknown = 0;
     for (const auto& [name, use] : seen_) {
-        if (use.species) {
+        if (use.species || ++unknown > most_told) {
             continue;
         }
         std::string found = name.empty() ? "no species" : "species " + config::in_quotes(name);
@@ -45,6 +47,12 @@ void SpeciesColumn::refuse_unknown(config::Problems& problems) const {
         }
         problems.add(config::ExitCode::data, table_.place(use.first_row, "species"), std::move(found),
                      lookup_.expected(name));
+    }
+    if (unknown > most_told) {
+        problems.add(
+            config::ExitCode::data, {table_.file()},
+            std::to_string(unknown - most_told) + " more names in the column species that are no species",
+            "codes or Latin names of the species table");
     }
 }
 

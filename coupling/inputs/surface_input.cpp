@@ -83,8 +83,8 @@ config::Raster<double> codes_on(const config::GridFrame& frame, const GroundCove
 }
 
 /// Outside its frame a map of ground types goes on as at its border, which nobody asked for.
-bool check_extent(const config::GridFrame& frame, const std::string& file, const rockfall::Terrain& terrain,
-                  Reading& reading) {
+bool covers_terrain(const config::GridFrame& frame, const std::string& file, const rockfall::Terrain& terrain,
+                    Reading& reading) {
     for (const rockfall::Vertex& vertex : terrain.vertices()) {
         const double x_m = vertex.x_m + terrain.origin_m().x();
         const double y_m = vertex.y_m + terrain.origin_m().y();
@@ -146,7 +146,7 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
         return ground_of_faces(heights, terrain, cover, std::move(types), reading);
     }
     if (cover.grid && (heights.grid ? !check_frame(cover.grid->frame, cover.file, heights, reading)
-                                    : !check_extent(cover.grid->frame, cover.file, terrain, reading))) {
+                                    : !covers_terrain(cover.grid->frame, cover.file, terrain, reading))) {
         return std::nullopt;
     }
     const config::Raster<double> codes = codes_on(heights.frame(), cover);

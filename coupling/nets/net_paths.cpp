@@ -187,19 +187,75 @@ struct NetPathsReader::Bytes {
     ByteReader in;
 };
 
-NetPathsReader::NetPathsReader(const std::filesystem::path& file) : bytes_{new Bytes{ByteReader{file}}} {
-    ByteReader& in = bytes_->in;
+namespace {
+
+[[noreturn]] void refuse_damaged(const std::string& file) {
+    config::fail(config::ExitCode::file, {file}, "stored paths that are cut off or damaged",
+                 "the file as the run wrote it: run the scenario again with nets.keep_paths = yes");
+}
+
+constexpr const char* other_kind = "no stored paths of this version";
+
+/// What stands before the paths.
+struct PathsBeginning {
+    PathsHead head;
+    Eigen::Vector2d origin_m;
+    std::vector<rockfall::Vertex> vertices;
+    std::vector<rockfall::Triangle> triangles;
+};
+
+PathsBeginning read_beginning(ByteReader& in, const std::string& file) {
     if (in.value<std::uint64_t>() != magic) {
-        config::fail(config::ExitCode::file, {file.string()}, "no stored paths of this version",
+        config::fail(config::ExitCode::file, {file}, other_kind,
                      "net_paths.bin of a run with nets.keep_paths = yes");
     }
-    head_ = read_head(in);
-    const auto x_m = in.value<double>();
-    const auto y_m = in.value<double>();
-    auto vertices = in.list<rockfall::Vertex>();
-    auto triangles = in.list<rockfall::Triangle>();
-    terrain_ = std::make_unique<rockfall::Terrain>(Eigen::Vector2d{x_m, y_m}, std::move(vertices),
-                                                   std::move(triangles));
+    PathsBeginning begun;
+    begun.head = read_head(in);
+    begun.origin_m.x() = in.value<double>();
+    begun.origin_m.y() = in.value<double>();
+    begun.vertices = in.list<rockfall::Vertex>();
+    begun.triangles = in.list<rockfall::Triangle>();
+    return begun;
+}
+
+/// Whether a message says that the file is of another kind, which is more than "damaged".
+bool is_other_kind(const config::InputError& error) {
+    return error.problems().front().found == other_kind;
+}
+
+/// Reads all of the file and keeps nothing: until its checksum is known, none of its numbers may be used.
+void check_all(ByteReader in, const std::string& file) {
+    bool whole = false;
+    try {
+        const std::size_t triangles = read_beginning(in, file).triangles.size();
+        whole = true;
+        while (in.value<Mark>() == Mark::path) {
+            whole = is_whole_path(read_path(in), triangles) && whole;
+        }
+        in.check_end();
+    } catch (const config::InputError& error) {
+        if (is_other_kind(error)) {
+            throw;
+        }
+        whole = false;
+    }
+    if (!whole) {
+        refuse_damaged(file);
+    }
+}
+
+}  // namespace
+
+NetPathsReader::NetPathsReader(const std::filesystem::path& file)
+    : bytes_{new Bytes{ByteReader{file}}}, file_{file.string()} {
+    check_all(ByteReader{file}, file_);
+    PathsBeginning begun = read_beginning(bytes_->in, file_);
+    if (!begun.origin_m.allFinite() || !is_whole_terrain(begun.vertices, begun.triangles)) {
+        refuse_damaged(file_);
+    }
+    head_ = std::move(begun.head);
+    terrain_ = std::make_unique<rockfall::Terrain>(begun.origin_m, std::move(begun.vertices),
+                                                   std::move(begun.triangles));
 }
 
 NetPathsReader::NetPathsReader(NetPathsReader&& other) noexcept = default;
@@ -208,7 +264,11 @@ NetPathsReader::~NetPathsReader() = default;
 void NetPathsReader::each(const std::function<void(const StoredPath&)>& look) {
     ByteReader& in = bytes_->in;
     while (in.value<Mark>() == Mark::path) {
-        look(read_path(in));
+        const StoredPath path = read_path(in);
+        if (!is_whole_path(path, terrain_->triangles().size())) {
+            refuse_damaged(file_);  // changed since it was checked
+        }
+        look(path);
     }
     in.check_end();
 }

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +56,16 @@ struct PathsHead {
 Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
                       const rockfall::Assessment& assessment, int threads);
 
-/// Reads the file back, path by path. Throws InputError (file) where it is cut off, damaged or none.
+/// Whether a file can hold this terrain: at least one triangle, finite coordinates, corners and neighbours
+/// that there are, and neighbours that know each other.
+bool is_whole_terrain(std::span<const rockfall::Vertex> vertices,
+                      std::span<const rockfall::Triangle> triangles);
+/// Whether a path can lie on a terrain of so many triangles: all of them there, all numbers finite, a rock
+/// with size and mass.
+bool is_whole_path(const StoredPath& path, std::size_t triangles);
+
+/// Reads the file back, path by path. The whole file is read once for its checksum before anything is built
+/// of it. Throws InputError (file) where it is cut off, damaged or none.
 class NetPathsReader {
 public:
     explicit NetPathsReader(const std::filesystem::path& file);
@@ -67,6 +79,7 @@ public:
 private:
     struct Bytes;
     std::unique_ptr<Bytes> bytes_;
+    std::string file_;
     PathsHead head_;
     std::unique_ptr<rockfall::Terrain> terrain_;
 };

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/nets/net_input.hpp"
 #include "coupling/nets/net_layouts.hpp"
@@ -190,10 +191,12 @@ NetPathsReader paths_of_run(const fs::path& folder) {
 std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& terrain, Standing standing,
                                std::vector<std::string>& remarks) {
     const FileBytes bytes = open_file(file, {file.string()}, "a table of nets");
-    std::istringstream in{std::string{bytes.text()}};
-    const config::Table table = config::Table::read(in, file.string());
+    const config::Table table = config::Table::read(bytes.text(), file.string());
     GivenNets given = nets_of(table, standing);
     for (const config::Problem& doubt : doubts_about(table, given.nets)) {
+        remarks.push_back(joined("warning: ", config::to_string(doubt)));
+    }
+    for (const config::Problem& doubt : formula_doubts(table)) {
         remarks.push_back(joined("warning: ", config::to_string(doubt)));
     }
     config::Problems problems;

@@ -29,7 +29,8 @@ public:
         Group group;
         const std::string_view code = next_line();
         const auto number = config::parse_whole(code);
-        if (!number) {
+        constexpr long long most = 9999;  // codes go up to 1071
+        if (!number || *number < -most || *number > most) {
             fail(ExitCode::data, place(), config::in_quotes(code), "the code of a group, a whole number");
         }
         group.code = static_cast<int>(*number);

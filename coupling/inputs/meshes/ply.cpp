@@ -137,6 +137,12 @@ private:
         if (!count || *count < 0 || *count > most) {
             refuse(words.size() == 3 ? words[2] : "element", "element, a name and a number up to 4e9");
         }
+        const bool doubled = std::any_of(header_.elements.begin(), header_.elements.end(),
+                                         [&](const Element& other) { return other.name == words[1]; });
+        if (doubled) {
+            fail(ExitCode::data, place(), "element " + in_quotes(words[1]) + " a second time",
+                 "each element once");
+        }
         header_.elements.push_back({std::string{words[1]}, static_cast<std::uint64_t>(*count), {}});
     }
 
@@ -148,7 +154,14 @@ private:
             fail(ExitCode::data, place(), "a property that cannot be read",
                  "property, a type and a name; or property list, two types and a name; after an element");
         }
-        header_.elements.back().properties.push_back({std::string{words.back()}, *type, count_type});
+        std::vector<Property>& properties = header_.elements.back().properties;
+        const bool doubled = std::any_of(properties.begin(), properties.end(),
+                                         [&](const Property& other) { return other.name == words.back(); });
+        if (doubled) {
+            fail(ExitCode::data, place(), "property " + in_quotes(words.back()) + " a second time",
+                 "each property of an element once");
+        }
+        properties.push_back({std::string{words.back()}, *type, count_type});
     }
 
     std::string_view bytes_;
@@ -378,7 +391,8 @@ MeshFile read_ply(std::string_view bytes, const std::string& file) {
                 fail(ExitCode::data, {file}, "faces before the vertices", "element vertex first");
             }
             mesh.passed_over.push_back(element.name);
-            for (std::uint64_t i = 0; i < element.count; ++i) {
+            const std::uint64_t count = element.properties.empty() ? 0 : element.count;
+            for (std::uint64_t i = 0; i < count; ++i) {
                 values.begin(element, i);
                 for (const Property& property : element.properties) {
                     pass_over(property, values);
@@ -388,6 +402,10 @@ MeshFile read_ply(std::string_view bytes, const std::string& file) {
     }
     if (!vertices) {
         fail(ExitCode::data, {file}, "no element vertex", "vertices with x, y and z");
+    }
+    if (!mesh.codes.empty() && mesh.codes.size() != mesh.faces.size()) {
+        fail(ExitCode::data, {file}, "both vertex_indices and vertex_index in each face",
+             "one list of corners");
     }
     if (!values.at_end()) {
         fail(ExitCode::data, {file}, "more values than the header says", "the end of the file");

@@ -67,6 +67,12 @@ TEST(NearestWord, ForgivesAThirdOfTheLetters) {
     EXPECT_EQ(nearest_word("", legal), "");
 }
 
+TEST(NearestWord, LooksForNoNeighbourOfTextsThatAreNoWords) {
+    const std::string longest(longest_word_bytes, 'a');
+    EXPECT_EQ(nearest_word(longest, {longest + 'b'}), longest + 'b');
+    EXPECT_EQ(nearest_word(longest + 'b', {longest}), "");
+}
+
 TEST(InQuotes, StaysOnOneLineAndIsCutBetweenCharacters) {
     EXPECT_EQ(in_quotes("a\tb\n"), "'a?b?'");
     EXPECT_EQ(in_quotes(std::string(59, 'x') + "\xC3\xA4yz"), "'" + std::string(59, 'x') + "...'");

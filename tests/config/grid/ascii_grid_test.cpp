@@ -240,5 +240,29 @@ TEST(WriteAsciiGrid, WritesFloatsAsShortAsTheyCanBe) {
     EXPECT_EQ(out.str(), header + "0.1 -9999 0.1\n0.1 0.1 0.1\n");
 }
 
+TEST(MostGridBytes, ComeFromTheCountsOfTheHeader) {
+    constexpr std::uint64_t header = 1U << 20U;
+    EXPECT_EQ(most_grid_bytes("ncols 3\nnrows 2\nxllcorner 0\n"), 6U * 64U + header);
+    EXPECT_EQ(most_grid_bytes("\xEF\xBB\xBFNROWS 2\r\ncellsize 5\r\nNcols 3\r\n1 2 3"), 6U * 64U + header);
+    EXPECT_GT(most_grid_bytes("ncols 2147483647 nrows 2147483647 ").value_or(0), std::uint64_t{1} << 62U);
+    for (const char* text : {"", "ncols", "ncols 3", "x_m,y_m\n1,2\n", "ncols 3 nrows -2", "ncols 3 rows 2",
+                             "ncols 1e300 nrows 2"}) {
+        EXPECT_EQ(most_grid_bytes(text), std::nullopt) << text;
+    }
+}
+
+TEST(ReadAsciiGrid, EndsAfterTwentyWordsThatAreNoHeader) {
+    std::string text;
+    for (int word = 0; word < 300; ++word) {
+        text += "word value\n";
+    }
+    try {
+        read_ascii_grid(text, "dem.asc");
+        ADD_FAILURE() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_LE(error.problems().size(), 30U);
+    }
+}
+
 }  // namespace
 }  // namespace config::ascii_grid_test

@@ -72,6 +72,26 @@ TEST(ReadIni, RefusesUtf16) {
     }
 }
 
+TEST(ReadIni, RefusesAFileThatIsTooLongForSettings) {
+    Problems problems;
+    std::istringstream longest{"a = 1\n#" + std::string(longest_ini_bytes - 7, 'x')};
+    EXPECT_EQ(read_ini(longest, "s.ini", problems).size(), 1U);
+    EXPECT_TRUE(problems.empty());
+    std::istringstream longer{"a = 1\n#" + std::string(longest_ini_bytes - 6, 'x')};
+    EXPECT_THROW(read_ini(longer, "s.ini", problems), InputError);
+}
+
+TEST(ReadIni, EndsAfterAHundredLinesThatAreNone) {
+    std::string text;
+    for (int line = 0; line < 300; ++line) {
+        text += "some words\n";
+    }
+    Problems problems;
+    std::istringstream in{text};
+    EXPECT_TRUE(read_ini(in, "s.ini", problems).empty());
+    EXPECT_EQ(problems.list().size(), most_ini_problems);
+}
+
 TEST(ReadOverride, CutsAtTheLastDotBeforeTheFirstEqualsSign) {
     Problems problems;
     const std::vector<IniEntry> entries = read_override("regime:a.b.name=x=y", problems);

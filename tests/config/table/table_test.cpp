@@ -110,6 +110,54 @@ TEST(Table, CollectsWhatIsNotANumberInItsRange) {
     EXPECT_EQ(to_string(problems.list()[4]), "trees.csv:3:1: found id '2.5', expected a whole number >= 1");
 }
 
+/// What a table of a text is refused for.
+std::vector<std::string> refused(const std::string& text) {
+    std::vector<std::string> messages;
+    try {
+        Table::read(std::string_view{text}, "trees.csv");
+    } catch (const InputError& error) {
+        for (const Problem& problem : error.problems()) {
+            messages.push_back(to_string(problem));
+        }
+    }
+    return messages;
+}
+
+TEST(Table, RefusesALineOfTooManyFieldsAtOnce) {
+    std::string header = "c1";
+    for (std::size_t i = 2; i <= Table::most_columns; ++i) {
+        header += ",c" + std::to_string(i);
+    }
+    EXPECT_EQ(refused(header), std::vector<std::string>{});
+    const std::vector<std::string> messages = refused(header + ",one,two\n1,2\n");
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_TRUE(messages[0].starts_with("trees.csv:1:") &&
+                messages[0].find("found a line of more than 1000 fields, expected") != std::string::npos)
+        << messages[0];
+    EXPECT_EQ(refused("a,b\n" + header + ",x\n").size(), 1U);
+}
+
+TEST(Table, RefusesAFieldThatIsTooLongAtOnce) {
+    const std::string longest(Table::longest_field_bytes, 'x');
+    EXPECT_EQ(refused("a,b\n1," + longest + "\n"), std::vector<std::string>{});
+    for (const std::string quote : {"", "\""}) {
+        const std::vector<std::string> messages =
+            refused("a,b\n1," + quote + longest + "x" + quote + "\n1\n");
+        ASSERT_EQ(messages.size(), 1U);
+        EXPECT_TRUE(
+            messages[0].starts_with("trees.csv:2:3: found a field of more than 10 million bytes, expected"))
+            << messages[0];
+    }
+}
+
+TEST(Table, EndsAfterAHundredUnevenRows) {
+    std::string text = "a,b\n";
+    for (int row = 0; row < 300; ++row) {
+        text += "1\n";
+    }
+    EXPECT_EQ(refused(text).size(), 100U);
+}
+
 RC_GTEST_PROP(CsvField, ReadsBackAsWritten, (const std::vector<std::string>& fields)) {
     std::ostringstream header;
     std::ostringstream row;

@@ -45,6 +45,27 @@ TEST(Gunzip, RefusesAContentThatDoesNotMatchItsChecksum) {
     EXPECT_NE(message_of(broken), "");
 }
 
+TEST(Gunzip, RefusesMoreThanTheBoundThatTheBeginningSets) {
+    std::string seen;
+    const auto bound = [&](std::uint64_t bytes) {
+        return [&seen, bytes](std::string_view beginning) {
+            seen = beginning;
+            return bytes;
+        };
+    };
+    EXPECT_EQ(gunzip(packed, "a.gz", bound(16)), "ncols 3\nnrows 2\n");
+    EXPECT_EQ(seen, "ncols 3\nnrows 2\n");
+    try {
+        gunzip(packed, "a.gz", bound(15));
+        ADD_FAILURE() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.code(), ExitCode::data);
+        EXPECT_TRUE(
+            std::string{error.what()}.starts_with("a.gz: found a gzip file that holds more than 1 MB"))
+            << error.what();
+    }
+}
+
 TEST(Gunzip, RefusesWhatIsNotGzip) {
     EXPECT_FALSE(is_gzip("ncols 3"));
     EXPECT_FALSE(is_gzip(""));

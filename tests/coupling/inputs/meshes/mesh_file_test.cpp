@@ -182,6 +182,30 @@ TEST(Dxf, ThatCannotBeReadIsRefusedWithItsPlace) {
               "a.dxf: found 3DFACE beside lines, expected faces as they are, or lines to triangulate");
 }
 
+TEST(Ply, IsRefusedWithElementsOrPropertiesTwice) {
+    const std::string surface = "property int surface\n";
+    EXPECT_EQ(
+        fault_of(replaced(head, surface, surface + surface) + "0 0 5 255\n", "a.ply"),
+        "a.ply:12:1: found property 'surface' a second time, expected each property of an element once");
+    EXPECT_EQ(fault_of(replaced(head, "end_header", "element face 1\nend_header") + body, "a.ply"),
+              "a.ply:12:1: found element 'face' a second time, expected each element once");
+    const std::string corners = "property list uchar int vertex_index\n";
+    EXPECT_EQ(fault_of(replaced(head, corners, corners + "property list uchar int vertex_indices\n") +
+                           "0 0 5 255\n1 0 5 254\n0 1 6.5 3\n3 0 1 2 3 0 1 2 7\n",
+                       "a.ply"),
+              "a.ply: found both vertex_indices and vertex_index in each face, expected one list of corners");
+}
+
+TEST(Ply, PassesOverElementsWithoutPropertiesWhateverTheirNumber) {
+    EXPECT_EQ(fault_of(replaced(head, "end_header", "element note 4000000000\nend_header") + body, "a.ply"),
+              "");
+}
+
+TEST(Dxf, IsRefusedWithCodesThatAreNone) {
+    EXPECT_EQ(fault_of("0\nSECTION\n4294967298\nENTITIES\n", "a.dxf"),
+              "a.dxf:3:1: found '4294967298', expected the code of a group, a whole number");
+}
+
 TEST(Contours, AreReadWithHeightsOfPointsOrRows) {
     const MeshFile mesh = read_mesh_file(
         "wkt,height_m\n\"LINESTRING Z (0 0 5, 1 0 6, 2 0 7)\",\n\"LINESTRING (0 4, 2 4)\",700\n"

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+namespace coupling {
+
+/// Whether a regime or a climate may have this name: folders and files of the results have it too. At most
+/// 100 letters without accents, digits, `_` and `-`; neither `bare` nor `year_...`, which are folders
+/// already.
+bool is_result_name(std::string_view name);
+
+/// The same in words, for messages.
+inline constexpr const char* result_name_in_words =
+    "at most 100 letters without accents, digits, _ and -, not 'bare' nor 'year_...': folders of the results "
+    "have this name";
+
+}  // namespace coupling

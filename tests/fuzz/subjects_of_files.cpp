@@ -1,0 +1,198 @@
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "config/data/shipped_tables.hpp"
+#include "config/table/table.hpp"
+#include "coupling/commands/info.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/nets/net_input.hpp"
+#include "coupling/rockyfor3d/project.hpp"
+#include "coupling/stopping/stopping_recipe.hpp"
+#include "coupling/validation/validation_case.hpp"
+#include "rockfall/terrain/terrain.hpp"
+#include "tests/coupling/inputs/meshes/mesh_texts.hpp"
+#include "tests/fuzz/subject.hpp"
+
+namespace fuzz {
+namespace {
+
+using coupling::SampleProject;
+
+/// The file `name` of a project as `bannwald info` shows it.
+Subject shown_by_info(const std::string& name, const std::string& bytes) {
+    return {"info",
+            {name},
+            [name, bytes] {
+                auto project = std::make_unique<SampleProject>();
+                project->write(name, bytes);
+                return project;
+            },
+            [name](const SampleProject& project) {
+                std::ostringstream out;
+                coupling::write_info(project.file(name).string(), "", out);
+            }};
+}
+
+/// Four triangles around a point.
+rockfall::Terrain pyramid() {
+    std::vector<rockfall::Vertex> vertices{
+        {0, 0, 400}, {120, 0, 316}, {120, 100, 316}, {0, 100, 400}, {60, 50, 357}};
+    constexpr std::uint32_t none = rockfall::no_triangle;
+    std::vector<rockfall::Triangle> triangles{{{0, 1, 4}, {none, 1, 3}},
+                                              {{1, 2, 4}, {none, 2, 0}},
+                                              {{2, 3, 4}, {none, 3, 1}},
+                                              {{3, 0, 4}, {none, 0, 2}}};
+    return {{1000, 2000}, std::move(vertices), std::move(triangles)};
+}
+
+constexpr const char* drawing =
+    "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n1000\n20\n2000\n30\n400\n0\nLINE\n10\n1000\n20\n2010\n30\n399\n11"
+    "\n1010\n"
+    "21\n2010\n31\n398\n0\nLWPOLYLINE\n38\n390\n10\n1000\n20\n2020\n10\n1010\n20\n2020\n10\n1020\n20\n2021\n0"
+    "\n"
+    "POLYLINE\n0\nVERTEX\n10\n1000\n20\n2030\n30\n380\n0\nVERTEX\n10\n1010\n20\n2030\n30\n381\n0\nSEQEND\n0\n"
+    "3DFACE\n10\n1000\n20\n2040\n30\n370\n11\n1010\n21\n2040\n31\n370\n12\n1010\n22\n2050\n32\n360\n13\n1000"
+    "\n23\n"
+    "2050\n33\n360\n0\nENDSEC\n0\nEOF\n";
+
+std::vector<Subject> files_of_info() {
+    const rockfall::Terrain terrain = pyramid();
+    const coupling::meshes::MeshTexts texts{terrain};
+    const auto ground = [](double x, double) { return x < 1050 ? 1 : 3; };
+    return {
+        shown_by_info("slope.ply", texts.ply_with_codes(ground)),
+        shown_by_info("binary.ply", texts.binary_ply()),
+        shown_by_info("slope.stl", texts.stl()),
+        shown_by_info("binary.stl", texts.binary_stl()),
+        shown_by_info("slope.dxf", drawing),
+        shown_by_info(
+            "contours.csv",
+            "wkt,height_m\n\"LINESTRING (1000 2000, 1010 2000)\",400\n\"LINESTRING Z (1000 2010 390, 1010 "
+            "2012 391)\",\nPOINT (1005 2020),380\n"),
+        shown_by_info("grid.asc", SampleProject::header() + "NODATA_value -9999\n" +
+                                      SampleProject::rows([](int column, int row) {
+                                          return column == row ? "-9999" : std::to_string(400.5 - column);
+                                      })),
+    };
+}
+
+/// A table by itself.
+Subject table_alone(const std::string& name, const std::string& text,
+                    std::function<void(const config::Table&)> take) {
+    return {"table",
+            {name},
+            [name, text] {
+                auto project = std::make_unique<SampleProject>();
+                project->write(name, text);
+                return project;
+            },
+            [name, take = std::move(take)](const SampleProject& project) {
+                const coupling::FileBytes bytes = coupling::open_file(project.file(name), {}, "a table");
+                take(config::Table::read(bytes.text(), name));
+            }};
+}
+
+std::string rocky_grid(const std::string& elsewhere, const std::string& at_sources) {
+    std::string text = "ncols 10\nnrows 10\nxllcorner 1000\nyllcorner 2000\ncellsize 5\nNODATA_value -9999\n";
+    for (int row = 0; row < 10; ++row) {
+        for (int column = 0; column < 10; ++column) {
+            const bool source = column == 3 && row > 3 && row < 7;
+            text += (source ? at_sources : elsewhere) + (column == 9 ? "\n" : " ");
+        }
+    }
+    return text;
+}
+
+const std::vector<std::pair<std::string, std::string>>& rocky_files() {
+    static const std::vector<std::pair<std::string, std::string>> files{
+        {"dem.asc", rocky_grid("500", "520")},   {"rockdensity.asc", rocky_grid("0", "2650")},
+        {"d1.asc", rocky_grid("0", "0.8")},      {"d2.asc", rocky_grid("0", "0.6")},
+        {"d3.asc", rocky_grid("0", "0.5")},      {"blshape.asc", rocky_grid("0", "1")},
+        {"soiltype.asc", rocky_grid("4", "6")},  {"rg70.asc", rocky_grid("0.25", "0")},
+        {"rg20.asc", rocky_grid("0.5", "0.05")}, {"rg10.asc", rocky_grid("0.9", "0.1")},
+        {"nrtrees.asc", rocky_grid("400", "0")}, {"dbhmean.asc", rocky_grid("30", "30")},
+        {"dbhstd.asc", rocky_grid("8", "8")},    {"conif_percent.asc", rocky_grid("60", "60")},
+        {"dem.prj", "PROJCS[\"Some\"]\n"},
+    };
+    return files;
+}
+
+/// `trees`: with a tree file, which goes before the rasters of a forest.
+Subject rocky_folder(bool trees) {
+    std::vector<std::string> names;
+    for (const auto& [name, text] : rocky_files()) {
+        names.push_back("rocky/" + name);
+    }
+    if (trees) {
+        names = {"rocky/treefile.txt"};
+    }
+    return {trees ? "rockyfor3d_trees" : "rockyfor3d", names,
+            [trees] {
+                auto project = std::make_unique<SampleProject>();
+                std::filesystem::create_directory(project->file("rocky"));
+                for (const auto& [name, text] : rocky_files()) {
+                    project->write("rocky/" + name, text);
+                }
+                if (trees) {
+                    project->write("rocky/treefile.txt", "x y dbh\n1012\t2013\t32.5\n1030\t2040\t18\n");
+                }
+                return project;
+            },
+            [](const SampleProject& project) { coupling::rockyfor3d::project_of(project.file("rocky")); }};
+}
+
+std::vector<Subject> validation_cases() {
+    std::vector<Subject> subjects;
+    for (const coupling::validation::CaseFiles& shipped : coupling::validation::shipped_cases()) {
+        Subject subject;
+        subject.name = "validation/" + shipped.name;
+        for (const auto& [file, text] : shipped.texts) {
+            if (file != "README.md") {
+                subject.files.push_back("case/" + file);
+            }
+        }
+        subject.make = [texts = shipped.texts] {
+            auto project = std::make_unique<SampleProject>();
+            std::filesystem::create_directory(project->file("case"));
+            for (const auto& [file, text] : texts) {
+                project->write("case/" + file, text);
+            }
+            return project;
+        };
+        subject.read = [](const SampleProject& project) {
+            for (const auto& files : coupling::validation::cases_in(project.file("case"))) {
+                const auto read = coupling::validation::read_case(files);
+                if (!is_forest(read.kind)) {
+                    (void)read.profile(*read.recipe("default"));
+                }
+            }
+        };
+        subjects.push_back(std::move(subject));
+    }
+    return subjects;
+}
+
+}  // namespace
+
+std::vector<Subject> subjects_of_files() {
+    std::vector<Subject> subjects = files_of_info();
+    subjects.push_back(table_alone("recipe.csv", std::string{config::shipped_table("stopping_recipe.csv")},
+                                   [](const config::Table& table) { coupling::read_recipe(table); }));
+    subjects.push_back(table_alone(
+        "lines.csv",
+        "name,height_m,capacity_kj,class,gap_m,wkt\nupper,1.2,5,,0.1,\"LINESTRING (1075 2010, 1078 2050)\"\n"
+        "lower,3,,1,,\"LINESTRING (1098 2005, 1098 2095)\"\n",
+        [](const config::Table& table) {
+            const auto nets = coupling::nets_of(table, coupling::Standing::each_alone).nets;
+            (void)coupling::doubts_about(table, nets);
+        }));
+    subjects.push_back(rocky_folder(false));
+    subjects.push_back(rocky_folder(true));
+    for (Subject& subject : validation_cases()) {
+        subjects.push_back(std::move(subject));
+    }
+    return subjects;
+}
+
+}  // namespace fuzz

@@ -1,0 +1,211 @@
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+
+#include "config/data/shipped_tables.hpp"
+#include "coupling/decades/management.hpp"
+#include "coupling/hazard/hazard_run.hpp"
+#include "coupling/inputs/forest_site.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/profile/profile_site.hpp"
+#include "coupling/regimes/shipped.hpp"
+#include "rockfall/terrain/terrain.hpp"
+#include "tests/coupling/inputs/forest_project.hpp"
+#include "tests/coupling/inputs/meshes/mesh_texts.hpp"
+#include "tests/coupling/profile/profile_project.hpp"
+#include "tests/fuzz/subject.hpp"
+
+namespace fuzz {
+namespace {
+
+using coupling::ForestProject;
+using coupling::SampleProject;
+
+/// Reads all that a run of the scenario would read.
+void read_project(const SampleProject& project) {
+    config::Warnings warnings;
+    const auto scenario = coupling::read_scenario(project.file("scenario.ini"), {});
+    if (!scenario->profile.empty()) {
+        coupling::profile::open_profile(*scenario, warnings);
+        return;
+    }
+    if (!scenario->hazard.blocks.empty()) {
+        coupling::hazard::read_plan(*scenario);
+    }
+    const coupling::Site site = coupling::open_site(*scenario, warnings);
+    if (site.forest) {
+        coupling::decades::read_management(*scenario, *site.forest, warnings);
+    }
+}
+
+void append(const SampleProject& project, const std::string& name, const std::string& text) {
+    project.write(name, project.read(name) + text);
+}
+
+std::unique_ptr<SampleProject> today() {
+    auto project = std::make_unique<SampleProject>();
+    project->replace("scenario.ini", "[trees]\n", "stopping = stopping.csv\n[trees]\nlogs = logs.csv\n");
+    project->replace("scenario.ini", "diameter_m = 0.5\n", "");
+    append(*project, "scenario.ini",
+           "[nets]\nfile = nets.csv\n[hazard]\nblocks = blocks.csv\nmatrix = matrix.csv\n"
+           "return_period_years = 100\n");
+    project->write(
+        "logs.csv",
+        "log_id,x1_m,y1_m,x2_m,y2_m,species,diameter1_cm,diameter2_cm,clearance_m,strength,anchored\n"
+        "a,1060,2050,1060,2062,piab,40,25,0.3,0.8,yes\nb,1070,2050,1075,2050,Fagus sylvatica,30,30,,,\n");
+    project->write("stopping.csv",
+                   "code,diameter_m,p_stop,rolling_stops_per_m\n1,0.3,0.001,0.01\n1,1,0.0005,0.005\n"
+                   "3,0.3,0.02,0.1\n3,1,0.01,0.05\n");
+    project->write("nets.csv",
+                   "name,height_m,capacity_kj,class,gap_m,wkt\n"
+                   "upper,1.2,5,,0.1,\"LINESTRING (1075 2010, 1078 2050, 1075 2090)\"\n"
+                   "lower,3,,1,,\"LINESTRING (1098 2005, 1098 2095)\"\n");
+    project->write(
+        "blocks.csv",
+        "return_period_years,zone,diameter_m,volume_m3,blocks\n10,1,0.3,,\n100,1,,1.5,60\n300,1,2,,\n");
+    project->write("matrix.csv", std::string{config::shipped_table("hazard_matrix.csv")});
+    return project;
+}
+
+std::unique_ptr<SampleProject> packed() {
+    auto project = std::make_unique<SampleProject>();
+    project->replace("scenario.ini", "dem.asc", "dem.asc.gz");
+    if (std::system(("gzip -n '" + project->file("dem.asc").string() + "'").c_str()) != 0) {
+        throw std::runtime_error{"gzip"};
+    }
+    return project;
+}
+
+/// Points, polygons and shapes instead of grids, under pir3d.
+std::unique_ptr<SampleProject> shapes() {
+    auto project = std::make_unique<SampleProject>();
+    std::string points;
+    for (int x = 1005; x < 1120; x += 10) {
+        for (int y = 2005; y < 2100; y += 10) {
+            points += std::to_string(x) + ' ' + std::to_string(y + x % 3) + ' ' +
+                      std::to_string(400 - 7 * (x - 1000) / 10) + '\n';
+        }
+    }
+    project->write("points.xyz", points);
+    project->write("scenario.ini",
+                   "[terrain]\npoints = points.xyz\nlongest_edge_m = 30\nsurface_polygons = areas.csv\n"
+                   "surface_types = surface_types.csv\nsoils = soils.csv\nground = road\n"
+                   "[release]\nsource_shapes = cliff.csv\nrocks = 100\ndiameter_kind = classes\n"
+                   "diameter_classes_m = 0.5, 1\ndiameter_shares = 60, 40\n"
+                   "[targets]\nfile = targets.csv\n[rockfall]\nmotion = pir3d\n");
+    project->write("areas.csv",
+                   "code,wkt\n3,\"POLYGON ((1000 2000, 1120 2000, 1120 2100, 1000 2100, 1000 2000))\"\n"
+                   "1,\"POLYGON ((1000 2000, 1030 2000, 1030 2100, 1000 2100, 1000 2000))\"\n");
+    project->write("soils.csv", "name,like,r_t,threshold_deg\nmeadow,soft_soil_step_1,0.75,5\n");
+    project->write("surface_types.csv", "code,like,soil\n1,solid_rock,meadow\n3,solid_rock,\n");
+    project->write(
+        "cliff.csv",
+        "wkt,zone,speed_mps,mass_t\nPOINT (1030 2050),1,4,2\n\"LINESTRING (1025 2020, 1030 2060)\",2,,\n"
+        "\"POLYGON ((1020 2070, 1030 2070, 1030 2080, 1020 2080, 1020 2070))\",3,3,1\n");
+    return project;
+}
+
+/// The terrain of the sample project as a list of triangles.
+rockfall::Terrain sloping_square() {
+    std::vector<rockfall::Vertex> vertices{
+        {0, 0, 400}, {120, 0, 316}, {120, 100, 316}, {0, 100, 400}, {60, 50, 357}};
+    constexpr std::uint32_t none = rockfall::no_triangle;
+    std::vector<rockfall::Triangle> triangles{{{0, 1, 4}, {none, 1, 3}},
+                                              {{1, 2, 4}, {none, 2, 0}},
+                                              {{2, 3, 4}, {none, 3, 1}},
+                                              {{3, 0, 4}, {none, 0, 2}}};
+    return {{1000, 2000}, std::move(vertices), std::move(triangles)};
+}
+
+std::unique_ptr<SampleProject> mesh() {
+    auto project = std::make_unique<SampleProject>();
+    const rockfall::Terrain terrain = sloping_square();
+    const coupling::meshes::MeshTexts texts{terrain};
+    project->write("slope.ply", texts.ply_with_codes([](double x, double) { return x < 1050 ? 1 : 3; }));
+    project->write("cliff.csv", "wkt\nPOINT (1030 2050)\n");
+    project->replace("scenario.ini", "dem = dem.asc\nsurface = surface.asc\n", "mesh = slope.ply\n");
+    project->replace("scenario.ini", "source = source.asc", "source_shapes = cliff.csv");
+    return project;
+}
+
+/// A forest of listed trees in two climates under two regimes, with tables of the user's own.
+std::unique_ptr<SampleProject> years() {
+    auto project = std::make_unique<ForestProject>();
+    append(*project, "scenario.ini",
+           "variants = climates.csv\n[regimes]\nlist = none, mine.csv\ntimber_prices = prices.csv\n"
+           "work_costs = work.csv\n");
+    project->replace("scenario.ini", "[forest]\n", "[forest]\nspecies = species.csv\n");
+    project->write("climates.csv",
+                   "name,file,change,temperature_change_k,precipitation_change\npresent,,,,\nwarm,,,2,0.9\n"
+                   "other,climate.csv,change.csv,,\n");
+    std::string change = "month,temperature_k,precipitation\n";
+    for (int month = 1; month <= 12; ++month) {
+        change += std::to_string(month) + ",1.5,0.95\n";
+    }
+    project->write("change.csv", change);
+    project->write(
+        "mine.csv",
+        "name,treatment,where,first_year,every_years,share,min_stems_pha,after,after_years,species,"
+        "plants_pha\n"
+        "cut,clear_cut,,1,,,,,,,\nthin,thin_below,,2,,0.2,,,,,\nplant,plant,,,,,,cut,1,PIAB ABAL,500 300\n");
+    project->write("species.csv", std::string{config::shipped_table("species.csv")});
+    project->write("prices.csv", std::string{config::shipped_table("timber_prices.csv")});
+    project->write("work.csv", std::string{config::shipped_table("work_costs.csv")});
+    return project;
+}
+
+/// A forest of stand records in polygons.
+std::unique_ptr<SampleProject> stands() {
+    auto project = std::make_unique<ForestProject>();
+    project->replace("scenario.ini", "map = stands.asc\n", "polygons = stands.csv\nrecords = records.csv\n");
+    project->replace("scenario.ini", "[trees]\nfile = trees.csv\n", "");
+    project->write("stands.csv",
+                   "stand,wkt\n7,\"POLYGON ((1040 2000, 1120 2000, 1120 2050, 1040 2050, 1040 2000))\"\n"
+                   "8,\"POLYGON ((1040 2050, 1120 2050, 1120 2100, 1040 2100, 1040 2050))\"\n");
+    return project;
+}
+
+/// The shipped regime with the most columns, as a file of the user's.
+std::unique_ptr<SampleProject> regime() {
+    auto project = std::make_unique<ForestProject>();
+    append(*project, "scenario.ini", "[regimes]\nlist = shelter.csv, slits.csv\n");
+    project->write("shelter.csv", std::string{coupling::shipped_regime("bau_shelterwood")});
+    project->write("slits.csv", std::string{coupling::shipped_regime("pfm2")});
+    return project;
+}
+
+std::unique_ptr<SampleProject> profile() {
+    auto project = std::make_unique<SampleProject>();
+    coupling::make_profile_project(*project);
+    return project;
+}
+
+}  // namespace
+
+std::vector<Subject> subjects_of_inputs() {
+    return {
+        {"today",
+         {"scenario.ini", "dem.asc", "dem.prj", "surface.asc", "surface_types.csv", "source.asc", "trees.csv",
+          "logs.csv", "targets.csv", "stopping.csv", "nets.csv", "blocks.csv", "matrix.csv"},
+         today,
+         read_project},
+        {"packed", {"dem.asc.gz"}, packed, read_project},
+        {"shapes",
+         {"scenario.ini", "points.xyz", "areas.csv", "soils.csv", "surface_types.csv", "cliff.csv",
+          "targets.csv"},
+         shapes,
+         read_project},
+        {"mesh", {"slope.ply"}, mesh, read_project},
+        {"years",
+         {"scenario.ini", "dem.asc", "trees.csv", "stands.asc", "soil.asc", "soils.csv", "climate.csv",
+          "climates.csv", "change.csv", "mine.csv", "species.csv", "prices.csv", "work.csv"},
+         years,
+         read_project},
+        {"stands", {"scenario.ini", "stands.csv", "records.csv"}, stands, read_project},
+        {"regime", {"shelter.csv", "slits.csv"}, regime, read_project},
+        {"profile", {"scenario.ini", "profile.csv", "stations.csv"}, profile, read_project},
+    };
+}
+
+}  // namespace fuzz
