@@ -289,7 +289,7 @@ private:
             watch("the last file");
             return files;
         } catch (const WritingInterrupted&) {
-            throw Interrupted{};
+            throw exchange::Interrupted{};
         }
     }
 

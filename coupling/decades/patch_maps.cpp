@@ -67,8 +67,7 @@ std::vector<Column> patch_raster_columns() {
 
 std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, const Names& names,
                                           std::span<const MemberYears> members, const forest::PatchGrid& grid,
-                                          const std::string& projection,
-                                          const WriteWatch& watch) {
+                                          const std::string& projection, const WriteWatch& watch) {
     std::vector<WrittenFile> written;
     for (const Quantity& quantity : quantities) {
         Sums sums;

@@ -22,7 +22,6 @@ std::vector<Column> patch_raster_columns();
 /// the text for the .prj files, empty for none.
 std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, const Names& names,
                                           std::span<const MemberYears> members, const forest::PatchGrid& grid,
-                                          const std::string& projection,
-                                          const WriteWatch& watch = {});
+                                          const std::string& projection, const WriteWatch& watch = {});
 
 }  // namespace coupling::decades

@@ -126,10 +126,11 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
                          "another folder by --out, or --overwrite to let the rocks fall anew");
         }
         if (!request.overwrite && state == FolderState::incomplete) {
-            config::fail(config::ExitCode::settings, {period.folder.string()},
-                         joined("results of which ", OutputFolder::missing_result(period.folder), " is missing"),
-                         "all files that its summary.json lists; put it back, or --overwrite to simulate this "
-                         "return period again");
+            config::fail(
+                config::ExitCode::settings, {period.folder.string()},
+                joined("results of which ", OutputFolder::missing_result(period.folder), " is missing"),
+                "all files that its summary.json lists; put it back, or --overwrite to simulate this "
+                "return period again");
         }
     }
     const bool all_finished = finished_periods == plan.return_periods_years.size();
@@ -250,7 +251,8 @@ int fall(const RunRequest& request, Period& period, bool anew, config::Warnings&
 }
 
 /// An older map stays until the new one is whole.
-std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path& out, const WriteWatch& watch) {
+std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path& out,
+                                   const WriteWatch& watch) {
     const fs::path fresh = out / ".hazard";
     std::vector<WrittenFile> written;
     {

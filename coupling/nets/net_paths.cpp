@@ -8,7 +8,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x32305054'454E4E42ULL;  // "BNNETP02", least byte first
+constexpr std::uint64_t magic = 0x33305054'454E4E42ULL;  // "BNNETP03", least byte first
 enum class Mark : std::uint8_t { end, path };
 
 /// Keeps what a rock does, piece by piece.

@@ -7,8 +7,8 @@ namespace coupling {
 
 /// Running checksum of bytes: CRC-64/NVME (polynomial 0xAD93D23594C93659, bits reflected).
 ///
-/// Its polynomial is primitive: any two changed bits less than 2^64 - 1 bits apart change the sum, and so does
-/// any change within 64 bits in a row. Other damage passes once in 2^64. No protection against malice.
+/// Its polynomial is primitive: any two changed bits less than 2^64 - 1 bits apart change the sum, and so
+/// does any change within 64 bits in a row. Other damage passes once in 2^64. No protection against malice.
 class Checksum {
 public:
     Checksum() = default;

@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void add_package(const fs::path& folder, const geopackage::Contents& contents,
-                 std::span<const WrittenFile> files, std::vector<WrittenFile>& added, const WriteWatch& watch) {
+                 std::span<const WrittenFile> files, std::vector<WrittenFile>& added,
+                 const WriteWatch& watch) {
     const std::vector<geopackage::Written> layers = geopackage::write_package(folder, contents, watch);
     added.push_back({"results.gpkg", geopackage::package_sentence});
     added.push_back(qgis::write_results_tree(folder, contents.site.projection, files, layers));

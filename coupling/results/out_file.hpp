@@ -20,8 +20,8 @@ struct WrittenFile {
 /// A file being written: opened, filled, closed and checked.
 ///
 /// A file that cannot be opened or filled (folder missing, no permission, disk full) throws
-/// config::InputError (file) naming it. `close` reports whether the system took all bytes; without it the file
-/// counts as unfinished. `sync` reports whether they have reached the disk.
+/// config::InputError (file) naming it. `close` reports whether the system took all bytes; without it the
+/// file counts as unfinished. `sync` reports whether they have reached the disk.
 class OutFile {
 public:
     enum class Begin { anew, at_end };  ///< at_end: goes on with a file that is there

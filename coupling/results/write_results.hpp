@@ -15,7 +15,8 @@ namespace coupling {
 ///
 /// `streamed`: tables that were written while rocks fell: summary and report name them too, and results.gpkg
 /// holds them. Returns all files, one sentence each. A file that cannot be written, or a full disk, throws
-/// config::InputError (file) naming it; what was written so far stays. `watch` may end the writing by throwing.
+/// config::InputError (file) naming it; what was written so far stays. `watch` may end the writing by
+/// throwing.
 std::vector<WrittenFile> write_results(const RunResults& results, const std::filesystem::path& folder,
                                        const StreamedTables& streamed = {}, const WriteWatch& watch = {});
 

@@ -56,16 +56,16 @@ private:
 /// Name of a part file while it is written: of this process alone, as others may share the folder.
 std::filesystem::path temporary_beside(const std::filesystem::path& file);
 
-/// Ends a part file: closed under its temporary name, renamed when it is on the disk. Returns once the new name
-/// is on the disk too. Throws config::InputError (file).
+/// Ends a part file: closed under its temporary name, renamed when it is on the disk. Returns once the new
+/// name is on the disk too. Throws config::InputError (file).
 void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
                       const std::filesystem::path& file);
 
 /// What a message advises where a part of a run's own folder cannot be used.
 inline constexpr const char* own_part_remedy = "delete it, or run with --overwrite to begin anew";
 
-/// Reads back what ByteWriter wrote. Anything missing or changed throws config::InputError (file); its message
-/// ends with `remedy`: what the user may do about this file.
+/// Reads back what ByteWriter wrote. Anything missing or changed throws config::InputError (file); its
+/// message ends with `remedy`: what the user may do about this file.
 class ByteReader {
 public:
     explicit ByteReader(const std::filesystem::path& file, std::string remedy = own_part_remedy)

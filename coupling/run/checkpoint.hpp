@@ -24,7 +24,7 @@ struct KeptTable {
 struct Checkpoint {
     std::string settings_hash;  ///< of settings, inputs and version
     std::uint64_t chunks_done = 0;
-    SourcesUnderWay::Begun begun;            ///< by them, and not yet through
+    SourcesUnderWay::Begun begun;    ///< by them, and not yet through
     std::uint64_t not_started = 0;   ///< rocks whose place lay outside the terrain
     std::vector<KeptTable> tables;   ///< each streamed table; of one that is not wanted nothing
     std::vector<std::uint8_t> gone;  ///< broken stems, where they fall
@@ -32,9 +32,8 @@ struct Checkpoint {
     std::vector<NetRow> net_rows;  ///< crossings of nets, in the order of rocks
 };
 
-/// Writes a checkpoint with tallies and distributions, under a temporary name first, renamed when whole and on
-/// the disk.
-/// Throws config::InputError (file) if the disk does not take it.
+/// Writes a checkpoint with tallies and distributions, under a temporary name first, renamed when whole and
+/// on the disk. Throws config::InputError (file) if the disk does not take it.
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint,
                       const rockfall::EnsembleTally& tally,
                       const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms);

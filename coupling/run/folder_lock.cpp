@@ -18,7 +18,7 @@ namespace coupling {
 namespace {
 
 /// How long those who share wait for one that prepares the folder alone.
-constexpr std::chrono::seconds longest_preparation{10};
+constexpr std::chrono::seconds longest_preparation{30};
 constexpr std::chrono::milliseconds between_looks{20};
 
 }  // namespace
@@ -64,8 +64,9 @@ void FolderLock::open() {
         }
     }
     if (descriptor_ < 0 && errno == ELOOP) {
-        config::fail(config::ExitCode::file, {file_.string()}, "a symbolic link",
-                     "a plain file that a run has written; delete the link, or choose another folder by --out");
+        config::fail(
+            config::ExitCode::file, {file_.string()}, "a symbolic link",
+            "a plain file that a run has written; delete the link, or choose another folder by --out");
     }
     if (descriptor_ < 0) {
         fail_for("cannot be opened for writing", errno);
@@ -121,7 +122,8 @@ std::string FolderLock::text() const {
     std::string text;
     std::array<char, 4096> block{};
     while (true) {
-        const ssize_t count = ::pread(descriptor_, block.data(), block.size(), static_cast<off_t>(text.size()));
+        const ssize_t count =
+            ::pread(descriptor_, block.data(), block.size(), static_cast<off_t>(text.size()));
         if (count < 0 && errno == EINTR) {
             continue;
         }

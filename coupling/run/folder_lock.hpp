@@ -9,7 +9,8 @@ namespace coupling {
 /// that ends; the file stays unless it is removed.
 ///
 /// `alone` allows nobody else. `shared` allows others that share: it begins alone if nobody else is there, so
-/// that the folder can be prepared, until `share` lets others in. On disks without locks every lock is granted.
+/// that the folder can be prepared, until `share` lets others in. On disks without locks every lock is
+/// granted.
 class FolderLock {
 public:
     enum class Use { alone, shared };

@@ -26,8 +26,8 @@ constexpr const char* mark_of_a_run = ".bannwald";
 constexpr const char* mark_of_results = "summary.json";
 
 /// Everything else that a run puts into its folder.
-constexpr std::array run_writes{"report.html",     "results.gpkg", "results.qlr", "trajectories.vtp", "rasters",
-                                "tables",          "net_paths.bin"};
+constexpr std::array run_writes{"report.html", "results.gpkg", "results.qlr",  "trajectories.vtp",
+                                "rasters",     "tables",       "net_paths.bin"};
 constexpr std::array run_works_in{"parts", ".writing", ".complete", ".deleted"};
 
 std::string mark_text(const std::string& settings_hash) {
@@ -61,8 +61,9 @@ bool surely_missing(const fs::path& entry) noexcept {
 [[noreturn]] void refuse_finished(const fs::path& folder) {
     const std::string missing = OutputFolder::missing_result(folder);
     config::fail(config::ExitCode::settings, {folder.string()},
-                 missing.empty() ? "the output folder holds finished results"
-                                 : joined("the output folder holds results of which ", missing, " is missing"),
+                 missing.empty()
+                     ? "the output folder holds finished results"
+                     : joined("the output folder holds results of which ", missing, " is missing"),
                  "another folder by --out, or --overwrite to replace them");
 }
 
@@ -178,7 +179,8 @@ void OutputFolder::refuse_results_and_other_parts(const std::string& settings_ha
     has_parts_ = hash.has_value();
 }
 
-/// Makes the folder that of this run. What a killed run was writing, or an older program left half-moved, goes.
+/// Makes the folder that of this run. What a killed run was writing, or an older program left half-moved,
+/// goes.
 void OutputFolder::take_over(const std::string& settings_hash) {
     delete_entry(staging());
     for (const char* name : run_writes) {
@@ -257,8 +259,8 @@ void OutputFolder::publish() {
     move_results_to_their_place();
 }
 
-/// Each entry by one rename, so that this can be repeated from wherever it ended. While .complete is there it is
-/// not through.
+/// Each entry by one rename, so that this can be repeated from wherever it ended. While .complete is there it
+/// is not through.
 void OutputFolder::move_results_to_their_place() {
     const auto move = [&](const fs::path& name) {
         set_aside(name);

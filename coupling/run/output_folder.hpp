@@ -19,22 +19,22 @@ enum class FolderState {
 
 /// The folder of a run's results, from empty over parts to whole.
 ///
-///     out/.bannwald     the mark: a run keeps this folder, and with which settings; locked while one works there
-///     out/parts/…       while the run goes on: the last checkpoint and the tables so far
+///     out/.bannwald     the mark: a run keeps this folder, and with which settings; locked while one works
+///     there out/parts/…       while the run goes on: the last checkpoint and the tables so far
 ///     out/.writing/…    results being written; worth nothing until they are whole
 ///     out/.complete/…   whole results on their way to their place: a start after a kill moves the rest
 ///     out/…             results; summary.json comes last
 ///     out/.deleted/…    what is being deleted
 ///
 /// Each step is one rename, and what it needs is on the disk before. So a kill at any moment leaves a folder
-/// from which the same command goes on, or in which it only puts whole results in their place. A run that ends
-/// before its first finished part leaves nothing behind.
+/// from which the same command goes on, or in which it only puts whole results in their place. A run that
+/// ends before its first finished part leaves nothing behind.
 class OutputFolder {
 public:
     /// Looks at what is there and puts whole results in their place that a killed run left. Throws
-    /// config::InputError (settings) for another run at work there, and for finished results or parts of other
-    /// settings unless `overwrite`; then they are deleted. A folder with `tables`, `rasters` or the like that
-    /// no run wrote is refused in any case. `use`: shared by the shards of one run.
+    /// config::InputError (settings) for another run at work there, and for finished results or parts of
+    /// other settings unless `overwrite`; then they are deleted. A folder with `tables`, `rasters` or the
+    /// like that no run wrote is refused in any case. `use`: shared by the shards of one run.
     OutputFolder(std::filesystem::path folder, const std::string& settings_hash, bool overwrite,
                  FolderLock::Use use = FolderLock::Use::alone);
     ~OutputFolder();
@@ -64,8 +64,8 @@ public:
     /// that no run wrote, and for a file.
     static void refuse_foreign(const std::filesystem::path& folder);
 
-    /// Moves whole results from the staging folder to their place and deletes the parts. Returns once they are
-    /// on the disk. Throws config::InputError (file); nothing is lost then: the same command goes on.
+    /// Moves whole results from the staging folder to their place and deletes the parts. Returns once they
+    /// are on the disk. Throws config::InputError (file); nothing is lost then: the same command goes on.
     void publish();
 
 private:

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 enum Which : std::size_t { rocks_table, arrivals_table, hits_table, log_hits_table };
 
-constexpr const char* kept_table_remedy = "the table of that part; restore it, or run with --overwrite to begin anew";
+constexpr const char* kept_table_remedy =
+    "the table of that part; restore it, or run with --overwrite to begin anew";
 
 /// Of the first bytes of a file; nothing if it has fewer.
 std::optional<std::uint64_t> sum_of_first(const fs::path& file, std::uint64_t bytes) {
@@ -42,7 +43,8 @@ void cut_to(const fs::path& file, const KeptTable& kept) {
     }
     if (*sum != kept.sum) {
         config::fail(config::ExitCode::file, {file.string()},
-                     "changed or damaged since its last finished part: its checksum differs", kept_table_remedy);
+                     "changed or damaged since its last finished part: its checksum differs",
+                     kept_table_remedy);
     }
     std::error_code error;
     if (fs::file_size(file, error) != kept.bytes && !error) {

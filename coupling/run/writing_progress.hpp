@@ -20,8 +20,8 @@ public:
     WritingProgress(const WritingProgress&) = delete;
     WritingProgress& operator=(const WritingProgress&) = delete;
 
-    /// For the writers, as long as this object lives. Calls of it throw WritingInterrupted once an interruption
-    /// was asked for (InterruptGuard).
+    /// For the writers, as long as this object lives. Calls of it throw WritingInterrupted once an
+    /// interruption was asked for (InterruptGuard).
     [[nodiscard]] WriteWatch watch();
 
 private:

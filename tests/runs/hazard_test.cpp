@@ -293,11 +293,12 @@ TEST(Hazard, FinishesAPeriodWhosePublishingWasKilled) {
     const SampleProject project;
     add_blocks(project);
     ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
-    const Outcome outcome = shell(project, std::string{"cp -r out whole\nmkdir out/return_period_30/.complete\n"
-                                                       "mv out/return_period_30/summary.json "
-                                                       "out/return_period_30/.complete\nrm -r out/hazard\n"
-                                                       "mkdir out/.hazard_replaced\n\"$bannwald\" "} +
-                                               quick + "--out out || exit 1\ndiff -r out whole\n");
+    const Outcome outcome =
+        shell(project, std::string{"cp -r out whole\nmkdir out/return_period_30/.complete\n"
+                                   "mv out/return_period_30/summary.json "
+                                   "out/return_period_30/.complete\nrm -r out/hazard\n"
+                                   "mkdir out/.hazard_replaced\n\"$bannwald\" "} +
+                           quick + "--out out || exit 1\ndiff -r out whole\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
@@ -308,8 +309,9 @@ TEST(Hazard, KeepsOneFolderForOneRun) {
     const Outcome outcome = shell(project, "\"$bannwald\" " + run +
                                                " &\nfirst=$!\nwhile kill -0 $first && [ ! -e "
                                                "out/return_period_10/parts ]; do :; done\n\"$bannwald\" " +
-                                               run + "\ncode=$?\nkill -INT $first\nwait $first\n[ $? = 75 ] && "
-                                                     "[ ! -e out ] && exit $code\n");
+                                               run +
+                                               "\ncode=$?\nkill -INT $first\nwait $first\n[ $? = 75 ] && "
+                                               "[ ! -e out ] && exit $code\n");
     EXPECT_EQ(outcome.code, 2) << outcome.err;
     EXPECT_NE(outcome.err.find("another run of bannwald works in this output folder"), std::string::npos)
         << outcome.err;

@@ -1,5 +1,5 @@
-// What a run has computed is neither lost nor changed unseen: tables and parts that were damaged or mixed up, two runs
-// in a folder, a run that ends while its results are written or put in their place.
+// What a run has computed is neither lost nor changed unseen: tables and parts that were damaged or mixed up,
+// two runs in a folder, a run that ends while its results are written or put in their place.
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,14 @@ namespace fs = std::filesystem;
 
 /// A run of two parts on the bare slope, with a table of its rocks.
 const std::string two_parts_with_table =
-    "run scenario.ini --quiet --threads 2 --set trees.file= --set release.rocks=300000 --set output.percentiles=no ";
+    "run scenario.ini --quiet --threads 2 --set trees.file= --set release.rocks=300000 --set "
+    "output.percentiles=no ";
 
 /// Ends as soon as the first part is kept.
 void keep_first_part(const SampleProject& project, const std::string& out) {
     const Outcome interrupted = shell(
-        project, interrupted_once(out + "/parts/checkpoint.part", two_parts_with_table + "--out " + out, "KILL"));
+        project,
+        interrupted_once(out + "/parts/checkpoint.part", two_parts_with_table + "--out " + out, "KILL"));
     ASSERT_EQ(interrupted.code, 137) << interrupted.err;
     ASSERT_FALSE(fs::exists(project.file(out + "/summary.json")));
 }
@@ -41,9 +43,10 @@ TEST(KeptTables, AreRefusedWhereTheirBytesHaveChanged) {
     EXPECT_NE(damaged.err.find("restore it, or run with --overwrite"), std::string::npos) << damaged.err;
     EXPECT_FALSE(fs::exists(project.file("out/summary.json")));
 
-    const Outcome restored = shell(project, "cp kept.csv out/parts/rocks.csv\n\"$bannwald\" " + two_parts_with_table +
-                                                "--out out || exit 1\n\"$bannwald\" " + two_parts_with_table +
-                                                "--out whole || exit 2\ndiff -r out whole\n");
+    const Outcome restored =
+        shell(project, "cp kept.csv out/parts/rocks.csv\n\"$bannwald\" " + two_parts_with_table +
+                           "--out out || exit 1\n\"$bannwald\" " + two_parts_with_table +
+                           "--out whole || exit 2\ndiff -r out whole\n");
     EXPECT_EQ(restored.code, 0) << restored.out << restored.err;
 }
 
@@ -57,20 +60,22 @@ TEST(WritingResults, CanBeInterruptedAndIsAllThatIsDoneAgain) {
     EXPECT_FALSE(fs::exists(project.file("out/summary.json")));
     ASSERT_TRUE(fs::exists(project.file("out/parts/rocks.csv")));
     // No rock falls again: the table is not touched from here on.
-    const Outcome again = shell(project, "cp -p out/parts/rocks.csv kept.csv\n\"$bannwald\" " + run +
-                                             " || exit 1\ncmp kept.csv out/tables/rocks.csv || exit 2\n"
-                                             "[ ! out/tables/rocks.csv -nt kept.csv ] || exit 3\n\"$bannwald\" " +
-                                             two_parts_with_table + "--out whole || exit 4\ndiff -r out whole\n");
+    const Outcome again =
+        shell(project, "cp -p out/parts/rocks.csv kept.csv\n\"$bannwald\" " + run +
+                           " || exit 1\ncmp kept.csv out/tables/rocks.csv || exit 2\n"
+                           "[ ! out/tables/rocks.csv -nt kept.csv ] || exit 3\n\"$bannwald\" " +
+                           two_parts_with_table + "--out whole || exit 4\ndiff -r out whole\n");
     EXPECT_EQ(again.code, 0) << again.out << again.err;
 }
 
 TEST(Publishing, IsFinishedByTheSameCommandAfterAKill) {
     const SampleProject project;
     ASSERT_EQ(call(project, "run scenario.ini --quiet").code, 0);
-    const Outcome outcome = shell(project,
-                                  "cp -r out whole\nmkdir out/.complete\n"
-                                  "mv out/summary.json out/rasters out/tables out/.complete\n"
-                                  "\"$bannwald\" run scenario.ini\ncode=$?\ndiff -r out whole && exit $code\n");
+    const Outcome outcome =
+        shell(project,
+              "cp -r out whole\nmkdir out/.complete\n"
+              "mv out/summary.json out/rasters out/tables out/.complete\n"
+              "\"$bannwald\" run scenario.ini\ncode=$?\ndiff -r out whole && exit $code\n");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("they are in their place now"), std::string::npos) << outcome.out;
 }
@@ -78,14 +83,15 @@ TEST(Publishing, IsFinishedByTheSameCommandAfterAKill) {
 TEST(Folder, IsThatOfOneRunAtATime) {
     const SampleProject project;
     const std::string run = "\"$bannwald\" " + two_parts_with_table + "--out out";
-    const Outcome outcome = shell(project, run +
-                                               " &\nfirst=$!\n"
-                                               "while kill -0 $first && [ ! -e out/parts/checkpoint.part ]; do :; done\n" +
-                                               run + "; [ $? = 2 ] || exit 1\n" + run +
-                                               " --overwrite; [ $? = 2 ] || exit 2\n"
-                                               "kill -KILL $first; wait $first\n" +
-                                               run + " || exit 3\n\"$bannwald\" " + two_parts_with_table +
-                                               "--out whole || exit 4\ndiff -r out whole\n");
+    const Outcome outcome =
+        shell(project, run +
+                           " &\nfirst=$!\n"
+                           "while kill -0 $first && [ ! -e out/parts/checkpoint.part ]; do :; done\n" +
+                           run + "; [ $? = 2 ] || exit 1\n" + run +
+                           " --overwrite; [ $? = 2 ] || exit 2\n"
+                           "kill -KILL $first; wait $first\n" +
+                           run + " || exit 3\n\"$bannwald\" " + two_parts_with_table +
+                           "--out whole || exit 4\ndiff -r out whole\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     EXPECT_NE(outcome.err.find("another run of bannwald works in this output folder"), std::string::npos)
         << outcome.err;
@@ -104,8 +110,9 @@ TEST(Parts, AreRefusedUnderTheNameOfAnotherMember) {
               0);
     const Outcome mixed = call(project, members + "--out mixed");
     EXPECT_EQ(mixed.code, 3);
-    EXPECT_NE(mixed.err.find("member_2_1_1.part: found the part of regime 1, climate 1, replicate 1, expected that of "
-                             "regime 2, climate 1, replicate 1"),
+    EXPECT_NE(mixed.err.find(
+                  "member_2_1_1.part: found the part of regime 1, climate 1, replicate 1, expected that of "
+                  "regime 2, climate 1, replicate 1"),
               std::string::npos)
         << mixed.err;
     EXPECT_NE(mixed.err.find("delete it"), std::string::npos) << mixed.err;
@@ -113,7 +120,8 @@ TEST(Parts, AreRefusedUnderTheNameOfAnotherMember) {
 
     const Outcome bare = call(project, members + "--out bare");
     EXPECT_EQ(bare.code, 3);
-    EXPECT_NE(bare.err.find("bare_2_1.part: found falls over the bare slope of replicate 1"), std::string::npos)
+    EXPECT_NE(bare.err.find("bare_2_1.part: found falls over the bare slope of replicate 1"),
+              std::string::npos)
         << bare.err;
 
     std::string merge = members.substr(members.find(' ') + 1);

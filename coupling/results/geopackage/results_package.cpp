@@ -105,7 +105,8 @@ Geometry geometry_of(const PlaceColumns& places, const std::vector<std::string_v
 /// Reports now and then how far a pass through a table is.
 class PassWatch {
 public:
-    PassWatch(const WriteWatch& watch, const std::string& layer) : watch_{watch}, what_{joined("results.gpkg, ", layer)} {
+    PassWatch(const WriteWatch& watch, const std::string& layer)
+        : watch_{watch}, what_{joined("results.gpkg, ", layer)} {
         watch_(what_);
     }
     void row(const CsvRows& rows) {
@@ -317,7 +318,8 @@ void add_nets(GeoPackage& package, const Contents& contents) {
 
 }  // namespace
 
-std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents, const WriteWatch& watch) {
+std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents,
+                                   const WriteWatch& watch) {
     const std::vector<Group> groups = groups_of(contents);
     GeoPackage package{folder / "results.gpkg", spatial_reference(contents.site.projection)};
     if (!contents.site.targets.empty()) {

@@ -140,7 +140,8 @@ TEST(OutputFolderKept, OverwritesWhateverAKillLeft) {
 }
 
 TEST(OutputFolderKept, NeverShowsHalfDeletedResultsAsFinished) {
-    // A kill after --overwrite has set the first entries aside: the next start sees no results and clears the rest.
+    // A kill after --overwrite has set the first entries aside: the next start sees no results and clears the
+    // rest.
     const TestFolder test;
     const fs::path out = test.path() / "out";
     {
