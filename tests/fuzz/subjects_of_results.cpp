@@ -42,7 +42,7 @@ std::unique_ptr<SampleProject> with_member_part() {
 std::unique_ptr<SampleProject> with_bare_part() {
     auto project = std::make_unique<SampleProject>();
     const SmallRun run;
-    decades::BareYear year{
+    coupling::exchange::BareYear year{
         .year = 1, .run = run.tally.runs[0], .targets = {}, .cells = {}, .arrived = {3, 5}};
     year.targets.resize(2);
     year.cells.resize(6);
