@@ -99,10 +99,9 @@ std::unique_ptr<SampleProject> shapes() {
                    "1,\"POLYGON ((1000 2000, 1030 2000, 1030 2100, 1000 2100, 1000 2000))\"\n");
     project->write("soils.csv", "name,like,r_t,threshold_deg\nmeadow,soft_soil_step_1,0.75,5\n");
     project->write("surface_types.csv", "code,like,soil\n1,solid_rock,meadow\n3,solid_rock,\n");
-    project->write(
-        "cliff.csv",
-        "wkt,zone,speed_mps,mass_t\nPOINT (1030 2050),1,4,2\n\"LINESTRING (1025 2020, 1030 2060)\",2,,\n"
-        "\"POLYGON ((1020 2070, 1030 2070, 1030 2080, 1020 2080, 1020 2070))\",3,3,1\n");
+    project->write("cliff.csv",
+                   "wkt,zone,speed_mps,mass_t\n\"LINESTRING (1025 2020, 1030 2060)\",1,4,2\n"
+                   "\"LINESTRING (1025 2070, 1032 2080)\",2,3,1\n");
     return project;
 }
 
@@ -144,11 +143,12 @@ std::unique_ptr<SampleProject> years() {
         change += std::to_string(month) + ",1.5,0.95\n";
     }
     project->write("change.csv", change);
-    project->write(
-        "mine.csv",
-        "name,treatment,where,first_year,every_years,share,min_stems_pha,after,after_years,species,"
-        "plants_pha\n"
-        "cut,clear_cut,,1,,,,,,,\nthin,thin_below,,2,,0.2,,,,,\nplant,plant,,,,,,cut,1,PIAB ABAL,500 300\n");
+    project->write("mine.csv",
+                   "name,treatment,first_year,where,polygons,share,after,after_years,species,plants_pha\n"
+                   "cut,clear_cut,1,,,,,,,\nthin,thin_below,3,polygons,lots.csv,0.2,,,,\n"
+                   "plant,plant,,,,,cut,1,piab abal,500 300\n");
+    project->write("lots.csv",
+                   "wkt\n\"POLYGON ((1050 2010, 1090 2010, 1090 2060, 1050 2060, 1050 2010))\"\n");
     project->write("species.csv", std::string{config::shipped_table("species.csv")});
     project->write("prices.csv", std::string{config::shipped_table("timber_prices.csv")});
     project->write("work.csv", std::string{config::shipped_table("work_costs.csv")});
@@ -199,7 +199,7 @@ std::vector<Subject> subjects_of_inputs() {
         {"mesh", {"slope.ply"}, mesh, read_project},
         {"years",
          {"scenario.ini", "dem.asc", "trees.csv", "stands.asc", "soil.asc", "soils.csv", "climate.csv",
-          "climates.csv", "change.csv", "mine.csv", "species.csv", "prices.csv", "work.csv"},
+          "climates.csv", "change.csv", "mine.csv", "lots.csv", "species.csv", "prices.csv", "work.csv"},
          years,
          read_project},
         {"stands", {"scenario.ini", "stands.csv", "records.csv"}, stands, read_project},

@@ -42,11 +42,12 @@ std::unique_ptr<SampleProject> with_member_part() {
 std::unique_ptr<SampleProject> with_bare_part() {
     auto project = std::make_unique<SampleProject>();
     const SmallRun run;
-    decades::BareYear year{
+    coupling::exchange::BareYear year{
         .year = 1, .run = run.tally.runs[0], .targets = {}, .cells = {}, .arrived = {3, 5}};
     year.targets.resize(2);
     year.cells.resize(6);
-    decades::write_bare_part(project->file("bare.part"), part_hash, std::vector{year, year});
+    decades::write_bare_part(project->file("bare.part"), part_hash, decades::BarePlace{1, 2},
+                             std::vector{year, year});
     return project;
 }
 
@@ -62,7 +63,7 @@ std::unique_ptr<SampleProject> with_checkpoint() {
     coupling::Checkpoint checkpoint;
     checkpoint.settings_hash = part_hash;
     checkpoint.chunks_done = 3;
-    checkpoint.table_bytes = {100, 200};
+    checkpoint.tables = {{100, 7}, {200, 8}};
     checkpoint.gone = {0, 1, 0};
     checkpoint.paths = run.paths;
     checkpoint.net_rows.resize(2);
@@ -149,11 +150,15 @@ std::vector<Subject> subjects_of_results() {
         {"parts",
          {"member.part"},
          with_member_part,
-         [](const SampleProject& project) { decades::read_part(project.file("member.part"), part_hash); }},
+         [](const SampleProject& project) {
+             decades::read_part(project.file("member.part"), part_hash, decades::Member{});
+         }},
         {"parts",
          {"bare.part"},
          with_bare_part,
-         [](const SampleProject& project) { decades::read_bare_part(project.file("bare.part"), part_hash); }},
+         [](const SampleProject& project) {
+             decades::read_bare_part(project.file("bare.part"), part_hash, decades::BarePlace{1, 2});
+         }},
         {"parts", {"run.part"}, with_checkpoint, read_checkpoint_back},
         {"net_try", {"out/net_paths.bin", "out/summary.json", "nets.csv"}, run_with_nets, try_the_nets},
         {"compare_today",

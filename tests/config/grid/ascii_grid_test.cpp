@@ -241,9 +241,10 @@ TEST(WriteAsciiGrid, WritesFloatsAsShortAsTheyCanBe) {
 }
 
 TEST(MostGridBytes, ComeFromTheCountsOfTheHeader) {
-    constexpr std::uint64_t header = 1U << 20U;
-    EXPECT_EQ(most_grid_bytes("ncols 3\nnrows 2\nxllcorner 0\n"), 6U * 64U + header);
-    EXPECT_EQ(most_grid_bytes("\xEF\xBB\xBFNROWS 2\r\ncellsize 5\r\nNcols 3\r\n1 2 3"), 6U * 64U + header);
+    constexpr std::uint64_t for_header = 1U << 20U;
+    EXPECT_EQ(most_grid_bytes("ncols 3\nnrows 2\nxllcorner 0\n"), 6U * 64U + for_header);
+    EXPECT_EQ(most_grid_bytes("\xEF\xBB\xBFNROWS 2\r\ncellsize 5\r\nNcols 3\r\n1 2 3"),
+              6U * 64U + for_header);
     EXPECT_GT(most_grid_bytes("ncols 2147483647 nrows 2147483647 ").value_or(0), std::uint64_t{1} << 62U);
     for (const char* text : {"", "ncols", "ncols 3", "x_m,y_m\n1,2\n", "ncols 3 nrows -2", "ncols 3 rows 2",
                              "ncols 1e300 nrows 2"}) {
