@@ -130,7 +130,9 @@ std::string opening(const HazardResults& results) {
                                   "they held stands on the page of each return period")),
         "</dl>\n<p class=\"lead\">The highest hazard level of all return periods. A return period here is "
         "that of the <b>release</b>, how often such rocks break off. It is not that of the <b>arrival</b> at "
-        "a target: the levels do not depend on how many of the rocks arrive.</p>\n");
+        "a target: the levels do not depend on how many of the rocks arrive",
+        results.scenario.hazard.least_reach_percent > 0.0 ? ", but for cells below the least reach" : "",
+        ".</p>\n");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
         for (const SlopeHazard& slope : results.slopes) {

@@ -41,7 +41,7 @@ struct PairedCounts {
     [[nodiscard]] std::uint64_t bare() const { return both + only_bare; }
 };
 
-/// Share of the rocks arriving over the bare slope that the forest keeps away: PE = 1 - N_forest / N_bare.
+/// Share of the rocks arriving over the bare slope that the forest stops: PE = 1 - N_forest / N_bare.
 struct ProtectionEffect {
     double value = 0.0;  ///< (-inf, 1]; below 0 the forest lets more rocks arrive
     Interval interval;

@@ -11,7 +11,7 @@
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::honest_figures_test {
 namespace {
 
 constexpr std::array limits_kj{30, 100, 300, 1000};
@@ -246,4 +246,4 @@ TEST(FirstScreen, MarksDefaultsAlongAProfileAndOverYears) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::honest_figures_test

@@ -15,7 +15,7 @@ namespace coupling::report {
 std::string why_no_obstacles(const RunResults& results);
 /// What was run, in one paragraph and a few figures.
 std::string opening(const RunResults& results, const Figures& figures);
-/// Share of rocks that reach each target, what the forest keeps away, energies and heights there.
+/// Share of rocks that reach each target, what the forest stops, energies and heights there.
 std::string answers(const RunResults& results, const Figures& figures);
 /// Ground, trees, sampled paths and targets in three dimensions.
 std::string slope_view(const RunResults& results);

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace coupling::report {
+namespace coupling::report::net_drawing_test {
 namespace {
 
 TEST(DrawnRocks, AreTheSameShareOnBothSlopes) {
@@ -36,4 +36,4 @@ RC_GTEST_PROP(EvenlySpaced, DrawsNoRockTwice, ()) {
 }
 
 }  // namespace
-}  // namespace coupling::report
+}  // namespace coupling::report::net_drawing_test

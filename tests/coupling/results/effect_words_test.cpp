@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling {
+namespace coupling::effect_words_test {
 namespace {
 
 /// Arrivals of 1000 rocks: how many arrive, how many with more than 300 kJ, the 95 % energy with its interval
@@ -95,4 +95,4 @@ TEST(ChangeOfStrongRocks, TakesTheLargestEnergyThatSomeRocksExceed) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::effect_words_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coupling {
+namespace coupling::few_rocks_test {
 namespace {
 
 TEST(TooFewForProtection, AsksOnlyForArrivalsOverTheBareSlope) {
@@ -19,4 +19,4 @@ TEST(TooFewInWords, CountsTheRocks) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::few_rocks_test

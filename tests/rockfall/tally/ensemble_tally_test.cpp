@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace rockfall {
+namespace rockfall::ensemble_tally_test {
 namespace {
 
 Arrival with_energy(float energy_j) {
@@ -35,4 +35,4 @@ TEST(ArrivalTally, AddsUpRocksAboveLimits) {
 }
 
 }  // namespace
-}  // namespace rockfall
+}  // namespace rockfall::ensemble_tally_test
