@@ -156,12 +156,12 @@ Sky sky_of(const MappedStand& stand, const MappedSlope& slope) {
 }
 
 template <class Values>
-double mean_of(const Values& values) {
+double mean_value(const Values& values) {
     const double sum = std::accumulate(values.begin(), values.end(), 0.0);
     return sum / static_cast<double>(values.size());
 }
 
-double sum_of(const std::array<double, 12>& months) {
+double sum_of_months(const std::array<double, 12>& months) {
     return std::accumulate(months.begin(), months.end(), 0.0);
 }
 
@@ -169,8 +169,8 @@ void compare_trees(const std::vector<float>& ours, const std::vector<double>& re
                    LightAgreement& agreement) {
     assert(ours.size() == reference.size() && !ours.empty());
     const auto count = static_cast<double>(ours.size());
-    const double our_mean = mean_of(ours);
-    const double their_mean = mean_of(reference);
+    const double our_mean = mean_value(ours);
+    const double their_mean = mean_value(reference);
     double both = 0.0;
     double our_spread = 0.0;
     double their_spread = 0.0;
@@ -232,10 +232,10 @@ LightAgreement compare_light(const MappedStand& stand, const MappedSlope& slope,
     const SlopeRadiation energy = slope_radiation(site.sky(), place[0], stand.radiation);
 
     LightAgreement agreement;
-    agreement.energy_direct_ratio = sum_of(energy.slope.direct_mjpm2) / slope.direct_mjpm2;
-    agreement.energy_diffuse_ratio = sum_of(energy.slope.diffuse_mjpm2) / slope.diffuse_mjpm2;
-    agreement.ground_light = mean_of(field.ground_light);
-    agreement.ground_light_difference = agreement.ground_light - mean_of(slope.ground_light);
+    agreement.energy_direct_ratio = sum_of_months(energy.slope.direct_mjpm2) / slope.direct_mjpm2;
+    agreement.energy_diffuse_ratio = sum_of_months(energy.slope.diffuse_mjpm2) / slope.diffuse_mjpm2;
+    agreement.ground_light = mean_value(field.ground_light);
+    agreement.ground_light_difference = agreement.ground_light - mean_value(slope.ground_light);
     compare_trees(field.light_ratio, slope.tree_light, agreement);
     agreement.tree_light.assign(field.light_ratio.begin(), field.light_ratio.end());
     return agreement;

@@ -245,7 +245,7 @@ TEST(Apply, GoesOnTheSameFromAStoredState) {
     const auto years = [&](forest::Stand& stand, RegimeState& state, int from, int to) {
         std::string told;
         for (int year = from; year < to; ++year) {
-            static_cast<void>(place.live(stand));
+            static_cast<void>(place.grow(stand));
             for (const Entry& entry : apply(regime, year, stand, species_table(), state, {1, 0}).entries) {
                 told +=
                     std::to_string(entry.year) + entry.intervention + std::to_string(entry.taken_m3) + ' ';
@@ -280,7 +280,7 @@ TEST(ShippedRegimes, KeepTheBalanceAndDoWhatTheyAreNamedFor) {
         RegimeState state;
         double taken_m3 = 0.0;
         for (int year = 0; year < 3; ++year) {
-            static_cast<void>(place.live(stand));
+            static_cast<void>(place.grow(stand));
             taken_m3 += apply(regime, year, stand, species_table(), state, {1, 0}).timber.total().taken_m3;
             EXPECT_TRUE(books_close(stand));
         }

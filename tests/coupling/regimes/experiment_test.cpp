@@ -63,7 +63,7 @@ Outcome outcome_of(const std::string& name) {
     RegimeState state;
     Outcome outcome;
     for (int year = 0; year < years; ++year) {
-        outcome.increment_m3 += per_ha_and_year * place.live(stand).volume_increment_m3;
+        outcome.increment_m3 += per_ha_and_year * place.grow(stand).volume_increment_m3;
         const RegimeReport report = apply(regime, year, stand, species_table(), state, {1, 0});
         outcome.taken_m3 += per_ha_and_year * report.timber.total().taken_m3;
         outcome.left_m3 += per_ha_and_year * report.timber.total().left_m3;
