@@ -21,7 +21,7 @@ void check_folder(const fs::path& folder) {
     if (!path_exists(folder)) {
         return;
     }
-    if (!folder_exists(folder)) {
+    if (!is_folder(folder)) {
         config::fail(config::ExitCode::settings, {},
                      config::in_quotes(folder.string()) + ", which is no folder", "a new or empty folder");
     }

@@ -305,7 +305,7 @@ void add_worst_years(const fs::path& folder, std::vector<Figure>& figures) {
 }
 
 void refuse_unfinished(const fs::path& folder) {
-    if (!folder_exists(folder)) {
+    if (!is_folder(folder)) {
         config::fail(config::ExitCode::file, {folder.string()}, "no such folder",
                      "the folder of a finished run");
     }

@@ -86,7 +86,7 @@ void refuse_to_overwrite_shards(const RunRequest& request, const fs::path& out) 
 void gather(std::span<const fs::path> shards, std::span<const Member> members, const Parts& parts,
             const std::string& hash) {
     for (const fs::path& shard : shards) {
-        if (!folder_exists(shard / "parts")) {
+        if (!is_folder(shard / "parts")) {
             config::fail(config::ExitCode::file, {shard.string()}, "no parts in this folder",
                          "the --out folder of a shard");
         }
@@ -181,7 +181,7 @@ void refuse_strangers(RankGroup& ranks, const std::string& hash, const Shard& sh
         config::fail(config::ExitCode::settings, {},
                      "processes of one run with different settings, files or shards", "the same for all");
     }
-    if (!folder_exists(parts)) {
+    if (!is_folder(parts)) {
         config::fail(config::ExitCode::file, {parts.string()},
                      "a process does not see the output folder of the first one",
                      "a folder that all machines share");

@@ -31,26 +31,38 @@ const char* expected_instead_of(const std::error_code& error) {
                  expected_instead_of(error));
 }
 
-fs::file_type type_of(const fs::path& path) {
-    std::error_code error;
-    const fs::file_type type = fs::status(path, error).type();
-    if (type == fs::file_type::none || type == fs::file_type::unknown) {
+/// The type in an answer of the file system, unless there was none.
+fs::file_type answered_type(const fs::path& path, const fs::file_status& status,
+                            const std::error_code& error) {
+    if (status.type() == fs::file_type::none || status.type() == fs::file_type::unknown) {
         fail_to_look_up(path, "a name that cannot be looked up", error);
     }
-    return type;
+    return status.type();
+}
+
+fs::file_type type_behind_links(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return answered_type(path, status, error);
 }
 
 }  // namespace
 
 bool path_exists(const fs::path& path) {
-    return type_of(path) != fs::file_type::not_found;
+    return type_behind_links(path) != fs::file_type::not_found;
 }
 
-bool folder_exists(const fs::path& path) {
-    return type_of(path) == fs::file_type::directory;
+bool is_there(const fs::path& entry) {
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(entry, error);
+    return answered_type(entry, status, error) != fs::file_type::not_found;
 }
 
-bool file_exists(const fs::path& path) {
+bool is_folder(const fs::path& path) {
+    return type_behind_links(path) == fs::file_type::directory;
+}
+
+bool is_file(const fs::path& path) {
     std::error_code ignored;
     return fs::is_regular_file(path, ignored);
 }

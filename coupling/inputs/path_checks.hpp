@@ -13,12 +13,15 @@ namespace coupling {
 /// Whether a file, a folder or anything else has this name.
 bool path_exists(const std::filesystem::path& path);
 
+/// The same where a link counts as something, whatever it leads to.
+bool is_there(const std::filesystem::path& entry);
+
 /// Whether a folder has this name, or a link that leads to one.
-bool folder_exists(const std::filesystem::path& path);
+bool is_folder(const std::filesystem::path& path);
 
 /// Whether an ordinary file has this name, or a link that leads to one. Not for names that users give: one
 /// that cannot be looked up is none.
-bool file_exists(const std::filesystem::path& path);
+bool is_file(const std::filesystem::path& path);
 
 /// Whether a folder holds nothing. Requires a folder.
 bool is_empty_folder(const std::filesystem::path& folder);

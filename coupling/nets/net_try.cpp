@@ -207,7 +207,7 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
 }
 
 void refuse_full_folder(const fs::path& folder, bool overwrite) {
-    if (!overwrite && path_exists(folder) && !(folder_exists(folder) && is_empty_folder(folder))) {
+    if (!overwrite && path_exists(folder) && !(is_folder(folder) && is_empty_folder(folder))) {
         config::fail(config::ExitCode::settings, {folder.string()}, "a folder with files in it",
                      "a new or empty folder, or --overwrite");
     }

@@ -38,12 +38,12 @@ std::string size_of(const config::GridFrame& frame) {
 class Reader {
 public:
     explicit Reader(const fs::path& folder) : folder_{folder} {
-        if (!folder_exists(folder)) {
+        if (!is_folder(folder)) {
             config::fail(ExitCode::file, {.file = folder.string()}, "no folder of this name",
                          "a folder with the inputs of Rockyfor3D");
         }
         for (const fs::path& entry : entries_of(folder)) {
-            if (file_exists(entry)) {
+            if (is_file(entry)) {
                 const std::string name = entry.filename().string();
                 names_[in_small_letters(name)] = name;
             }

@@ -41,7 +41,7 @@ std::vector<CaseFiles> with_recipe(std::map<std::string, CaseFiles> folders) {
 CaseFiles read_folder(const fs::path& folder, const std::string& name) {
     CaseFiles files{.name = name, .folder = folder.string(), .texts = {}};
     for (const fs::path& entry : entries_of(folder)) {
-        if (file_exists(entry)) {
+        if (is_file(entry)) {
             const FileBytes bytes = open_file(entry, {folder.string()}, "a file of a case");
             files.texts[entry.filename().string()] = bytes.text();
         }
@@ -68,7 +68,7 @@ std::vector<CaseFiles> shipped_cases() {
 }
 
 std::vector<CaseFiles> cases_in(const fs::path& folder) {
-    if (!folder_exists(folder)) {
+    if (!is_folder(folder)) {
         config::fail(config::ExitCode::file, {folder.string()}, "no folder of this name",
                      "a folder that holds cases");
     }
@@ -79,7 +79,7 @@ std::vector<CaseFiles> cases_in(const fs::path& folder) {
     }
     std::map<std::string, CaseFiles> folders;
     for (const fs::path& entry : entries_of(folder)) {
-        if (file_exists(entry / recipe_file)) {
+        if (is_file(entry / recipe_file)) {
             const std::string name = entry.filename().string();
             folders[name] = read_folder(entry, name);
         }

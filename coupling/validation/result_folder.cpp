@@ -18,7 +18,7 @@ constexpr const char* mark_name = ".bannwald-validation";
 
 ResultFolder::ResultFolder(fs::path folder, bool overwrite)
     : folder_{std::move(folder)}, existed_{path_exists(folder_)} {
-    if (existed_ && !folder_exists(folder_)) {
+    if (existed_ && !is_folder(folder_)) {
         config::fail(config::ExitCode::settings, {folder_.string()}, "the output folder is a file",
                      "a folder");
     }
