@@ -19,6 +19,7 @@
 #include "coupling/commands/info_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/regimes/listing.hpp"
 #include "coupling/regimes/shipped.hpp"
@@ -47,8 +48,7 @@ std::string projection_of(fs::path grid) {
         grid.replace_extension();
     }
     grid.replace_extension(".prj");
-    std::error_code error;
-    if (!fs::exists(grid, error)) {
+    if (!path_exists(grid)) {
         return "none (no " + grid.filename().string() + ")";
     }
     const FileBytes bytes = open_file(grid, {}, "a text file");
@@ -157,8 +157,7 @@ std::optional<std::string_view> shipped(const std::string& name) {
 }  // namespace
 
 void write_info(const std::string& name, const std::string& table, std::ostream& out) {
-    std::error_code error;
-    if (!fs::exists(name, error)) {
+    if (!path_exists(name)) {
         if (name == "tables") {
             write_result_tables(table, out);
             return;

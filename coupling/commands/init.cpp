@@ -6,6 +6,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "coupling/examples/embedded.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/rockyfor3d/project.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -17,21 +18,14 @@ namespace {
 namespace fs = std::filesystem;
 
 void check_folder(const fs::path& folder) {
-    std::error_code error;
-    const fs::file_status status = fs::status(folder, error);
-    if (status.type() == fs::file_type::not_found) {
+    if (!path_exists(folder)) {
         return;
     }
-    if (status.type() != fs::file_type::directory) {
+    if (!is_folder(folder)) {
         config::fail(config::ExitCode::settings, {},
                      config::in_quotes(folder.string()) + ", which is no folder", "a new or empty folder");
     }
-    const bool is_empty = fs::is_empty(folder, error);
-    if (error) {
-        config::fail(config::ExitCode::file, {}, config::in_quotes(folder.string()) + ": " + error.message(),
-                     "a new or empty folder");
-    }
-    if (!is_empty) {
+    if (!is_empty_folder(folder)) {
         config::fail(config::ExitCode::settings, {}, "files in folder " + config::in_quotes(folder.string()),
                      "a new or empty folder");
     }
@@ -59,7 +53,7 @@ std::vector<ExampleFile> files_of(const std::string& example) {
 /// Files that vanish again unless they are kept.
 class Draft {
 public:
-    explicit Draft(fs::path folder) : folder_{std::move(folder)}, is_new_{!fs::exists(folder_)} {
+    explicit Draft(fs::path folder) : folder_{std::move(folder)}, is_new_{!path_exists(folder_)} {
         make_folder(folder_);
     }
     Draft(const Draft&) = delete;

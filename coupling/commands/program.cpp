@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -200,6 +201,15 @@ int run_program(const std::vector<std::string>& arguments) {
         if (speaks()) {
             tell_problems(error, arguments);
             result = code(error.code());
+        }
+    } catch (const std::filesystem::filesystem_error& error) {
+        if (speaks()) {
+            const std::string name = error.path1().empty() ? "the current folder" : error.path1().string();
+            std::cerr << "bannwald: " << name << ": found a name that the file system refuses ("
+                      << error.code().message()
+                      << "), expected one that can be read and written; check its length, its links and your "
+                         "permissions\n";
+            result = code(ExitCode::file);
         }
     } catch (const std::exception& error) {
         if (speaks()) {

@@ -6,6 +6,7 @@
 #include "coupling/compare/finished_run.hpp"
 #include "coupling/compare/page/page.hpp"
 #include "coupling/compare/side_by_side.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -14,7 +15,7 @@ namespace coupling::compare {
 namespace {
 
 void refuse_existing(const std::filesystem::path& file, const char* option, bool overwrite) {
-    if (!file.empty() && !overwrite && std::filesystem::exists(file)) {
+    if (!file.empty() && !overwrite && path_exists(file)) {
         config::fail(config::ExitCode::settings, {file.string()}, "a file of this name is there already",
                      joined("another name by ", option, ", or --overwrite to replace it"));
     }

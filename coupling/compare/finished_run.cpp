@@ -15,6 +15,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/joined.hpp"
@@ -304,13 +305,12 @@ void add_worst_years(const fs::path& folder, std::vector<Figure>& figures) {
 }
 
 void refuse_unfinished(const fs::path& folder) {
-    std::error_code error;
-    if (!fs::is_directory(folder, error)) {
+    if (!is_folder(folder)) {
         config::fail(config::ExitCode::file, {folder.string()}, "no such folder",
                      "the folder of a finished run");
     }
-    if (!fs::exists(folder / "summary.json", error)) {
-        const bool has_parts = fs::exists(folder / "parts", error);
+    if (!path_exists(folder / "summary.json")) {
+        const bool has_parts = path_exists(folder / "parts");
         config::fail(config::ExitCode::file, {folder.string()},
                      has_parts ? "only parts of a run that is not finished" : "no results in this folder",
                      has_parts ? "finished results: run the same command again to go on"

@@ -10,6 +10,7 @@
 #include "coupling/decades/share_out.hpp"
 #include "coupling/decades/simulate.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -85,7 +86,7 @@ void refuse_to_overwrite_shards(const RunRequest& request, const fs::path& out) 
 void gather(std::span<const fs::path> shards, std::span<const Member> members, const Parts& parts,
             const std::string& hash) {
     for (const fs::path& shard : shards) {
-        if (!fs::is_directory(shard / "parts")) {
+        if (!is_folder(shard / "parts")) {
             config::fail(config::ExitCode::file, {shard.string()}, "no parts in this folder",
                          "the --out folder of a shard");
         }
@@ -180,7 +181,7 @@ void refuse_strangers(RankGroup& ranks, const std::string& hash, const Shard& sh
         config::fail(config::ExitCode::settings, {},
                      "processes of one run with different settings, files or shards", "the same for all");
     }
-    if (!fs::is_directory(parts)) {
+    if (!is_folder(parts)) {
         config::fail(config::ExitCode::file, {parts.string()},
                      "a process does not see the output folder of the first one",
                      "a folder that all machines share");

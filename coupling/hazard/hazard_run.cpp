@@ -13,6 +13,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/inputs/plausible/rock_count.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
 #include "coupling/results/disk.hpp"
@@ -152,7 +153,7 @@ std::vector<std::string> left_over(const HazardPlan& plan, const fs::path& out) 
     for (fs::directory_iterator entry{out, error}, end; !error && entry != end; entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (name.starts_with(folder_prefix) && !known.contains(name) &&
-            fs::exists(entry->path() / "summary.json")) {
+            path_exists(entry->path() / "summary.json")) {
             found.push_back(name);
         }
     }

@@ -7,6 +7,7 @@
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling {
@@ -63,8 +64,7 @@ void Reading::heed_part(const std::string& role, const std::string& part, const 
 }
 
 std::string Reading::text_beside(const std::string& role, const std::string& name) {
-    std::error_code error;
-    if (!std::filesystem::exists(scenario_.resolve(name), error)) {
+    if (!path_exists(scenario_.resolve(name))) {
         return {};
     }
     const FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable text file");

@@ -27,6 +27,13 @@ void declare_run(config::Options& options, Scenario& s) {
                    .source = "choice"});
     options.flag("run.strict_inputs", s.strict_inputs,
                  {.meaning = "treat warnings about the inputs as errors", .source = "choice"});
+    options.count(
+        "run.rocks_per_part", s.rocks_per_part,
+        {.low = 1.0,
+         .high = 4e9,
+         .meaning = "rocks after which an assessment of today is saved, to go on from there after an "
+                    "interruption; changes no result",
+         .source = "choice"});
 }
 
 void declare_terrain(config::Options& options, Scenario& s) {

@@ -32,6 +32,9 @@ struct Scenario {
     std::uint64_t years = 0;     ///< 0: static assessment of the given stand
     bool strict_inputs = false;  ///< what is only doubtful becomes an error
 
+    std::uint64_t rocks_per_part =
+        250'000;  ///< of a static run: so many rocks later its state is saved again
+
     // [terrain]
     std::string dem;               ///< ESRI ASCII grid, or
     std::string points;            ///< XYZ text, or

@@ -8,6 +8,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/nets/net_input.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/nets/net_tables.hpp"
@@ -179,7 +180,7 @@ void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, 
 
 NetPathsReader paths_of_run(const fs::path& folder) {
     const fs::path file = folder / "net_paths.bin";
-    if (!fs::exists(file)) {
+    if (!path_exists(file)) {
         config::fail(config::ExitCode::file, {file.string()}, "no stored paths",
                      "the folder of a run with nets.keep_paths = yes");
     }
@@ -206,7 +207,7 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
 }
 
 void refuse_full_folder(const fs::path& folder, bool overwrite) {
-    if (!overwrite && fs::exists(folder) && !fs::is_empty(folder)) {
+    if (!overwrite && path_exists(folder) && !(is_folder(folder) && is_empty_folder(folder))) {
         config::fail(config::ExitCode::settings, {folder.string()}, "a folder with files in it",
                      "a new or empty folder, or --overwrite");
     }

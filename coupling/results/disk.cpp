@@ -48,27 +48,6 @@ bool offers_no_links(const std::error_code& error) {
 
 }  // namespace
 
-bool is_there(const fs::path& entry) {
-    std::error_code error;
-    const fs::file_status status = fs::symlink_status(entry, error);
-    if (status.type() == fs::file_type::not_found) {
-        return false;
-    }
-    if (error) {
-        fail_at(entry, "cannot be examined", error);
-    }
-    return true;
-}
-
-bool is_folder(const fs::path& entry) {
-    std::error_code error;
-    const fs::file_status status = fs::status(entry, error);
-    if (status.type() == fs::file_type::none) {
-        fail_at(entry, "cannot be examined", error);
-    }
-    return status.type() == fs::file_type::directory;
-}
-
 void sync_file(const fs::path& file) {
     sync_entry(file, 0);
 }

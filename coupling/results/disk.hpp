@@ -2,17 +2,12 @@
 
 #include <filesystem>
 
+#include "coupling/inputs/path_checks.hpp"
+
 namespace coupling {
 
 // What must have reached the disk, and entries of folders. Each throws config::InputError (file) naming the
 // entry and the reason.
-
-/// Whether there is an entry of this name; a link counts as one, whatever it leads to. An entry that cannot
-/// be examined throws: it must not pass for one that is missing.
-bool is_there(const std::filesystem::path& entry);
-
-/// Whether there is a folder of this name, by itself or behind a link. Throws as is_there.
-bool is_folder(const std::filesystem::path& entry);
 
 /// Returns once the bytes of a file are on the disk.
 void sync_file(const std::filesystem::path& file);

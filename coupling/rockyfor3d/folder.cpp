@@ -9,6 +9,7 @@
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/joined.hpp"
 
 namespace coupling::rockyfor3d {
@@ -37,17 +38,15 @@ std::string size_of(const config::GridFrame& frame) {
 class Reader {
 public:
     explicit Reader(const fs::path& folder) : folder_{folder} {
-        std::error_code error;
-        for (const fs::directory_entry& entry : fs::directory_iterator{folder, error}) {
-            if (entry.is_regular_file()) {
-                const std::string name = entry.path().filename().string();
+        if (!is_folder(folder)) {
+            config::fail(ExitCode::file, {.file = folder.string()}, "no folder of this name",
+                         "a folder with the inputs of Rockyfor3D");
+        }
+        for (const fs::path& entry : entries_of(folder)) {
+            if (is_file(entry)) {
+                const std::string name = entry.filename().string();
                 names_[in_small_letters(name)] = name;
             }
-        }
-        if (error) {
-            config::fail(ExitCode::file, {.file = folder.string()},
-                         joined("cannot be read: ", error.message()),
-                         "a folder with the inputs of Rockyfor3D");
         }
     }
 

@@ -28,14 +28,12 @@ namespace {
 
 using rockfall::covers;
 
-/// A part of a run is finished, and kept, after about this many rocks.
-constexpr std::uint64_t rocks_per_part = 250'000;
-
 /// Less work is kept between parts only: whoever stops a run at once wants other settings in the same folder.
 constexpr std::chrono::seconds worth_keeping{20};
 
-/// The chunks of the next part.
-std::span<const rockfall::Chunk> next_part(std::span<const rockfall::Chunk> chunks, std::size_t done) {
+/// The chunks of the next part: it is finished, and kept, after about this many rocks.
+std::span<const rockfall::Chunk> next_part(std::span<const rockfall::Chunk> chunks, std::size_t done,
+                                           std::uint64_t rocks_per_part) {
     std::size_t end = done;
     while (end < chunks.size() &&
            (end == done || chunks[end - 1].last_rock - chunks[done].first_rock < rocks_per_part)) {
@@ -165,7 +163,7 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
     };
     bool kept = folder.has_parts();
     while (state_.chunks_done < chunks.size()) {
-        const auto part = next_part(chunks, state_.chunks_done);
+        const auto part = next_part(chunks, state_.chunks_done, scenario_.rocks_per_part);
         const std::size_t fallen = fall_rocks(assessment_, part, under_way, histograms_.pointers(),
                                               state_.gone, threads, total_, keep_rows);
         const bool interrupted = fallen < part.size();

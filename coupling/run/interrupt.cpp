@@ -35,6 +35,10 @@ void end_at_interruptions() {
     std::signal(SIGTERM, end);
 }
 
+void fail_at_too_large_files() {
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 InterruptGuard::InterruptGuard() {
     if (guards++ == 0) {
         interrupted = 0;

@@ -2,9 +2,13 @@
 
 namespace coupling {
 
-/// From now on Ctrl-C and a request to terminate end the program at once with the exit code of an interruption,
-/// Ctrl-C with a sentence: where nothing lies half-written, nothing has to be tidied up.
+/// From now on Ctrl-C and a request to terminate end the program at once with the exit code of an
+/// interruption, Ctrl-C with a sentence: where nothing lies half-written, nothing has to be tidied up.
 void end_at_interruptions();
+
+/// From now on a write beyond the largest file that is allowed (`ulimit -f`) fails as on a full disk, instead
+/// of ending the program without a word.
+void fail_at_too_large_files();
 
 /// Turns Ctrl-C and a request to terminate into a flag that long work looks at.
 ///

@@ -9,9 +9,11 @@
 namespace coupling {
 namespace {
 
-/// What only the hazard map heeds: it is made from finished falls and changes none of them.
-const std::set<std::string>& settings_after_the_falls() {
-    static const std::set<std::string> keys{"hazard.energy", "hazard.least_reach_percent", "hazard.matrix"};
+/// Changes no fall: the hazard map is made from finished ones, and how often a run is saved concerns nobody
+/// else.
+const std::set<std::string>& settings_beside_the_falls() {
+    static const std::set<std::string> keys{"hazard.energy", "hazard.least_reach_percent", "hazard.matrix",
+                                            "run.rocks_per_part"};
     return keys;
 }
 
@@ -20,7 +22,7 @@ const std::set<std::string>& settings_after_the_falls() {
 std::string settings_hash(const Scenario& scenario, std::span<const InputFile> inputs) {
     std::ostringstream text;
     text << version() << '\n';
-    scenario.options->write_ini(text, false, settings_after_the_falls());
+    scenario.options->write_ini(text, false, settings_beside_the_falls());
     for (const InputFile& input : inputs) {
         text << input.role << ' ' << input.hash << '\n';
     }

@@ -7,6 +7,7 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -76,7 +77,7 @@ public:
 
     /// Throws where the file is there already and must stay.
     void expect(const fs::path& name) const {
-        if (!overwrite_ && fs::exists(folder_ / name)) {
+        if (!overwrite_ && path_exists(folder_ / name)) {
             config::fail(config::ExitCode::settings, {(folder_ / name).string()}, "the file is there already",
                          "another folder by --out, or --overwrite to replace it");
         }

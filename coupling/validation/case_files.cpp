@@ -40,10 +40,10 @@ std::vector<CaseFiles> with_recipe(std::map<std::string, CaseFiles> folders) {
 
 CaseFiles read_folder(const fs::path& folder, const std::string& name) {
     CaseFiles files{.name = name, .folder = folder.string(), .texts = {}};
-    for (const fs::directory_entry& entry : fs::directory_iterator{folder}) {
-        if (entry.is_regular_file()) {
-            const FileBytes bytes = open_file(entry.path(), {folder.string()}, "a file of a case");
-            files.texts[entry.path().filename().string()] = bytes.text();
+    for (const fs::path& entry : entries_of(folder)) {
+        if (is_file(entry)) {
+            const FileBytes bytes = open_file(entry, {folder.string()}, "a file of a case");
+            files.texts[entry.filename().string()] = bytes.text();
         }
     }
     return files;
@@ -62,26 +62,26 @@ std::vector<CaseFiles> shipped_cases() {
 #define CASE_FILE(number, name, file) \
     put(name, file, {bannwald_case_##number##_begin, bannwald_case_##number##_end});
 #include "case_files.inc"
+#include "coupling/inputs/path_checks.hpp"
 #undef CASE_FILE
     return with_recipe(std::move(folders));
 }
 
 std::vector<CaseFiles> cases_in(const fs::path& folder) {
-    std::error_code error;
-    if (!fs::is_directory(folder, error)) {
+    if (!is_folder(folder)) {
         config::fail(config::ExitCode::file, {folder.string()}, "no folder of this name",
                      "a folder that holds cases");
     }
-    if (fs::exists(folder / recipe_file)) {
+    if (path_exists(folder / recipe_file)) {
         const fs::path whole = fs::absolute(folder).lexically_normal();
         const fs::path name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
         return {read_folder(folder, name.string())};
     }
     std::map<std::string, CaseFiles> folders;
-    for (const fs::directory_entry& entry : fs::directory_iterator{folder}) {
-        if (entry.is_directory() && fs::exists(entry.path() / recipe_file)) {
-            const std::string name = entry.path().filename().string();
-            folders[name] = read_folder(entry.path(), name);
+    for (const fs::path& entry : entries_of(folder)) {
+        if (is_file(entry / recipe_file)) {
+            const std::string name = entry.filename().string();
+            folders[name] = read_folder(entry, name);
         }
     }
     if (folders.empty()) {

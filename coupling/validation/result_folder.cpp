@@ -1,6 +1,7 @@
 #include "coupling/validation/result_folder.hpp"
 
 #include "config/errors/input_error.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/validation/write_results.hpp"
 
@@ -16,14 +17,14 @@ constexpr const char* mark_name = ".bannwald-validation";
 }  // namespace
 
 ResultFolder::ResultFolder(fs::path folder, bool overwrite)
-    : folder_{std::move(folder)}, existed_{fs::exists(folder_)} {
-    if (existed_ && !fs::is_directory(folder_)) {
+    : folder_{std::move(folder)}, existed_{path_exists(folder_)} {
+    if (existed_ && !is_folder(folder_)) {
         config::fail(config::ExitCode::settings, {folder_.string()}, "the output folder is a file",
                      "a folder");
     }
-    was_ours_ = fs::exists(folder_ / mark_name);
+    was_ours_ = path_exists(folder_ / mark_name);
     for (const std::string& name : result_names()) {
-        if (!fs::exists(folder_ / name)) {
+        if (!path_exists(folder_ / name)) {
             continue;
         }
         if (!was_ours_) {
@@ -61,7 +62,7 @@ void ResultFolder::publish() {
         delete_entry(folder_ / name);
     }
     for (const std::string& name : result_names()) {
-        if (!fs::exists(staging() / name)) {
+        if (!path_exists(staging() / name)) {
             continue;
         }
         std::error_code error;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/joined.hpp"
 #include "coupling/results/qgis/vector_style.hpp"
 
@@ -150,7 +151,7 @@ void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
 std::string pipe_of(const fs::path& raster) {
     fs::path style = raster;
     style.replace_extension(".qml");
-    if (!fs::exists(style)) {
+    if (!path_exists(style)) {
         return {};
     }
     const FileBytes bytes = open_file(style, {.file = style.string()}, "the style of a raster");
