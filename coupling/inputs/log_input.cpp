@@ -179,19 +179,19 @@ std::vector<LogRecord> on_terrain(std::vector<LogRecord> logs, const rockfall::T
         return is_on(record.log.x1_m, record.log.y1_m) && is_on(record.log.x2_m, record.log.y2_m);
     });
     if (outside != logs.end()) {
-        plausible::judge_off_terrain(
-            {.place = {reading.shown(reading.scenario().logs)},
-             .singular = "log",
-             .all = logs.size(),
-             .off = static_cast<std::size_t>(logs.end() - outside),
-             .example =
-                 joined("log ", config::in_quotes(outside->id), " (x ", config::to_text(outside->log.x1_m),
-                        ", y ", config::to_text(outside->log.y1_m), ")"),
-             .places = places,
-             .swap_advice = reading.scenario().swap_log_axes
-                                ? "set trees.swap_logs_xy = no: the columns are right as they are"
-                                : "set trees.swap_logs_xy = yes, or exchange the columns of x and y"},
-            plausible::extent_of(terrain), reading);
+        plausible::OffTerrain judged;  // field by field: g++ 12 takes a half-made temporary for uninitialised
+        judged.place = {reading.shown(reading.scenario().logs)};
+        judged.singular = "log";
+        judged.all = logs.size();
+        judged.off = static_cast<std::size_t>(logs.end() - outside);
+        judged.example =
+            joined("log ", config::in_quotes(outside->id), " (x ", config::to_text(outside->log.x1_m), ", y ",
+                   config::to_text(outside->log.y1_m), ")");
+        judged.places = places;
+        judged.swap_advice = reading.scenario().swap_log_axes
+                                 ? "set trees.swap_logs_xy = no: the columns are right as they are"
+                                 : "set trees.swap_logs_xy = yes, or exchange the columns of x and y";
+        plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
         logs.erase(outside, logs.end());
     }
     return logs;

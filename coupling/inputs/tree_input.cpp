@@ -242,16 +242,17 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
     }
     const auto outside = std::stable_partition(trees.begin(), trees.end(), is_on);
     if (outside != trees.end()) {
-        plausible::judge_off_terrain({.place = {reading.shown(reading.scenario().trees)},
-                                      .singular = "tree",
-                                      .all = trees.size() + others,
-                                      .off = static_cast<std::size_t>(trees.end() - outside),
-                                      .example = joined("tree ", config::in_quotes(outside->id), " (x ",
-                                                        config::to_text(outside->stem.x_m), ", y ",
-                                                        config::to_text(outside->stem.y_m), ")"),
-                                      .places = places,
-                                      .swap_advice = swap_tree_advice(reading.scenario())},
-                                     plausible::extent_of(terrain), reading);
+        plausible::OffTerrain judged;  // field by field: g++ 12 takes a half-made temporary for uninitialised
+        judged.place = {reading.shown(reading.scenario().trees)};
+        judged.singular = "tree";
+        judged.all = trees.size() + others;
+        judged.off = static_cast<std::size_t>(trees.end() - outside);
+        judged.example =
+            joined("tree ", config::in_quotes(outside->id), " (x ", config::to_text(outside->stem.x_m),
+                   ", y ", config::to_text(outside->stem.y_m), ")");
+        judged.places = places;
+        judged.swap_advice = swap_tree_advice(reading.scenario());
+        plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
         trees.erase(outside, trees.end());
     }
     return trees;

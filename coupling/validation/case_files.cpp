@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/path_checks.hpp"
 
 // Each file becomes a pair of symbols around its bytes. The list of files is written by
 // coupling/CMakeLists.txt.
@@ -62,7 +63,6 @@ std::vector<CaseFiles> shipped_cases() {
 #define CASE_FILE(number, name, file) \
     put(name, file, {bannwald_case_##number##_begin, bannwald_case_##number##_end});
 #include "case_files.inc"
-#include "coupling/inputs/path_checks.hpp"
 #undef CASE_FILE
     return with_recipe(std::move(folders));
 }

@@ -8,7 +8,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::kept_work_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST(ArrivalTable, CanBeSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::kept_work_test

@@ -6,7 +6,7 @@
 
 #include "tests/runs/years.hpp"
 
-namespace coupling {
+namespace coupling::oversized_input_test {
 namespace {
 
 /// The errors in what the program printed, without its warnings.
@@ -126,4 +126,4 @@ TEST(StoredPaths, AreRefusedWithAnyByteChanged) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::oversized_input_test

@@ -8,7 +8,7 @@
 
 #include "tests/runs/program.hpp"
 
-namespace coupling {
+namespace coupling::refused_names_test {
 namespace {
 
 /// Three hundred letters: more than a file name may have.
@@ -88,4 +88,4 @@ TEST(LimitOnFileSizes, IsAnsweredAsAFullDisk) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::refused_names_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace coupling {
+namespace coupling::result_name_test {
 namespace {
 
 TEST(ResultName, IsOneThatAFolderOfTheResultsCanHave) {
@@ -19,4 +19,4 @@ TEST(ResultName, IsOneThatAFolderOfTheResultsCanHave) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::result_name_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace coupling {
+namespace coupling::net_paths_test {
 namespace {
 
 constexpr std::uint32_t no_neighbour = rockfall::no_triangle;
@@ -67,4 +67,4 @@ TEST(StoredPath, IsWholeWhereItLiesOnTheTerrain) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::net_paths_test

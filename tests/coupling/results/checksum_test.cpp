@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace coupling {
+namespace coupling::checksum_test {
 namespace {
 
 std::uint64_t checksum_of(std::string_view bytes) {
@@ -89,4 +89,4 @@ TEST(Checksum, SeesThemInFilesOfAnyLengthBecauseItsPolynomialIsPrimitive) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::checksum_test

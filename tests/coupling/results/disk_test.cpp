@@ -8,7 +8,7 @@
 #include "coupling/results/out_file.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::disk_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -83,4 +83,4 @@ TEST(MoveEntry, NamesWhereItCannotGo) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::disk_test

@@ -6,7 +6,7 @@
 
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::byte_archive_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -84,4 +84,4 @@ TEST(ByteArchive, AdvisesWhatItIsTold) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::byte_archive_test

@@ -12,7 +12,7 @@
 #include "config/errors/input_error.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::folder_lock_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,4 +107,4 @@ TEST(FolderLock, FollowsNoSymbolicLink) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::folder_lock_test

@@ -12,7 +12,7 @@
 #include "coupling/run/checkpoint.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
-namespace coupling {
+namespace coupling::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -258,4 +258,4 @@ TEST(OutputFolderKept, AnswersPathsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace coupling
+}  // namespace coupling::output_folder_test
