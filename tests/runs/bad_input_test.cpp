@@ -86,7 +86,7 @@ const BadInput bad_inputs[] = {
      "bannwald: dem.asc:6:"},
 };
 
-class Program : public testing::TestWithParam<BadInput> {};
+class Program : public ::testing::TestWithParam<BadInput> {};
 
 TEST_P(Program, TellsWhatIsWrongAndLeavesNothingBehind) {
     SampleProject project;
@@ -106,8 +106,8 @@ TEST_P(Program, ChecksWithTheSameVerdict) {
     EXPECT_NE(outcome.err.find(GetParam().message), std::string::npos) << outcome.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(BadInput, Program, testing::ValuesIn(bad_inputs),
-                         [](const testing::TestParamInfo<BadInput>& bad) { return bad.param.name; });
+INSTANTIATE_TEST_SUITE_P(BadInput, Program, ::testing::ValuesIn(bad_inputs),
+                         [](const ::testing::TestParamInfo<BadInput>& bad) { return bad.param.name; });
 
 TEST(ProgramWithDoubts, GoesOnAndTellsThem) {
     SampleProject project;

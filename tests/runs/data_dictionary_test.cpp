@@ -30,7 +30,7 @@ constexpr const char* what_to_do =
 using Columns = std::map<std::string, std::vector<std::string>>;
 using Rasters = std::set<std::pair<std::string, std::string>>;
 
-config::Table table(const SampleProject& project, const std::string& name) {
+config::Table named_table(const SampleProject& project, const std::string& name) {
     std::istringstream in{project.read(name)};
     return config::Table::read(in, name);
 }
@@ -52,7 +52,7 @@ Columns columns_in_files(const SampleProject& project, const std::string& out) {
 }
 
 Columns columns_in_dictionary(const SampleProject& project, const std::string& out) {
-    const config::Table dictionary = table(project, out + "/tables/data_dictionary.csv");
+    const config::Table dictionary = named_table(project, out + "/tables/data_dictionary.csv");
     Columns columns;
     for (std::size_t row = 0; row < dictionary.rows(); ++row) {
         columns[dictionary.text(row, "table")].push_back(dictionary.text(row, "column"));
@@ -75,7 +75,7 @@ Rasters rasters_in_files(const SampleProject& project, const std::string& out) {
 }
 
 Rasters rasters_in_dictionary(const SampleProject& project, const std::string& out) {
-    const config::Table dictionary = table(project, out + "/tables/raster_dictionary.csv");
+    const config::Table dictionary = named_table(project, out + "/tables/raster_dictionary.csv");
     Rasters rasters;
     for (std::size_t row = 0; row < dictionary.rows(); ++row) {
         rasters.emplace(dictionary.text(row, "folder"), dictionary.text(row, "raster"));

@@ -105,7 +105,7 @@ TEST_P(MistakenInput, IsRefusedWithItsCauseAndWhatToDo) {
     EXPECT_FALSE(std::filesystem::exists(project.file("p/out")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Practitioners, MistakenInput, testing::ValuesIn(mistakes),
+INSTANTIATE_TEST_SUITE_P(Practitioners, MistakenInput, ::testing::ValuesIn(mistakes),
                          [](const auto& mistake) { return mistake.param.name; });
 
 /// What stands on a page above its heading.

@@ -27,7 +27,7 @@ std::size_t count(const std::string& text, const std::string& words) {
 }
 
 /// Runs over years on several ranks.
-class Ranks : public testing::Test {
+class Ranks : public ::testing::Test {
 protected:
     void SetUp() override {
         if (without_mpi()) {

@@ -91,7 +91,7 @@ const BadYears bad_years[] = {
      "--set regimes.list=gone.csv"},
 };
 
-class ProgramOverYears : public testing::TestWithParam<BadYears> {};
+class ProgramOverYears : public ::testing::TestWithParam<BadYears> {};
 
 TEST_P(ProgramOverYears, TellsWhatIsWrongAndLeavesNothingBehind) {
     const ForestProject project;
@@ -105,8 +105,8 @@ TEST_P(ProgramOverYears, TellsWhatIsWrongAndLeavesNothingBehind) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(BadYears, ProgramOverYears, testing::ValuesIn(bad_years),
-                         [](const testing::TestParamInfo<BadYears>& bad) { return bad.param.name; });
+INSTANTIATE_TEST_SUITE_P(BadYears, ProgramOverYears, ::testing::ValuesIn(bad_years),
+                         [](const ::testing::TestParamInfo<BadYears>& bad) { return bad.param.name; });
 
 TEST(ProgramOverYearsWithDoubts, TellsThemAndKeepsThemInTheSummary) {
     const ForestProject project;

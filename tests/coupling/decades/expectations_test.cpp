@@ -7,7 +7,9 @@
 #include <iostream>
 
 #include "coupling/decades/comparison.hpp"
+#include "coupling/decades/record_falls.hpp"
 #include "coupling/decades/simulate.hpp"
+#include "coupling/exchange/stems_and_logs.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
 namespace coupling::decades::expectations_test {
@@ -62,7 +64,7 @@ public:
     /// What the rocks of a replicate leave in the tables.
     [[nodiscard]] MemberYears rocks_through(const forest::Stand& stand, std::uint32_t replicate) const {
         MemberYears kept;
-        record_falls(season_->fall(stand, replicate, 1, false, 1), 1, kept);
+        record_falls(season_->simulate(stand, replicate, 1, false, 1), 1, kept);
         return kept;
     }
     [[nodiscard]] double protection_percent(const forest::Stand& stand, std::uint32_t replicate) const {

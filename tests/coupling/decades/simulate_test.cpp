@@ -44,7 +44,7 @@ std::vector<std::string> with_all_that_kills() {
 }
 
 /// Every shipped regime on 0.8 ha, with storms, beetles and rocks that hurt trees.
-class Members : public testing::Test {
+class Members : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
         const ForestProject project;

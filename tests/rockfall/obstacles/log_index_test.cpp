@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "rockfall/obstacles/stem.hpp"
+#include "rockfall/obstacles/tree_energy.hpp"
 #include "tests/rockfall/slopes.hpp"
 
 namespace rockfall::log_index_test {

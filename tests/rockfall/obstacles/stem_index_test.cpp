@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "rockfall/obstacles/tree_energy.hpp"
 #include "tests/rockfall/slopes.hpp"
 
 namespace rockfall::stem_index_test {

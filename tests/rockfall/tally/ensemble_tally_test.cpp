@@ -28,7 +28,7 @@ TEST(ArrivalTally, AddsUpRocksAboveLimits) {
     ArrivalTally second;
     first.add(with_energy(50e3F));
     second.add(with_energy(500e3F));
-    second.add({});  // a rock that does not arrive
+    second.add(Arrival{});  // a rock that does not arrive
     first.add(second);
     EXPECT_EQ(first.reached, 2U);
     EXPECT_EQ(first.above, (std::array<std::uint64_t, 4>{2, 1, 1, 0}));
