@@ -37,6 +37,13 @@ std::size_t leading_digits(std::string_view text) {
 }  // namespace
 
 std::string to_string(const NumberRange& range) {
+    const auto to_text = [](double limit) {
+        // A reader compares a limit digit by digit: 1000000000, not 1e+09.
+        constexpr double most = 1e15;
+        return limit == std::trunc(limit) && std::abs(limit) < most
+                   ? std::to_string(static_cast<long long>(limit))
+                   : config::to_text(limit);
+    };
     const bool has_low = std::isfinite(range.low);
     const bool has_high = std::isfinite(range.high);
     if (has_low && has_high) {

@@ -95,6 +95,9 @@ void gather(std::span<const fs::path> shards, std::span<const Member> members, c
                            "the folder of a shard with the same settings and inputs; run that shard again in "
                            "a folder of its own, or copy its folder once more"};
         for (const Member& member : members) {
+            static_cast<void>(others.read(member));  // all are sound, or nothing is copied
+        }
+        for (const Member& member : members) {
             if (const auto years = others.read(member)) {
                 parts.keep(*years);
             }

@@ -11,7 +11,8 @@ bool is_result_name(std::string_view name);
 
 /// The same in words, for messages.
 inline constexpr const char* result_name_in_words =
-    "at most 100 letters without accents, digits, _ and -, not 'bare' nor 'year_...': folders of the results "
-    "have this name";
+    "a name of at most 100 letters (no accents), digits, _ or -, other than 'bare' and 'year_...'; rename "
+    "it: "
+    "folders of the results take this name";
 
 }  // namespace coupling

@@ -172,7 +172,7 @@ std::optional<Projection> read_projection(std::string_view text) {
         return is_one_of(element.keyword, {"projcs", "projcrs", "projectedcrs", "geogcs", "geogcrs",
                                            "geographiccrs", "geodcrs"});
     });
-    if (root == elements.end()) {
+    if (root == elements.end() || root->text.empty()) {
         return std::nullopt;
     }
     Projection projection;

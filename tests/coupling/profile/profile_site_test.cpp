@@ -91,8 +91,9 @@ TEST(OpenProfile, TellsOfStartsThatRiseAndOfTypesTooNarrowToSee) {
     const OpenedProfile opened = open_profile_of(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     ASSERT_EQ(opened.warnings.sentences().size(), 2U);
-    EXPECT_NE(opened.warnings.sentences()[0].find("100 m reaches over 0.01 m only"), std::string::npos);
-    EXPECT_NE(opened.warnings.sentences()[1].find("rises with distance at the start"), std::string::npos);
+    // What is doubtful comes before what is only noted.
+    EXPECT_NE(opened.warnings.sentences()[1].find("100 m reaches over 0.01 m only"), std::string::npos);
+    EXPECT_NE(opened.warnings.sentences()[0].find("rises with distance at the start"), std::string::npos);
 }
 
 TEST(ProfileSettings, RefuseEachKeyWithoutMeaning) {

@@ -45,6 +45,9 @@ std::string unit_of(const std::string& name) {
     if (name.ends_with("_eur_pha")) {
         return "EUR/ha";
     }
+    if (name.ends_with("_per_1000")) {
+        return "1/1000";
+    }
     if (name.ends_with("_per_m")) {
         return "1/m";
     }

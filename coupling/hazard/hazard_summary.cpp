@@ -1,0 +1,50 @@
+#include "config/units/constants.hpp"
+#include "coupling/hazard/hazard_results.hpp"
+#include "coupling/results/json.hpp"
+
+namespace coupling::hazard {
+namespace {
+
+using config::percent;
+
+Json target_hazard(const TargetHazard& target) {
+    Json shares;
+    for (std::size_t level = 0; level < levels; ++level) {
+        shares[level_names[level]] = json_number(percent * target.levels[level]);
+    }
+    return {{"highest_level", level_name(target.highest())}, {"share_percent", shares}};
+}
+
+}  // namespace
+
+void write_summary(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
+    Json summary{{"program", "Bannwald"}, {"version", results.version}};
+    std::uint64_t rocks = 0;
+    Json periods = Json::array();
+    for (const FinishedPeriod& period : results.periods) {
+        rocks += period.rocks;
+        periods.push_back({{"return_period_years", period.return_period_years},
+                           {"folder", "../" + period.folder.filename().string()},
+                           {"rocks", period.rocks},
+                           {"smallest_diameter_m", json_number(period.diameters.smallest_m)},
+                           {"largest_diameter_m", json_number(period.diameters.largest_m)}});
+    }
+    summary["run"] = {{"scenario", results.scenario.file.filename().string()},
+                      {"kind", "hazard"},
+                      {"seed", results.scenario.seed},
+                      {"rocks", rocks},
+                      {"map", json_map_frame(results.site.map_frame)}};
+    summary["return_periods"] = std::move(periods);
+    summary["targets"] = Json::array();
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        Json target{{"id", results.site.targets[i].id}, {"name", results.site.targets[i].name}};
+        for (const SlopeHazard& slope : results.slopes) {
+            target[name_of(slope.cover)] = target_hazard(slope.targets[i]);
+        }
+        summary["targets"].push_back(std::move(target));
+    }
+    summary["warnings"] = results.warnings.sentences();
+    write_json_summary(out, std::move(summary), results.inputs, results.scenario, files);
+}
+
+}  // namespace coupling::hazard
