@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <memory>
 #include <optional>
 #include <streambuf>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "config/errors/input_error.hpp"
 
@@ -22,11 +22,12 @@ constexpr std::size_t out_buffer_bytes = 1 << 18;
 /// Bytes on their way to a file. Keeps the first error: later calls may fail for another reason.
 class OutFile::Buffer : public std::streambuf {
 public:
-    Buffer(const std::filesystem::path& file, Begin begin) : waiting_(out_buffer_bytes) {
+    Buffer(const std::filesystem::path& file, Begin begin)
+        : waiting_{std::make_unique_for_overwrite<char[]>(out_buffer_bytes)} {
         const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (begin == Begin::anew ? O_TRUNC : O_APPEND);
         descriptor_ = ::open(file.c_str(), flags, 0666);
         remember_error(descriptor_);
-        setp(waiting_.data(), waiting_.data() + waiting_.size());
+        setp(waiting_.get(), waiting_.get() + out_buffer_bytes);
     }
     ~Buffer() override {
         if (descriptor_ >= 0) {
@@ -58,7 +59,7 @@ public:
             }
             from += count;
         }
-        setp(waiting_.data(), waiting_.data() + waiting_.size());
+        setp(waiting_.get(), waiting_.get() + out_buffer_bytes);
         return error_ == 0;
     }
     bool sync_to_disk() {
@@ -93,7 +94,8 @@ private:
     }
     int sync() override { return descriptor_ >= 0 && write_waiting() ? 0 : -1; }
 
-    std::vector<char> waiting_;
+    /// Not filled with zeros: a run writes hundreds of small files.
+    std::unique_ptr<char[]> waiting_;
     std::optional<Checksum> sum_;
     int descriptor_ = -1;
     int error_ = 0;

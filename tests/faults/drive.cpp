@@ -55,14 +55,19 @@ std::vector<Fault> faults_of(const Options& options, const std::vector<Operation
         std::find(options.modes.begin(), options.modes.end(), "term") != options.modes.end()) {
         faults.push_back({"term", 0});
     }
+    bool after_fsync = false;
     const long step = options.points > 0 ? std::max(1L, count / options.points) : options.every;
     for (const Operation& operation : operations) {
         const bool wanted = options.at > 0 ? operation.number == options.at : operation.number % step == 0;
         for (const std::string& mode : options.modes) {
-            if (wanted && applies(mode, operation)) {
+            // An fsync changes nothing that a killed process leaves: the kill before it was the same.
+            const bool again = mode == "kill" && after_fsync && options.every == 1 && options.points == 0 &&
+                               options.at == 0;
+            if (wanted && applies(mode, operation) && !again) {
                 faults.push_back({mode, operation.number});
             }
         }
+        after_fsync = operation.name == "fsync" || operation.name == "fdatasync";
     }
     return faults;
 }
@@ -93,12 +98,16 @@ std::array<long, kinds> drive(const Options& options, const Run& run) {
     std::array<long, kinds> sums{};
     std::atomic<std::size_t> next{0};
     std::mutex speaking;
+    std::size_t tried = 0;
     std::vector<std::jthread> threads;
     for (const auto& bench : benches) {
         threads.emplace_back([&, own = bench.get()] {
             for (std::size_t i = next++; i < faults.size(); i = next++) {
                 const std::vector<Finding> findings = own->try_fault(faults[i]);
                 const std::lock_guard lock{speaking};
+                if (++tried % 100 == 0) {
+                    std::cerr << run.name << ": " << tried << " of " << faults.size() << " faults" << std::endl;
+                }
                 for (const Finding& finding : findings) {
                     ++sums[finding.kind];
                     std::cout << run.name << ' ' << faults[i].mode << ' ' << place_of(faults[i], operations)
