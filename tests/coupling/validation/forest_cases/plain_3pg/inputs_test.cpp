@@ -24,7 +24,7 @@ std::string message_of(Read read) {
     return "";
 }
 
-TEST(CheckModeTables, ReadTheDemonstrationSite) {
+TEST(Plain3pgTables, ReadTheDemonstrationSite) {
     const Site site = read_site(reference_table("demo_site.csv"));
     EXPECT_NEAR(site.latitude.in_degrees(), 47.57, 1e-12);
     EXPECT_DOUBLE_EQ(site.max_water_mm, 106.0);
@@ -37,21 +37,21 @@ TEST(CheckModeTables, ReadTheDemonstrationSite) {
     EXPECT_DOUBLE_EQ(parameters[1].nutrition.at_zero, 0.2);
 }
 
-TEST(CheckModeTables, TakeDefaultsForParametersThatAreLeftOut) {
+TEST(Plain3pgTables, TakeDefaultsForParametersThatAreLeftOut) {
     const std::vector<Parameters> parameters = read_parameters(table_of("parameter,oak\nk,0.6\n"));
     EXPECT_DOUBLE_EQ(parameters[0].extinction, 0.6);
     EXPECT_DOUBLE_EQ(parameters[0].light_use.npp_share, 0.47);
     EXPECT_DOUBLE_EQ(parameters[0].net_radiation.intercept_wpm2, -90.0);
 }
 
-TEST(CheckModeTables, NameUnknownAndDoubledParametersAndBadValues) {
+TEST(Plain3pgTables, NameUnknownAndDoubledParametersAndBadValues) {
     EXPECT_EQ(message_of([] { read_parameters(table_of("parameter,oak\nTmim,2\nk,0.6\nk,0.7\nY,3\n")); }),
               "table.csv:2:1: found parameter 'Tmim', expected 'Tmin'\n"
               "table.csv:4:1: found parameter 'k' a second time, expected each once\n"
               "table.csv:5:3: found oak '3', expected a number in [0, 1]");
 }
 
-TEST(CheckModeTables, NameMissingMonths) {
+TEST(Plain3pgTables, NameMissingMonths) {
     Site site;
     site.from = {2001, 1};
     site.to = {2001, 2};
@@ -63,7 +63,7 @@ TEST(CheckModeTables, NameMissingMonths) {
               "table.csv: found no month 2001-2, expected every month of the site's period");
 }
 
-TEST(CheckModeTables, RefuseAMonthThatIsNone) {
+TEST(Plain3pgTables, RefuseAMonthThatIsNone) {
     EXPECT_EQ(message_of([] {
                   read_species(
                       table_of("species,planted,fertility,stems_n,biom_stem,biom_root,biom_foliage\n"
@@ -72,7 +72,7 @@ TEST(CheckModeTables, RefuseAMonthThatIsNone) {
               "table.csv:2:5: found planted '1958', expected a month such as 2001-01");
 }
 
-TEST(CheckModeTables, NameSpeciesWithoutParameters) {
+TEST(Plain3pgTables, NameSpeciesWithoutParameters) {
     Inputs inputs = demonstration({"Fagus sylvatica"});
     inputs.species[0].species = "Quercus robur";
     EXPECT_EQ(

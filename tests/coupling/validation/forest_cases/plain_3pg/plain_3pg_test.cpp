@@ -56,14 +56,14 @@ Difference difference(const std::vector<Row>& rows, const config::Table& referen
     return result;
 }
 
-TEST(CheckMode, MeetsEveryMonthOfThePineRun) {
+TEST(Plain3pg, MeetsEveryMonthOfThePineRun) {
     const Difference found = difference(run(demonstration({pine}), {}), reference_table("out_pine_pjs.csv"));
     EXPECT_GT(found.compared, 7000U);
     EXPECT_LT(found.largest, 1e-6) << found.where;
     EXPECT_LT(found.largest_stock, 5e-7);
 }
 
-TEST(CheckMode, MeetsEveryMonthOfTheBeechRun) {
+TEST(Plain3pg, MeetsEveryMonthOfTheBeechRun) {
     const Difference found =
         difference(run(demonstration({beech}), {}), reference_table("out_beech_pjs.csv"));
     EXPECT_GT(found.compared, 7000U);
@@ -101,7 +101,7 @@ Inputs without_crowding(Inputs inputs) {
     return inputs;
 }
 
-TEST(CheckMode, GrowsTwoHalvesLikeOneStandWithTheModelsOfMixtures) {
+TEST(Plain3pg, GrowsTwoHalvesLikeOneStandWithTheModelsOfMixtures) {
     Settings settings = mixture_settings;
     for (const std::string& species : {beech, pine}) {
         const std::vector<Row> whole = run(without_drought(demonstration({species})), settings);
@@ -118,7 +118,7 @@ TEST(CheckMode, GrowsTwoHalvesLikeOneStandWithTheModelsOfMixtures) {
     }
 }
 
-TEST(CheckMode, BalancesWaterInEveryMonthOfAMixture) {
+TEST(Plain3pg, BalancesWaterInEveryMonthOfAMixture) {
     for (const Settings& settings : {Settings{}, mixture_settings}) {
         const std::vector<Row> rows = run(demonstration({beech, pine}), settings);
         for (std::size_t i = 2; i < rows.size(); i += 2) {
@@ -137,7 +137,7 @@ TEST(CheckMode, BalancesWaterInEveryMonthOfAMixture) {
     }
 }
 
-TEST(CheckMode, AccountsForEveryTonOfBiomass) {
+TEST(Plain3pg, AccountsForEveryTonOfBiomass) {
     for (const Settings& settings : {Settings{}, mixture_settings}) {
         const std::vector<Row> rows = run(without_crowding(demonstration({beech, pine})), settings);
         for (std::size_t i = 2; i < rows.size(); ++i) {
@@ -153,7 +153,7 @@ TEST(CheckMode, AccountsForEveryTonOfBiomass) {
     }
 }
 
-TEST(CheckMode, ThinsToTheNumbersOfTheList) {
+TEST(Plain3pg, ThinsToTheNumbersOfTheList) {
     const std::vector<Row> rows = run(without_crowding(demonstration({beech, pine}, true)), {});
     double beech_stems = 800.0;
     double pine_stems = 800.0;
@@ -179,7 +179,7 @@ TEST(CheckMode, ThinsToTheNumbersOfTheList) {
     EXPECT_DOUBLE_EQ(pine_stems, 400.0);
 }
 
-TEST(CheckMode, ThinsItselfAlongItsLimit) {
+TEST(Plain3pg, ThinsItselfAlongItsLimit) {
     Inputs inputs = demonstration({pine});
     inputs.parameters[0].self_thinning = {80.0, 1.5};
     const std::vector<Row> rows = run(inputs, {});
@@ -190,14 +190,14 @@ TEST(CheckMode, ThinsItselfAlongItsLimit) {
     }
 }
 
-TEST(CheckMode, LosesThePercentOfRandomMortality) {
+TEST(Plain3pg, LosesThePercentOfRandomMortality) {
     Inputs inputs = demonstration({pine});
     inputs.parameters[0].random_mortality = {2.4, 2.4, 0.0, 1.0};
     const std::vector<Row> rows = run(inputs, {});
     EXPECT_NEAR(rows.back().state.stocks.stems_pha, 800.0 * std::pow(1.0 - 0.024 / 12.0, 119), 1e-8);
 }
 
-TEST(CheckMode, MeetsTheSecondImplementationOfAThinnedMixture) {
+TEST(Plain3pg, MeetsTheSecondImplementationOfAThinnedMixture) {
     const std::vector<Row> rows = run(demonstration({beech, pine}, true), mixture_settings);
     const config::Table reference = reference_table("own_mixture_thinned.csv");
     ASSERT_EQ(rows.size(), reference.rows() + 2) << "all but the starting state";
@@ -212,7 +212,7 @@ TEST(CheckMode, MeetsTheSecondImplementationOfAThinnedMixture) {
     }
 }
 
-TEST(CheckMode, PlantsASpeciesWhenItsMonthComes) {
+TEST(Plain3pg, PlantsASpeciesWhenItsMonthComes) {
     Inputs inputs = demonstration({beech, pine});
     inputs.species[1].planted = {2005, 1};
     const std::vector<Row> rows = run(inputs, {});
@@ -227,7 +227,7 @@ TEST(CheckMode, PlantsASpeciesWhenItsMonthComes) {
     EXPECT_GT(rows.back().state.stocks.stem, inputs.species[1].stem_tpha);
 }
 
-TEST(CheckMode, TakesTheOtherHeightLawToo) {
+TEST(Plain3pg, TakesTheOtherHeightLawToo) {
     Inputs inputs = demonstration({pine});
     inputs.parameters[0].height_m = {.factor = 30.0, .dbh = 12.0, .competition = 0.001};
     inputs.parameters[0].crown_length_m = {.factor = 10.0, .dbh = 12.0};
@@ -240,7 +240,7 @@ TEST(CheckMode, TakesTheOtherHeightLawToo) {
                 1.3 + 30.0 * std::exp(-12.0 / dbh_cm) + 0.001 * competition * dbh_cm, 1e-8);
 }
 
-TEST(CheckMode, StaysFiniteWhereLeavesMatureWithinAYear) {
+TEST(Plain3pg, StaysFiniteWhereLeavesMatureWithinAYear) {
     // Published sets of birch, cembra pine and Scots pine have tSLA = 1 year, that of birch and cembra pine
     // with SLA0 above SLA1: at the age of 43 years nothing is left of the young leaves.
     for (const std::string& species : {beech, pine}) {
@@ -256,7 +256,7 @@ TEST(CheckMode, StaysFiniteWhereLeavesMatureWithinAYear) {
     }
 }
 
-TEST(CheckMode, GivesTheSheetsFiguresOfPineInJune) {
+TEST(Plain3pg, GivesTheSheetsFiguresOfPineInJune) {
     const std::vector<Row> rows = run(demonstration({pine}), {});
     const Row& june = rows[5];
     EXPECT_NEAR(value(june, "apar"), 219.051, 5e-4);
