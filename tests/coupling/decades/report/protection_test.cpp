@@ -54,7 +54,7 @@ TEST(ProtectionOverYears, OfSeveralReplicatesHasTheirRange) {
     const std::string html = arrivals.html();
     EXPECT_TRUE(has(html, "5th and 95th percentile"));
     EXPECT_FALSE(has(html, "One replicate"));
-    EXPECT_FALSE(has(html, "95 % interval"));
+    EXPECT_FALSE(has(html, "(95 % interval"));
 }
 
 TEST(ProtectionOverYears, OfAHandfulOfRocksIsNotTold) {
