@@ -170,7 +170,8 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
         const bool last = part.size() == chunks.size() - state_.chunks_done;
         state_.chunks_done += fallen;
         const bool long_enough = std::chrono::steady_clock::now() - begin >= worth_keeping;
-        if (kept || long_enough || !(interrupted || last)) {
+        // An interruption that finds nothing new leaves the checkpoint as it is: it may hold gigabytes.
+        if (fallen > 0 && (kept || long_enough || !(interrupted || last))) {
             state_.begun = under_way.begun();
             state_.tables = tables_->sync();  // on the disk before the checkpoint that counts on them
             write_checkpoint(folder.checkpoint(), state_, total_, histograms_.pointers());

@@ -27,7 +27,9 @@ struct Options {
     std::vector<std::string> modes = all_modes;
     long every = 1;
     long points = 0;  ///< > 0: so many operations of each run, spread evenly, instead of `every`
+    long from = 1;    ///< the first of these operations
     long at = 0;      ///< > 0: this operation only
+    std::string on;   ///< operations on files whose names begin so
     unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
     bool list = false;
 };
@@ -58,11 +60,13 @@ std::vector<Fault> faults_of(const Options& options, const std::vector<Operation
     bool after_fsync = false;
     const long step = options.points > 0 ? std::max(1L, count / options.points) : options.every;
     for (const Operation& operation : operations) {
-        const bool wanted = options.at > 0 ? operation.number == options.at : operation.number % step == 0;
+        const bool wanted =
+            (options.at > 0 ? operation.number == options.at : operation.number % step == 0) &&
+            operation.number >= options.from && operation.path.filename().string().starts_with(options.on);
         for (const std::string& mode : options.modes) {
             // An fsync changes nothing that a killed process leaves: the kill before it was the same.
             const bool again = mode == "kill" && after_fsync && options.every == 1 && options.points == 0 &&
-                               options.at == 0;
+                               options.at == 0 && options.on.empty();
             if (wanted && applies(mode, operation) && !again) {
                 faults.push_back({mode, operation.number});
             }
@@ -138,7 +142,7 @@ std::vector<std::string> list_of(const std::string& text) {
 constexpr const char* usage =
     "fault_driver PROGRAM LIBRARY [--runs static,years,hazard,nets] [--modes "
     "kill,power,tear,eio,enospc,term]\n"
-    "             [--every K | --points N | --at N] [--jobs N] [--list]\n";
+    "             [--every K | --points N | --at N] [--from N] [--on NAME] [--jobs N] [--list]\n";
 
 Options options_of(const std::vector<std::string>& words) {
     if (words.size() < 2) {
@@ -167,6 +171,10 @@ Options options_of(const std::vector<std::string>& words) {
             options.points = std::stol(value);
         } else if (name == "--at") {
             options.at = std::stol(value);
+        } else if (name == "--from") {
+            options.from = std::stol(value);
+        } else if (name == "--on") {
+            options.on = value;
         } else if (name == "--jobs") {
             options.jobs = static_cast<unsigned>(std::max(1L, std::stol(value)));
         } else {
