@@ -20,6 +20,9 @@ namespace {
 
 constexpr double conventional_nodata = -9999.0;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+// Beyond these, sizes and places in metres are slips or damage, and areas no longer fit a number [choice].
+constexpr double largest_cell_m = 1e5;
+constexpr double farthest_place_m = 1e9;
 constexpr std::size_t most_bad_values = 20;  // a file of another kind would fill the screen
 
 const std::vector<std::string> header_keys{"ncols",     "nrows",    "xllcorner", "xllcenter", "yllcorner",
@@ -152,6 +155,23 @@ public:
         return 1.0;
     }
 
+    double cell_size_m(std::string_view key) {
+        const double size_m = number(key, {.low = 0.0, .low_excluded = true});
+        if (size_m > largest_cell_m) {
+            refuse_value(key, *required(key), "cells of at most 100 km; correct the header");
+        }
+        return size_m;
+    }
+
+    double place_m(std::string_view key) {
+        const double place = number(key);
+        if (std::abs(place) > farthest_place_m) {
+            refuse_value(key, *required(key),
+                         "metres of a projected coordinate system, at most 1e9; correct the header");
+        }
+        return place;
+    }
+
     /// What stands for "no value here": -9999 if the header does not tell, as ESRI defines the format.
     double nodata() {
         const std::optional<std::string_view> text = value_of(entries_, "nodata_value");
@@ -197,14 +217,13 @@ GridFrame frame_of(Header& header) {
     GridFrame frame;
     frame.columns = header.count("ncols");
     frame.rows = header.count("nrows");
-    const NumberRange positive{.low = 0.0, .low_excluded = true};
     const bool oblong = header.has("dx") || header.has("dy");
-    frame.cell_width_m = header.number(oblong ? "dx" : "cellsize", positive);
-    frame.cell_height_m = oblong ? header.number("dy", positive) : frame.cell_width_m;
-    frame.x_west_m = header.has("xllcenter") ? header.number("xllcenter") - 0.5 * frame.cell_width_m
-                                             : header.number("xllcorner");
-    frame.y_south_m = header.has("yllcenter") ? header.number("yllcenter") - 0.5 * frame.cell_height_m
-                                              : header.number("yllcorner");
+    frame.cell_width_m = header.cell_size_m(oblong ? "dx" : "cellsize");
+    frame.cell_height_m = oblong ? header.cell_size_m("dy") : frame.cell_width_m;
+    frame.x_west_m = header.has("xllcenter") ? header.place_m("xllcenter") - 0.5 * frame.cell_width_m
+                                             : header.place_m("xllcorner");
+    frame.y_south_m = header.has("yllcenter") ? header.place_m("yllcenter") - 0.5 * frame.cell_height_m
+                                              : header.place_m("yllcorner");
     return frame;
 }
 

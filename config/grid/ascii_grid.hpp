@@ -19,8 +19,9 @@ namespace config {
 /// `NODATA_value nan`, as GDAL writes it.
 ///
 /// Throws one InputError (data) with line and column for all faults of the header (unknown, doubled or
-/// missing keys, sizes that are no numbers or not above 0), else for up to 20 values that are no numbers
-/// (`nan`, `1,5`) and for too few or too many of them, with how many were found and expected.
+/// missing keys, counts below 1, cells not above 0 or above 100 km, corners beyond 1e9 m), else for up to 20
+/// values that are no numbers (`nan`, `1,5`) and for too few or too many of them, with how many were found
+/// and expected.
 Raster<double> read_ascii_grid(std::string_view text, const std::string& file);
 
 /// The most bytes that the text of a grid may take, by the counts of its header: 64 for each value [choice],

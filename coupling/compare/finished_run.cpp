@@ -54,21 +54,27 @@ struct RateColumn {
     }
 };
 
-/// Those that a table has; runs of earlier versions have none.
-std::vector<RateColumn> rate_columns(const config::Table& table) {
+/// Those that a table has; runs of earlier versions have none. Throws config::InputError (data) for one that
+/// lacks one of its `wanted` columns.
+std::vector<RateColumn> rate_columns(const config::Table& table, const std::vector<std::string>& wanted) {
     std::vector<RateColumn> columns;
+    config::Problems problems;
     for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
         const RateColumn rate{joined("above_", kj_text(i), "_kj")};
         if (table.has(rate.with(""))) {
+            for (const std::string& infix : wanted) {
+                table.require({rate.with(infix)}, problems);
+            }
             columns.push_back(rate);
         }
     }
+    problems.throw_if_any();
     return columns;
 }
 
 void add_rates(const config::Table& table, std::size_t row, const std::string& where,
                const std::string& cover, std::vector<Figure>& figures) {
-    for (const RateColumn& rate : rate_columns(table)) {
+    for (const RateColumn& rate : rate_columns(table, {"_low", "_high"})) {
         figures.push_back(with_interval({where, "", rate.with(cover), "today"}, table, row, rate.with(""),
                                         rate.with("_low"), rate.with("_high")));
     }
@@ -243,7 +249,7 @@ void add_targets_over_years(const fs::path& folder, std::vector<Figure>& figures
                       targets.text(row, "replicate"), number(targets, row, column));
         };
         add(bare ? "reached_bare_percent" : "reached_percent", "share_percent");
-        for (const RateColumn& rate : rate_columns(targets)) {
+        for (const RateColumn& rate : rate_columns(targets, {})) {
             add(rate.with(bare ? "_bare" : ""), rate.with(""));
         }
         if (!bare) {

@@ -46,15 +46,19 @@ rockfall::Terrain pyramid() {
     return {{1000, 2000}, std::move(vertices), std::move(triangles)};
 }
 
-constexpr const char* drawing =
+/// Lines of a surveyor; faces stand in a drawing of their own.
+constexpr const char* lines_drawing =
     "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n1000\n20\n2000\n30\n400\n0\nLINE\n10\n1000\n20\n2010\n30\n399\n11"
-    "\n1010\n"
-    "21\n2010\n31\n398\n0\nLWPOLYLINE\n38\n390\n10\n1000\n20\n2020\n10\n1010\n20\n2020\n10\n1020\n20\n2021\n0"
-    "\n"
-    "POLYLINE\n0\nVERTEX\n10\n1000\n20\n2030\n30\n380\n0\nVERTEX\n10\n1010\n20\n2030\n30\n381\n0\nSEQEND\n0\n"
-    "3DFACE\n10\n1000\n20\n2040\n30\n370\n11\n1010\n21\n2040\n31\n370\n12\n1010\n22\n2050\n32\n360\n13\n1000"
-    "\n23\n"
-    "2050\n33\n360\n0\nENDSEC\n0\nEOF\n";
+    "\n1010\n21\n2010\n31\n398\n0\nLWPOLYLINE\n38\n390\n10\n1000\n20\n2020\n10\n1010\n20\n2020\n10\n1020\n20"
+    "\n2021\n0\nPOLYLINE\n70\n8\n0\nVERTEX\n10\n1000\n20\n2030\n30\n380\n0\nVERTEX\n10\n1010\n20\n2030\n30\n3"
+    "81\n0"
+    "\nSEQEND\n0\nENDSEC\n0\nEOF\n";
+/// A face of four corners and one of three.
+constexpr const char* faces_drawing =
+    "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n10\n1000\n20\n2040\n30\n370\n11\n1010\n21\n2040\n31\n370\n12\n1010\n"
+    "22"
+    "\n2050\n32\n360\n13\n1000\n23\n2050\n33\n360\n0\n3DFACE\n10\n1010\n20\n2040\n30\n370\n11\n1020\n21\n2045"
+    "\n31\n370\n12\n1010\n22\n2050\n32\n360\n13\n1010\n23\n2050\n33\n360\n0\nENDSEC\n0\nEOF\n";
 
 std::vector<Subject> files_of_info() {
     const rockfall::Terrain terrain = pyramid();
@@ -65,7 +69,8 @@ std::vector<Subject> files_of_info() {
         shown_by_info("binary.ply", texts.binary_ply()),
         shown_by_info("slope.stl", texts.stl()),
         shown_by_info("binary.stl", texts.binary_stl()),
-        shown_by_info("slope.dxf", drawing),
+        shown_by_info("lines.dxf", lines_drawing),
+        shown_by_info("faces.dxf", faces_drawing),
         shown_by_info(
             "contours.csv",
             "wkt,height_m\n\"LINESTRING (1000 2000, 1010 2000)\",400\n\"LINESTRING Z (1000 2010 390, 1010 "

@@ -68,6 +68,18 @@ TEST(Compare, DrawsRunsOfTodayOnOnePage) {
     EXPECT_FALSE(std::filesystem::exists(project.file("other.html")));
 }
 
+TEST(Compare, NamesAColumnThatADamagedTableLacks) {
+    const SampleProject project;
+    const std::string run = "run scenario.ini --quiet --set release.rocks_per_source=20 ";
+    ASSERT_EQ(call(project, run + "--out whole").code, 0);
+    ASSERT_EQ(call(project, run + "--out damaged").code, 0);
+    project.replace("damaged/tables/targets.csv", "above_1000_kj_high_per_1000", "abo_000_kj_high_per_1000");
+    const Outcome outcome = call(project, "compare whole damaged");
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("targets.csv: no column 'above_1000_kj_high_per_1000'"), std::string::npos)
+        << outcome.err;
+}
+
 TEST(Compare, NamesMotionModelsAndPutsNetsSideBySide) {
     const SampleProject project;
     project.write("nets.csv", "name,height_m,class,wkt\nA,4,5,\"LINESTRING (1090 2020, 1090 2080)\"\n");

@@ -174,9 +174,12 @@ private:
         } else if (entity.type == "POLYLINE") {
             constexpr long long mesh_flags = 16 + 64;  // polygon mesh, polyface mesh
             in_polyline_ = (entity.flags & mesh_flags) == 0;
+            // Some programs write lines in space without their flag and without a height of their own: 0.
             constexpr long long three_dimensional = 8;
-            height_m_ =
-                (entity.flags & three_dimensional) != 0 ? std::nullopt : std::optional{entity.corners[0].z()};
+            const double own_height_m = entity.corners[0].z();
+            height_m_ = (entity.flags & three_dimensional) != 0 || own_height_m == 0.0
+                            ? std::nullopt
+                            : std::optional{own_height_m};
             begin_line(entity.flags);
             if (!in_polyline_) {
                 ++other_["POLYLINE as a mesh"];

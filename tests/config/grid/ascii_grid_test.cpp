@@ -159,6 +159,19 @@ TEST(ReadAsciiGrid, RefusesSizesBelowOne) {
     }
 }
 
+TEST(ReadAsciiGrid, RefusesCellsAndPlacesOfNoMapOnEarth) {
+    for (const std::string size : {"100001", "1e300", "1e308"}) {
+        EXPECT_EQ(message_of(replaced(header, "cellsize 10", "cellsize " + size) + two_rows),
+                  "dem.asc:5:10: found cellsize '" + size +
+                      "', expected cells of at most 100 km; correct the header");
+    }
+    for (const std::string place : {"1e10", "-1e308"}) {
+        EXPECT_EQ(message_of(replaced(header, "yllcorner 200.5", "yllcorner " + place) + two_rows),
+                  "dem.asc:4:11: found yllcorner '" + place +
+                      "', expected metres of a projected coordinate system, at most 1e9; correct the header");
+    }
+}
+
 TEST(ReadAsciiGrid, NamesAKeyThatIsMissing) {
     EXPECT_EQ(message_of(replaced(header, "nrows 2\n", "") + two_rows),
               "dem.asc:6:1: found a header without 'nrows', expected ncols, nrows, xllcorner or xllcenter, "

@@ -157,6 +157,15 @@ TEST(Dxf, IsReadWithItsLinesAndPoints) {
     EXPECT_EQ(mesh.passed_over, std::vector<std::string>{"TEXT (2)"});
 }
 
+TEST(Dxf, PolylinesWithoutAHeightOfTheirOwnHaveThatOfTheirVertices) {
+    // Neither the flag of a line in space (70 8) nor a height (30): taken as flat it would lie at 0 m.
+    const MeshFile mesh = read_mesh_file(
+        dxf_of("0 POLYLINE 66 1 0 VERTEX 10 0 20 9 30 380 0 VERTEX 10 5 20 9 30 381 0 SEQEND"), "a.dxf");
+    ASSERT_EQ(mesh.points_m.size(), 2U);
+    EXPECT_EQ(mesh.points_m[0].z(), 380.0);
+    EXPECT_EQ(mesh.points_m[1].z(), 381.0);
+}
+
 TEST(Dxf, IsReadWithItsFaces) {
     const MeshFile mesh =
         read_mesh_file(dxf_of("0 3DFACE 10 0 20 0 30 1 11 4 21 0 31 1 12 4 22 4 32 1 13 4 23 4 33 1 "
