@@ -20,8 +20,9 @@ class Checker {
 public:
     explicit Checker(const Scenario& scenario) : options_{*scenario.options} {}
 
-    void refuse(const std::string& key, std::string found, std::string expected) {
-        problems_.add(ExitCode::settings, options_.place_of(key), std::move(found), std::move(expected));
+    void refuse(const std::string& key, std::string found, std::string expected, std::string advice = "") {
+        problems_.add(ExitCode::settings, options_.place_of(key), std::move(found), std::move(expected),
+                      std::move(advice));
     }
     /// Exactly one of two files has to be named.
     void one_of(const std::string& first, const std::string& first_name, const std::string& second,
@@ -60,8 +61,10 @@ void check_terrain(const Scenario& s, Checker& checker) {
     checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
     const bool has_codes = !s.surface.empty() || !s.surface_polygons.empty();
     if (!has_codes && s.ground.empty() && s.mesh.empty()) {  // faces of a mesh may carry codes
-        checker.refuse("terrain.surface", "no ground types",
-                       "terrain.surface, terrain.surface_polygons or terrain.ground");
+        checker.refuse(
+            "terrain.surface", "no ground types",
+            "terrain.surface, terrain.surface_polygons or terrain.ground",
+            "set terrain.ground for one ground type everywhere (`bannwald info surfaces` lists them)");
     }
     if (has_codes && s.surface_types.empty()) {
         checker.refuse("terrain.surface_types", "surface codes without terrain.surface_types",

@@ -135,7 +135,8 @@ bool check_frame(const config::GridFrame& frame, const std::string& file, const 
         return true;
     }
     reading.refuse({file}, to_string(frame),
-                   "the frame of " + heights.file + ", " + to_string(heights.frame()));
+                   "the frame of " + heights.file + ", " + to_string(heights.frame()),
+                   "resample it to the cells of that file (QGIS: Align rasters)");
     return false;
 }
 

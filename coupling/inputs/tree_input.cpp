@@ -156,8 +156,9 @@ void tell_borrowers(const SpeciesColumn& column, const SpeciesTable& known, cons
         if (!species.stand_in.empty()) {
             sentences[species.code] =
                 joined(file, ": ", counted(count, "tree"), " of ", species.code, " (", species.latin_name,
-                       ") taken like ", species.stand_in, "; the fracture energy ",
-                       config::to_text(species.fracture_energy), " is the species' own");
+                       ") taken like ", species.stand_in, ", but with their own fracture energy of ",
+                       config::to_text(species.fracture_energy),
+                       "; write another code if another species comes nearer");
         }
     }
     for (const auto& [code, sentence] : sentences) {

@@ -7,6 +7,7 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
+#include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/nets/net_classes.hpp"
 #include "coupling/nets/net_lines.hpp"
@@ -167,6 +168,27 @@ private:
     config::Problems& problems_;
 };
 
+/// A net that leaves the terrain: where, or why the whole line lies elsewhere. Absolute coordinates.
+config::Problem off_terrain_problem(const std::string& name, const std::vector<config::Point2>& line,
+                                    const config::Point2& first_off, const plausible::Extent& terrain,
+                                    config::Place place) {
+    const std::string net = joined("net ", config::in_quotes(name));
+    const std::string expected = "a line wholly on the terrain";
+    if (std::any_of(line.begin(), line.end(), [&](const auto& corner) { return terrain.contains(corner); })) {
+        return {config::ExitCode::data, std::move(place),
+                joined(net, " leaves the terrain at x ", to_centimetres(first_off.x_m), ", y ",
+                       to_centimetres(first_off.y_m)),
+                expected, "shorten the net, or take a larger terrain"};
+    }
+    const plausible::OffCause cause =
+        plausible::cause_off_terrain(terrain, line, "exchange x and y in the lines");
+    return {config::ExitCode::data, std::move(place),
+            joined(net, " outside the terrain: ", cause.reason, "; the net spans ",
+                   plausible::in_words(plausible::extent_of(line)), ", the terrain ",
+                   plausible::in_words(terrain)),
+            expected, cause.advice};
+}
+
 }  // namespace
 
 std::optional<Eigen::Vector2d> first_place_off_ground(const rockfall::Net& net,
@@ -264,15 +286,15 @@ std::vector<NetRecord> on_terrain(GivenNets given, const rockfall::Terrain& terr
     const Eigen::Vector2d origin_m = terrain.origin_m();
     for (std::size_t i = 0; i < given.nets.size(); ++i) {
         NetRecord& record = given.nets[i];
+        std::vector<config::Point2> line;
         for (Eigen::Vector2d& corner : record.net.line_m) {
+            line.push_back({corner.x(), corner.y()});
             corner -= origin_m;
         }
         if (const auto place = first_place_off_ground(record.net, terrain)) {
-            problems.add(config::ExitCode::data, given.lines[i],
-                         joined("net ", config::in_quotes(record.name), " leaves the terrain at x ",
-                                to_centimetres(place->x() + origin_m.x()), ", y ",
-                                to_centimetres(place->y() + origin_m.y())),
-                         "a line wholly on the terrain");
+            problems.add(off_terrain_problem(record.name, line,
+                                             {place->x() + origin_m.x(), place->y() + origin_m.y()},
+                                             plausible::extent_of(terrain), given.lines[i]));
         }
     }
     return std::move(given.nets);

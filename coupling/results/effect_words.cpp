@@ -59,6 +59,17 @@ std::string kj_text(std::size_t counted_energy) {
         std::lround(static_cast<double>(rockfall::counted_energies_j[counted_energy]) / config::j_per_kj));
 }
 
+std::string rate_per_1000(double share) {
+    const double rate = 1000.0 * share;
+    if (!(rate > 0.0)) {
+        return rate == 0.0 ? "0" : "–";
+    }
+    const int decimals = rate >= 99.95   ? 0
+                         : rate >= 0.995 ? 1
+                                         : 1 - static_cast<int>(std::floor(std::log10(rate)));
+    return report::fixed(rate, std::min(decimals, 9));
+}
+
 std::optional<EnergyRise> energy_rise(const ArrivalFigures& forest, const ArrivalFigures& bare) {
     if (too_few_for_protection(forest.share.part) || too_few_for_protection(bare.share.part)) {
         return std::nullopt;
@@ -84,9 +95,9 @@ std::string change_of_strong_rocks(const ArrivalFigures& forest, const ArrivalFi
             continue;
         }
         const std::string which = joined("rocks above ", kj_text(energy), "\u00a0kJ per 1000 released ");
-        const std::string from = report::three_digits(1000.0 * before.value);
-        const std::string to = report::three_digits(1000.0 * after.value);
-        return after.value == before.value  ? joined(which, "stay at ", to)
+        const std::string from = rate_per_1000(before.value);
+        const std::string to = rate_per_1000(after.value);
+        return from == to                   ? joined(which, "stay at ", to)
                : after.value < before.value ? joined(which, "fall from ", from, " to ", to)
                                             : joined(which, "rise from ", from, " to ", to);
     }

@@ -12,6 +12,10 @@ namespace coupling {
 /// "30", "100", "300", "1000": in columns and keys.
 std::string kj_text(std::size_t counted_energy);
 
+/// Rocks per 1000 released, of a share: "156", "24.4", "0.60", "0.077". Two digits below 1, where few rocks
+/// stand behind the figure; "–" where it is not known.
+std::string rate_per_1000(double share);
+
 /// How an energy of those that still arrive compares with that of all rocks over the bare slope.
 struct EnergyRise {
     const char* figure = "";  ///< "95 % energy" or "mean energy"

@@ -98,15 +98,26 @@ double place_of(std::size_t course, std::size_t run, const Lines& lines) {
     return static_cast<double>(course) + 1.0 + 0.6 * ((static_cast<double>(run) + 0.5) / runs - 0.5);
 }
 
+/// Why a run has no value: it has no such thing, or too few rocks for the figure.
+std::string why_no_point(const std::optional<Figure>& figure, std::string_view quantity) {
+    if (figure && !figure->why_none.empty()) {
+        return figure->why_none;
+    }
+    if (!figure) {
+        return "not part of this run";
+    }
+    return quantity == "energy_95_kj" ? "fewer than 20 rocks arrive" : "too few rocks";
+}
+
 /// " No point: B (only 2 rocks arrive ...)." Empty where each run knows the figure.
 std::string missing_points(const Lines& lines, const SideBySide& comparison) {
     std::string list;
     for (const Line* line : lines) {
         for (std::size_t run = 0; run < line->figures.size(); ++run) {
             const auto& figure = line->figures[run];
-            if (figure && !figure->why_none.empty()) {
+            if (!figure || std::isnan(figure->value)) {
                 list += joined(list.empty() ? "" : ", ", comparison.letters[run], " (",
-                               escaped(figure->why_none), ")");
+                               escaped(why_no_point(figure, line->key.quantity)), ")");
             }
         }
     }
@@ -150,12 +161,13 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
     for (std::size_t run = 0; run < first.figures.size(); ++run) {
         chart.add_dot_name(look_of(run), comparison.names[run]);
     }
-    return chart.figure(joined(alone ? std::string{} : joined("Regimes: ", list_of_courses(lines), ". "),
-                               first.key.when == "today"
-                                   ? "With the 95 % interval of the chance in the rocks."
-                               : any_interval ? "Mean over the years, with its 95 % interval."
-                                              : "Mean over the years, without intervals.",
-                               " Below 0 is drawn as 0.", missing_points(lines, comparison)));
+    return chart.figure(
+        joined(alone ? std::string{} : joined("Regimes: ", list_of_courses(lines), ". "),
+               first.key.when == "today" ? "With the 95 % interval of the chance in the rocks."
+               : any_interval            ? "Mean over the years, with its 95 % interval."
+                                         : "Mean over the years, without intervals.",
+               shown.quantity == std::string_view{"protection_percent"} ? " Below 0 is drawn as 0." : "",
+               missing_points(lines, comparison)));
 }
 
 /// Year -> mean and range of a series of a run.

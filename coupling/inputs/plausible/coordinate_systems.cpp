@@ -62,7 +62,9 @@ constexpr std::array systems{
     system_row("UTM zone 33N", 32633, 15.0, 500e3, 0.0, {0, 1000, 700, 9400}),
 };
 
-constexpr double slack_m = 100.0 * km;
+/// Strips are used beyond their borders to the east and west (East Tyrol in GK West), hardly to the north.
+constexpr double slack_east_m = 100.0 * km;
+constexpr double slack_north_m = 30.0 * km;
 
 std::string letters_in_lower_case(std::string_view word) {
     std::string letters;
@@ -146,8 +148,9 @@ void take_parameter(const Element& element, Projection& projection) {
     }
 }
 
-Extent grown(const Extent& extent, double by_m) {
-    return {extent.west_m - by_m, extent.east_m + by_m, extent.south_m - by_m, extent.north_m + by_m};
+Extent with_slack(const Extent& extent) {
+    return {extent.west_m - slack_east_m, extent.east_m + slack_east_m, extent.south_m - slack_north_m,
+            extent.north_m + slack_north_m};
 }
 
 std::string name_with_code(const KnownSystem& system) {
@@ -240,7 +243,7 @@ std::optional<Contradiction> contradiction_of(std::string_view text, const Exten
                              "coordinates in metres", "transform all maps to a system in metres"};
     }
     const KnownSystem* const system = system_of(*projection, text);
-    if (system == nullptr || grown(system->area, slack_m).covers(extent)) {
+    if (system == nullptr || with_slack(system->area).covers(extent)) {
         return std::nullopt;
     }
     return Contradiction{coordinates, joined("for ", system->name, " about ", in_words(system->area)),

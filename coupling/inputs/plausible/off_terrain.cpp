@@ -26,8 +26,9 @@ struct KnownShift {
 /// Added to the places. Plain shifts only show the cause: between LV03 and LV95 they are up to 1.6 m wrong
 /// (swisstopo, FINELTRA), so the advice is always to transform.
 constexpr std::array shifts{
-    KnownShift{2e6, 1e6, "they look like Swiss LV03 while the terrain is in LV95"},
-    KnownShift{-2e6, -1e6, "they look like Swiss LV95 while the terrain is in LV03"},
+    KnownShift{2e6, 1e6, "their easting lacks 2 000 000 m and their northing 1 000 000 m (Swiss LV03, LV95)"},
+    KnownShift{-2e6, -1e6,
+               "their easting has 2 000 000 m and their northing 1 000 000 m more (Swiss LV03, LV95)"},
     KnownShift{0.0, 5e6, "their northing lacks 5 000 000 m (MGI: Austria GK and Austria M)"},
     KnownShift{0.0, -5e6, "their northing has 5 000 000 m more (MGI: Austria GK and Austria M)"},
     KnownShift{150e3, 0.0, "their easting lacks 150 000 m (MGI: Austria GK West and M28)"},
@@ -44,6 +45,33 @@ double share_inside(const Extent& terrain, std::span<const Point2> places,
     const auto inside = std::count_if(places.begin(), places.end(),
                                       [&](const Point2& point) { return terrain.contains(changed(point)); });
     return static_cast<double>(inside) / static_cast<double>(places.size());
+}
+
+/// Where the terrain lies in Switzerland the shift between its systems needs no numbers.
+std::string shift_in_words(const KnownShift& shift, const Extent& terrain) {
+    const std::string system = systems_around(terrain);
+    const bool is_swiss_shift = std::abs(shift.north_m) == 1e6;
+    if (is_swiss_shift && system.find("LV95") != std::string::npos) {
+        return "they look like Swiss LV03 while the terrain is in LV95";
+    }
+    if (is_swiss_shift && system.find("LV03") != std::string::npos) {
+        return "they look like Swiss LV95 while the terrain is in LV03";
+    }
+    return shift.reason;
+}
+
+/// Distance in plan between two extents; 0 where they overlap.
+double gap_m(const Extent& a, const Extent& b) {
+    return std::hypot(std::max({0.0, b.west_m - a.east_m, a.west_m - b.east_m}),
+                      std::max({0.0, b.south_m - a.north_m, a.south_m - b.north_m}));
+}
+
+/// Nearer to the terrain than this share of its longer side, things were probably meant there [choice].
+constexpr double near_share = 0.5;
+
+bool lies_beside(const Extent& terrain, const Extent& extent) {
+    const double side_m = std::max(terrain.east_m - terrain.west_m, terrain.north_m - terrain.south_m);
+    return gap_m(terrain, extent) <= near_share * side_m;
 }
 
 bool looks_like_degrees(const Extent& extent) {
@@ -97,7 +125,7 @@ OffCause cause_off_terrain(const Extent& terrain, std::span<const Point2> places
     }
     for (const KnownShift& shift : shifts) {
         if (fits_shifted(shift.east_m, shift.north_m)) {
-            return {shift.reason, transform};
+            return {shift_in_words(shift, terrain), transform};
         }
     }
     if (const std::string zone = zone_number(fits_shifted); !zone.empty()) {
@@ -108,6 +136,11 @@ OffCause cause_off_terrain(const Extent& terrain, std::span<const Point2> places
     }
     if (extent.overlaps(terrain)) {
         return {"they reach beyond the terrain", "cut the file to the terrain, or take a larger terrain"};
+    }
+    if (lies_beside(terrain, extent)) {
+        return {joined("they lie ", std::to_string(std::lround(std::ceil(gap_m(terrain, extent)))),
+                       " m beyond its edge"),
+                "take a larger terrain, or delete them from the file"};
     }
     const std::string own = systems_around(extent);
     const std::string of_terrain = systems_around(terrain);

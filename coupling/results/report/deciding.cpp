@@ -76,13 +76,34 @@ std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSou
                   mark("by source", false));
 }
 
+/// A value over all starts: marked as the setting where all sources share its value, otherwise as their own.
+template <class Value>
+std::string marked_over(const Scenario& scenario, const std::vector<ReleaseSource>& sources,
+                        const Value& value_of, int decimals, const std::string& unit,
+                        const std::string& key) {
+    const double common = value_of(start_law(scenario));
+    const bool is_common = std::all_of(sources.begin(), sources.end(), [&](const ReleaseSource& source) {
+        return !source.own_start || value_of(*source.own_start) == common;
+    });
+    const std::string text = joined(range_over(scenario, sources, value_of, decimals), unit);
+    return is_common ? marked(scenario, text, {key}) : joined(text, mark("by source", false));
+}
+
 std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
     constexpr double deg_per_rad = 57.295779513082321;
-    const auto range = [&](const auto& value_of) { return range_over(scenario, sources, value_of, 1); };
-    return joined(range([](const StartLaw& law) { return law.height_m; }), " m above ground, ",
-                  range([](const StartLaw& law) { return law.speed_mps; }), " m/s, ",
-                  range([](const StartLaw& law) { return deg_per_rad * law.dip.in_radians(); }),
-                  "° below the horizon", mark("by source", false));
+    const bool drops = scenario.fall_height_m > 0.0;
+    return joined(
+        marked_over(
+            scenario, sources, [](const StartLaw& law) { return law.height_m; }, 1, " m above ground",
+            drops ? "release.fall_height_m" : "release.start_height_m"),
+        ", ",
+        marked_over(
+            scenario, sources, [](const StartLaw& law) { return law.speed_mps; }, 1, " m/s",
+            drops ? "release.fall_height_m" : "release.start_speed_mps"),
+        ", ",
+        marked_over(
+            scenario, sources, [](const StartLaw& law) { return deg_per_rad * law.dip.in_radians(); }, 1,
+            "° below the horizon", "release.start_dip_deg"));
 }
 
 }  // namespace
@@ -144,14 +165,12 @@ std::string spread_of_directions(const Scenario& scenario) {
 std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSource>& sources,
                            const std::string& rocks, const std::string& sizes) {
     const bool by_source = starts_differ(sources);
-    const std::string density =
-        joined(range_over(
-                   scenario, sources, [](const StartLaw& law) { return law.density_kgpm3; }, 0),
-               " kg/m³");
+    const std::string density = marked_over(
+        scenario, sources, [](const StartLaw& law) { return law.density_kgpm3; }, 0, " kg/m³",
+        "release.density_kgpm3");
     std::string html = fact("Rocks", marked(scenario, rocks, {"release.rocks", "release.rocks_per_source"}));
     html += fact("Rock diameter", sizes.empty() ? size_of_rocks(scenario, sources) : sizes);
-    html += fact("Rock density", by_source ? joined(density, mark("by source", false))
-                                           : marked(scenario, density, {"release.density_kgpm3"}));
+    html += fact("Rock density", density);
     html += fact("Start", by_source ? start_with_own(scenario, sources) : start_of_rocks(scenario));
     html += fact("Spread of directions", spread_of_directions(scenario));
     html += fact("Motion", marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));

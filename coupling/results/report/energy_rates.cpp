@@ -8,10 +8,8 @@ namespace coupling::report {
 namespace {
 
 std::string rate_text(const Share& share) {
-    constexpr double per_1000 = 1000.0;
-    return joined(three_digits(per_1000 * share.value), " <span class=\"soft\">(",
-                  three_digits(per_1000 * share.interval.low), " to ",
-                  three_digits(per_1000 * share.interval.high), ")</span>");
+    return joined(rate_per_1000(share.value), " <span class=\"soft\">(", rate_per_1000(share.interval.low),
+                  " to ", rate_per_1000(share.interval.high), ")</span>");
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ ul.names svg{width:30px;height:14px;flex:none}
 .paths .class1{stroke:#e66101;stroke-width:.9;stroke-opacity:.8}
 .paths .class2{stroke:#67001f;stroke-width:1.5;stroke-opacity:.85}
 table{border-collapse:collapse;font-size:.9rem;width:100%;font-variant-numeric:tabular-nums}
-.wide{overflow-x:auto}
+.wide{overflow-x:auto}.wide+.wide{margin-top:1.3em}.wide+.halves,.wide+.thirds{margin-top:16px}
 caption{text-align:left;padding:0 0 .4em}
 th,td{padding:.28em .6em;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
 thead th{border-bottom:2px solid var(--line);font-weight:600;vertical-align:bottom}

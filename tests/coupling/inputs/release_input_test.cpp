@@ -42,7 +42,7 @@ TEST(SourceGrid, OfAnotherFrameIsRefused) {
     EXPECT_EQ(
         opened.errors,
         "source.asc: found 12 x 10 cells of 10 m, corner 1000, 2005, expected the frame of dem.asc, 12 x 10 "
-        "cells of 10 m, corner 1000, 2000");
+        "cells of 10 m, corner 1000, 2000; resample it to the cells of that file (QGIS: Align rasters)");
 }
 
 TEST(SourceGrid, OnNodataIsRefused) {

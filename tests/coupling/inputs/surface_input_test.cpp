@@ -18,7 +18,7 @@ TEST(SurfaceGrid, OfAnotherExtentIsRefused) {
     EXPECT_EQ(
         opened.errors,
         "surface.asc: found 12 x 10 cells of 10 m, corner 1010, 2000, expected the frame of dem.asc, 12 x 10 "
-        "cells of 10 m, corner 1000, 2000");
+        "cells of 10 m, corner 1000, 2000; resample it to the cells of that file (QGIS: Align rasters)");
 }
 
 TEST(SurfaceGrid, OfAnotherCellSizeIsRefused) {

@@ -51,10 +51,10 @@ TEST(Trees, ThatBorrowParametersAreTold) {
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.warnings,
               (std::vector<std::string>{
-                  "trees.csv: 1 tree of SACA (Salix caprea) taken like BEPE; the fracture energy "
-                  "1.1 is the species' own",
-                  "trees.csv: 2 trees of TABA (Taxus baccata) taken like ABAL; the fracture "
-                  "energy 1.2 is the species' own"}));
+                  "trees.csv: 1 tree of SACA (Salix caprea) taken like BEPE, but with their own fracture "
+                  "energy of 1.1; write another code if another species comes nearer",
+                  "trees.csv: 2 trees of TABA (Taxus baccata) taken like ABAL, but with their own fracture "
+                  "energy of 1.2; write another code if another species comes nearer"}));
     EXPECT_EQ(opened.site->trees[0].species, "TABA");
     EXPECT_EQ(opened.site->trees[0].stem.fracture_energy, 1.2);
 }

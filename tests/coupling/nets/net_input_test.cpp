@@ -49,9 +49,17 @@ TEST(Nets, WhollyOrPartlyOffTheTerrainAreRefused) {
     EXPECT_EQ(
         errors_of("a,3,500,,,\"LINESTRING (1090 2010, 1090 2190)\"\n"),
         "nets.csv:2:11: found net 'a' leaves the terrain at x 1090, y 2096, expected a line wholly on the "
-        "terrain");
-    EXPECT_NE(errors_of("a,3,500,,,\"LINESTRING (5090 2010, 5090 2090)\"\n").find("leaves the terrain"),
-              std::string::npos);
+        "terrain; shorten the net, or take a larger terrain");
+    const std::string elsewhere = errors_of("a,3,500,,,\"LINESTRING (5090 2010, 5090 2090)\"\n");
+    EXPECT_NE(elsewhere.find("net 'a' outside the terrain: "), std::string::npos) << elsewhere;
+    EXPECT_NE(elsewhere.find("; the net spans 5 090 to 5 090 east"), std::string::npos) << elsewhere;
+}
+
+TEST(Nets, WithSwappedAxesAreRefusedWithTheCauseAndWhatToDo) {
+    const std::string swapped = errors_of("a,3,500,,,\"LINESTRING (2010 1090, 2090 1090)\"\n");
+    EXPECT_NE(swapped.find("net 'a' outside the terrain: x and y look swapped; "), std::string::npos)
+        << swapped;
+    EXPECT_TRUE(swapped.ends_with("; exchange x and y in the lines")) << swapped;
 }
 
 TEST(Nets, InOnePlaceAreRefusedWithBothNamesAndLines) {

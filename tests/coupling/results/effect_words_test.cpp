@@ -34,6 +34,17 @@ TargetFigures target(const ArrivalFigures& forest, const ArrivalFigures& bare) {
     return figures;
 }
 
+TEST(RatePer1000, HasTwoDigitsBelowOne) {
+    EXPECT_EQ(rate_per_1000(0.1564), "156");
+    EXPECT_EQ(rate_per_1000(0.09996), "100");
+    EXPECT_EQ(rate_per_1000(0.02437), "24.4");
+    EXPECT_EQ(rate_per_1000(0.000999), "1.0");
+    EXPECT_EQ(rate_per_1000(0.000598), "0.60");
+    EXPECT_EQ(rate_per_1000(0.0000767), "0.077");
+    EXPECT_EQ(rate_per_1000(0.0), "0");
+    EXPECT_EQ(rate_per_1000(NAN), "–");
+}
+
 TEST(ReductionInWords, ExplainsA95PercentEnergyThatTheForestRaises) {
     const std::string text =
         reduction_in_words(target(arrivals(100, 30, energy(150.0, 492.0, 480.0, 505.0)),

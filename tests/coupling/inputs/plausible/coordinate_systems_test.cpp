@@ -60,6 +60,9 @@ TEST(ContradictionOf, AcceptsTheSystemThatTheCoordinatesAreIn) {
     EXPECT_FALSE(contradiction_of(esri_text("MGI_Austria_Lambert", 4e5, 4e5, 13.3333333), tyrol, "dem.prj"));
     const Extent chablais{974'326.0, 974'408.0, 6'581'619.0, 6'581'702.0};
     EXPECT_FALSE(contradiction_of(esri_text("RGF_1993_Lambert_93", 7e5, 6.6e6, 3.0), chablais, "dem.prj"));
+    // East Tyrol lies outside the strip, but its maps come in it too.
+    const Extent lienz{184'000.0, 186'000.0, 189'000.0, 191'000.0};
+    EXPECT_FALSE(contradiction_of(esri_text("MGI_Austria_GK_West", 0.0, -5e6, 10.3333333), lienz, "dem.prj"));
 }
 
 TEST(ContradictionOf, NamesBothAndWhatWouldFit) {
@@ -68,6 +71,7 @@ TEST(ContradictionOf, NamesBothAndWhatWouldFit) {
           {"ETRS_1989_UTM_Zone_33N", 5e5, 0.0, 15.0},
           {"CH1903_LV03", 6e5, 2e5, 7.43958333},
           {"CH1903+_LV95", 2.6e6, 1.2e6, 7.43958333},
+          {"MGI_Austria_GK_West", 0.0, -5e6, 10.3333333},
           {"MGI_Austria_GK_M31", 4.5e5, -5e6, 13.3333333},
           {"MGI_M28", 1.5e5, 0.0, 10.3333333},
           {"DHDN_3_Degree_Gauss_Zone_4", 4.5e6, 0.0, 12.0},

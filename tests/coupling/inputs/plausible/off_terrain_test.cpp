@@ -62,6 +62,11 @@ TEST(CauseOffTerrain, FindsTheShiftsBetweenNationalSystems) {
                             return config::Point2{p.x_m + 2e6, p.y_m + 1e6};
                         }),
               "they look like Swiss LV95 while the terrain is in LV03");
+    EXPECT_EQ(reason_of(tyrolean_slope,
+                        [](config::Point2 p) {
+                            return config::Point2{p.x_m + 2e6, p.y_m + 1e6};
+                        }),
+              "their easting has 2 000 000 m and their northing 1 000 000 m more (Swiss LV03, LV95)");
     const Extent austrian{79'000.0, 80'000.0, 237'000.0, 238'000.0};
     EXPECT_NE(reason_of(austrian,
                         [](config::Point2 p) {
@@ -97,6 +102,16 @@ TEST(CauseOffTerrain, SaysThatAListMayReachBeyondTheTerrain) {
     const std::vector<config::Point2> around{
         {177'000.0, 376'000.0}, {177'500.0, 377'000.0}, {180'000.0, 380'000.0}};
     EXPECT_EQ(cause_off_terrain(tyrolean_slope, around, "").reason, "they reach beyond the terrain");
+}
+
+TEST(CauseOffTerrain, SaysHowFarBeyondTheEdgeNearThingsLie) {
+    const std::vector<config::Point2> house{{177'150.0, 377'780.0}, {177'166.0, 377'800.0}};
+    const OffCause cause = cause_off_terrain(tyrolean_slope, house, "");
+    EXPECT_EQ(cause.reason, "they lie 32 m beyond its edge");
+    EXPECT_EQ(cause.advice, "take a larger terrain, or delete them from the file");
+    const std::vector<config::Point2> far_away{{170'000.0, 377'780.0}};
+    EXPECT_EQ(cause_off_terrain(tyrolean_slope, far_away, "").reason,
+              "perhaps another coordinate system or another place");
 }
 
 TEST(InWords, GroupsLongNumbersAndKeepsTheDecimalsOfShortOnes) {
