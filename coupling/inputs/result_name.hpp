@@ -11,8 +11,7 @@ bool is_result_name(std::string_view name);
 
 /// The same in words, for messages.
 inline constexpr const char* result_name_in_words =
-    "a name of at most 100 letters (no accents), digits, _ or -, other than 'bare' and 'year_...'; rename "
-    "it: "
-    "folders of the results take this name";
+    "at most 100 letters (no accents), digits, _ or -, other than 'bare' and 'year_...'; rename it: folders "
+    "of the results take this name";
 
 }  // namespace coupling
