@@ -10,6 +10,7 @@
 #include "config/errors/brief.hpp"
 #include "config/errors/input_error.hpp"
 #include "config/errors/warnings.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/commands/check.hpp"
 #include "coupling/commands/command_line.hpp"
 #include "coupling/commands/completion.hpp"
@@ -20,17 +21,16 @@
 #include "coupling/compare/compare.hpp"
 #include "coupling/nets/net_place.hpp"
 #include "coupling/nets/net_try.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/run/ranks.hpp"
 #include "coupling/run/run.hpp"
 #include "coupling/run/telling.hpp"
 #include "coupling/stopping/stopping_table.hpp"
 
 namespace coupling {
-
 namespace {
 
 using config::ExitCode;
+using config::joined;
 
 int code(ExitCode exit_code) {
     return static_cast<int>(exit_code);

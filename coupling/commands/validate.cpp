@@ -6,8 +6,8 @@
 #include <iomanip>
 #include <iostream>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/file_bytes.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/validation/falls.hpp"
 #include "coupling/validation/result_folder.hpp"
@@ -17,9 +17,9 @@
 #include "coupling/validation/write_results.hpp"
 
 namespace coupling {
-
 namespace {
 
+using config::joined;
 using validation::CaseFiles;
 using validation::CaseResult;
 using validation::ValidationCase;

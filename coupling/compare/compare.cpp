@@ -3,16 +3,18 @@
 #include <sstream>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/compare/finished_run.hpp"
 #include "coupling/compare/page/page.hpp"
 #include "coupling/compare/side_by_side.hpp"
 #include "coupling/inputs/path_checks.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/run/interrupt.hpp"
 
 namespace coupling::compare {
 namespace {
+
+using config::joined;
 
 void refuse_existing(const std::filesystem::path& file, const char* option, bool overwrite) {
     if (!file.empty() && !overwrite && path_exists(file)) {

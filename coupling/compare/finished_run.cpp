@@ -12,16 +12,18 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/table/table.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::compare {
 namespace {
+
+using config::joined;
 
 namespace fs = std::filesystem;
 

@@ -3,12 +3,14 @@
 #include <limits>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/climate_input.hpp"
 #include "coupling/inputs/file_bytes.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::compare {
+
+using config::joined;
 
 config::Table read_table(const std::filesystem::path& folder, const std::string& name,
                          const std::vector<std::string>& wanted) {

@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "config/errors/input_error.hpp"
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::compare {
 namespace {
+
+using config::joined;
 
 constexpr const char* none = "–";
 

@@ -4,13 +4,15 @@
 #include <iomanip>
 #include <sstream>
 
+#include "config/text/joined.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/compare/side_by_side.hpp"
 #include "coupling/results/csv_row.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::compare {
 namespace {
+
+using config::joined;
 
 constexpr int name_width = 34;
 constexpr int value_width = 27;

@@ -1,11 +1,13 @@
 #include "coupling/decades/bare_part.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/member_part.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/run/tally_archive.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 constexpr std::uint64_t bare_part_magic = 0x32304552'41424E42ULL;  // "BNBARE02", least byte first
 

@@ -2,15 +2,17 @@
 
 #include <cstdio>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/arrivals.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/results/few_rocks.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/telling.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 namespace fs = std::filesystem;
 

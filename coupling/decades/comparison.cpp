@@ -6,15 +6,17 @@
 #include <limits>
 #include <set>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/profile_tables.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/few_rocks.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/stop_causes.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 /// Places for the figures of all members.
 Series empty_series(const Names& names, std::span<const MemberYears> members, std::string quantity,

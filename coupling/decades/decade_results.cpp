@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/comparison.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/fall_tables.hpp"
@@ -14,12 +15,12 @@
 #include "coupling/decades/work_tables.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/gis_files.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::decades {
-
 namespace {
+
+using config::joined;
 
 std::string years_in_words(const ClimateSource& climate) {
     return joined("years ", std::to_string(climate.series.first_year()), " to ",

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/closing_summary.hpp"
 #include "coupling/decades/decade_results.hpp"
 #include "coupling/decades/parts.hpp"
@@ -11,7 +12,6 @@
 #include "coupling/decades/simulate.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
 #include "coupling/inputs/path_checks.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
@@ -21,6 +21,8 @@
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 namespace fs = std::filesystem;
 

@@ -2,12 +2,14 @@
 
 #include <functional>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/decades/decade_layouts.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 std::string_view species_of(const Names& names, std::uint32_t species) {
     return species == all ? std::string_view{"all"} : names.species.all()[species].code;

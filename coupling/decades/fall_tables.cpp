@@ -6,14 +6,16 @@
 #include <map>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/results/figure_columns.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/rasters.hpp"
 #include "coupling/results/stop_causes.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 void write_protection(std::ostream& out, const Names& names, const Site& site,
                       std::span<const MemberYears> members) {

@@ -5,14 +5,16 @@
 #include <set>
 #include <sstream>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/result_name.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/regimes/shipped.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 /// Names and files, split at commas, blanks around them left out.
 std::vector<std::string> entries_of(const std::string& list) {

@@ -1,10 +1,12 @@
 #include "coupling/decades/member_part.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/results/disk.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 constexpr std::uint64_t member_part_magic = 0x36304D45'4D4E4142ULL;  // "BANMEM06", least byte first
 

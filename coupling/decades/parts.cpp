@@ -1,13 +1,15 @@
 #include "coupling/decades/parts.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/bare_part.hpp"
 #include "coupling/decades/member_part.hpp"
 #include "coupling/results/disk.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/output_folder.hpp"
 
 namespace coupling::decades {
+
+using config::joined;
 
 std::filesystem::path Parts::of(const Member& member) const {
     return folder_ / joined("member_", std::to_string(member.regime + 1), "_",

@@ -6,11 +6,13 @@
 #include <map>
 #include <utility>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/rasters.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 struct Quantity {
     const char* name;

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/results/csv_row.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 void write_gaps(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
     write_header(out, decade_layouts(), "gaps.csv");

@@ -1,12 +1,14 @@
 #include <string>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_results.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/static_layouts.hpp"
 
 namespace coupling::hazard {
 namespace {
+
+using config::joined;
 
 constexpr const char* from_map = "cells of the map";
 constexpr const char* from_matrix = "hazard_matrix.csv or hazard.matrix";

@@ -6,11 +6,13 @@
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::hazard {
 namespace {
+
+using config::joined;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr config::NumberRange energy_range{.low = 0.0, .high = 1e6};

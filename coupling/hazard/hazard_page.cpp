@@ -3,6 +3,7 @@
 #include <limits>
 #include <numeric>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
 #include "coupling/hazard/hazard_results.hpp"
@@ -19,6 +20,7 @@
 namespace coupling::hazard {
 namespace {
 
+using config::joined;
 using report::ColourScale;
 using report::escaped;
 using report::HtmlTable;

@@ -4,17 +4,19 @@
 #include <cmath>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/gis_files.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/rasters.hpp"
 #include "coupling/results/read_raster.hpp"
 
 namespace coupling {
+
+using config::joined;
 
 std::string stem_of(HazardEnergy energy) {
     switch (energy) {

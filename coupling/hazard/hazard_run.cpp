@@ -10,14 +10,14 @@
 #include <set>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_results.hpp"
-#include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/path_checks.hpp"
+#include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
 #include "coupling/results/disk.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/run/assess_today.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
@@ -28,6 +28,8 @@
 
 namespace coupling::hazard {
 namespace {
+
+using config::joined;
 
 namespace fs = std::filesystem;
 

@@ -5,16 +5,16 @@
 #include <map>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/climate_variants.hpp"
-#include "coupling/results/joined.hpp"
 #include "forest/climate/summary.hpp"
 
 namespace coupling {
-
 namespace {
 
 using config::ExitCode;
+using config::joined;
 
 std::string years_of(const forest::ClimateSeries& series) {
     return joined(std::to_string(series.first_year()), " to ", std::to_string(series.last_year()));

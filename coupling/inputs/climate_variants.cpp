@@ -5,16 +5,16 @@
 #include <string_view>
 
 #include "config/table/table.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/climate_input.hpp"
 #include "coupling/inputs/result_name.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
 
 using config::ExitCode;
+using config::joined;
 
 /// The rows of climate.variants, each as the settings with what it gives in their place.
 class VariantRows {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 void declare_run(config::Options& options, ForestSettings& s) {
     options.count(

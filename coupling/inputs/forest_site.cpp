@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <set>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/patch_input.hpp"
 #include "coupling/inputs/soil_input.hpp"
 #include "coupling/inputs/stand_input.hpp"
 #include "coupling/inputs/tree_input.hpp"
-#include "coupling/results/joined.hpp"
 #include "forest/height_growth.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 /// Trees that come up later get numbers above all of these.
 constexpr double highest_listed_id = 1e12;

@@ -2,14 +2,14 @@
 
 #include <sstream>
 
+#include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
 
 using config::ExitCode;
+using config::joined;
 
 /// Code of the species that a name stands for among those that only the strength table knows; "" for none.
 std::string stand_in_of(const std::string& name) {

@@ -6,16 +6,17 @@
 #include <set>
 
 #include "config/options/values.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/species_column.hpp"
 #include "coupling/inputs/species_table.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
 
+using config::joined;
 using config::NumberRange;
 
 constexpr double longest_log_m = 150.0;

@@ -9,13 +9,15 @@
 #include <string>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr double longest_extent_m = 100e3;
 

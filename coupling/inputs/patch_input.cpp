@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "forest/light/direction.hpp"
 
 namespace coupling {
-
 namespace {
 
+using config::joined;
 using forest::patch_side_m;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

@@ -5,12 +5,14 @@
 #include <sstream>
 
 #include "config/grid/ascii_grid.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/path_checks.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
+
+using config::joined;
 
 void Reading::doubt(config::Place place, std::string found, std::string expected, std::string advice) {
     config::Problem problem{config::ExitCode::data, std::move(place), std::move(found), std::move(expected),

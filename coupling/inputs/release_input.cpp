@@ -4,18 +4,18 @@
 #include <array>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/plausible/source_cover.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
 
+using config::joined;
 using config::Shape;
 using rockfall::ReleaseSource;
 using Sources = std::vector<ReleaseSource>;

@@ -5,15 +5,15 @@
 #include <string>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/profile/profile_settings.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
 
 using config::ExitCode;
+using config::joined;
 
 /// Adds problems at the line where a setting stands.
 class Checker {

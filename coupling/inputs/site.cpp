@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/forest_site.hpp"
 #include "coupling/inputs/log_input.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
@@ -16,11 +17,11 @@
 #include "coupling/inputs/terrain_input.hpp"
 #include "coupling/inputs/tree_input.hpp"
 #include "coupling/nets/net_input.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 config::GridFrame relative_to(const config::GridFrame& frame, const Eigen::Vector2d& origin_m) {
     config::GridFrame relative = frame;

@@ -4,13 +4,14 @@
 #include <limits>
 #include <vector>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 #include "forest/production/soil.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 std::map<double, forest::Soil> read_types(Reading& reading) {
     const config::Table table =

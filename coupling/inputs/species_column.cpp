@@ -1,8 +1,10 @@
 #include "coupling/inputs/species_column.hpp"
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling {
+
+using config::joined;
 
 SpeciesLookup lookup_in(const SpeciesTable& known) {
     std::string codes;

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <set>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/shape_input.hpp"
-#include "coupling/results/joined.hpp"
 #include "forest/allometry.hpp"
 
 namespace coupling {
-
 namespace {
 
 using config::ExitCode;
+using config::joined;
 using forest::Structure;
 
 constexpr double highest_stand = 4e9;

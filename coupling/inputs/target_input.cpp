@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <string>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/shape_input.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 rockfall::Target target_of(const config::Table& table, std::size_t row, const config::Shape& shape) {
     rockfall::Target target;

@@ -8,16 +8,17 @@
 #include <string>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/species_table.hpp"
-#include "coupling/results/joined.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 constexpr config::NumberRange dbh_range_cm{.low = 0.0, .high = 500.0, .low_excluded = true};
 constexpr config::NumberRange height_range_m{.low = 0.0, .high = 150.0, .low_excluded = true};

@@ -6,12 +6,14 @@
 #include <set>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr config::NumberRange period_range{.low = 0.0, .high = 1e6, .low_excluded = true};
 constexpr config::NumberRange zone_range{.low = 1.0, .high = 4e9};

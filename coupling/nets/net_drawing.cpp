@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/nets/net_figures.hpp"
 #include "coupling/results/colours.hpp"
@@ -13,6 +14,7 @@ namespace coupling::report {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 constexpr double left = 52.0;
 constexpr double right = 888.0;

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
@@ -11,12 +12,12 @@
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/nets/net_classes.hpp"
 #include "coupling/nets/net_lines.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 constexpr config::NumberRange height_range_m{.low = 0.0, .high = 50.0, .low_excluded = true};
 constexpr config::NumberRange gap_range_m{.low = 0.0, .high = 50.0};

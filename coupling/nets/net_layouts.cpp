@@ -2,11 +2,13 @@
 
 #include <string>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/static_layouts.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr const char* simulated = "simulated";
 constexpr const char* counted = "counted over the simulated rocks";

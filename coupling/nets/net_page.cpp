@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/nets/net_drawing.hpp"
 #include "coupling/nets/net_tables.hpp"
@@ -17,6 +18,7 @@ namespace coupling::report {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 /// Where the axis of energy begins: a rock of less is as good as at rest.
 constexpr double least_kj = 0.1;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "config/table/table.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/nets/net_input.hpp"
@@ -12,7 +13,6 @@
 #include "coupling/nets/net_try.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -21,6 +21,7 @@ namespace coupling {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 using config::percent;
 
 /// A coordinate to the millimetre.

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/file_bytes.hpp"
@@ -15,7 +16,6 @@
 #include "coupling/nets/net_words.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/read_summary.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -24,6 +24,8 @@
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 namespace fs = std::filesystem;
 

@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/nets/net_classes.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 /// "; 95 % of energies below 312 kJ, of heights below 1.2 m", as far as they are known.
 std::string percentiles_in_words(const NetFigures& figures) {

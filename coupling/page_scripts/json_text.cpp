@@ -4,11 +4,13 @@
 #include <charconv>
 #include <cmath>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/report/png.hpp"
 
 namespace coupling::page_scripts {
 namespace {
+
+using config::joined;
 
 constexpr int significant_digits = 6;
 

@@ -1,6 +1,6 @@
 #include "coupling/page_scripts/page_scripts.hpp"
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/report/png.hpp"
 
 // The bundles with a pair of symbols around their bytes. Their hashes come from coupling/CMakeLists.txt, so
@@ -20,6 +20,8 @@ BUNDLE(slope)
 
 namespace coupling::page_scripts {
 namespace {
+
+using config::joined;
 
 int digit(char hexadecimal) {
     return hexadecimal <= '9' ? hexadecimal - '0' : hexadecimal - 'a' + 10;

@@ -6,13 +6,14 @@
 #include <set>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/shape_input.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 std::set<std::uint32_t> stands_of(const forest::PatchGrid& grid) {
     std::set<std::uint32_t> numbers;

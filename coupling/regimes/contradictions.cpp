@@ -3,12 +3,13 @@
 #include <set>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/regimes/regime.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 constexpr int years_looked_at = 500;
 

@@ -8,13 +8,14 @@
 #include <type_traits>
 
 #include "config/options/values.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/regimes/columns.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 /// Words that foresters use for what has another name here.
 struct Synonym {

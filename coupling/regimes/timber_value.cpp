@@ -8,11 +8,12 @@
 #include <string>
 
 #include "config/data/shipped_tables.hpp"
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling {
-
 namespace {
+
+using config::joined;
 
 constexpr config::NumberRange dbh_range{.low = 0.0, .high = 1000.0};
 constexpr config::NumberRange euro_range{.low = 0.0, .high = 10'000.0};

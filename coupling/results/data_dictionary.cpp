@@ -6,12 +6,14 @@
 #include <set>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/csv_row.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/rasters.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr std::string_view tables_folder = "tables/";
 constexpr std::string_view grid_ending = ".asc";

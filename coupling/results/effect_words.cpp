@@ -3,12 +3,14 @@
 #include <array>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/few_rocks.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 /// Smaller changes are none in words [choice].
 constexpr double least_change_percent = 0.5;

@@ -1,8 +1,10 @@
 #include "coupling/results/few_rocks.hpp"
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling {
+
+using config::joined;
 
 std::string too_few_in_words(std::uint64_t bare_arrivals) {
     const std::string rocks = bare_arrivals == 0 ? "no rock arrives"

@@ -4,14 +4,15 @@
 #include <limits>
 #include <string>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
 
+using config::joined;
 using config::percent;
 
 constexpr const char* simulated = "simulated";

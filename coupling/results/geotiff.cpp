@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/geopackage/spatial_reference.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr float no_data = -9999.0F;
 

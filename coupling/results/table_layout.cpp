@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr std::string_view any_year = "YEAR";
 

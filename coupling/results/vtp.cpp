@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <string>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 /// The raw blocks behind the markup, each with its length before it, least byte first.
 class Blocks {

@@ -7,13 +7,15 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/grid/ascii_grid.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/path_checks.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::rockyfor3d {
 namespace {
+
+using config::joined;
 
 namespace fs = std::filesystem;
 using config::ExitCode;

@@ -5,11 +5,13 @@
 #include "config/errors/input_error.hpp"
 #include "config/random/distributions.hpp"
 #include "config/random/stream.hpp"
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace coupling::rockyfor3d {
 namespace {
+
+using config::joined;
 
 constexpr double thinnest_cm = 5.0;
 constexpr double m2_per_ha = 10'000.0;

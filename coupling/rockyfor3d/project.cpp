@@ -4,9 +4,9 @@
 #include <sstream>
 
 #include "config/grid/ascii_grid.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/results/csv_row.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/rockyfor3d/blocks.hpp"
 #include "coupling/rockyfor3d/forest.hpp"
 #include "coupling/rockyfor3d/grounds.hpp"
@@ -14,6 +14,7 @@
 namespace coupling::rockyfor3d {
 namespace {
 
+using config::joined;
 using config::to_text;
 
 std::string text_of(const config::Raster<double>& raster) {

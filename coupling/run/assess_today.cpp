@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/nets/net_paths.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/write_results.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/closing_summary.hpp"
@@ -26,6 +26,7 @@
 namespace coupling {
 namespace {
 
+using config::joined;
 using rockfall::covers;
 
 /// Less work is kept between parts only: whoever stops a run at once wants other settings in the same folder.

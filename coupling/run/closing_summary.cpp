@@ -2,17 +2,19 @@
 
 #include <cstdio>
 
+#include "config/text/joined.hpp"
 #include "coupling/nets/net_tables.hpp"
 #include "coupling/nets/net_words.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/indicators.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/telling.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr auto forest = static_cast<std::size_t>(rockfall::Cover::forest);
 constexpr auto bare = static_cast<std::size_t>(rockfall::Cover::bare);

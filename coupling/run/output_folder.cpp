@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/disk.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/read_summary.hpp"
 #include "coupling/run/checkpoint.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 namespace fs = std::filesystem;
 

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 #ifdef BANNWALD_MPI
 #include <boost/mpi/collectives.hpp>
@@ -21,6 +21,8 @@
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 /// Processes that a launcher says it started; 1 without one.
 long long launched_processes() {

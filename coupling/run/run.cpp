@@ -2,17 +2,19 @@
 
 #include <memory>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/decade_run.hpp"
 #include "coupling/hazard/hazard_run.hpp"
 #include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/profile/profile_run.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/run/assess_today.hpp"
 #include "coupling/run/telling.hpp"
 
 namespace coupling {
+
+using config::joined;
 
 std::filesystem::path output_folder_of(const RunRequest& request, const Scenario& scenario) {
     return request.out.empty() ? scenario.file.parent_path() / "out" : request.out;

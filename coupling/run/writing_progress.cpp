@@ -4,11 +4,13 @@
 
 #include <cstdio>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/run/interrupt.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr std::chrono::milliseconds between_redraws{200};
 constexpr std::chrono::seconds between_log_lines{10};

@@ -5,7 +5,6 @@
 
 #include "config/random/distributions.hpp"
 #include "config/random/stream.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::validation {
 

@@ -2,10 +2,12 @@
 
 #include <map>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::validation {
 namespace {
+
+using config::joined;
 
 std::string without_unit(const std::string& name) {
     return name.substr(0, name.rfind(", "));

@@ -6,11 +6,13 @@
 #include <sstream>
 
 #include "config/table/table.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::validation {
 namespace {
+
+using config::joined;
 
 constexpr const char* factors_file = "factors.csv";
 constexpr const char* directions_file = "directions.csv";

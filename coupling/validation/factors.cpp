@@ -4,9 +4,9 @@
 #include <limits>
 #include <numeric>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/indicators.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/validation/outcome.hpp"
@@ -16,6 +16,7 @@ namespace coupling::validation {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 /// What the figures need of each series.
 struct SeriesSums {

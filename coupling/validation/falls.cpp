@@ -7,14 +7,15 @@
 #include <span>
 #include <stdexcept>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/validation/artificial_stand.hpp"
 
 namespace coupling::validation {
-
 namespace {
+
+using config::joined;
 
 /// Rocks of one ensemble that fall through one stand, one after the other.
 struct Batch {

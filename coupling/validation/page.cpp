@@ -1,5 +1,6 @@
 #include "coupling/validation/page.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
@@ -9,6 +10,7 @@
 namespace coupling::validation {
 namespace {
 
+using config::joined;
 using report::escaped;
 
 std::string notes_of(const CaseResult& result) {

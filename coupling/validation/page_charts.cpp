@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -9,6 +10,7 @@
 namespace coupling::validation {
 namespace {
 
+using config::joined;
 using config::percent;
 
 using report::Axis;

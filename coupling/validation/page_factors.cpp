@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -12,6 +13,7 @@
 namespace coupling::validation {
 namespace {
 
+using config::joined;
 using config::percent;
 
 using report::Axis;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::validation {
+
+using config::joined;
 
 std::string Notes::cite(const std::string& source) {
     if (source.empty()) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_parts.hpp"
@@ -7,6 +8,7 @@
 namespace coupling::validation {
 namespace {
 
+using config::joined;
 using report::escaped;
 
 Score sum_of(std::span<const CaseResult> cases, const Side& side) {

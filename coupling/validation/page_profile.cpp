@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
@@ -10,6 +11,7 @@
 namespace coupling::validation {
 namespace {
 
+using config::joined;
 using report::Axis;
 using report::place;
 

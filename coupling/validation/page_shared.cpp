@@ -1,11 +1,14 @@
 #include <array>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_parts.hpp"
 
 namespace coupling::validation {
 namespace {
+
+using config::joined;
 
 /// 0.9995 must not become 1.00.
 int decimals_of(double size) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/page_notes.hpp"
@@ -12,6 +13,7 @@
 namespace coupling::validation {
 namespace {
 
+using config::joined;
 using report::escaped;
 using report::HtmlTable;
 

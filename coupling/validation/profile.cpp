@@ -6,13 +6,14 @@
 #include <sstream>
 
 #include "config/table/table.hpp"
+#include "config/text/joined.hpp"
 #include "config/units/angle.hpp"
 #include "coupling/inputs/surface_types.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::validation {
-
 namespace {
+
+using config::joined;
 
 double tangent_of_deg(double degrees) {
     return std::tan(config::Angle::from_degrees(degrees).in_radians());

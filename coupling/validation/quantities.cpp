@@ -6,14 +6,14 @@
 #include <iomanip>
 #include <limits>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::validation {
-
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 

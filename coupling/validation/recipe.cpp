@@ -5,14 +5,15 @@
 #include <utility>
 
 #include "config/options/ini.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/species_table.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::validation {
-
 namespace {
+
+using config::joined;
 
 constexpr const char* recipe_file = "case.ini";
 

@@ -6,15 +6,16 @@
 #include <optional>
 #include <vector>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/validation/factor_names.hpp"
 #include "coupling/validation/text_layout.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
-
 namespace {
+
+using config::joined;
 
 int decimals_of(double value, const std::string& unit) {
     const double size = std::abs(value);

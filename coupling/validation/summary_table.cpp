@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/validation/factor_names.hpp"
 #include "coupling/validation/screen.hpp"
 
 namespace coupling::validation {
-
 namespace {
+
+using config::joined;
 
 std::string cell(std::string text) {
     for (std::size_t bar = text.find('|'); bar != std::string::npos; bar = text.find('|', bar + 2)) {

@@ -2,14 +2,15 @@
 
 #include <limits>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/results/csv_row.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
-
 namespace {
+
+using config::joined;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int decimals = 5;

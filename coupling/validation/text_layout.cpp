@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <sstream>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::validation {
+
+using config::joined;
 
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(

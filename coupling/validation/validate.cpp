@@ -1,6 +1,6 @@
 #include "coupling/validation/validate.hpp"
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/validation/factors.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
@@ -8,8 +8,9 @@
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
-
 namespace {
+
+using config::joined;
 
 /// Works through one case.
 class CaseRun {

@@ -4,13 +4,14 @@
 #include <sstream>
 
 #include "config/table/table.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 
 namespace coupling::validation {
-
 namespace {
+
+using config::joined;
 
 /// The texts between blanks.
 std::vector<std::string> words_of(const std::string& text) {

@@ -6,11 +6,13 @@
 #include <sstream>
 #include <string>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::report_in_browser_test {
 namespace {
+
+using config::joined;
 
 /// What a browser made of a page: its document when all scripts have run, and what they complained about.
 struct Opened {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "config/text/joined.hpp"
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -13,6 +14,7 @@
 namespace coupling::compare {
 namespace {
 
+using config::joined;
 using report::Axis;
 using report::Chart;
 using report::ChartPoint;

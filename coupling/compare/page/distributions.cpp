@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "config/text/joined.hpp"
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -10,6 +11,7 @@
 namespace coupling::compare {
 namespace {
 
+using config::joined;
 using report::Axis;
 using report::Chart;
 using report::ChartPoint;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "config/text/joined.hpp"
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/results/rasters.hpp"
 #include "coupling/results/read_raster.hpp"
@@ -16,6 +17,7 @@
 namespace coupling::compare {
 namespace {
 
+using config::joined;
 using config::Raster;
 using report::ColourScale;
 

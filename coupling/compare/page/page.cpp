@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
@@ -16,6 +17,7 @@
 namespace coupling::compare {
 namespace {
 
+using config::joined;
 using report::escaped;
 using report::HtmlTable;
 

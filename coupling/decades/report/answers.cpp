@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -13,6 +14,7 @@
 namespace coupling::decades {
 namespace {
 
+using config::joined;
 using report::escaped;
 using report::fact;
 using report::grouped;

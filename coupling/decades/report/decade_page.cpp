@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/first_warnings.hpp"
@@ -12,6 +13,7 @@
 namespace coupling::decades {
 namespace {
 
+using config::joined;
 using report::escaped;
 
 std::vector<Section> sections_of(const PageContent& content, const RunView& run) {

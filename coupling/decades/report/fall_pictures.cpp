@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
@@ -12,6 +13,7 @@
 namespace coupling::decades {
 namespace {
 
+using config::joined;
 using report::ColourScale;
 
 /// Years of a map that the page shows: pictures of more would make it heavy.

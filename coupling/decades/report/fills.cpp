@@ -1,11 +1,13 @@
 #include <array>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/species_colours.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 /// Strokes over the plain colour, in a square of 6 units.
 constexpr const char* rising = "M-1 1l2-2M0 6l6-6M5 7l2-2";

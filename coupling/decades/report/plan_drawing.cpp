@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/stand_drawing.hpp"
 #include "coupling/results/report/map_furniture.hpp"
@@ -12,6 +13,7 @@
 namespace coupling::decades {
 namespace {
 
+using config::joined;
 using report::place;
 
 constexpr double widest_plan = 430.0;

@@ -5,12 +5,12 @@
 #include <functional>
 #include <limits>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/arrivals.hpp"
 #include "coupling/decades/report/regime_chart.hpp"
 #include "coupling/decades/report/series.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -18,6 +18,7 @@
 namespace coupling::decades {
 namespace {
 
+using config::joined;
 using report::fixed;
 
 /// A line cannot leave the chart downwards: below 0 it is drawn at 0.

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/percent_axis.hpp"
 
 namespace coupling::decades {
-
 namespace {
+
+using config::joined;
 
 /// The lowest and the highest point drawn.
 struct Extent {

@@ -1,11 +1,14 @@
 #include <algorithm>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/regime_chart.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 constexpr std::size_t most_chart_points = 200;
 

@@ -7,10 +7,12 @@
 #include <set>
 #include <tuple>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::decades {
 namespace {
+
+using config::joined;
 
 std::vector<YearView> years_of(const MemberYears& member, std::size_t species_count) {
     std::vector<YearView> years;

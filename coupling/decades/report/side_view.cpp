@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/stand_drawing.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -8,6 +9,7 @@
 namespace coupling::decades {
 namespace {
 
+using config::joined;
 using report::place;
 
 constexpr double left_edge = 84.0;

@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/species_colours.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -10,6 +11,7 @@
 namespace coupling::decades {
 namespace {
 
+using config::joined;
 using report::Scene;
 using report::SceneStand;
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/series.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/stop_causes.hpp"
@@ -13,6 +13,7 @@
 namespace coupling::decades {
 namespace {
 
+using config::joined;
 using report::escaped;
 using report::fixed;
 

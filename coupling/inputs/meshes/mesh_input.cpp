@@ -9,14 +9,14 @@
 #include <string>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/terrain_input.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::meshes {
-
 namespace {
 
+using config::joined;
 using rockfall::TinFault;
 
 std::string to_cm(double value_m) {

@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::plausible {
 namespace {
+
+using config::joined;
 
 constexpr double km = 1000.0;
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::plausible {
 namespace {
+
+using config::joined;
 
 /// "177 198", "-5 000 000", "47.2634".
 std::string grouped_coordinate(double value, bool with_decimals) {

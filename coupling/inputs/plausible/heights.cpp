@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "config/grid/holes.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::plausible {
 namespace {
+
+using config::joined;
 
 constexpr double lowest_m = -500.0;   // the Dead Sea lies at -430 m
 constexpr double highest_m = 9000.0;  // Mount Everest: 8849 m

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <functional>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/plausible/coordinate_systems.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::plausible {
 namespace {
 
+using config::joined;
 using config::Point2;
 
 constexpr const char* transform =

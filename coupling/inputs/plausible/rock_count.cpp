@@ -4,10 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::plausible {
+
+using config::joined;
 
 std::uint64_t rocks_in_all(const Scenario& scenario, const Site& site) {
     std::uint64_t rocks = 0;

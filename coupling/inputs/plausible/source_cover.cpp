@@ -3,14 +3,15 @@
 #include <cmath>
 #include <map>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::plausible {
 namespace {
 
+using config::joined;
 using config::Shape;
 
 /// What of several shapes lies on the terrain.

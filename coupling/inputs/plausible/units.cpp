@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::plausible {
 namespace {
+
+using config::joined;
 
 constexpr double thickest_median_cm = 200.0;
 constexpr double thickest_log_median_cm = 100.0;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/colours.hpp"
@@ -15,6 +16,7 @@ namespace coupling::profile {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 using config::percent;
 
 using report::Axis;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/colours.hpp"
@@ -13,6 +14,7 @@ namespace coupling::profile {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 using report::Axis;
 using report::escaped;

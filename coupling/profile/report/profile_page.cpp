@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
@@ -20,6 +21,7 @@ namespace coupling::profile {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 using report::escaped;
 using report::fact;

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "config/errors/input_error.hpp"
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/out_file.hpp"
 
 namespace coupling::geopackage {
+
+using config::joined;
 
 Database::Database(std::filesystem::path file, Open open) : file_{std::move(file)} {
     if (open == Open::anew) {

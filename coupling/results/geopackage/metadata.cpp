@@ -1,9 +1,11 @@
 #include "coupling/results/geopackage/metadata.hpp"
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::geopackage {
 namespace {
+
+using config::joined;
 
 /// The standard asks for the time of the last change. Results know no time, so that the same run gives the
 /// same bytes; the beginning of Unix time says that it is none.

@@ -4,11 +4,13 @@
 #include <charconv>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/geopackage/metadata.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::geopackage {
 namespace {
+
+using config::joined;
 
 const char* sql_type(ColumnType type) {
     switch (type) {

@@ -5,17 +5,18 @@
 #include <memory>
 #include <optional>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/geopackage/csv_rows.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::geopackage {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 /// One table, or several of the same columns that become one.
 struct Group {

@@ -1,11 +1,12 @@
 #include "coupling/results/qgis/layer_tree.hpp"
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::qgis {
 namespace {
 
+using config::joined;
 using report::escaped;
 using Kind = TreeLayer::Kind;
 

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/path_checks.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/qgis/vector_style.hpp"
 
 namespace coupling::qgis {
 namespace {
+
+using config::joined;
 
 namespace fs = std::filesystem;
 using geopackage::Form;

@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::qgis {
 namespace {
 
+using config::joined;
 using config::to_text;
 using report::escaped;
 

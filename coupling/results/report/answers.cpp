@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/energy_rates.hpp"
@@ -10,6 +11,8 @@
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 std::string interval_text(const Interval& interval) {
     return joined(percent(interval.low), " to ", percent(interval.high));

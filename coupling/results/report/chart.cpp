@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -11,6 +12,8 @@
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 constexpr double left_edge = 72.0;
 constexpr double right_edge = 408.0;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/chart.hpp"
@@ -13,6 +14,7 @@ namespace coupling::report {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
 /// Where axes of energy begin: a rock of less is as good as at rest.
 constexpr double least_kj = 0.1;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -11,6 +12,7 @@
 namespace coupling::report {
 namespace {
 
+using config::joined;
 using rockfall::ReleaseSource;
 using rockfall::StartLaw;
 

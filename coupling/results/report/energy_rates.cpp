@@ -1,11 +1,14 @@
 #include "coupling/results/report/energy_rates.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 std::string rate_text(const Share& share) {
     return joined(rate_per_1000(share.value), " <span class=\"soft\">(", rate_per_1000(share.interval.low),

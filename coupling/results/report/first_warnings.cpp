@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "config/errors/brief.hpp"
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 std::string items_of(const std::vector<std::string>& lines, std::size_t first, std::size_t last) {
     std::string items;

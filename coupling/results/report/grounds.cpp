@@ -3,12 +3,15 @@
 #include <array>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 /// A column of the page and how to read it; shown where any ground has a value.
 struct GroundColumn {

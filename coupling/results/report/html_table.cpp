@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::report {
+
+using config::joined;
 
 HtmlTable::HtmlTable(std::string_view caption, const std::vector<std::string>& head)
     : caption_{caption}, head_{head} {}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -13,6 +14,8 @@
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 std::string projection_name(const std::string& text) {
     const std::size_t first = text.find('"');

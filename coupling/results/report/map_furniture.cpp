@@ -1,8 +1,11 @@
 #include "coupling/results/report/map_furniture.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::report {
+
+using config::joined;
 
 std::string attribute(const char* name, double value) {
     return std::string{" "}.append(name).append("=\"").append(place(value)).append("\"");

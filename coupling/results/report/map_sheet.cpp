@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/hillshade.hpp"
 #include "coupling/results/report/labels.hpp"
 #include "coupling/results/report/map_furniture.hpp"
@@ -12,6 +13,8 @@
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 constexpr double sheet_width = 1000.0;
 constexpr int most_cells_a_side = 700;

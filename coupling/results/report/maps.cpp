@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/rasters.hpp"
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
@@ -9,6 +10,8 @@
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 constexpr std::size_t most_drawn_paths = 500;
 

@@ -5,8 +5,12 @@
 #include <charconv>
 #include <cmath>
 
+#include "config/text/joined.hpp"
+
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 constexpr std::string_view narrow_blank = "\u202f";  // no-break
 

@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "coupling/results/joined.hpp"
-
 namespace coupling::report {
 
 /// Text as HTML and SVG want it: & < > " escaped, in content and in attributes.

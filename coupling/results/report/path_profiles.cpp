@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -12,6 +13,7 @@
 namespace coupling::report {
 namespace {
 
+using config::joined;
 using rockfall::PathRecord;
 
 /// A path that is worth a drawing, and why.

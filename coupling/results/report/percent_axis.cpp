@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 constexpr double all_above = 60.0;
 /// Below the smallest value: part of the range of values, at least half a percent.

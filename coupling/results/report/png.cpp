@@ -7,10 +7,12 @@
 #include <boost/iostreams/filtering_stream.hpp>
 #include <cassert>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 enum class ColourType : char { grey = 0, indexed = 3 };
 enum class RowFilter : char { none = 0, up = 2 };

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 constexpr int ramp_steps = 64;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/colours.hpp"
@@ -11,6 +12,7 @@
 namespace coupling::report {
 namespace {
 
+using config::joined;
 using page_scripts::json_array;
 using page_scripts::json_packed;
 using page_scripts::JsonObject;

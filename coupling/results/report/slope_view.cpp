@@ -1,5 +1,6 @@
 #include <map>
 
+#include "config/text/joined.hpp"
 #include "coupling/decades/report/species_colours.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/scene.hpp"
@@ -8,6 +9,8 @@
 
 namespace coupling::report {
 namespace {
+
+using config::joined;
 
 constexpr std::size_t most_paths = 250;
 

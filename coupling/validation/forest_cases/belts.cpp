@@ -5,16 +5,16 @@
 #include <numeric>
 
 #include "config/errors/warnings.hpp"
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/succession_trial/comparison.hpp"
 #include "forest/climate/series.hpp"
 
 namespace coupling::validation::forest_cases {
-
 namespace {
 
+using config::joined;
 using report::fixed;
 using succession_trial::SuccessionRun;
 using succession_trial::SuccessionSite;

@@ -4,12 +4,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/joined.hpp"
 
 namespace coupling::validation::forest_cases {
-
 namespace {
+
+using config::joined;
 
 /// Whole numbers, each above the one before.
 std::vector<int> rising(const std::string& key, const std::vector<double>& values) {

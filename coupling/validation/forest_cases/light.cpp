@@ -2,14 +2,15 @@
 #include <cmath>
 #include <memory>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/mapped_stand.hpp"
 
 namespace coupling::validation::forest_cases {
-
 namespace {
+
+using config::joined;
 
 /// Columns as wide as the model's own, and finer ones.
 struct Columns {

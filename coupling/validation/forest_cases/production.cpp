@@ -2,16 +2,17 @@
 #include <cmath>
 #include <memory>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
-#include "coupling/results/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/plain_3pg/plain_3pg.hpp"
 
 namespace coupling::validation::forest_cases {
-
 namespace {
+
+using config::joined;
 
 namespace check = plain_3pg;
 

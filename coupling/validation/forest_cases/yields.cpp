@@ -2,15 +2,15 @@
 #include <cmath>
 #include <memory>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/yield_trial/comparison.hpp"
 
 namespace coupling::validation::forest_cases {
-
 namespace {
 
+using config::joined;
 using forest::StandFigures;
 using forest::TreeLight;
 using report::fixed;

@@ -5,10 +5,12 @@
 #include <limits>
 #include <sstream>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::csv_row_test {
 namespace {
+
+using config::joined;
 
 template <class Fill>
 std::string row_of(Fill fill) {

@@ -4,10 +4,12 @@
 #include <set>
 #include <vector>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 
 namespace coupling::testing {
 namespace {
+
+using config::joined;
 
 /// "" or what is wrong between two tags.
 std::string text_fault(const std::string& text) {

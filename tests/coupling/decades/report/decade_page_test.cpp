@@ -5,12 +5,14 @@
 #include <regex>
 #include <set>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "tests/coupling/decades/report/some_years.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
 namespace coupling::decades::decade_page_test {
 namespace {
+
+using config::joined;
 
 std::size_t count_of(const std::string& text, const std::string& part) {
     std::size_t count = 0;

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/results/joined.hpp"
+#include "config/text/joined.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
 namespace coupling::decades::regime_chart_test {
 namespace {
+
+using config::joined;
 
 std::vector<RegimeCurve> curves_of(std::size_t count) {
     std::vector<RegimeCurve> curves;

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace coupling {
+namespace config {
 
 /// Texts of any kind one after the other: one allocation however many there are.
 template <class... Parts>
@@ -14,4 +14,4 @@ std::string joined(const Parts&... parts) {
     return text;
 }
 
-}  // namespace coupling
+}  // namespace config
