@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "config/text/base64.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/results/report/png.hpp"
 
 namespace coupling::page_scripts {
 namespace {
@@ -85,7 +85,7 @@ std::string json_packed(std::span<const std::uint16_t> values) {
         bytes += static_cast<char>(value & 0xFFU);
         bytes += static_cast<char>(value >> 8U);
     }
-    return in_quotes(report::base64(bytes));
+    return in_quotes(config::base64(bytes));
 }
 
 std::string json_packed(std::span<const std::uint8_t> values) {
@@ -93,7 +93,7 @@ std::string json_packed(std::span<const std::uint8_t> values) {
     for (const std::uint8_t value : values) {
         bytes += static_cast<char>(value);
     }
-    return in_quotes(report::base64(bytes));
+    return in_quotes(config::base64(bytes));
 }
 
 }  // namespace coupling::page_scripts

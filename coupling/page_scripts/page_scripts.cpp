@@ -1,7 +1,7 @@
 #include "coupling/page_scripts/page_scripts.hpp"
 
+#include "config/text/base64.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/results/report/png.hpp"
 
 // The bundles with a pair of symbols around their bytes. Their hashes come from coupling/CMakeLists.txt, so
 // that another bundle is another source for compiler caches too.
@@ -48,7 +48,7 @@ Script slope() {
 std::string policy(const std::vector<Script>& scripts) {
     std::string sources;
     for (const Script& script : scripts) {
-        sources += joined(" 'sha256-", report::base64(bytes_of(script.sha256_hex)), "'");
+        sources += joined(" 'sha256-", config::base64(bytes_of(script.sha256_hex)), "'");
     }
     return joined(
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "

@@ -7,6 +7,7 @@
 #include <boost/iostreams/filtering_stream.hpp>
 #include <cassert>
 
+#include "config/text/base64.hpp"
 #include "config/text/joined.hpp"
 
 namespace coupling::report {
@@ -87,24 +88,8 @@ std::string png(const GreyPicture& picture) {
                 filtered_rows(picture.width, picture.height, picture.pixels, RowFilter::up));
 }
 
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            group = (group << 8) | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            text += i + k <= bytes.size() ? letters[(group >> (18 - 6 * k)) & 63U] : '=';
-        }
-    }
-    return text;
-}
-
 std::string data_address(std::string_view png_bytes) {
-    return joined("data:image/png;base64,", base64(png_bytes));
+    return joined("data:image/png;base64,", config::base64(png_bytes));
 }
 
 }  // namespace coupling::report

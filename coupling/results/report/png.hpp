@@ -29,8 +29,6 @@ struct GreyPicture {
 std::string png(const IndexedPicture& picture);
 std::string png(const GreyPicture& picture);
 
-/// Base64 of any bytes (RFC 4648).
-std::string base64(std::string_view bytes);
 /// "data:image/png;base64,...".
 std::string data_address(std::string_view png_bytes);
 

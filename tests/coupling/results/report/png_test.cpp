@@ -48,14 +48,5 @@ TEST(Png, OfShadesIsReadByGdalPixelByPixel) {
     EXPECT_NE(said.find("Checksum="), std::string::npos) << "all pixels decoded: " << said;
 }
 
-TEST(Base64, AgreesWithTheExamplesOfRfc4648) {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64("\xff\xfe"), "//4=");
-}
-
 }  // namespace
 }  // namespace coupling::report::png_test
