@@ -9,6 +9,7 @@
 #include "coupling/inputs/forest_site.hpp"
 #include "coupling/inputs/log_input.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
+#include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
@@ -16,7 +17,6 @@
 #include "coupling/inputs/target_input.hpp"
 #include "coupling/inputs/terrain_input.hpp"
 #include "coupling/inputs/tree_input.hpp"
-#include "coupling/nets/net_input.hpp"
 
 namespace coupling {
 namespace {

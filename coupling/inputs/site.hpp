@@ -8,8 +8,8 @@
 
 #include "config/errors/warnings.hpp"
 #include "config/grid/raster.hpp"
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/inputs/scenario.hpp"
-#include "coupling/nets/net_record.hpp"
 #include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/release/release.hpp"

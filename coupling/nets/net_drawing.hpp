@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/nets/net_record.hpp"
+#include "coupling/inputs/nets/net_record.hpp"
 
 namespace coupling::report {
 

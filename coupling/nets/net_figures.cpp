@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "config/units/constants.hpp"
-#include "coupling/nets/net_classes.hpp"
+#include "coupling/inputs/nets/net_classes.hpp"
 
 namespace coupling {
 namespace {

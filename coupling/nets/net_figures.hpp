@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/nets/net_record.hpp"
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/results/indicators.hpp"
 
 namespace coupling {

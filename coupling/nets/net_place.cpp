@@ -8,7 +8,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/nets/net_input.hpp"
+#include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/nets/net_try.hpp"
 #include "coupling/results/csv_row.hpp"

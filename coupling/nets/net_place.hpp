@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/nets/net_figures.hpp"
 #include "coupling/nets/net_paths.hpp"
-#include "coupling/nets/net_record.hpp"
 #include "coupling/nets/net_uphill.hpp"
 
 namespace coupling {

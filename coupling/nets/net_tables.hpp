@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/nets/net_figures.hpp"
-#include "coupling/nets/net_record.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/run_results.hpp"
 

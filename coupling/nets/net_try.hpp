@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/nets/net_input.hpp"
+#include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/nets/net_paths.hpp"
-#include "coupling/nets/net_record.hpp"
 
 namespace coupling {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/nets/net_paths.hpp"
-#include "coupling/nets/net_record.hpp"
 #include "rockfall/obstacles/nets/net_index.hpp"
 
 namespace coupling {

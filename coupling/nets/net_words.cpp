@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
-#include "coupling/nets/net_classes.hpp"
+#include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling {

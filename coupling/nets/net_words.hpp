@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/nets/net_figures.hpp"
-#include "coupling/nets/net_record.hpp"
 
 namespace coupling {
 

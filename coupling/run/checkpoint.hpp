@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/nets/net_record.hpp"
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "rockfall/ensemble.hpp"
 

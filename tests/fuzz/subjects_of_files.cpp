@@ -6,7 +6,7 @@
 #include "config/table/table.hpp"
 #include "coupling/commands/info.hpp"
 #include "coupling/inputs/file_bytes.hpp"
-#include "coupling/nets/net_input.hpp"
+#include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/rockyfor3d/project.hpp"
 #include "coupling/stopping/stopping_recipe.hpp"
 #include "coupling/validation/validation_case.hpp"

@@ -1,4 +1,4 @@
-#include "coupling/nets/net_lines.hpp"
+#include "coupling/inputs/nets/net_lines.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coupling/nets/net_input.hpp"
+#include "coupling/inputs/nets/net_input.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -8,10 +8,10 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
+#include "coupling/inputs/nets/net_classes.hpp"
+#include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/shape_input.hpp"
-#include "coupling/nets/net_classes.hpp"
-#include "coupling/nets/net_lines.hpp"
 
 namespace coupling {
 namespace {

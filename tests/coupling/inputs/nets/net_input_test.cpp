@@ -1,10 +1,10 @@
-#include "coupling/nets/net_input.hpp"
+#include "coupling/inputs/nets/net_input.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "coupling/nets/net_classes.hpp"
+#include "coupling/inputs/nets/net_classes.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::net_input_test {

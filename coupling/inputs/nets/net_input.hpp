@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "config/table/table.hpp"
+#include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/inputs/reading.hpp"
-#include "coupling/nets/net_record.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace coupling {

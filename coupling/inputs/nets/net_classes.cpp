@@ -1,4 +1,4 @@
-#include "coupling/nets/net_classes.hpp"
+#include "coupling/inputs/nets/net_classes.hpp"
 
 #include <algorithm>
 #include <sstream>
