@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/profile_settings.hpp"
 #include "coupling/inputs/scenario_checks.hpp"
-#include "coupling/profile/profile_settings.hpp"
 
 namespace coupling {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "config/options/options.hpp"
-#include "coupling/hazard/hazard_settings.hpp"
 #include "coupling/inputs/forest_settings.hpp"
+#include "coupling/inputs/hazard_settings.hpp"
 #include "coupling/inputs/nets/net_settings.hpp"
 #include "rockfall/parameters.hpp"
 #include "rockfall/release/release.hpp"

@@ -7,7 +7,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/profile/profile_settings.hpp"
+#include "coupling/inputs/profile_settings.hpp"
 
 namespace coupling {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/rock_count.hpp"
+#include "coupling/inputs/profile_settings.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/profile/profile_results.hpp"
-#include "coupling/profile/profile_settings.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"

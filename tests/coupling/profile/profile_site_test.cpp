@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "coupling/profile/profile_settings.hpp"
+#include "coupling/inputs/profile_settings.hpp"
 #include "tests/coupling/profile/profile_project.hpp"
 
 namespace coupling::profile::profile_site_test {

@@ -1,4 +1,4 @@
-#include "coupling/profile/profile_settings.hpp"
+#include "coupling/inputs/profile_settings.hpp"
 
 #include <algorithm>
 #include <array>
