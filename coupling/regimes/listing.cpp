@@ -5,7 +5,7 @@
 
 #include "coupling/regimes/columns.hpp"
 #include "coupling/regimes/shipped.hpp"
-#include "coupling/validation/text_layout.hpp"
+#include "coupling/results/text_layout.hpp"
 
 namespace coupling {
 
@@ -31,7 +31,7 @@ void write_regime_listing(std::ostream& out) {
         if (!column.source.empty()) {
             about.append(" (").append(column.source).append(")");
         }
-        const auto lines = validation::wrapped(about, validation::screen_columns - name_width);
+        const auto lines = wrapped(about, screen_columns - name_width);
         out << std::left << std::setw(name_width) << column.name << lines.front() << '\n';
         for (std::size_t i = 1; i < lines.size(); ++i) {
             out << indent << lines[i] << '\n';

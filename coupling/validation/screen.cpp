@@ -8,8 +8,8 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/text_layout.hpp"
 #include "coupling/validation/factor_names.hpp"
-#include "coupling/validation/text_layout.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {

@@ -1,11 +1,11 @@
-#include "coupling/validation/text_layout.hpp"
+#include "coupling/results/text_layout.hpp"
 
 #include <algorithm>
 #include <sstream>
 
 #include "config/text/joined.hpp"
 
-namespace coupling::validation {
+namespace coupling {
 
 using config::joined;
 
@@ -53,4 +53,4 @@ void AlignedTable::print(std::ostream& out) const {
     }
 }
 
-}  // namespace coupling::validation
+}  // namespace coupling

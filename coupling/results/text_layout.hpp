@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace coupling::validation {
+namespace coupling {
 
 /// Width of the screen that tables are laid out for.
 inline constexpr std::size_t screen_columns = 110;
@@ -34,4 +34,4 @@ private:
     std::vector<std::size_t> widths_;
 };
 
-}  // namespace coupling::validation
+}  // namespace coupling
