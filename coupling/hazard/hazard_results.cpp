@@ -14,33 +14,10 @@
 #include "coupling/results/rasters.hpp"
 #include "coupling/results/read_raster.hpp"
 
-namespace coupling {
-
-using config::joined;
-
-std::string stem_of(HazardEnergy energy) {
-    switch (energy) {
-        case HazardEnergy::mean:
-            return "E_mean";
-        case HazardEnergy::p50:
-            return "E_50";
-        case HazardEnergy::p90:
-            return "E_90";
-        case HazardEnergy::p95:
-            return "E_95";
-        case HazardEnergy::p98:
-            return "E_98";
-        case HazardEnergy::p99:
-            return "E_99";
-        case HazardEnergy::max:
-            break;
-    }
-    return "E_max";
-}
-
-namespace hazard {
+namespace coupling::hazard {
 namespace {
 
+using config::joined;
 using config::percent;
 
 namespace fs = std::filesystem;
@@ -202,6 +179,26 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
 
 }  // namespace
 
+std::string stem_of(HazardEnergy energy) {
+    switch (energy) {
+        case HazardEnergy::mean:
+            return "E_mean";
+        case HazardEnergy::p50:
+            return "E_50";
+        case HazardEnergy::p90:
+            return "E_90";
+        case HazardEnergy::p95:
+            return "E_95";
+        case HazardEnergy::p98:
+            return "E_98";
+        case HazardEnergy::p99:
+            return "E_99";
+        case HazardEnergy::max:
+            break;
+    }
+    return "E_max";
+}
+
 double level_area_ha(const SlopeHazard& slope, const Site& site, Level level) {
     const config::Raster<float>& map = slope.map.level;
     std::size_t cells = 0;
@@ -267,5 +264,4 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
     return files;
 }
 
-}  // namespace hazard
-}  // namespace coupling
+}  // namespace coupling::hazard

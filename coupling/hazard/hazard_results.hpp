@@ -89,6 +89,9 @@ double level_area_ha(const SlopeHazard& slope, const Site& site, Level level);
 SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
                          const Site& site, const Matrix& matrix);
 
+/// Stem of the raster that holds an energy: "E_95".
+std::string stem_of(HazardEnergy energy);
+
 /// Tables of the hazard map: hazard_….csv.
 const std::vector<TableLayout>& hazard_layouts();
 
@@ -99,7 +102,7 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const std::
 /// Columns of the rasters, for the dictionary.
 std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& periods);
 
-/// summary.json; in coupling/results/summary.cpp, where summaries are written.
+/// summary.json.
 void write_summary(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files);
 
 /// The page.

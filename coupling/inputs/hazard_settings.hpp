@@ -17,7 +17,4 @@ struct HazardSettings {
     std::string matrix;                ///< CSV of hazard levels; empty: the shipped one
 };
 
-/// Stem of the raster that holds an energy: "E_95".
-std::string stem_of(HazardEnergy energy);
-
 }  // namespace coupling
