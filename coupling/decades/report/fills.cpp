@@ -2,7 +2,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
-#include "coupling/decades/report/species_colours.hpp"
+#include "coupling/results/report/species_colours.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -24,20 +24,34 @@ struct Fill {
     const char* stroke_colour;
 };
 
-/// Colours of P. Tol's schemes for colour-blind readers (SRON/EPS/TN/09-002).
-constexpr std::array<Fill, 12> species_fills{{{"#117733", "#2f9a55", "", "#fff"},
-                                              {"#332288", "#7d70d8", rising, "#fff"},
-                                              {"#ddcc77", "#ddcc77", dotted, "#222"},
-                                              {"#cc6677", "#cc6677", falling, "#fff"},
-                                              {"#88ccee", "#88ccee", level, "#222"},
-                                              {"#882255", "#c25590", upright, "#fff"},
-                                              {"#999933", "#999933", crossed, "#fff"},
-                                              {"#44aa99", "#44aa99", dotted, "#fff"},
-                                              {"#aa4499", "#c46bb5", level, "#fff"},
-                                              {"#dddddd", "#dddddd", "", "#222"},
-                                              {"#661100", "#b5613f", upright, "#fff"},
-                                              {"#6699cc", "#6699cc", falling, "#222"}}};
-/// In the order of forest::Cause.
+/// What tells species apart beside their colour.
+struct Strokes {
+    const char* strokes;
+    const char* colour;
+};
+constexpr std::array<Strokes, report::species_colours.size()> species_strokes{{{"", "#fff"},
+                                                                               {rising, "#fff"},
+                                                                               {dotted, "#222"},
+                                                                               {falling, "#fff"},
+                                                                               {level, "#222"},
+                                                                               {upright, "#fff"},
+                                                                               {crossed, "#fff"},
+                                                                               {dotted, "#fff"},
+                                                                               {level, "#fff"},
+                                                                               {"", "#222"},
+                                                                               {upright, "#fff"},
+                                                                               {falling, "#222"}}};
+
+constexpr auto species_fills = [] {
+    std::array<Fill, species_strokes.size()> fills{};
+    for (std::size_t i = 0; i < fills.size(); ++i) {
+        fills[i] = {report::species_colours[i].on_light, report::species_colours[i].on_dark,
+                    species_strokes[i].strokes, species_strokes[i].colour};
+    }
+    return fills;
+}();
+
+/// Colours of the same schemes, in the order of forest::Cause.
 constexpr std::array<Fill, forest::cause_count> cause_fills{{{"#bbbbbb", "#bbbbbb", "", "#222"},
                                                              {"#ddaa33", "#ddaa33", dotted, "#222"},
                                                              {"#228833", "#3da556", rising, "#fff"},
@@ -92,10 +106,6 @@ std::string rules(const std::string& kind, const std::array<Fill, Count>& fills)
 std::string fill_definitions() {
     return joined("<svg class=\"definitions\" aria-hidden=\"true\"><defs>",
                   patterns("species", species_fills), patterns("cause", cause_fills), "</defs></svg>\n");
-}
-
-std::string colour_of_species(std::size_t species) {
-    return species_fills[species % species_fills.size()].on_light;
 }
 
 std::string fill_of_species(std::size_t species) {

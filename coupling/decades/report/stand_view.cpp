@@ -4,9 +4,9 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
-#include "coupling/decades/report/species_colours.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/scene.hpp"
+#include "coupling/results/report/species_colours.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -82,8 +82,8 @@ std::string view_of_years(const PageContent& content, const RunView& run) {
         .origin_m = content.site->targets.empty() ? Eigen::Vector2d{0.0, 0.0} : content.site->origin_m()};
     for (std::size_t s = 0; s < content.names.species.size(); ++s) {
         const forest::Species& species = content.names.species.all()[s];
-        scene.species.push_back(
-            {joined(species.latin_name, " (", species.code, ")"), colour_of_species(s), species.conifer});
+        scene.species.push_back({joined(species.latin_name, " (", species.code, ")"),
+                                 report::colour_of_species(s).on_light, species.conifer});
     }
     for (const RegimeView& regime : run.regimes) {
         add_stands(regime, run.regimes.size() > 1 ? regime.title() : "", scene);

@@ -1,10 +1,10 @@
 #include <map>
 
 #include "config/text/joined.hpp"
-#include "coupling/decades/report/species_colours.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/scene.hpp"
 #include "coupling/results/report/sections.hpp"
+#include "coupling/results/report/species_colours.hpp"
 #include "forest/species.hpp"
 
 namespace coupling::report {
@@ -21,7 +21,7 @@ SceneSpecies species_of(const std::string& code, const forest::SpeciesTable& kno
         return {code, "#777777", false};
     }
     const forest::Species& species = known[*found];
-    return {joined(species.latin_name, " (", code, ")"), decades::colour_of_species(forest::index_of(*found)),
+    return {joined(species.latin_name, " (", code, ")"), colour_of_species(forest::index_of(*found)).on_light,
             species.conifer};
 }
 
