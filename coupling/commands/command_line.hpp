@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/run/run.hpp"
+#include "coupling/run/run_request.hpp"
 
 namespace coupling {
 

@@ -17,12 +17,12 @@
 #include "coupling/commands/help.hpp"
 #include "coupling/commands/info.hpp"
 #include "coupling/commands/init.hpp"
+#include "coupling/commands/run_assessment.hpp"
 #include "coupling/commands/validate.hpp"
 #include "coupling/compare/compare.hpp"
 #include "coupling/nets/net_place.hpp"
 #include "coupling/nets/net_try.hpp"
 #include "coupling/run/ranks.hpp"
-#include "coupling/run/run.hpp"
 #include "coupling/run/telling.hpp"
 #include "coupling/stopping/stopping_table.hpp"
 

@@ -8,7 +8,7 @@
 #include "coupling/decades/share_out.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
 #include "coupling/inputs/scenario.hpp"
-#include "coupling/run/run.hpp"
+#include "coupling/run/run_request.hpp"
 
 namespace coupling::decades {
 

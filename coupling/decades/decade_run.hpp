@@ -4,7 +4,7 @@
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/run/ranks.hpp"
-#include "coupling/run/run.hpp"
+#include "coupling/run/run_request.hpp"
 
 namespace coupling::decades {
 

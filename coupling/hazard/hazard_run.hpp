@@ -7,7 +7,7 @@
 #include "coupling/hazard/hazard_matrix.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
-#include "coupling/run/run.hpp"
+#include "coupling/run/run_request.hpp"
 
 namespace coupling::hazard {
 

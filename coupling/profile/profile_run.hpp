@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "coupling/profile/profile_site.hpp"
-#include "coupling/run/run.hpp"
+#include "coupling/run/run_request.hpp"
 
 namespace coupling::profile {
 

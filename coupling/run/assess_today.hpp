@@ -6,7 +6,7 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
-#include "coupling/run/run.hpp"
+#include "coupling/run/run_request.hpp"
 
 namespace coupling {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "coupling/commands/init.hpp"
+#include "coupling/commands/run_assessment.hpp"
 #include "coupling/decades/simulate.hpp"
 #include "coupling/run/output_folder.hpp"
-#include "coupling/run/run.hpp"
 
 namespace benchmarks {
 namespace {

@@ -3,13 +3,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "coupling/commands/run_assessment.hpp"
 #include "coupling/compare/compare.hpp"
 #include "coupling/decades/bare_part.hpp"
 #include "coupling/decades/member_part.hpp"
 #include "coupling/nets/net_try.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/ranks.hpp"
-#include "coupling/run/run.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 #include "tests/coupling/results/small_run.hpp"
 #include "tests/fuzz/subject.hpp"

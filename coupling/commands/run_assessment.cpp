@@ -1,4 +1,4 @@
-#include "coupling/run/run.hpp"
+#include "coupling/commands/run_assessment.hpp"
 
 #include <memory>
 
@@ -15,10 +15,6 @@
 namespace coupling {
 
 using config::joined;
-
-std::filesystem::path output_folder_of(const RunRequest& request, const Scenario& scenario) {
-    return request.out.empty() ? scenario.file.parent_path() / "out" : request.out;
-}
 
 int run_assessment(const RunRequest& request, RankGroup& ranks) {
     const std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, request.overrides);
