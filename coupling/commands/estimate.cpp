@@ -6,7 +6,7 @@
 
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/forest_site.hpp"
-#include "coupling/run/assess_today.hpp"
+#include "coupling/today/assess_today.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"

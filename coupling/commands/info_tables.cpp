@@ -11,7 +11,7 @@
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/profile/profile_layouts.hpp"
 #include "coupling/results/data_dictionary.hpp"
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/today/static_layouts.hpp"
 
 namespace coupling {
 namespace {

@@ -9,8 +9,8 @@
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/profile/profile_run.hpp"
-#include "coupling/run/assess_today.hpp"
 #include "coupling/run/telling.hpp"
+#include "coupling/today/assess_today.hpp"
 
 namespace coupling {
 

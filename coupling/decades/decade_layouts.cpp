@@ -1,7 +1,6 @@
 #include "coupling/decades/decade_layouts.hpp"
 
 #include "coupling/results/figure_columns.hpp"
-#include "coupling/results/static_layouts.hpp"
 
 namespace coupling::decades {
 namespace {

@@ -3,7 +3,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_results.hpp"
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/results/figure_columns.hpp"
 
 namespace coupling::hazard {
 namespace {

@@ -15,7 +15,7 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/results/report/style.hpp"
 
 namespace coupling::hazard {
 namespace {

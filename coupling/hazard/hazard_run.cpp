@@ -18,12 +18,12 @@
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
 #include "coupling/results/disk.hpp"
-#include "coupling/run/assess_today.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/settings_hash.hpp"
 #include "coupling/run/telling.hpp"
 #include "coupling/run/writing_progress.hpp"
+#include "coupling/today/assess_today.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::hazard {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "config/text/joined.hpp"
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/results/figure_columns.hpp"
 
 namespace coupling {
 namespace {

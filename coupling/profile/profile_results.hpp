@@ -32,8 +32,8 @@ void write_stations(std::ostream& out, const ProfileResults& results);
 void write_envelope(std::ostream& out, const ProfileResults& results);
 void write_paths(std::ostream& out, const ProfileResults& results);
 
-/// All figures, settings, warnings and inputs for scripts. Stands in coupling/results/summary.cpp beside that
-/// of other runs.
+/// All figures, settings, warnings and inputs for scripts. In the same form as those
+/// of other kinds of runs.
 void write_summary(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files);
 
 /// Writes all of them into tables/, summary.json and report.html into an existing folder. `streamed`: tables

@@ -71,6 +71,17 @@ void add_distribution(CsvRow& row, const Distribution& d) {
 
 }  // namespace
 
+std::vector<Column> target_columns() {
+    return {{"target_id", "text", "short name of the target", "input targets.file"},
+            {"name", "text", "name of the target", "input targets.file"}};
+}
+
+Column cover_column() {
+    return {"cover", "text",
+            "forest: with trees and lying logs; bare: the same slope without them; nets stand on both",
+            "definition"};
+}
+
 std::vector<Column> energy_rate_columns() {
     std::vector<Column> columns;
     for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {

@@ -13,6 +13,11 @@ namespace coupling {
 
 // Columns that tables of all kinds of runs share; `add_…` fills them.
 
+/// id and name of a target.
+std::vector<Column> target_columns();
+/// Which of the two slopes a row speaks of.
+Column cover_column();
+
 /// Rocks with more than each of rockfall::counted_energies_j: their number and, per 1000 released, with its
 /// 95 % interval: above_30_kj_rocks, above_30_kj_per_1000, ...
 std::vector<Column> energy_rate_columns();

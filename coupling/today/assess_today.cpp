@@ -1,4 +1,4 @@
-#include "coupling/run/assess_today.hpp"
+#include "coupling/today/assess_today.hpp"
 
 #include <omp.h>
 
@@ -11,23 +11,22 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/nets/net_paths.hpp"
-#include "coupling/results/write_results.hpp"
 #include "coupling/run/checkpoint.hpp"
-#include "coupling/run/closing_summary.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
-#include "coupling/run/row_tables.hpp"
 #include "coupling/run/settings_hash.hpp"
 #include "coupling/run/writing_progress.hpp"
+#include "coupling/today/closing_summary.hpp"
+#include "coupling/today/row_tables.hpp"
+#include "coupling/today/write_results.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling {
 namespace {
 
 using config::joined;
-using rockfall::covers;
 
 /// Less work is kept between parts only: whoever stops a run at once wants other settings in the same folder.
 constexpr std::chrono::seconds worth_keeping{20};
@@ -60,7 +59,7 @@ std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t
 
 /// Distributions for the maps, where wanted.
 struct Histograms {
-    std::array<std::unique_ptr<rockfall::CellHistograms>, covers> owned;
+    std::array<std::unique_ptr<rockfall::CellHistograms>, rockfall::covers> owned;
 
     Histograms(const Scenario& scenario, const config::GridFrame& frame, bool with_forest) {
         for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
@@ -69,7 +68,7 @@ struct Histograms {
             }
         }
     }
-    [[nodiscard]] std::array<rockfall::CellHistograms*, covers> pointers() const {
+    [[nodiscard]] std::array<rockfall::CellHistograms*, rockfall::covers> pointers() const {
         return {owned[0].get(), owned[1].get()};
     }
 };

@@ -1,4 +1,4 @@
-#include "coupling/run/closing_summary.hpp"
+#include "coupling/today/closing_summary.hpp"
 
 #include <cstdio>
 
@@ -19,7 +19,7 @@ using config::joined;
 constexpr auto forest = static_cast<std::size_t>(rockfall::Cover::forest);
 constexpr auto bare = static_cast<std::size_t>(rockfall::Cover::bare);
 
-double percent(std::uint64_t part, std::uint64_t whole) {
+double percentage(std::uint64_t part, std::uint64_t whole) {
     return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
@@ -30,7 +30,7 @@ void print_strong_rocks(const RunResults& results, std::size_t i) {
     std::string text;
     for (std::size_t energy = 0; energy < rockfall::counted_energies_j.size(); ++energy) {
         const auto rate = [&](std::size_t cover) {
-            return report::fixed(10.0 * percent(tally.by_cover[cover].above[energy], results.rocks), 1);
+            return report::fixed(10.0 * percentage(tally.by_cover[cover].above[energy], results.rocks), 1);
         };
         text += joined(text.empty() ? "" : "; ", kj_text(energy), " kJ: ", rate(bare),
                        results.with_forest ? joined(" bare, ", rate(forest), " with forest") : "");
@@ -44,10 +44,10 @@ void print_target(const RunResults& results, std::size_t i) {
     const rockfall::TargetTally& tally = results.tally.targets[i];
     const std::uint64_t arrived_bare = tally.by_cover[bare].reached;
     std::printf("  %s: %.2f %% of the rocks arrive over the bare slope", results.site.targets[i].name.c_str(),
-                percent(arrived_bare, results.rocks));
+                percentage(arrived_bare, results.rocks));
     if (results.with_forest) {
         const std::uint64_t arrived_forest = tally.by_cover[forest].reached;
-        std::printf(", %.2f %% through the forest", percent(arrived_forest, results.rocks));
+        std::printf(", %.2f %% through the forest", percentage(arrived_forest, results.rocks));
         const PairedCounts paired{tally.reached_both, arrived_forest - tally.reached_both,
                                   arrived_bare - tally.reached_both};
         const auto effect = protection_effect(paired);

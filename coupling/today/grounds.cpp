@@ -1,10 +1,10 @@
-#include "coupling/results/grounds.hpp"
+#include "coupling/today/grounds.hpp"
 
 #include <cmath>
 #include <cstddef>
 
 #include "coupling/results/csv_row.hpp"
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/today/static_layouts.hpp"
 #include "rockfall/motion/classical/friction.hpp"
 #include "rockfall/release/release.hpp"
 

@@ -1,4 +1,4 @@
-#include "coupling/run/row_tables.hpp"
+#include "coupling/today/row_tables.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -6,7 +6,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "coupling/results/disk.hpp"
-#include "coupling/results/rows.hpp"
+#include "coupling/today/rows.hpp"
 
 namespace coupling {
 namespace {

@@ -1,4 +1,4 @@
-#include "coupling/results/rows.hpp"
+#include "coupling/today/rows.hpp"
 
 #include <algorithm>
 #include <string>
@@ -6,7 +6,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/today/static_layouts.hpp"
 
 namespace coupling {
 namespace {

@@ -1,4 +1,4 @@
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/today/static_layouts.hpp"
 
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/results/figure_columns.hpp"
@@ -230,17 +230,6 @@ TableLayout trajectories_wkt() {
 }
 
 }  // namespace
-
-std::vector<Column> target_columns() {
-    return {{"target_id", "text", "short name of the target", "input targets.file"},
-            {"name", "text", "name of the target", "input targets.file"}};
-}
-
-Column cover_column() {
-    return {"cover", "text",
-            "forest: with trees and lying logs; bare: the same slope without them; nets stand on both",
-            "definition"};
-}
 
 const std::vector<TableLayout>& static_layouts() {
     static const std::vector<TableLayout> layouts = [] {

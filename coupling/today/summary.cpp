@@ -1,4 +1,4 @@
-#include "coupling/results/summary.hpp"
+#include "coupling/today/summary.hpp"
 
 #include "config/units/constants.hpp"
 #include "coupling/results/few_rocks.hpp"

@@ -1,4 +1,4 @@
-#include "coupling/results/tables.hpp"
+#include "coupling/today/tables.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -7,9 +7,9 @@
 
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figure_columns.hpp"
-#include "coupling/results/grounds.hpp"
-#include "coupling/results/rows.hpp"
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/today/grounds.hpp"
+#include "coupling/today/rows.hpp"
+#include "coupling/today/static_layouts.hpp"
 
 namespace coupling {
 namespace {

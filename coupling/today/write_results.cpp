@@ -1,13 +1,13 @@
-#include "coupling/results/write_results.hpp"
+#include "coupling/today/write_results.hpp"
 
 #include "coupling/nets/net_tables.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/rasters.hpp"
-#include "coupling/results/report/page.hpp"
-#include "coupling/results/static_layouts.hpp"
-#include "coupling/results/summary.hpp"
-#include "coupling/results/tables.hpp"
+#include "coupling/today/report/page.hpp"
+#include "coupling/today/static_layouts.hpp"
+#include "coupling/today/summary.hpp"
+#include "coupling/today/tables.hpp"
 
 namespace coupling {
 

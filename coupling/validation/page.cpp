@@ -3,7 +3,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/results/report/style.hpp"
 #include "coupling/validation/page_parts.hpp"
 #include "coupling/version.hpp"
 

@@ -13,7 +13,7 @@
 #include "config/table/table.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/profile/profile_layouts.hpp"
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/today/static_layouts.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::data_dictionary_test {
@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* what_to_do =
-    "Columns are declared once: coupling/results/static_layouts.cpp, coupling/decades/decade_layouts.cpp or "
+    "Columns are declared once: coupling/today/static_layouts.cpp, coupling/decades/decade_layouts.cpp or "
     "coupling/profile/profile_layouts.cpp. Add the table or column there and let the writer call "
     "write_header; "
     "rasters: raster_kinds() or patch_raster_columns().";

@@ -11,7 +11,7 @@
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/results/report/style.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::compare {

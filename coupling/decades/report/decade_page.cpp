@@ -8,7 +8,7 @@
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/results/report/style.hpp"
 
 namespace coupling::decades {
 namespace {

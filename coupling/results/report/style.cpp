@@ -1,4 +1,4 @@
-#include "coupling/results/report/sections.hpp"
+#include "coupling/results/report/style.hpp"
 
 namespace coupling::report {
 

@@ -7,7 +7,7 @@
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "coupling/results/grounds.hpp"
+#include "coupling/today/grounds.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
 namespace {

@@ -6,7 +6,7 @@
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
 namespace {

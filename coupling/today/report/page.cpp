@@ -1,10 +1,11 @@
-#include "coupling/results/report/page.hpp"
+#include "coupling/today/report/page.hpp"
 
 #include "coupling/nets/net_page.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/results/report/style.hpp"
+#include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
 

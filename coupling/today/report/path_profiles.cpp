@@ -8,7 +8,7 @@
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
 namespace {

@@ -32,7 +32,4 @@ std::string settings(const RunResults& results);
 /// Input files with hashes, projection, files written, how to cite.
 std::string sources_and_files(const RunResults& results, const std::vector<WrittenFile>& files);
 
-/// The style of the page.
-std::string_view style();
-
 }  // namespace coupling::report

@@ -3,8 +3,8 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/scene.hpp"
-#include "coupling/results/report/sections.hpp"
 #include "coupling/results/report/species_colours.hpp"
+#include "coupling/today/report/sections.hpp"
 #include "forest/species.hpp"
 
 namespace coupling::report {

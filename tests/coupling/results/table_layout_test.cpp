@@ -11,7 +11,7 @@
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/profile/profile_layouts.hpp"
 #include "coupling/results/data_dictionary.hpp"
-#include "coupling/results/static_layouts.hpp"
+#include "coupling/today/static_layouts.hpp"
 
 namespace coupling::table_layout_test {
 namespace {

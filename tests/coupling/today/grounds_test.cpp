@@ -1,11 +1,11 @@
-#include "coupling/results/grounds.hpp"
+#include "coupling/today/grounds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "config/table/table.hpp"
-#include "coupling/results/report/sections.hpp"
+#include "coupling/today/report/sections.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling::grounds_test {

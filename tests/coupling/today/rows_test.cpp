@@ -1,4 +1,4 @@
-#include "coupling/results/rows.hpp"
+#include "coupling/today/rows.hpp"
 
 #include <gtest/gtest.h>
 

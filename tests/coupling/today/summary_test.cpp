@@ -1,4 +1,4 @@
-#include "coupling/results/summary.hpp"
+#include "coupling/today/summary.hpp"
 
 #include <gtest/gtest.h>
 

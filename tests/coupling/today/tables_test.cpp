@@ -1,4 +1,4 @@
-#include "coupling/results/tables.hpp"
+#include "coupling/today/tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "config/table/table.hpp"
-#include "coupling/results/rows.hpp"
+#include "coupling/today/rows.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling::tables_test {

@@ -1,11 +1,11 @@
-#include "coupling/results/write_results.hpp"
+#include "coupling/today/write_results.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "config/errors/input_error.hpp"
-#include "coupling/results/rows.hpp"
+#include "coupling/today/rows.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling::write_results_test {

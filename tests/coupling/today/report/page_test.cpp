@@ -1,4 +1,4 @@
-#include "coupling/results/report/page.hpp"
+#include "coupling/today/report/page.hpp"
 
 #include <gtest/gtest.h>
 
