@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include "coupling/commands/program.hpp"
 #include "coupling/run/interrupt.hpp"
 
@@ -12,8 +14,18 @@ void answer_signals() {
 /// that is terminated as soon as it starts ends with the exit code of an interruption too.
 [[gnu::section(".preinit_array"), gnu::used]] void (*const before_everything)() = answer_signals;
 
+/// A year of the forest takes some megabytes and frees them, thousands of times. The C library would return
+/// them to the system each time, and the system would clear their pages again: two thirds of the time of a
+/// run of forests.
+void keep_freed_memory() {
+    constexpr int mebibyte = 1 << 20;
+    mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);
+    mallopt(M_TRIM_THRESHOLD, 64 * mebibyte);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
+    keep_freed_memory();
     return coupling::run_program({words + 1, words + count});
 }

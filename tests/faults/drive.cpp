@@ -26,10 +26,11 @@ struct Options {
     std::vector<std::string> runs;
     std::vector<std::string> modes = all_modes;
     long every = 1;
-    long points = 0;  ///< > 0: so many operations of each run, spread evenly, instead of `every`
-    long from = 1;    ///< the first of these operations
-    long at = 0;      ///< > 0: this operation only
-    std::string on;   ///< operations on files whose names begin so
+    long points =
+        0;  ///< > 0: so many operations of each run and fault, spread evenly; the next four are ignored
+    long from = 1;   ///< the first of these operations
+    long at = 0;     ///< > 0: this operation only
+    std::string on;  ///< operations on files whose names begin so
     unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
     bool list = false;
 };
@@ -49,29 +50,53 @@ bool applies(const std::string& mode, const Operation& operation) {
     return mode == "tear" ? is_write(operation) : mode != "enospc" || needs_space(operation);
 }
 
-/// The faults of a run in the order of its operations.
-std::vector<Fault> faults_of(const Options& options, const std::vector<Operation>& operations) {
-    const auto count = static_cast<long>(operations.size());
+/// So many operations for each fault, spread evenly over those that it applies to. Each fault meets other
+/// operations than the others do.
+std::vector<Fault> spread_faults(const Options& options, const std::vector<Operation>& operations) {
     std::vector<Fault> faults;
-    if (options.at == 0 &&
-        std::find(options.modes.begin(), options.modes.end(), "term") != options.modes.end()) {
-        faults.push_back({"term", 0});
+    for (std::size_t i = 0; i < options.modes.size(); ++i) {
+        std::vector<long> met;
+        for (const Operation& operation : operations) {
+            if (applies(options.modes[i], operation)) {
+                met.push_back(operation.number);
+            }
+        }
+        const std::size_t step =
+            std::max<std::size_t>(1, met.size() / static_cast<std::size_t>(options.points));
+        for (std::size_t at = step * (i + 1) / (options.modes.size() + 1); at < met.size(); at += step) {
+            faults.push_back({options.modes[i], met[at]});
+        }
     }
+    return faults;
+}
+
+/// The faults of all selected operations.
+std::vector<Fault> selected_faults(const Options& options, const std::vector<Operation>& operations) {
+    std::vector<Fault> faults;
     bool after_fsync = false;
-    const long step = options.points > 0 ? std::max(1L, count / options.points) : options.every;
     for (const Operation& operation : operations) {
         const bool wanted =
-            (options.at > 0 ? operation.number == options.at : operation.number % step == 0) &&
+            (options.at > 0 ? operation.number == options.at : operation.number % options.every == 0) &&
             operation.number >= options.from && operation.path.filename().string().starts_with(options.on);
         for (const std::string& mode : options.modes) {
             // An fsync changes nothing that a killed process leaves: the kill before it was the same.
-            const bool again = mode == "kill" && after_fsync && options.every == 1 && options.points == 0 &&
-                               options.at == 0 && options.on.empty();
+            const bool again =
+                mode == "kill" && after_fsync && options.every == 1 && options.at == 0 && options.on.empty();
             if (wanted && applies(mode, operation) && !again) {
                 faults.push_back({mode, operation.number});
             }
         }
         after_fsync = operation.name == "fsync" || operation.name == "fdatasync";
+    }
+    return faults;
+}
+
+std::vector<Fault> faults_of(const Options& options, const std::vector<Operation>& operations) {
+    std::vector<Fault> faults =
+        options.points > 0 ? spread_faults(options, operations) : selected_faults(options, operations);
+    if (options.at == 0 &&
+        std::find(options.modes.begin(), options.modes.end(), "term") != options.modes.end()) {
+        faults.insert(faults.begin(), {"term", 0});
     }
     return faults;
 }
@@ -110,7 +135,8 @@ std::array<long, kinds> drive(const Options& options, const Run& run) {
                 const std::vector<Finding> findings = own->try_fault(faults[i]);
                 const std::lock_guard lock{speaking};
                 if (++tried % 100 == 0) {
-                    std::cerr << run.name << ": " << tried << " of " << faults.size() << " faults" << std::endl;
+                    std::cerr << run.name << ": " << tried << " of " << faults.size() << " faults"
+                              << std::endl;
                 }
                 for (const Finding& finding : findings) {
                     ++sums[finding.kind];

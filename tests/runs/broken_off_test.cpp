@@ -10,12 +10,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run of two parts on the bare slope: the first ends after 250 000 rocks, in the last of the four sources.
-/// Under pir3d, whose rocks take their time, little is left for the second.
-std::string two_parts(const std::string& motion) {
+/// A run of parts on the bare slope: the first ends after 20 000 rocks. Enough is left to be interrupted;
+/// rocks of pir3d take more time.
+std::string some_parts(const std::string& motion) {
     return "run scenario.ini --quiet --threads 2 --set trees.file= --set output.rock_table=no "
            "--set rockfall.motion=" +
-           motion + " --set release.rocks=" + (motion == "pir3d" ? "270000" : "400000");
+           motion +
+           " --set run.rocks_per_part=20000 --set release.rocks=" + (motion == "pir3d" ? "60000" : "100000");
 }
 
 std::string interrupted_after_first_part(const std::string& out, const std::string& run) {
@@ -62,7 +63,7 @@ TEST_P(InterruptionUnderModel, KeepsFinishedPartsForTheSameSettingsOnly) {
     // A short net, so that its table stays small.
     project.write("nets.csv",
                   "name,height_m,capacity_kj,wkt\nshort,3,50,\"LINESTRING (1098 2045, 1098 2049)\"\n");
-    const std::string run = two_parts(GetParam()) + " --set nets.file=nets.csv";
+    const std::string run = some_parts(GetParam()) + " --set nets.file=nets.csv";
     const Outcome interrupted = shell(project, interrupted_after_first_part("out", run));
     ASSERT_EQ(interrupted.code, 75) << interrupted.err;
     ASSERT_TRUE(fs::exists(project.file("out/parts")));
@@ -85,11 +86,11 @@ TEST_P(InterruptionUnderModel, KeepsFinishedPartsForTheSameSettingsOnly) {
 /// A line with many rocks is one source: it is parted too, and an interruption keeps what has fallen since.
 TEST(Interruption, GoesOnWithinASource) {
     const SampleProject project;
-    project.write("lines.csv", "blocks,wkt\n400000,\"LINESTRING (1025 2035, 1025 2065)\"\n");
+    project.write("lines.csv", "blocks,wkt\n100000,\"LINESTRING (1025 2035, 1025 2065)\"\n");
     project.replace("scenario.ini", "source = source.asc", "source_shapes = lines.csv");
     const std::string run =
         "run scenario.ini --quiet --threads 2 --set trees.file= --set output.rock_table=no "
-        "--set \"output.path_rocks=3, 299999, 399999\"";
+        "--set run.rocks_per_part=25000 --set \"output.path_rocks=3, 74999, 99999\"";
     const Outcome outcome =
         shell(project, "\"$bannwald\" " + run +
                            " --out out &\n"

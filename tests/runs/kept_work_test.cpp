@@ -13,16 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run of two parts on the bare slope, with a table of its rocks.
-const std::string two_parts_with_table =
-    "run scenario.ini --quiet --threads 2 --set trees.file= --set release.rocks=300000 --set "
-    "output.percentiles=no ";
+/// A run of some parts on the bare slope, with a table of its rocks.
+const std::string parts_with_table =
+    "run scenario.ini --quiet --threads 2 --set trees.file= --set release.rocks=100000 "
+    "--set run.rocks_per_part=25000 --set output.percentiles=no ";
 
 /// Ends as soon as the first part is kept.
 void keep_first_part(const SampleProject& project, const std::string& out) {
     const Outcome interrupted = shell(
-        project,
-        interrupted_once(out + "/parts/checkpoint.part", two_parts_with_table + "--out " + out, "KILL"));
+        project, interrupted_once(out + "/parts/checkpoint.part", parts_with_table + "--out " + out, "KILL"));
     ASSERT_EQ(interrupted.code, 137) << interrupted.err;
     ASSERT_FALSE(fs::exists(project.file(out + "/summary.json")));
 }
@@ -35,7 +34,7 @@ TEST(KeptTables, AreRefusedWhereTheirBytesHaveChanged) {
                     "dd if=/dev/zero of=out/parts/rocks.csv bs=4096 seek=100 count=1 conv=notrunc\n")
                   .code,
               0);
-    const Outcome damaged = call(project, two_parts_with_table + "--out out");
+    const Outcome damaged = call(project, parts_with_table + "--out out");
     EXPECT_EQ(damaged.code, 3);
     EXPECT_NE(damaged.err.find("rocks.csv: found changed or damaged since its last finished part"),
               std::string::npos)
@@ -44,15 +43,15 @@ TEST(KeptTables, AreRefusedWhereTheirBytesHaveChanged) {
     EXPECT_FALSE(fs::exists(project.file("out/summary.json")));
 
     const Outcome restored =
-        shell(project, "cp kept.csv out/parts/rocks.csv\n\"$bannwald\" " + two_parts_with_table +
-                           "--out out || exit 1\n\"$bannwald\" " + two_parts_with_table +
+        shell(project, "cp kept.csv out/parts/rocks.csv\n\"$bannwald\" " + parts_with_table +
+                           "--out out || exit 1\n\"$bannwald\" " + parts_with_table +
                            "--out whole || exit 2\ndiff -r out whole\n");
     EXPECT_EQ(restored.code, 0) << restored.out << restored.err;
 }
 
 TEST(WritingResults, CanBeInterruptedAndIsAllThatIsDoneAgain) {
     const SampleProject project;
-    const std::string run = two_parts_with_table + "--out out";
+    const std::string run = parts_with_table + "--out out";
     const Outcome interrupted = shell(project, interrupted_once("out/.writing/results.gpkg", run));
     ASSERT_EQ(interrupted.code, 75) << interrupted.err;
     EXPECT_NE(interrupted.err.find("are kept"), std::string::npos) << interrupted.err;
@@ -64,7 +63,7 @@ TEST(WritingResults, CanBeInterruptedAndIsAllThatIsDoneAgain) {
         shell(project, "cp -p out/parts/rocks.csv kept.csv\n\"$bannwald\" " + run +
                            " || exit 1\ncmp kept.csv out/tables/rocks.csv || exit 2\n"
                            "[ ! out/tables/rocks.csv -nt kept.csv ] || exit 3\n\"$bannwald\" " +
-                           two_parts_with_table + "--out whole || exit 4\ndiff -r out whole\n");
+                           parts_with_table + "--out whole || exit 4\ndiff -r out whole\n");
     EXPECT_EQ(again.code, 0) << again.out << again.err;
 }
 
@@ -82,7 +81,7 @@ TEST(Publishing, IsFinishedByTheSameCommandAfterAKill) {
 
 TEST(Folder, IsThatOfOneRunAtATime) {
     const SampleProject project;
-    const std::string run = "\"$bannwald\" " + two_parts_with_table + "--out out";
+    const std::string run = "\"$bannwald\" " + parts_with_table + "--out out";
     const Outcome outcome =
         shell(project, run +
                            " &\nfirst=$!\n"
@@ -90,7 +89,7 @@ TEST(Folder, IsThatOfOneRunAtATime) {
                            run + "; [ $? = 2 ] || exit 1\n" + run +
                            " --overwrite; [ $? = 2 ] || exit 2\n"
                            "kill -KILL $first; wait $first\n" +
-                           run + " || exit 3\n\"$bannwald\" " + two_parts_with_table +
+                           run + " || exit 3\n\"$bannwald\" " + parts_with_table +
                            "--out whole || exit 4\ndiff -r out whole\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     EXPECT_NE(outcome.err.find("another run of bannwald works in this output folder"), std::string::npos)

@@ -39,17 +39,19 @@ TEST(Validate, WritesTheSameFilesOnAnyNumberOfThreads) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
-/// Forests of 10 years instead of 400.
-const std::string few_years =
-    " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
-    "--set belts.replicates=1";
+/// Forests of 10 years instead of 400, plantations at two ages instead of nine.
+const std::map<std::string, std::string> few_years{
+    {"forest_belts",
+     " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
+     "--set belts.replicates=1"},
+    {"forest_yield", " --set \"yield.ages_years=70, 100\""}};
 
 TEST(Validate, RunsEveryShippedCaseWithFewRocks) {
     const SampleProject project;
     for (const validation::CaseFiles& files : validation::shipped_cases()) {
         const Outcome outcome =
             call(project, "validate " + files.name + " --quiet --rocks 20 --out " + files.name +
-                              (files.name == "forest_belts" ? few_years : ""));
+                              (few_years.contains(files.name) ? few_years.at(files.name) : ""));
         EXPECT_TRUE(outcome.code == 0 || outcome.code == 5) << files.name << '\n' << outcome.err;
         EXPECT_TRUE(std::filesystem::exists(project.file(files.name + "/report.html"))) << files.name;
     }
@@ -105,7 +107,7 @@ TEST(Validate, HoldsTheFiguresThatTheReadmeBuildsOn) {
 TEST(Validate, MovesSomethingWithEveryChoice) {
     const SampleProject project;
     ASSERT_EQ(
-        call(project, "validate vaujany_forest vaujany_open steg bad_ischl --quiet --rocks 200 --out few")
+        call(project, "validate vaujany_forest vaujany_open steg bad_ischl --quiet --rocks 50 --out few")
             .code,
         5);
     const config::Table choices = result_table(project, "few/choices.csv");
