@@ -165,6 +165,40 @@ TEST(RocksOfYears, AreAllToldByWhatEndedTheirFall) {
     EXPECT_LE(met, 100.0);
 }
 
+/// Protection of a regime in a year: range of the replicates.
+struct ProtectionRange {
+    double low_percent = 0.0;
+    double high_percent = 0.0;
+};
+
+ProtectionRange protection_range(const config::Table& by_year, const std::string& regime, int year) {
+    for (std::size_t row = 0; row < by_year.rows(); ++row) {
+        if (by_year.text(row, "regime") == regime && by_year.text(row, "quantity") == "protection_percent" &&
+            by_year.text(row, "year") == std::to_string(year)) {
+            return {number(by_year, row, "low_5"), number(by_year, row, "high_95")};
+        }
+    }
+    ADD_FAILURE() << "no protection of " << regime << " in year " << year;
+    return {};
+}
+
+TEST(FirstExample, LosesTensOfPercentOfItsProtectionToClearCutsAlone) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init first --quiet --example regimes-small").code, 0);
+    const Outcome run = call(project,
+                             "run first/scenario.ini --quiet --out out --set run.rockfall_every=30 "
+                             "--set run.replicates=3 --set \"regimes.list=none, clear_cut_strips.csv\"");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const config::Table by_year = table(project, "out/tables/regimes_by_year.csv");
+    const ProtectionRange start = protection_range(by_year, "none", 0);
+    EXPECT_GT(start.low_percent, 65.0);
+    EXPECT_LT(start.high_percent, 95.0);
+    const ProtectionRange untouched = protection_range(by_year, "none", 30);
+    const ProtectionRange cut = protection_range(by_year, "clear_cut_strips", 30);
+    EXPECT_GT(untouched.low_percent, cut.high_percent + 10.0);
+    EXPECT_GT(start.low_percent, cut.high_percent + 10.0);
+}
+
 TEST(Feedback, SwitchedOffChangesNothing) {
     const ForestProject project;
     project.write("list.csv", dense_list(false));
