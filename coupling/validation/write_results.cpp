@@ -31,6 +31,7 @@ const std::vector<ResultFile>& files() {
         {"factors.csv", "forest effects over combinations of settings", write_factors},
         {"directions.csv", "how figures go as settings grow, beside the literature", write_directions},
         {"plots.csv", "the points of the forest's plots", write_plots},
+        {"overview.md", "how many criteria each case meets", write_overview},
         {"summary.md", "the verdicts as a text", write_summary},
     };
     return list;

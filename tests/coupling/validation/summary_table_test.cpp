@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -10,14 +11,14 @@
 namespace coupling::validation::summary_table_test {
 namespace {
 
-/// The text of the README between the lines that frame the summary; "" without them.
-std::string section_of_readme() {
-    std::ifstream in{std::string{BANNWALD_SOURCE_DIR} + "/README.md"};
+/// The text of a README between two lines; "" without them.
+std::string section_of(const std::string& readme, std::string_view begins, std::string_view ends) {
+    std::ifstream in{std::string{BANNWALD_SOURCE_DIR} + "/" + readme};
     std::ostringstream whole;
     whole << in.rdbuf();
     const std::string text = whole.str();
-    const std::size_t begin = text.find(summary_begins);
-    const std::size_t end = text.find(summary_ends);
+    const std::size_t begin = text.find(begins);
+    const std::size_t end = text.find(ends);
     return begin == std::string::npos || end == std::string::npos ? "" : text.substr(begin, end - begin);
 }
 
@@ -56,11 +57,55 @@ bool has_line(const std::string& part, const std::vector<std::string>& fixed) {
     return false;
 }
 
-TEST(Summary, OfTheReadmeHasTheFiguresAndCriteriaOfTheCases) {
-    const std::string section = section_of_readme();
-    if (section.empty()) {
-        GTEST_SKIP() << "the README has no summary yet";
+/// The first whole number before a text; "" without one.
+std::string number_before(const std::string& line, const std::string& text) {
+    const std::size_t at = line.find(text);
+    if (at == std::string::npos || at == 0) {
+        return "";
     }
+    const std::size_t begin = line.find_last_not_of("0123456789", at - 1);
+    return line.substr(begin + 1, at - begin - 1);
+}
+
+TEST(Overview, OfTheRootReadmeSaysWhatTheWholeTableSays) {
+    const std::string overview = section_of("README.md", overview_begins, overview_ends);
+    const std::string summary = section_of("validation/README.md", summary_begins, summary_ends);
+    ASSERT_LE(std::count(overview.begin(), overview.end(), '\n'), 1 + 2 + 15);
+    for (const CaseFiles& files : shipped_cases()) {
+        std::string line = part_about(summary, files.name);
+        line = line.substr(0, line.find('\n'));
+        const std::string criteria = line.substr(std::min(line.size(), line.rfind(" of ")));
+        const std::size_t row = overview.find("| [" + files.name + "](validation/");
+        ASSERT_NE(row, std::string::npos) << files.name;
+        const std::vector<std::string> cells =
+            cells_of(overview.substr(row, overview.find('\n', row) - row));
+        ASSERT_EQ(cells.size(), 4U) << files.name;
+        const std::string of = criteria.substr(0, criteria.find('.'));
+        EXPECT_EQ(cells[3], number_before(line, criteria) + of) << files.name;
+        EXPECT_EQ(cells[2], line.find("strict ") == std::string::npos
+                                ? ""
+                                : number_before(line, ", default ") + of)
+            << files.name;
+    }
+}
+
+TEST(Overview, HasARowForEachCase) {
+    CaseResult result;
+    result.name = "somewhere";
+    result.title = "a slope";
+    VerdictRow row;
+    row.strict_verdict = Verdict::missed;
+    row.default_verdict = Verdict::inside;
+    result.rows = {row};
+    std::ostringstream out;
+    write_overview(out, {&result, 1});
+    EXPECT_NE(out.str().find("| [somewhere](validation/somewhere/README.md) | a slope | 0 of 1 | 1 of 1 |\n"),
+              std::string::npos)
+        << out.str();
+}
+
+TEST(Summary, OfTheValidationReadmeHasTheFiguresAndCriteriaOfTheCases) {
+    const std::string section = section_of("validation/README.md", summary_begins, summary_ends);
     for (const CaseFiles& files : shipped_cases()) {
         const ValidationCase of = read_case(files);
         const std::string part = part_about(section, files.name);
@@ -71,7 +116,7 @@ TEST(Summary, OfTheReadmeHasTheFiguresAndCriteriaOfTheCases) {
         for (const VerdictRow& row : verdict_rows(of, {}, {})) {
             EXPECT_TRUE(has_line(part, fixed_cells(row)))
                 << files.name << ", " << row.quantity
-                << ": write the section anew from summary.md of `bannwald validate all`";
+                << ": update the section with coupling/validation/update_readme.sh";
         }
     }
 }
