@@ -199,8 +199,7 @@ const std::vector<TableLayout>& compare_layouts() {
 }
 
 void write_csv(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
-    write_header(out, compare_layouts(), "compare.csv");
-    CsvRow row{out};
+    TableRows row{out, compare_layouts(), "compare.csv"};
     for (const Line& line : comparison.lines) {
         for (std::size_t i = 0; i < runs.size(); ++i) {
             if (!line.figures[i]) {

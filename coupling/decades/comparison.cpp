@@ -265,8 +265,7 @@ CsvRow& begin_course(CsvRow& row, const Names& names, std::size_t course) {
 }
 
 void write_by_year(std::ostream& out, const Names& names, std::span<const Series> all_series) {
-    write_header(out, decade_layouts(), "regimes_by_year.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "regimes_by_year.csv"};
     for (std::size_t course = 0; course < names.courses(); ++course) {
         for (const Series& series : all_series) {
             for (const std::int32_t year : years_of(series)) {
@@ -282,8 +281,7 @@ void write_by_year(std::ostream& out, const Names& names, std::span<const Series
 }
 
 void write_worst_year(std::ostream& out, const Names& names, std::span<const Series> all_series) {
-    write_header(out, decade_layouts(), "regimes_worst_year.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "regimes_worst_year.csv"};
     for (std::size_t course = 0; course < names.courses(); ++course) {
         for (const Series& series : all_series) {
             const auto worst = series.has_worst ? worst_year(series, course) : std::nullopt;
@@ -308,8 +306,7 @@ struct Pair {
 
 void write_differences(std::ostream& out, const std::string& table, const Names& names,
                        std::span<const Pair> pairs, std::span<const Series> all_series) {
-    write_header(out, decade_layouts(), table);
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), table};
     for (const Pair& pair : pairs) {
         for (const Series& series : all_series) {
             for (const std::int32_t year : years_of(series)) {

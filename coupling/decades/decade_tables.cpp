@@ -16,8 +16,7 @@ std::string_view species_of(const Names& names, std::uint32_t species) {
 }
 
 void write_stands(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "stands.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "stands.csv"};
     for (const MemberYears& member : members) {
         for (const StandRow& stand : member.stands) {
             begin_row(row, names, member.member, stand.year);
@@ -34,8 +33,7 @@ void write_stands(std::ostream& out, const Names& names, std::span<const MemberY
 
 /// Of the whole forest; classes without stems are left out.
 void write_dbh_classes(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "dbh_classes.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "dbh_classes.csv"};
     for (const MemberYears& member : members) {
         for (const StandRow& stand : member.stands) {
             for (std::size_t c = 0; stand.unit == all && c < forest::dbh_classes; ++c) {
@@ -54,8 +52,7 @@ void write_dbh_classes(std::ostream& out, const Names& names, std::span<const Me
 }
 
 void write_years(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "forest_years.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "forest_years.csv"};
     for (const MemberYears& member : members) {
         for (const YearRow& y : member.years) {
             begin_row(row, names, member.member, y.year);
@@ -86,8 +83,7 @@ void write_years(std::ostream& out, const Names& names, std::span<const MemberYe
 }
 
 void write_losses(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "mortality.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "mortality.csv"};
     for (const MemberYears& member : members) {
         for (const LossRow& loss : member.losses) {
             begin_row(row, names, member.member, loss.year);
@@ -101,8 +97,7 @@ void write_losses(std::ostream& out, const Names& names, std::span<const MemberY
 
 void write_trees(std::ostream& out, const Names& names, std::span<const MemberYears> members,
                  std::int32_t year) {
-    write_header(out, decade_layouts(), "trees_0.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "trees_0.csv"};
     for (const MemberYears& member : members) {
         for (const TreeRow& tree : member.trees) {
             if (tree.year != year) {

@@ -19,8 +19,7 @@ using config::joined;
 
 void write_protection(std::ostream& out, const Names& names, const Site& site,
                       std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "protection.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "protection.csv"};
     for (const MemberYears& member : members) {
         for (const TargetRow& t : member.targets) {
             begin_row(row, names, member.member, t.year);
@@ -34,8 +33,7 @@ void write_protection(std::ostream& out, const Names& names, const Site& site,
 
 void write_targets(std::ostream& out, const Names& names, const Site& site,
                    std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "targets.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "targets.csv"};
     for (const MemberYears& member : members) {
         for (const TargetRow& t : member.targets) {
             for (const Cover cover : all_covers) {
@@ -49,8 +47,7 @@ void write_targets(std::ostream& out, const Names& names, const Site& site,
 }
 
 void write_runs(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "runs.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "runs.csv"};
     for (const MemberYears& member : members) {
         for (const SlopeRow& slope : member.slopes) {
             begin_row(row, names, member.member, slope.year);
@@ -62,8 +59,7 @@ void write_runs(std::ostream& out, const Names& names, std::span<const MemberYea
 }
 
 void write_causes(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "causes.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "causes.csv"};
     for (const MemberYears& member : members) {
         for (const SlopeRow& slope : member.slopes) {
             const std::array<Share, stop_causes> shares = shares_by_cause(slope.figures);

@@ -14,8 +14,7 @@ namespace {
 using config::joined;
 
 void write_gaps(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "gaps.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "gaps.csv"};
     for (const MemberYears& member : members) {
         for (const GapRow& gap : member.gaps) {
             begin_row(row, names, member.member, gap.year);
@@ -31,8 +30,7 @@ void write_gaps(std::ostream& out, const Names& names, std::span<const MemberYea
 
 void write_checks(std::ostream& out, const Names& names, std::span<const MemberYears> members,
                   const forest::TargetProfile& profile) {
-    write_header(out, decade_layouts(), "target_profile.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "target_profile.csv"};
     const std::string stems = joined("stems_from_", std::to_string(std::lround(profile.dbh_from_cm)), "_cm");
     for (const MemberYears& member : members) {
         for (const StandCheck& stand : checks_of(member, profile)) {

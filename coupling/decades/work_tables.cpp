@@ -10,8 +10,7 @@ namespace coupling::decades {
 namespace {
 
 void write_interventions(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "interventions.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "interventions.csv"};
     for (const MemberYears& member : members) {
         for (const HarvestRow& work : member.harvest) {
             begin_row(row, names, member.member, work.year);
@@ -28,8 +27,7 @@ void write_interventions(std::ostream& out, const Names& names, std::span<const 
 }
 
 void write_timber(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "timber.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "timber.csv"};
     for (const MemberYears& member : members) {
         for (const TimberRow& timber : member.timber) {
             begin_row(row, names, member.member, timber.year);
@@ -44,8 +42,7 @@ void write_timber(std::ostream& out, const Names& names, std::span<const MemberY
 
 void write_margins(std::ostream& out, const Names& names, std::span<const MemberYears> members,
                    double area_ha) {
-    write_header(out, decade_layouts(), "margins.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "margins.csv"};
     for (const MemberYears& member : members) {
         for (const MarginRow& year : member.margins) {
             begin_row(row, names, member.member, year.year);
@@ -58,8 +55,7 @@ void write_margins(std::ostream& out, const Names& names, std::span<const Member
 }
 
 void write_removed(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    write_header(out, decade_layouts(), "removed_trees.csv");
-    CsvRow row{out};
+    TableRows row{out, decade_layouts(), "removed_trees.csv"};
     for (const MemberYears& member : members) {
         for (const RemovedRow& tree : member.removed) {
             begin_row(row, names, member.member, tree.year);

@@ -42,16 +42,14 @@ double area_ha(const config::Raster<float>& raster, std::size_t number) {
     return static_cast<double>(cells) * raster.frame.cell_area_m2() / m2_per_ha;
 }
 
-void fill_blocks(std::ostream& out, const HazardResults& results) {
-    CsvRow row{out};
+void fill_blocks(CsvRow& row, const HazardResults& results) {
     for (const ZoneRocks& rocks : results.rocks) {
         row.text(rocks.zone).text(config::to_text(rocks.return_period_years)).number<3>(rocks.diameter_m);
         row.number<1>(rocks.mass_kg).whole(rocks.rocks).end();
     }
 }
 
-void fill_levels(std::ostream& out, const HazardResults& results) {
-    CsvRow row{out};
+void fill_levels(CsvRow& row, const HazardResults& results) {
     for (const SlopeHazard& slope : results.slopes) {
         for (std::size_t level = 0; level < levels; ++level) {
             row.text(name_of(slope.cover)).text(level_names[level]);
@@ -60,9 +58,8 @@ void fill_levels(std::ostream& out, const HazardResults& results) {
     }
 }
 
-void fill_intensities(std::ostream& out, const HazardResults& results) {
+void fill_intensities(CsvRow& row, const HazardResults& results) {
     const Matrix& matrix = results.matrix;
-    CsvRow row{out};
     for (const SlopeHazard& slope : results.slopes) {
         for (std::size_t period = 0; period < results.periods.size(); ++period) {
             const double years = results.periods[period].return_period_years;
@@ -76,8 +73,7 @@ void fill_intensities(std::ostream& out, const HazardResults& results) {
     }
 }
 
-void fill_targets(std::ostream& out, const HazardResults& results) {
-    CsvRow row{out};
+void fill_targets(CsvRow& row, const HazardResults& results) {
     for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
         for (const SlopeHazard& slope : results.slopes) {
             for (std::size_t level = 0; level < levels; ++level) {
@@ -89,9 +85,8 @@ void fill_targets(std::ostream& out, const HazardResults& results) {
     }
 }
 
-void fill_target_intensities(std::ostream& out, const HazardResults& results) {
+void fill_target_intensities(CsvRow& row, const HazardResults& results) {
     const Matrix& matrix = results.matrix;
-    CsvRow row{out};
     for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
         for (const SlopeHazard& slope : results.slopes) {
             for (std::size_t period = 0; period < results.periods.size(); ++period) {
@@ -107,8 +102,7 @@ void fill_target_intensities(std::ostream& out, const HazardResults& results) {
     }
 }
 
-void fill_arrivals(std::ostream& out, const HazardResults& results) {
-    CsvRow row{out};
+void fill_arrivals(CsvRow& row, const HazardResults& results) {
     for (const PeriodArrivals& arrivals : results.arrivals) {
         row.text(results.site.targets[arrivals.target].id).text(results.site.targets[arrivals.target].name);
         row.text(config::to_text(arrivals.return_period_years));
@@ -122,8 +116,8 @@ std::vector<WrittenFile> write_tables(const HazardResults& results, const fs::pa
     std::vector<WrittenFile> files;
     const auto add = [&](const char* name, const char* sentence, const auto& fill) {
         files.push_back(write_table(folder, name, sentence, [&](std::ostream& out) {
-            write_header(out, hazard_layouts(), name);
-            fill(out, results);
+            TableRows rows{out, hazard_layouts(), name};
+            fill(rows, results);
         }));
     };
     add("hazard_blocks.csv", "The rocks of each release zone and return period.", fill_blocks);

@@ -79,8 +79,7 @@ std::vector<NetPlace> places_of(std::span<const NetRecord> lines,
 
 void write_places(std::ostream& out, std::span<const NetRecord> lines, std::span<const NetPlace> places,
                   const PlaceTrial& trial, const PathsHead& head, std::span<const bool> is_best) {
-    write_header(out, net_place_layouts(), "net_places.csv");
-    CsvRow row{out};
+    TableRows row{out, net_place_layouts(), "net_places.csv"};
     for (std::size_t i = 0; i < places.size(); ++i) {
         for (const Cover cover : all_covers) {
             if (cover == Cover::forest && !head.with_forest) {

@@ -43,8 +43,7 @@ void add_quantity(CsvRow& row, const NetQuantity& quantity) {
 
 void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures,
                 double wanted_share) {
-    write_header(out, net_layouts(), "nets.csv");
-    CsvRow row{out};
+    TableRows row{out, net_layouts(), "nets.csv"};
     for (const NetFigures& of : figures) {
         const NetRecord& record = nets[of.net];
         row.text(record.name).text(name_of(of.cover)).text(record.energy_class);
@@ -73,8 +72,7 @@ void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<co
 
 void write_net_needs(std::ostream& out, std::span<const NetRecord> nets,
                      std::span<const NetFigures> figures) {
-    write_header(out, net_layouts(), "net_needs.csv");
-    CsvRow row{out};
+    TableRows row{out, net_layouts(), "net_needs.csv"};
     for (const NetFigures& of : figures) {
         for (std::size_t i = 0; i < of.needs.size(); ++i) {
             const NetNeed& need = of.needs[i];
@@ -89,8 +87,7 @@ void write_net_needs(std::ostream& out, std::span<const NetRecord> nets,
 
 void write_net_crossings(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetRow> rows,
                          const Eigen::Vector2d& origin_m) {
-    write_header(out, net_layouts(), "net_crossings.csv");
-    CsvRow row{out};
+    TableRows row{out, net_layouts(), "net_crossings.csv"};
     for (const NetRow& entry : rows) {
         const rockfall::NetCrossingRecord& crossing = entry.crossing;
         row.whole(entry.rock).text(name_of(entry.cover)).text(nets[crossing.net].name);

@@ -120,8 +120,7 @@ void check_same_run(const NetPathsReader& paths, const fs::path& folder, const f
 }
 
 void write_inexact(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetOfRock> broken) {
-    write_header(out, net_try_layouts(), "net_inexact.csv");
-    CsvRow row{out};
+    TableRows row{out, net_try_layouts(), "net_inexact.csv"};
     for (const NetOfRock& one : broken) {
         row.whole(one.rock).text(name_of(one.cover)).text(nets[one.net].name);
         row.end();

@@ -32,11 +32,12 @@ double end_of_stretch_m(const ProfileResults& results, std::size_t stretches_pas
 }  // namespace
 
 void write_rock_header(std::ostream& out) {
-    write_header(out, profile_layouts(), "rocks.csv");
+    write_header(out, layout_of(profile_layouts(), "rocks.csv"));
 }
 
 void write_rock(std::ostream& out, const rockfall::RockRecord& record) {
-    CsvRow row{out};
+    static const std::size_t columns = layout_of(profile_layouts(), "rocks.csv").columns.size();
+    CsvRow row{out, columns};
     row.whole(record.rock).number<3>(static_cast<double>(record.diameter_m)).text(name_of(record.reason));
     row.number<2>(record.start_m.x()).number<2>(record.start_m.z());
     row.number<2>(record.end_m.x()).number<2>(record.end_m.z());
@@ -49,9 +50,8 @@ void write_rock(std::ostream& out, const rockfall::RockRecord& record) {
 }
 
 void write_jumps_by_segment(std::ostream& out, const ProfileResults& results) {
-    write_header(out, profile_layouts(), "jumps_by_segment.csv");
+    TableRows row{out, profile_layouts(), "jumps_by_segment.csv"};
     const double whole_m = results.site.slope_length_m(results.site.last_m());
-    CsvRow row{out};
     for (std::size_t i = 0; i < results.tally.segments.size(); ++i) {
         const SegmentTally& segment = results.tally.segments[i];
         const double from_m = static_cast<double>(i) * results.tally.segment_m;
@@ -66,8 +66,7 @@ void write_jumps_by_segment(std::ostream& out, const ProfileResults& results) {
 }
 
 void write_run_out(std::ostream& out, const ProfileResults& results) {
-    write_header(out, profile_layouts(), "run_out.csv");
-    CsvRow row{out};
+    TableRows row{out, profile_layouts(), "run_out.csv"};
     for (std::size_t i = 0; i < results.tally.ends.size(); ++i) {
         const std::uint64_t beyond = results.tally.ended_beyond(i);
         row.number<2>(end_of_stretch_m(results, i)).whole(beyond);
@@ -78,8 +77,7 @@ void write_run_out(std::ostream& out, const ProfileResults& results) {
 
 void write_stations(std::ostream& out, const ProfileResults& results) {
     using namespace rockfall;
-    write_header(out, profile_layouts(), "stations.csv");
-    CsvRow row{out};
+    TableRows row{out, profile_layouts(), "stations.csv"};
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const StationTally& tally = results.tally.stations[i];
         const Spread& energy = tally.energy_j;
@@ -105,8 +103,7 @@ void write_stations(std::ostream& out, const ProfileResults& results) {
 
 void write_envelope(std::ostream& out, const ProfileResults& results) {
     using namespace rockfall;
-    write_header(out, profile_layouts(), "envelope.csv");
-    CsvRow row{out};
+    TableRows row{out, profile_layouts(), "envelope.csv"};
     for (std::size_t i = 0; i < results.tally.stretches.size(); ++i) {
         const StretchTally& stretch = results.tally.stretches[i];
         row.number<2>(end_of_stretch_m(results, i)).number<2>(end_of_stretch_m(results, i + 1));
@@ -122,8 +119,7 @@ void write_envelope(std::ostream& out, const ProfileResults& results) {
 }
 
 void write_paths(std::ostream& out, const ProfileResults& results) {
-    write_header(out, profile_layouts(), "paths.csv");
-    CsvRow row{out};
+    TableRows row{out, profile_layouts(), "paths.csv"};
     for (const SampledPath& path : results.tally.paths) {
         for (std::size_t i = 0; i < path.points.size(); ++i) {
             const rockfall::PathPoint& point = path.points[i];

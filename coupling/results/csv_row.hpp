@@ -4,8 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "config/table/table.hpp"
@@ -19,7 +22,8 @@ namespace coupling {
 /// finite becomes an empty field.
 class CsvRow {
 public:
-    explicit CsvRow(std::ostream& out) : out_{out} {}
+    /// `columns`: as many fields has each row; 0: any number.
+    explicit CsvRow(std::ostream& out, std::size_t columns = 0) : out_{out}, columns_{columns} {}
     CsvRow(const CsvRow&) = delete;
     CsvRow& operator=(const CsvRow&) = delete;
 
@@ -50,22 +54,26 @@ public:
         separate();
         return *this;
     }
+    /// Throws std::logic_error for a row that has not as many fields as its table has columns.
     void end() {
+        if (columns_ != 0 && fields_ != columns_) {
+            throw std::logic_error{"a row of " + std::to_string(fields_) + " fields in a table of " +
+                                   std::to_string(columns_) + " columns"};
+        }
         make_room();
         *next_++ = '\n';
         flush();
-        first_ = true;
+        fields_ = 0;
     }
 
 private:
     static constexpr std::ptrdiff_t longest_number = 400;  // 1e308 with decimals
 
     void separate() {
-        if (!first_) {
+        if (fields_++ > 0) {
             make_room();
             *next_++ = ',';
         }
-        first_ = false;
     }
     void make_room() {
         if (buffer_.data() + buffer_.size() - next_ < longest_number) {
@@ -110,7 +118,8 @@ private:
     std::ostream& out_;
     std::array<char, 1024> buffer_;
     char* next_ = buffer_.data();
-    bool first_ = true;
+    std::size_t columns_;
+    std::size_t fields_ = 0;
 };
 
 }  // namespace coupling

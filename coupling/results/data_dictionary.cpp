@@ -38,8 +38,7 @@ std::string_view words_of(std::string_view folder) {
 }
 
 void write_tables_of(std::ostream& out, const DictionaryOfRun& declared, std::span<const WrittenFile> files) {
-    write_header(out, dictionary_layouts(), "data_dictionary.csv");
-    CsvRow row{out};
+    TableRows row{out, dictionary_layouts(), "data_dictionary.csv"};
     for (const WrittenFile& file : files) {
         if (!file.path.starts_with(tables_folder)) {
             continue;
@@ -59,9 +58,8 @@ void write_tables_of(std::ostream& out, const DictionaryOfRun& declared, std::sp
 
 void write_rasters_of(std::ostream& out, const DictionaryOfRun& declared,
                       std::span<const WrittenFile> files) {
-    write_header(out, dictionary_layouts(), "raster_dictionary.csv");
+    TableRows row{out, dictionary_layouts(), "raster_dictionary.csv"};
     std::set<std::pair<std::string, std::string>> done;
-    CsvRow row{out};
     for (const WrittenFile& file : files) {
         if (!file.path.ends_with(grid_ending)) {
             continue;

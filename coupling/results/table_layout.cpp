@@ -35,13 +35,17 @@ const TableLayout* find_layout(const std::vector<TableLayout>& layouts, std::str
     return found == layouts.end() ? nullptr : &*found;
 }
 
-void write_header(std::ostream& out, const std::vector<TableLayout>& layouts, std::string_view file) {
+const TableLayout& layout_of(const std::vector<TableLayout>& layouts, std::string_view file) {
     const TableLayout* layout = find_layout(layouts, file);
     if (layout == nullptr) {
         throw std::logic_error{joined("the columns of ", file, " are not declared")};
     }
+    return *layout;
+}
+
+void write_header(std::ostream& out, const TableLayout& layout) {
     const char* separator = "";
-    for (const Column& column : layout->columns) {
+    for (const Column& column : layout.columns) {
         out << separator << column.name;
         separator = ",";
     }

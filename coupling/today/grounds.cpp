@@ -101,8 +101,7 @@ std::vector<GroundFigures> grounds_of(const RunResults& results) {
 }
 
 void write_grounds(std::ostream& out, const RunResults& results) {
-    write_header(out, static_layouts(), "grounds.csv");
-    CsvRow row{out};
+    TableRows row{out, static_layouts(), "grounds.csv"};
     for (const GroundFigures& ground : grounds_of(results)) {
         row.whole(static_cast<unsigned>(ground.code)).text(ground.label).number<4>(ground.area_share);
         row.text(ground.soil).number<3>(ground.r_n).number<3>(ground.r_t);

@@ -61,15 +61,20 @@ void append_centimetres(std::string& text, double value_m) {
     text.append(digits.data(), end);
 }
 
+std::size_t columns_of(std::string_view file) {
+    return layout_of(static_layouts(), file).columns.size();
+}
+
 }  // namespace
 
 void write_rock_header(std::ostream& out) {
-    write_header(out, static_layouts(), "rocks.csv");
+    write_header(out, layout_of(static_layouts(), "rocks.csv"));
 }
 
 void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cover,
                 const Eigen::Vector2d& origin_m, std::uint32_t zone) {
-    CsvRow row{out};
+    static const std::size_t columns = columns_of("rocks.csv");
+    CsvRow row{out, columns};
     row.whole(record.rock).text(coupling::name_of(cover)).whole(zone).whole(record.source);
     row.number<3>(static_cast<double>(record.diameter_m)).text(coupling::name_of(record.reason));
     add_place(row, record.start_m, origin_m);
@@ -85,12 +90,13 @@ void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cov
 }
 
 void write_arrival_header(std::ostream& out) {
-    write_header(out, static_layouts(), "arrivals.csv");
+    write_header(out, layout_of(static_layouts(), "arrivals.csv"));
 }
 
 void write_arrival(std::ostream& out, std::uint64_t rock, std::string_view target_id, Cover cover,
                    const Eigen::Vector2d& origin_m, const rockfall::Arrival& arrival) {
-    CsvRow row{out};
+    static const std::size_t columns = columns_of("arrivals.csv");
+    CsvRow row{out, columns};
     row.whole(rock).text(target_id).text(coupling::name_of(cover));
     row.number<2>(static_cast<double>(arrival.x_m) + origin_m.x());
     row.number<2>(static_cast<double>(arrival.y_m) + origin_m.y());
@@ -102,12 +108,13 @@ void write_arrival(std::ostream& out, std::uint64_t rock, std::string_view targe
 }
 
 void write_tree_hit_header(std::ostream& out) {
-    write_header(out, static_layouts(), "tree_hits.csv");
+    write_header(out, layout_of(static_layouts(), "tree_hits.csv"));
 }
 
 void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree_id,
                     const Eigen::Vector2d& origin_m, const rockfall::TreeHitRecord& hit) {
-    CsvRow row{out};
+    static const std::size_t columns = columns_of("tree_hits.csv");
+    CsvRow row{out, columns};
     row.whole(rock).text(tree_id);
     add_place(row, hit.position_m, origin_m);
     row.number<2>(static_cast<double>(hit.height_m));
@@ -118,12 +125,13 @@ void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree
 }
 
 void write_log_hit_header(std::ostream& out) {
-    write_header(out, static_layouts(), "log_hits.csv");
+    write_header(out, layout_of(static_layouts(), "log_hits.csv"));
 }
 
 void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_id,
                    const Eigen::Vector2d& origin_m, const rockfall::LogHitRecord& hit) {
-    CsvRow row{out};
+    static const std::size_t columns = columns_of("log_hits.csv");
+    CsvRow row{out, columns};
     row.whole(rock).text(log_id);
     add_place(row, hit.position_m, origin_m);
     row.number<3>(static_cast<double>(hit.energy_j) / j_per_kj);
@@ -132,12 +140,13 @@ void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_i
 }
 
 void write_path_header(std::ostream& out) {
-    write_header(out, static_layouts(), "trajectories.csv");
+    write_header(out, layout_of(static_layouts(), "trajectories.csv"));
 }
 
 void write_path(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,
                 std::span<const rockfall::PathPoint> points) {
-    CsvRow row{out};
+    static const std::size_t columns = columns_of("trajectories.csv");
+    CsvRow row{out, columns};
     for (std::size_t i = 0; i < points.size(); ++i) {
         row.whole(rock).text(coupling::name_of(cover)).whole(i);
         add_place(row, points[i].position_m, origin_m);
@@ -148,7 +157,7 @@ void write_path(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen:
 }
 
 void write_path_wkt_header(std::ostream& out) {
-    write_header(out, static_layouts(), "trajectories_wkt.csv");
+    write_header(out, layout_of(static_layouts(), "trajectories_wkt.csv"));
 }
 
 void write_path_wkt(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,
@@ -166,7 +175,8 @@ void write_path_wkt(std::ostream& out, std::uint64_t rock, Cover cover, const Ei
         append_centimetres(wkt, points[i].position_m.z());
     }
     wkt += ')';
-    CsvRow row{out};
+    static const std::size_t columns = columns_of("trajectories_wkt.csv");
+    CsvRow row{out, columns};
     row.whole(rock).text(coupling::name_of(cover)).number<3>(largest_energy_kj(points)).text(wkt);
     row.end();
 }

@@ -15,10 +15,8 @@ namespace coupling {
 namespace {
 
 /// The rows of one quantity at one target: bins that are not empty.
-void add_bins(std::ostream& out, const std::string& target, Cover cover, const char* quantity,
-              const char* unit, const rockfall::LogBins& bins, std::span<const std::uint64_t> counts,
-              double per_unit) {
-    CsvRow row{out};
+void add_bins(CsvRow& row, const std::string& target, Cover cover, const char* quantity, const char* unit,
+              const rockfall::LogBins& bins, std::span<const std::uint64_t> counts, double per_unit) {
     for (std::size_t bin = 0; bin < counts.size(); ++bin) {
         if (counts[bin] > 0) {
             row.text(target).text(name_of(cover)).text(quantity).text(unit);
@@ -43,8 +41,7 @@ void write_all_paths(OutFile& points, OutFile& lines, const RunResults& results)
 }  // namespace
 
 void write_targets(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers) {
-    write_header(out, static_layouts(), "targets.csv");
-    CsvRow row{out};
+    TableRows row{out, static_layouts(), "targets.csv"};
     for (const TargetFigures& target : figures.targets) {
         for (const Cover cover : covers) {
             row.text(target.id).text(target.name).text(target.is_area ? "area" : "line").text(name_of(cover));
@@ -55,8 +52,7 @@ void write_targets(std::ostream& out, const Figures& figures, const std::vector<
 }
 
 void write_protection(std::ostream& out, const Figures& figures) {
-    write_header(out, static_layouts(), "protection.csv");
-    CsvRow row{out};
+    TableRows row{out, static_layouts(), "protection.csv"};
     for (const TargetFigures& target : figures.targets) {
         const std::uint64_t rocks = target.at(Cover::bare).share.whole;
         row.text(target.id).text(target.name);
@@ -67,21 +63,20 @@ void write_protection(std::ostream& out, const Figures& figures) {
 }
 
 void write_target_distributions(std::ostream& out, const RunResults& results) {
-    write_header(out, static_layouts(), "target_distributions.csv");
+    TableRows row{out, static_layouts(), "target_distributions.csv"};
     for (std::size_t number = 0; number < results.tally.targets.size(); ++number) {
         const std::string& id = results.site.targets[number].id;
         for (const Cover cover : covers_of(results)) {
             const rockfall::ArrivalTally& tally = results.tally.targets[number].by_cover[index_of(cover)];
-            add_bins(out, id, cover, "energy", "kJ", rockfall::fine_energy_bins, tally.energy, 1000.0);
-            add_bins(out, id, cover, "speed", "m/s", rockfall::fine_speed_bins, tally.speed, 1.0);
-            add_bins(out, id, cover, "height", "m", rockfall::fine_height_bins, tally.height, 1.0);
+            add_bins(row, id, cover, "energy", "kJ", rockfall::fine_energy_bins, tally.energy, 1000.0);
+            add_bins(row, id, cover, "speed", "m/s", rockfall::fine_speed_bins, tally.speed, 1.0);
+            add_bins(row, id, cover, "height", "m", rockfall::fine_height_bins, tally.height, 1.0);
         }
     }
 }
 
 void write_runs(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers) {
-    write_header(out, static_layouts(), "runs.csv");
-    CsvRow row{out};
+    TableRows row{out, static_layouts(), "runs.csv"};
     for (const Cover cover : covers) {
         row.text(name_of(cover));
         add_slope(row, figures.at(cover));
@@ -90,8 +85,7 @@ void write_runs(std::ostream& out, const Figures& figures, const std::vector<Cov
 }
 
 void write_run_out(std::ostream& out, const RunResults& results) {
-    write_header(out, static_layouts(), "run_out.csv");
-    CsvRow row{out};
+    TableRows row{out, static_layouts(), "run_out.csv"};
     for (const Cover cover : covers_of(results)) {
         const rockfall::RunTally& tally = results.tally.runs[index_of(cover)];
         const auto last = std::find_if(tally.run_out.rbegin(), tally.run_out.rend(),
@@ -108,9 +102,8 @@ void write_run_out(std::ostream& out, const RunResults& results) {
 }
 
 void write_tree_hits_per_rock(std::ostream& out, const RunResults& results) {
-    write_header(out, static_layouts(), "tree_hits_per_rock.csv");
+    TableRows row{out, static_layouts(), "tree_hits_per_rock.csv"};
     const auto& counts = results.tally.runs[index_of(Cover::forest)].tree_hits;
-    CsvRow row{out};
     for (std::size_t hits = 0; hits < counts.size(); ++hits) {
         row.whole(hits).text(hits + 1 == counts.size() ? "yes" : "no").whole(counts[hits]);
         row.end();
@@ -118,8 +111,7 @@ void write_tree_hits_per_rock(std::ostream& out, const RunResults& results) {
 }
 
 void write_stems(std::ostream& out, const RunResults& results) {
-    write_header(out, static_layouts(), "stems.csv");
-    CsvRow row{out};
+    TableRows row{out, static_layouts(), "stems.csv"};
     for (std::size_t number = 0; number < results.site.trees.size(); ++number) {
         const TreeRecord& tree = results.site.trees[number];
         const rockfall::StemTally& tally = results.tally.stems[number];
@@ -131,8 +123,7 @@ void write_stems(std::ostream& out, const RunResults& results) {
 }
 
 void write_logs(std::ostream& out, const RunResults& results) {
-    write_header(out, static_layouts(), "logs.csv");
-    CsvRow row{out};
+    TableRows row{out, static_layouts(), "logs.csv"};
     for (std::size_t number = 0; number < results.site.logs.size(); ++number) {
         const LogRecord& record = results.site.logs[number];
         const rockfall::Log& log = record.log;

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* what_to_do =
     "Columns are declared once: coupling/today/static_layouts.cpp, coupling/decades/decade_layouts.cpp or "
-    "coupling/profile/profile_layouts.cpp. Add the table or column there and let the writer call "
-    "write_header; "
+    "coupling/profile/profile_layouts.cpp. Add the table or column there and let the writer use "
+    "TableRows; "
     "rasters: raster_kinds() or patch_raster_columns().";
 
 using Columns = std::map<std::string, std::vector<std::string>>;

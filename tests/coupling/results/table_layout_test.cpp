@@ -30,9 +30,20 @@ TEST(TableLayout, IsTheHeaderOfItsFile) {
     const std::vector<TableLayout> layouts{
         {"a.csv", "a row", {{"x_m", "m", "", ""}, {"name", "text", "", ""}}}};
     std::ostringstream out;
-    write_header(out, layouts, "a.csv");
+    write_header(out, layout_of(layouts, "a.csv"));
     EXPECT_EQ(out.str(), "x_m,name\n");
-    EXPECT_THROW(write_header(out, layouts, "b.csv"), std::logic_error);
+    EXPECT_THROW(layout_of(layouts, "b.csv"), std::logic_error);
+}
+
+TEST(TableRows, HaveAFieldForEachColumn) {
+    const TableLayout layout{"a.csv", "a row", {{"x_m", "m", "", ""}, {"name", "text", "", ""}}};
+    std::ostringstream out;
+    TableRows row{out, layout};
+    row.number<1>(2.0).text("b").end();
+    row.empty().text("c").end();
+    EXPECT_EQ(out.str(), "x_m,name\n2.0,b\n,c\n");
+    row.number<1>(2.0);
+    EXPECT_THROW(row.end(), std::logic_error);
 }
 
 /// What the end of a name says of its unit.
