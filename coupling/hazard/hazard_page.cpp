@@ -15,6 +15,7 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
 
 namespace coupling::hazard {
@@ -25,22 +26,25 @@ using report::ColourScale;
 using report::escaped;
 using report::HtmlTable;
 
-const char* words_of(Cover cover) {
-    return cover == Cover::forest ? "with forest" : "bare slope";
+const std::string& words_of(Cover cover) {
+    return cover == Cover::forest ? report::page_text("common.with_forest")
+                                  : report::page_text("common.bare_slope");
 }
 
 std::string years_text(double years) {
-    return joined(config::to_text(years), years == 1.0 ? " year" : " years");
+    return joined(config::to_text(years), years == 1.0 ? report::page_text("hazard_page.year")
+                                                       : report::page_text("hazard_page.years"));
 }
 
 std::string energy_in_words(HazardEnergy energy) {
     switch (energy) {
         case HazardEnergy::mean:
-            return "mean energy";
+            return report::page_text("common.mean_energy");
         case HazardEnergy::max:
-            return "largest energy";
+            return report::page_text("hazard_page.largest_energy");
         default:
-            return joined(stem_of(energy).substr(2), "th percentile of the energies");
+            return report::page_text("hazard_page.th_percentile_of_the_energies",
+                                     {{"energy_substr", stem_of(energy).substr(2)}});
     }
 }
 
@@ -49,8 +53,10 @@ std::string levels_in_words(const TargetHazard& target) {
     std::string text;
     for (std::size_t level = levels - 1; level > 0; --level) {
         if (target.levels[level] > 0.0) {
-            text += joined(text.empty() ? "" : ", ", level_names[level], " on ",
-                           report::percent(target.levels[level]));
+            text += report::page_text("hazard_page.on",
+                                      {{"part", text.empty() ? "" : ", "},
+                                       {"level_names_level", level_names[level]},
+                                       {"levels_level", report::percent(target.levels[level])}});
         }
     }
     return text.empty() ? "none" : text;
@@ -80,13 +86,12 @@ std::string note_on_forest(const HazardResults& results) {
     }
     const bool of_those_that_pass = results.scenario.hazard.energy != HazardEnergy::max;
     return joined(
-        "<ul class=\"notes\"><li>With forest parts of a target have a higher level than without. ",
-        of_those_that_pass
-            ? "Intensity is the energy of the rocks that still arrive. A forest that stops small and slow "
-              "rocks raises their percentiles and their mean, although fewer arrive. "
-            : "",
-        "Trees also deflect rocks, and where few rocks pass the result is uncertain. The table below has "
-        "the number of rocks that the forest stops.</li></ul>\n");
+        "<ul class=\"notes\"><li>",
+        report::page_text(
+            "hazard_page.with_forest_parts_of_a_target",
+            {{"part",
+              of_those_that_pass ? report::page_text("hazard_page.intensity_is_the_energy_of_the") : ""}}),
+        "</li></ul>\n");
 }
 
 /// Smallest and largest rock of all return periods.
@@ -97,10 +102,11 @@ std::string sizes_of_rocks(const HazardResults& results) {
         low_m = std::min(low_m, period.diameters.smallest_m);
         high_m = std::max(high_m, period.diameters.largest_m);
     }
-    return report::marked(results.scenario,
-                          joined(report::fixed(low_m, 2), " to ", report::fixed(high_m, 2),
-                                 " m by return period and zone, spheres"),
-                          {"hazard.blocks"});
+    return report::marked(
+        results.scenario,
+        report::page_text("hazard_page.to_m_by_return_period_and_zone",
+                          {{"low_m", report::fixed(low_m, 2)}, {"high_m", report::fixed(high_m, 2)}}),
+        {"hazard.blocks"});
 }
 
 std::string opening(const HazardResults& results) {
@@ -112,13 +118,15 @@ std::string opening(const HazardResults& results) {
         rocks += period.rocks;
     }
     std::string html = joined(
-        "<h1>Rockfall hazard map: ", name, "</h1>\n<dl class=\"facts\">",
-        report::fact("Return periods of the release", joined(periods, " years")),
-        report::fact("Intensity",
+        "<h1>", report::page_text("hazard_page.rockfall_hazard_map", {{"name", name}}),
+        "</h1>\n<dl class=\"facts\">",
+        report::fact(report::page_text("hazard_page.return_periods_of_the_release"),
+                     report::page_text("hazard_page.years_2", {{"periods", periods}})),
+        report::fact(report::page_text("hazard_page.intensity"),
                      report::marked(results.scenario, energy_in_words(results.scenario.hazard.energy),
                                     {"hazard.energy"})),
         report::fact(
-            "Least reach of a cell",
+            report::page_text("hazard_page.least_reach_of_a_cell"),
             report::marked(results.scenario,
                            joined(config::to_text(results.scenario.hazard.least_reach_percent), " %"),
                            {"hazard.least_reach_percent"})),
@@ -126,21 +134,22 @@ std::string opening(const HazardResults& results) {
                                sizes_of_rocks(results)),
         results.site.nets.empty()
             ? ""
-            : report::fact("Nets",
-                           joined(report::grouped(results.site.nets.size()),
-                                  ", standing on both slopes: the levels are those with them, and what "
-                                  "they held stands on the page of each return period")),
-        "</dl>\n<p class=\"lead\">The highest hazard level of all return periods. A return period here is "
-        "that of the <b>release</b>, how often such rocks break off. It is not that of the <b>arrival</b> at "
-        "a target: the levels do not depend on how many of the rocks arrive",
-        results.scenario.hazard.least_reach_percent > 0.0 ? ", but for cells below the least reach" : "",
-        ".</p>\n");
+            : report::fact(report::page_text("common.nets"),
+                           report::page_text("hazard_page.standing_on_both_slopes_the",
+                                             {{"nets", report::grouped(results.site.nets.size())}})),
+        "</dl>\n<p class=\"lead\">",
+        report::page_text("hazard_page.the_highest_hazard_level_of_all",
+                          {{"part", results.scenario.hazard.least_reach_percent > 0.0
+                                        ? report::page_text("hazard_page.but_for_cells_below_the_least")
+                                        : ""}}),
+        "</p>\n");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
         for (const SlopeHazard& slope : results.slopes) {
-            html +=
-                joined("<p class=\"answer\"><b>", slope.cover == Cover::forest ? "With forest" : "Bare slope",
-                       ":</b> ", levels_in_words(slope.targets[i]), ".</p>");
+            html += joined("<p class=\"answer\"><b>",
+                           slope.cover == Cover::forest ? report::page_text("common.with_forest_2")
+                                                        : report::page_text("common.bare_slope_2"),
+                           ":</b> ", levels_in_words(slope.targets[i]), ".</p>");
         }
         html += "</section>\n";
     }
@@ -158,7 +167,8 @@ std::string matrix_drawing(const HazardResults& results) {
     std::string svg =
         joined("<svg viewBox=\"0 0 ",
                report::place(std::max(least_width, left + width * static_cast<double>(matrix.frequencies()))),
-               " ", report::place(height * rows + 52.0), "\" role=\"img\" aria-label=\"hazard matrix\">");
+               " ", report::place(height * rows + 52.0), "\" role=\"img\" aria-label=\"",
+               report::page_text("hazard_page.hazard_matrix"), "\">");
     const auto text = [&](double x, double y, const char* anchor, const std::string& words) {
         svg += joined("<text font-size=\"13\" x=\"", report::place(x), "\" y=\"", report::place(y),
                       "\" text-anchor=\"", anchor, "\">", words, "</text>");
@@ -188,7 +198,9 @@ std::string matrix_drawing(const HazardResults& results) {
                 here += joined(here.empty() ? "" : ", ", config::to_text(period.return_period_years));
             }
         }
-        text(x, height * rows + 38.0, "middle", here.empty() ? "no rocks" : joined("rocks of ", here));
+        text(x, height * rows + 38.0, "middle",
+             here.empty() ? report::page_text("hazard_page.no_rocks")
+                          : report::page_text("hazard_page.rocks_of", {{"here", here}}));
     }
     return joined(svg, "</svg>");
 }
@@ -197,31 +209,26 @@ std::string about_the_map(const HazardResults& results) {
     const HazardSettings& hazard = results.scenario.hazard;
     const std::string rim =
         hazard.least_reach_percent > 0.0
-            ? joined("Cells that fewer than ", config::to_text(hazard.least_reach_percent),
-                     " % of the rocks from the sources above them pass are left out.")
-            : "A cell counts as soon as one simulated rock passes it: more rocks, and larger cells, widen "
-              "its rim; <code>hazard.least_reach_percent</code> sets a limit.";
-    const std::string source = hazard.matrix.empty()
-                                   ? "After the Swiss federal recommendation (BUWAL/BWW/BRP 1997; FOEN 2016) "
-                                     "as the literature draws it, not checked against the original; "
-                                     "cantons divide some fields otherwise: <code>bannwald info "
-                                     "hazard_matrix</code>, setting <code>hazard.matrix</code>."
-                                   : joined("Levels of ", escaped(hazard.matrix), ".");
-    return joined(
-        "<h2>How a level comes about</h2>\n<section class=\"card\"><p>For each return period its rocks "
-        "fall from the release zones that have any. The ",
-        energy_in_words(hazard.energy),
-        " in a cell (of each rock the largest one there) is its intensity; with the return period it gives a "
-        "level. The map shows the highest level of all return periods. ",
-        rim, "</p>", matrix_drawing(results), "<p class=\"soft\">", source, "</p></section>\n");
+            ? report::page_text("hazard_page.cells_that_fewer_than_of_the",
+                                {{"hazard_least_reach_percent", config::to_text(hazard.least_reach_percent)}})
+            : report::page_text("hazard_page.a_cell_counts_as_soon_as_one");
+    const std::string source =
+        hazard.matrix.empty()
+            ? report::page_text("hazard_page.after_the_swiss_federal")
+            : report::page_text("hazard_page.levels_of", {{"hazard_matrix", escaped(hazard.matrix)}});
+    return joined("<h2>", report::page_text("hazard_page.how_a_level_comes_about"),
+                  "</h2>\n<section class=\"card\"><p>",
+                  report::page_text("hazard_page.for_each_return_period_its",
+                                    {{"hazard_energy", energy_in_words(hazard.energy)}, {"rim", rim}}),
+                  "</p>", matrix_drawing(results), "<p class=\"soft\">", source, "</p></section>\n");
 }
 
 std::string rocks_table(const HazardResults& results) {
-    std::vector<std::string> head{"Release zone"};
+    std::vector<std::string> head{report::page_text("hazard_page.release_zone")};
     for (const FinishedPeriod& period : results.periods) {
         head.push_back(years_text(period.return_period_years));
     }
-    HtmlTable table{"Diameter, mass and number of the rocks by return period.", head};
+    HtmlTable table{report::page_text("hazard_page.diameter_mass_and_number_of_the"), head};
     std::vector<std::string> zones;
     for (const ZoneRocks& rocks : results.rocks) {
         if (std::find(zones.begin(), zones.end(), rocks.zone) == zones.end()) {
@@ -235,23 +242,27 @@ std::string rocks_table(const HazardResults& results) {
                 std::find_if(results.rocks.begin(), results.rocks.end(), [&](const ZoneRocks& rocks) {
                     return rocks.zone == zone && rocks.return_period_years == period.return_period_years;
                 });
-            cells.push_back(found == results.rocks.end()
-                                ? "–"
-                                : joined(report::three_digits(found->diameter_m), " m, ",
-                                         report::three_digits(found->mass_kg),
-                                         " kg<br/><span class=\"soft\">", report::grouped(found->rocks),
-                                         " rocks</span>"));
+            cells.push_back(
+                found == results.rocks.end()
+                    ? "–"
+                    : joined(report::page_text("hazard_page.m_kg",
+                                               {{"found_diameter_m", report::three_digits(found->diameter_m)},
+                                                {"found_mass_kg", report::three_digits(found->mass_kg)}}),
+                             "<br/><span class=\"soft\">",
+                             report::page_text("hazard_page.rocks",
+                                               {{"found_rocks", report::grouped(found->rocks)}}),
+                             "</span>"));
         }
         table.row(cells);
     }
-    std::vector<std::string> links{"Page of these rocks"};
+    std::vector<std::string> links{report::page_text("hazard_page.page_of_these_rocks")};
     for (const FinishedPeriod& period : results.periods) {
         links.push_back(
             joined("<a href=\"../", escaped(period.folder.filename().string()), "/report.html\">report</a>"));
     }
     table.row(links);
-    return joined("<h2>Rocks</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(),
-                  "</div></section>\n");
+    return joined("<h2>", report::page_text("common.rocks"),
+                  "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
 std::string shares_table(const HazardResults& results) {
@@ -259,7 +270,7 @@ std::string shares_table(const HazardResults& results) {
     for (std::size_t level = levels; level-- > 0;) {
         head.emplace_back(level_names[level]);
     }
-    HtmlTable table{"Shares of a target's length or area, and plan areas of the map.", head};
+    HtmlTable table{report::page_text("hazard_page.shares_of_a_target_s_length_or"), head};
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         table.group(escaped(results.site.targets[i].name));
         for (const SlopeHazard& slope : results.slopes) {
@@ -270,27 +281,29 @@ std::string shares_table(const HazardResults& results) {
             table.row(cells);
         }
     }
-    table.group("Map");
+    table.group(report::page_text("hazard_page.map"));
     for (const SlopeHazard& slope : results.slopes) {
         std::vector<std::string> cells{words_of(slope.cover)};
         for (std::size_t level = levels; level-- > 0;) {
-            cells.push_back(joined(
-                report::fixed(level_area_ha(slope, results.site, static_cast<Level>(level)), 2), " ha"));
+            cells.push_back(report::page_text(
+                "hazard_page.ha",
+                {{"level_level",
+                  report::fixed(level_area_ha(slope, results.site, static_cast<Level>(level)), 2)}}));
         }
         table.row(cells);
     }
-    return joined("<h2>Levels</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(),
-                  "</div></section>\n");
+    return joined("<h2>", report::page_text("hazard_page.levels"),
+                  "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
 /// Intensities at the targets by return period.
 std::string intensities_table(const HazardResults& results) {
-    std::vector<std::string> head{"", "Return period"};
+    std::vector<std::string> head{"", report::page_text("hazard_page.return_period")};
     for (std::size_t i = results.matrix.intensities(); i-- > 0;) {
         head.push_back(escaped(results.matrix.intensity_name(i)));
     }
-    head.emplace_back("no rock");
-    HtmlTable table{"Shares of a target's length or area by intensity.", head};
+    head.emplace_back(report::page_text("hazard_page.no_rock"));
+    HtmlTable table{report::page_text("hazard_page.shares_of_a_target_s_length_or_2"), head};
     for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
         table.group(escaped(results.site.targets[target].name));
         for (const SlopeHazard& slope : results.slopes) {
@@ -324,9 +337,9 @@ std::string arrivals_table(const HazardResults& results) {
         return "";
     }
     HtmlTable table{
-        "Shares of the rocks of a return period that arrive; in brackets the 95 % interval of chance in the "
-        "simulated rocks.",
-        {"Return period", "bare slope", "with forest", "the forest stops"}};
+        report::page_text("hazard_page.shares_of_the_rocks_of_a_return"),
+        {report::page_text("hazard_page.return_period"), report::page_text("common.bare_slope"),
+         report::page_text("common.with_forest"), report::page_text("hazard_page.the_forest_stops")}};
     std::size_t shown = results.site.targets.size();
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target != shown) {
@@ -339,8 +352,8 @@ std::string arrivals_table(const HazardResults& results) {
         table.row({years_text(arrivals.return_period_years), share(arrivals.bare_percent),
                    share(arrivals.forest_percent), stopped_by_forest(arrivals)});
     }
-    return joined("<h2>Rocks that arrive</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(),
-                  "</div></section>\n");
+    return joined("<h2>", report::page_text("common.rocks_that_arrive"),
+                  "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
 std::string maps(const HazardResults& results) {
@@ -348,17 +361,22 @@ std::string maps(const HazardResults& results) {
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(shown);
-    std::string html = joined(sheet.definitions(), "<h2>Hazard map</h2>\n<div class=\"halves\">");
+    std::string html = joined(sheet.definitions(), "<h2>", report::page_text("hazard_page.hazard_map"),
+                              "</h2>\n<div class=\"halves\">");
     for (const SlopeHazard& slope : results.slopes) {
-        html += sheet.figure({words_of(slope.cover), joined("Hazard levels, ", words_of(slope.cover)),
-                              sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
-                             report::MapSize::half);
+        html += sheet.figure(
+            {words_of(slope.cover),
+             report::page_text("hazard_page.hazard_levels", {{"words_of_slope", words_of(slope.cover)}}),
+             sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
+            report::MapSize::half);
     }
-    html += joined("</div>\n<p class=\"soft\">North is up; coordinates and scale in metres; cells of ",
-                   report::three_digits(results.site.map_frame.cell_width_m),
-                   " m. Thin outlines: release sources of the longest return period. Thick lines: "
-                   "targets.</p>\n",
-                   shares_table(results), "<h2>Intensity by return period</h2>\n");
+    html +=
+        joined("</div>\n<p class=\"soft\">",
+               report::page_text(
+                   "hazard_page.north_is_up_coordinates_and",
+                   {{"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)}}),
+               "</p>\n", shares_table(results), "<h2>",
+               report::page_text("hazard_page.intensity_by_return_period"), "</h2>\n");
     const ColourScale by_energy = ColourScale::classes(intensity_colours(results.matrix));
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
         const std::string years = years_text(results.periods[i].return_period_years);
@@ -366,7 +384,8 @@ std::string maps(const HazardResults& results) {
         for (const SlopeHazard& slope : results.slopes) {
             html += sheet.figure(
                 {joined(years, ", ", words_of(slope.cover)),
-                 joined("Intensity, ", years, ", ", words_of(slope.cover)),
+                 report::page_text("hazard_page.intensity_2",
+                                   {{"years", years}, {"words_of_slope", words_of(slope.cover)}}),
                  sheet.picture(slope.map.intensity[i], by_energy), by_energy.legend("intensities"), ""},
                 report::MapSize::half);
         }
@@ -384,16 +403,20 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(results.version)
-        << "\"/>\n<title>Rockfall hazard map: " << escaped(results.scenario.file.stem().string())
-        << "</title>\n<style>" << report::style() << "</style>\n</head>\n<body>\n<main>\n"
+        << joined("\"/>\n<title>", report::page_text("hazard_page.rockfall_hazard_map_2"))
+        << escaped(results.scenario.file.stem().string()) << "</title>\n<style>" << report::style()
+        << "</style>\n</head>\n<body>\n<main>\n"
         << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
-        << maps(results) << about_the_map(results) << rocks_table(results) << "<h2>Warnings</h2>\n"
-        << report::list_of_warnings(results.warnings) << "<h2>Settings</h2>\n"
+        << maps(results) << about_the_map(results) << rocks_table(results)
+        << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
+        << report::list_of_warnings(results.warnings)
+        << joined("<h2>", report::page_text("common.settings"), "</h2>\n")
         << report::table_of_settings(results.scenario, [](const std::string&) { return true; })
-        << "<h2>Data</h2>\n<section class=\"card\">" << report::table_of_inputs(results.inputs)
-        << "</section>\n<h2>Files</h2>\n<section class=\"card\">"
-        << report::table_of_files("Grids have their projection (.prj) and a QGIS style (.qml) beside them.",
-                                  files)
+        << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\">")
+        << report::table_of_inputs(results.inputs)
+        << joined("</section>\n<h2>", report::page_text("hazard_page.files"),
+                  "</h2>\n<section class=\"card\">")
+        << report::table_of_files(report::page_text("common.grids_have_their_projection_prj"), files)
         << "</section>\n"
         << report::citation(results.version, results.scenario) << "</main>\n</body>\n</html>\n";
 }

@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling {
 namespace {
@@ -16,9 +17,9 @@ std::string percentiles_in_words(const NetFigures& figures) {
     if (std::isnan(figures.energy_kj.p95.value)) {
         return "";
     }
-    return joined("; 95 % of energies below ", report::three_digits(figures.energy_kj.p95.value),
-                  " kJ, of heights of the centre below ", report::three_digits(figures.height_m.p95.value),
-                  " m");
+    return report::page_text("nets.net_words.95_of_energies_below_kj_of",
+                             {{"energy_kj_p95", report::three_digits(figures.energy_kj.p95.value)},
+                              {"height_m_p95", report::three_digits(figures.height_m.p95.value)}});
 }
 
 }  // namespace
@@ -28,37 +29,56 @@ std::string need_in_words(const NetFigures& figures, double wanted_share) {
         return "–";
     }
     if (figures.needs.empty()) {
-        return joined("too few rocks reach it to tell: ", report::grouped(figures.reached.part),
-                      " of at least ", report::grouped(rocks_to_tell(wanted_share)));
+        return report::page_text(
+            "nets.net_words.too_few_rocks_reach_it_to_tell",
+            {{"reached_part", report::grouped(figures.reached.part)},
+             {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(wanted_share))}});
     }
     const NetNeed& need = figures.needs[figures.recommended];
     const std::string level =
         std::isfinite(need.mel_kj)
-            ? joined(report::grouped(static_cast<std::uint64_t>(need.mel_kj)), " kJ")
-            : joined("above 4 500 kJ: ", report::three_digits(figures.energy_needed_kj), " kJ");
-    return joined("class ", need.energy_class, " (", level, "), ",
-                  need.height_m ? joined(report::fixed(*need.height_m, 1), " m high") : "at no height",
-                  need.height_m && *need.height_m > highest_usual_net_m
-                      ? joined("; no usual net is that high: they end at ",
-                               report::tick_text(highest_usual_net_m), " m")
-                      : "");
+            ? report::page_text("nets.net_words.kj",
+                                {{"need_mel_kj", report::grouped(static_cast<std::uint64_t>(need.mel_kj))}})
+            : report::page_text("nets.net_words.above_4_500_kj_kj",
+                                {{"energy_needed_kj", report::three_digits(figures.energy_needed_kj)}});
+    return report::page_text(
+        "nets.net_words.class",
+        {{"need_energy_class", need.energy_class},
+         {"level", level},
+         {"part", need.height_m ? report::page_text("nets.net_words.m_high",
+                                                    {{"need_height_m", report::fixed(*need.height_m, 1)}})
+                                : report::page_text("nets.net_words.at_no_height")},
+         {"part_2", need.height_m && *need.height_m > highest_usual_net_m
+                        ? report::page_text("nets.net_words.no_usual_net_is_that_high_they",
+                                            {{"highest_usual_net_m", report::tick_text(highest_usual_net_m)}})
+                        : ""}});
 }
 
 std::string in_words(const NetRecord& net, const NetFigures& figures, double wanted_share) {
-    std::string text =
-        joined(net.name, ", ", figures.cover == rockfall::Cover::forest ? "with forest" : "bare slope", ": ",
-               figures.inexact > 0 ? "at least " : "", std::to_string(figures.reached.part), " of ",
-               std::to_string(figures.reached.whole), " rocks reach it");
+    std::string text = report::page_text(
+        "nets.net_words.of_rocks_reach_it",
+        {{"net_name", net.name},
+         {"part", figures.cover == rockfall::Cover::forest ? report::page_text("common.with_forest")
+                                                           : report::page_text("common.bare_slope")},
+         {"part_2", figures.inexact > 0 ? report::page_text("nets.net_words.at_least") : ""},
+         {"reached_part", std::to_string(figures.reached.part)},
+         {"reached_whole", std::to_string(figures.reached.whole)}});
     if (figures.inexact > 0) {
-        text += joined(" (not known of ", std::to_string(figures.inexact),
-                       " that break through another net and would reach it where none stands)");
+        text += report::page_text("nets.net_words.not_known_of_that_break_through",
+                                  {{"inexact", std::to_string(figures.inexact)}});
     }
     if (figures.reached.part == 0) {
         return text;
     }
-    return joined(text, figures.inexact > 0 ? "; of those known it holds " : ", it holds ",
-                  report::percent(figures.outcome[0].value), percentiles_in_words(figures), "; to hold ",
-                  report::percent(wanted_share), ": ", need_in_words(figures, wanted_share));
+    return report::page_text(
+        "nets.net_words.to_hold",
+        {{"value", text},
+         {"part", figures.inexact > 0 ? report::page_text("nets.net_words.of_those_known_it_holds")
+                                      : report::page_text("nets.net_words.it_holds")},
+         {"outcome", report::percent(figures.outcome[0].value)},
+         {"percentiles_in_words", percentiles_in_words(figures)},
+         {"wanted_share", report::percent(wanted_share)},
+         {"need_in_words_wanted_share", need_in_words(figures, wanted_share)}});
 }
 
 }  // namespace coupling

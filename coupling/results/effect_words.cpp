@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling {
 namespace {
@@ -25,8 +26,11 @@ bool is_a_rise(double forest, double bare) {
 
 std::string frequency_in_words(const RiskReduction& reduction) {
     const double bari = reduction.bari_percent;
-    return bari < 0.0 ? joined(percent_text(-bari), " more rocks (BARI ", percent_text(bari), ").")
-                      : joined(percent_text(bari), " fewer rocks (BARI).");
+    return bari < 0.0 ? report::page_text("effect_words.more_rocks_bari",
+                                          {{"percent_text_bari", percent_text(-bari)},
+                                           {"percent_text_bari_2", percent_text(bari)}})
+                      : report::page_text("effect_words.fewer_rocks_bari",
+                                          {{"percent_text_bari", percent_text(bari)}});
 }
 
 std::string intensity_in_words(const TargetFigures& target) {
@@ -35,21 +39,24 @@ std::string intensity_in_words(const TargetFigures& target) {
     const ArrivalFigures& bare = target.at(Cover::bare);
     if (std::isnan(miri)) {
         const std::string rise = rise_in_words(forest, bare);
-        return joined(
-            " MIRI and ORPI cannot be estimated: the 95\u00a0% energy needs 20 rocks on each slope.",
-            rise.empty() ? "" : " ", rise);
+        return report::page_text("effect_words.miri_and_orpi_cannot_be",
+                                 {{"part", rise.empty() ? "" : " "}, {"rise", rise}});
     }
-    const std::string index = joined(" (MIRI ", percent_text(miri), ")");
-    const std::string subject = " The 95\u00a0% energy of those that still arrive is ";
+    const std::string index =
+        report::page_text("effect_words.miri", {{"percent_text_miri", percent_text(miri)}});
+    const std::string subject = report::page_text("effect_words.the_95_energy_of_those_that");
     if (forest.share.part == 0) {
-        return joined(" No rock gets through", index, ".");
+        return report::page_text("effect_words.no_rock_gets_through", {{"index", index}});
     }
     if (miri <= -least_change_percent) {
         return joined(" ", rise_in_words(forest, bare, index));
     }
-    std::string text = miri < least_change_percent
-                           ? joined(subject, "nearly the same", index, ".")
-                           : joined(subject, percent_text(miri), " lower", index, ".");
+    std::string text =
+        miri < least_change_percent
+            ? report::page_text("effect_words.nearly_the_same", {{"subject", subject}, {"index", index}})
+            : report::page_text(
+                  "effect_words.lower",
+                  {{"subject", subject}, {"percent_text_miri", percent_text(miri)}, {"index", index}});
     const std::string rise = rise_in_words(forest, bare);
     return rise.empty() ? text : joined(text, " ", rise);
 }
@@ -79,11 +86,12 @@ std::optional<EnergyRise> energy_rise(const ArrivalFigures& forest, const Arriva
     const Distribution& with = forest.energy_kj;
     const Distribution& without = bare.energy_kj;
     if (is_a_rise(with.p95, without.p95)) {
-        return EnergyRise{"95\u00a0% energy", 100.0 * (with.p95 / without.p95 - 1.0),
+        return EnergyRise{report::page_text("effect_words.95_energy"), 100.0 * (with.p95 / without.p95 - 1.0),
                           with.p95_interval.low >= without.p95_interval.high};
     }
     if (is_a_rise(with.mean, without.mean)) {
-        return EnergyRise{"mean energy", 100.0 * (with.mean / without.mean - 1.0), false};
+        return EnergyRise{report::page_text("common.mean_energy"), 100.0 * (with.mean / without.mean - 1.0),
+                          false};
     }
     return std::nullopt;
 }
@@ -96,12 +104,16 @@ std::string change_of_strong_rocks(const ArrivalFigures& forest, const ArrivalFi
         if (too_few_for_protection(before.part)) {
             continue;
         }
-        const std::string which = joined("rocks above ", kj_text(energy), "\u00a0kJ per 1000 released ");
+        const std::string which =
+            report::page_text("effect_words.rocks_above_kj_per_1000", {{"kj_text_energy", kj_text(energy)}});
         const std::string from = rate_per_1000(before.value);
         const std::string to = rate_per_1000(after.value);
-        return from == to                   ? joined(which, "stay at ", to)
-               : after.value < before.value ? joined(which, "fall from ", from, " to ", to)
-                                            : joined(which, "rise from ", from, " to ", to);
+        return from == to ? report::page_text("effect_words.stay_at", {{"which", which}, {"to", to}})
+               : after.value < before.value
+                   ? report::page_text("effect_words.fall_from_to",
+                                       {{"which", which}, {"from", from}, {"to", to}})
+                   : report::page_text("effect_words.rise_from_to",
+                                       {{"which", which}, {"from", from}, {"to", to}});
     }
     return "";
 }
@@ -113,11 +125,14 @@ std::string rise_in_words(const ArrivalFigures& forest, const ArrivalFigures& ba
     }
     const bool has_interval = std::string_view{rise->figure}.starts_with("95");
     const std::string change = change_of_strong_rocks(forest, bare);
-    return joined("The ", rise->figure, " of those that still arrive is ", percent_text(rise->percent),
-                  " higher", note,
-                  has_interval && !rise->is_certain ? " (within the uncertainty of few rocks)" : "",
-                  ", because the forest stops small and slow rocks more often than large and fast ones",
-                  change.empty() ? "" : joined("; ", change), ".");
+    return report::page_text("effect_words.the_of_those_that_still_arrive",
+                             {{"rise_figure", rise->figure},
+                              {"percent_text_rise", percent_text(rise->percent)},
+                              {"note", note},
+                              {"part", has_interval && !rise->is_certain
+                                           ? report::page_text("effect_words.within_the_uncertainty_of_few")
+                                           : ""},
+                              {"part_2", change.empty() ? "" : joined("; ", change)}});
 }
 
 std::string reduction_in_words(const TargetFigures& target) {
@@ -125,7 +140,9 @@ std::string reduction_in_words(const TargetFigures& target) {
     const std::string text = joined(frequency_in_words(reduction), intensity_in_words(target));
     return std::isnan(reduction.orpi_percent)
                ? text
-               : joined(text, " Combined (ORPI): ", percent_text(reduction.orpi_percent), ".");
+               : report::page_text(
+                     "effect_words.combined_orpi",
+                     {{"value", text}, {"reduction_orpi_percent", percent_text(reduction.orpi_percent)}});
 }
 
 }  // namespace coupling

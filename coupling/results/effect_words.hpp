@@ -18,7 +18,7 @@ std::string rate_per_1000(double share);
 
 /// How an energy of those that still arrive compares with that of all rocks over the bare slope.
 struct EnergyRise {
-    const char* figure = "";  ///< "95 % energy" or "mean energy"
+    std::string figure;       ///< "95 % energy" or "mean energy"
     double percent = 0.0;     ///< above that over the bare slope
     bool is_certain = false;  ///< the intervals do not overlap; of a mean: not known
 };

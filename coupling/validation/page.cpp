@@ -3,6 +3,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
 #include "coupling/validation/page_parts.hpp"
 #include "coupling/version.hpp"
@@ -28,14 +29,18 @@ std::string case_part(const CaseResult& result) {
                               escaped(result.title.empty() ? result.name : result.title),
                               "</h2>\n<p class=\"soft\">", escaped(result.citation), "</p>\n");
     if (!result.has_strict) {
-        html += joined("<p class=\"lead\">Criteria met: <b>", ours.text(), "</b>.</p>\n");
+        html += joined("<p class=\"lead\">",
+                       report::page_text("validation.page.criteria_met", {{"ours", ours.text()}}), "</p>\n");
     } else if (strict.met + strict.missed + ours.met + ours.missed > 0) {
-        html += joined("<p class=\"lead\">Criteria met: <b>", strict.text(), "</b> in strict, <b>",
-                       ours.text(), "</b> in default.</p>\n");
+        html += joined("<p class=\"lead\">",
+                       report::page_text("validation.page.criteria_met_in_strict_in",
+                                         {{"strict", strict.text()}, {"ours", ours.text()}}),
+                       "</p>\n");
     }
     html += nearness(result);
     if (!result.rebuilt.empty()) {
-        html += joined(result.has_strict ? "<p><b>What is rebuilt.</b> " : "<p><b>What it shows.</b> ",
+        html += joined(result.has_strict ? joined("<p>", report::page_text("validation.page.what_is_rebuilt"))
+                                         : joined("<p>", report::page_text("validation.page.what_it_shows")),
                        escaped(result.rebuilt), "</p>\n");
     }
     html += notes_of(result);
@@ -52,7 +57,9 @@ void write_validation_page(std::ostream& out, std::span<const CaseResult> cases)
         << page_scripts::policy(scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(version()) << "\"/>\n<title>Bannwald against the published cases</title>\n<style>"
+        << escaped(version())
+        << joined("\"/>\n<title>", report::page_text("common.bannwald_against_the_published"),
+                  "</title>\n<style>")
         << report::style() << page_style() << "</style>\n</head>\n<body>\n<main>\n"
         << page_opening(cases);
     for (const CaseResult& result : cases) {

@@ -5,6 +5,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/validation/page_parts.hpp"
 
 namespace coupling::validation {
@@ -64,13 +65,17 @@ double further_than(const std::vector<CurvePoint>& curve, double distance_m) {
 std::string section_shares(const CaseResult& result) {
     std::string sentences;
     for (const SectionShare& section : result.sections) {
-        sentences += joined("Stopped in ", escaped(section.section), " (", report::tick_text(section.from_m),
-                            " to ", report::tick_text(section.to_m), "\u00a0m): ");
+        sentences += report::page_text("validation.page_charts.stopped_in_to_m",
+                                       {{"section", escaped(section.section)},
+                                        {"section_from_m", report::tick_text(section.from_m)},
+                                        {"section_to_m", report::tick_text(section.to_m)}});
         if (section.observed) {
-            sentences += joined("observed ", report::percent(*section.observed), ", ");
+            sentences += report::page_text("validation.page_charts.observed",
+                                           {{"section_observed", report::percent(*section.observed)}});
         }
         if (section.published) {
-            sentences += joined("published ", report::percent(*section.published), ", ");
+            sentences += report::page_text("validation.page_charts.published",
+                                           {{"section_published", report::percent(*section.published)}});
         }
         std::string ours;
         for (const VariantOutcome& variant : result.variants) {
@@ -101,8 +106,10 @@ std::string run_out_chart(const CaseResult& result) {
     if (most_m <= 0.0) {
         return "";
     }
-    Chart chart{"Run-out", Axis::from_zero("Distance in plan from the start, m", most_m),
-                Axis{"% of rocks that get further", 0.0, percent}};
+    Chart chart{
+        report::page_text("common.run_out"),
+        Axis::from_zero(report::page_text("validation.page_charts.distance_in_plan_from_the_start"), most_m),
+        Axis{report::page_text("validation.page_charts.of_rocks_that_get_further"), 0.0, percent}};
     const std::vector<std::size_t> order = drawing_order(result);
     // Bands of strict and default alone: those of all variants would hide each other.
     const auto has_band = [&](std::size_t i) {
@@ -122,12 +129,14 @@ std::string run_out_chart(const CaseResult& result) {
     }
     for (std::size_t i = 0; i < result.variants.size(); ++i) {
         if (has_band(i)) {
-            chart.add_band_name(series_of(result, i), joined(result.variants[i].variant, ", 90 % of series"));
+            chart.add_band_name(series_of(result, i),
+                                report::page_text("validation.page_charts.90_of_series",
+                                                  {{"variants_variant", result.variants[i].variant}}));
         }
     }
     if (!result.observed_run_out.empty()) {
         chart.add_dots("observed", in_percent(result.observed_run_out));
-        chart.add_dot_name("observed", "observed");
+        chart.add_dot_name("observed", report::page_text("common.observed"));
     }
     for (const SectionShare& section : result.sections) {
         chart.add_mark(section.from_m, section.section);
@@ -204,12 +213,14 @@ std::string tree_hit_chart(const CaseResult& result) {
     const double most = std::max({highest_percent(result, &VariantOutcome::tree_hits),
                                   percent * largest(result.observed_tree_hits),
                                   percent * largest(result.published_tree_hits)});
-    Chart chart{"Tree hits per rock", Axis{"Trees hit by a rock", -0.5, edges.back(), false, true},
-                Axis::from_zero("% of rocks", most)};
+    Chart chart{report::page_text("common.tree_hits_per_rock"),
+                Axis{report::page_text("common.trees_hit_by_a_rock"), -0.5, edges.back(), false, true},
+                Axis::from_zero(report::page_text("validation.page_charts.of_rocks"), most)};
     add_shares(chart, result, edges, &VariantOutcome::tree_hits);
     add_seen(chart, "observed", result.observed_tree_hits);
     add_seen(chart, "published", result.published_tree_hits);
-    return chart.figure(joined("The last bar takes ", std::to_string(bins - 1), " hits and more."));
+    return chart.figure(report::page_text("validation.page_charts.the_last_bar_takes_hits_and",
+                                          {{"bins", std::to_string(bins - 1)}}));
 }
 
 std::string hit_height_chart(const CaseResult& result) {
@@ -222,17 +233,20 @@ std::string hit_height_chart(const CaseResult& result) {
     for (std::size_t i = 0; i <= bins; ++i) {
         edges.push_back(bin_m * static_cast<double>(i));
     }
-    Chart chart{"Heights of tree hits",
-                Axis{"Height of the rock's centre above ground, m", 0.0, edges.back()},
-                Axis::from_zero("% of hits", highest_percent(result, &VariantOutcome::hit_heights))};
+    Chart chart{
+        report::page_text("validation.page_charts.heights_of_tree_hits"),
+        Axis{report::page_text("validation.page_charts.height_of_the_rock_s_centre"), 0.0, edges.back()},
+        Axis::from_zero(report::page_text("validation.page_charts.of_hits"),
+                        highest_percent(result, &VariantOutcome::hit_heights))};
     add_shares(chart, result, edges, &VariantOutcome::hit_heights);
-    return chart.figure("In bars of 0.5 m; the last one takes all above.");
+    return chart.figure(report::page_text("validation.page_charts.in_bars_of_0_5_m_the_last_one"));
 }
 
 std::string jump_chart(const VariantOutcome& variant, double most_m, double end_m) {
-    Chart chart{joined("Jump lengths, ", variant.variant),
-                Axis::from_zero("Distance along the slope, m", end_m),
-                Axis::from_zero("Length of a jump, m", most_m)};
+    Chart chart{
+        report::page_text("validation.page_charts.jump_lengths", {{"variant", variant.variant}}),
+        Axis::from_zero(report::page_text("validation.page_charts.distance_along_the_slope_m"), end_m),
+        Axis::from_zero(report::page_text("validation.page_charts.length_of_a_jump_m"), most_m)};
     // Stretches in which no jump ends part the curve.
     std::vector<ChartRange> ranges;
     std::vector<ChartPoint> means;
@@ -255,9 +269,9 @@ std::string jump_chart(const VariantOutcome& variant, double most_m, double end_
         }
     }
     draw();
-    chart.add_name(variant.variant, "mean");
-    chart.add_band_name(variant.variant, "shortest to longest");
-    return chart.figure("Straight from impact to impact, by the stretch of slope in which the jump ends.");
+    chart.add_name(variant.variant, report::page_text("common.mean"));
+    chart.add_band_name(variant.variant, report::page_text("common.shortest_to_longest"));
+    return chart.figure(report::page_text("validation.page_charts.straight_from_impact_to_impact"));
 }
 
 std::string jump_charts(const CaseResult& result) {

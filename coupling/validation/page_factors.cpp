@@ -7,6 +7,7 @@
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/validation/page_notes.hpp"
 #include "coupling/validation/page_parts.hpp"
 
@@ -58,17 +59,20 @@ std::string verdict_cell(const DirectionRow* row) {
         return "–";
     }
     const std::string against =
-        row->steps_against == 0 ? "" : joined("; steps against: ", std::to_string(row->steps_against));
+        row->steps_against == 0
+            ? ""
+            : report::page_text("validation.page_factors.steps_against",
+                                {{"row_steps_against", std::to_string(row->steps_against)}});
     return joined(badge(row->verdict), "<small>", figure_text(row->change.value), "</small><small>",
                   figure_text(row->change.low), " to ", figure_text(row->change.high), against, "</small>");
 }
 
 std::string directions_table(const CaseResult& result) {
-    HtmlTable table{
-        "Figures: mean over the other settings, where rocks give one at every step, with its 95 % interval. "
-        "Below a verdict: the change from the "
-        "first step to the last with its interval.",
-        {"direction", "at", "strict", "default", "strict", "default"}};
+    HtmlTable table{report::page_text("validation.page_factors.figures_mean_over_the_other"),
+                    {report::page_text("validation.page_factors.direction"),
+                     report::page_text("validation.page_factors.at"), report::page_text("common.strict"),
+                     report::page_text("common.default"), report::page_text("common.strict"),
+                     report::page_text("common.default")}};
     Notes notes;
     for (const DirectionRow& row : result.directions) {
         const DirectionRow* strict = same_direction(result, row, strict_side.name);
@@ -83,12 +87,10 @@ std::string directions_table(const CaseResult& result) {
         table.row({joined(escaped(direction_name(row)), notes.cite(row.source)), values, steps_cell(strict),
                    steps_cell(ours), verdict_cell(strict), verdict_cell(ours)});
     }
-    return joined(
-        "<section class=\"card\"><h3>Directions that the literature agrees on</h3>\n<p>A direction is met if "
-        "no step goes against it by more than the interval of that step, and the last step differs from the "
-        "first by more than the interval of their difference. Intervals cover the chance of rocks and of "
-        "stands.</p>\n",
-        table.html(), notes.html(), "</section>\n");
+    return joined("<section class=\"card\"><h3>",
+                  report::page_text("validation.page_factors.directions_that_the_literature"), "</h3>\n<p>",
+                  report::page_text("validation.page_factors.a_direction_is_met_if_no_step"), "</p>\n",
+                  table.html(), notes.html(), "</section>\n");
 }
 
 /// Rows of one set in which all settings moved together, or one alone.
@@ -144,7 +146,8 @@ void add_protection(Chart& chart, const std::string& series, const std::string& 
 }
 
 Chart protection_chart(const std::string& title, Axis x) {
-    return {title, std::move(x), Axis{"Protection effect, %", 0.0, percent}};
+    return {title, std::move(x),
+            Axis{report::page_text("validation.page_factors.protection_effect"), 0.0, percent}};
 }
 
 /// One chart to each value of the last setting, one line to each value of the second, over the first.
@@ -165,10 +168,11 @@ std::string crossed_charts(const CaseResult& result) {
     }
     std::string html;
     for (const double of_chart : chart_values) {
-        Chart chart =
-            protection_chart(joined("Protection effect, default: ",
-                                    factor_at(result.factor_settings[charts], report::tick_text(of_chart))),
-                             axis_over(result.factor_settings[over], rows, over));
+        Chart chart = protection_chart(
+            report::page_text("validation.page_factors.protection_effect_default",
+                              {{"charts_of_chart",
+                                factor_at(result.factor_settings[charts], report::tick_text(of_chart))}}),
+            axis_over(result.factor_settings[over], rows, over));
         std::size_t number = 0;
         for (const double of_line : line_values) {
             std::vector<const FactorRow*> chosen;
@@ -181,7 +185,7 @@ std::string crossed_charts(const CaseResult& result) {
                            over);
             ++number;
         }
-        html += chart.figure("Whiskers: 95 % over rocks and stands.");
+        html += chart.figure(report::page_text("validation.page_factors.whiskers_95_over_rocks_and"));
     }
     return html;
 }
@@ -194,11 +198,12 @@ std::string alone_charts(const CaseResult& result) {
         if (rows.empty()) {
             continue;
         }
-        Chart chart = protection_chart(joined("Protection effect over ", factor_name(setting)),
+        Chart chart = protection_chart(report::page_text("validation.page_factors.protection_effect_over",
+                                                         {{"factor_name_setting", factor_name(setting)}}),
                                        axis_over(setting, rows, f));
         add_protection(chart, "strict", "strict", rows_of(result, "strict", setting), f);
         add_protection(chart, "default", "default", rows, f);
-        html += chart.figure("All other settings as in the recipe. Whiskers: 95 % over rocks and stands.");
+        html += chart.figure(report::page_text("validation.page_factors.all_other_settings_as_in_the"));
     }
     return html;
 }
@@ -217,17 +222,17 @@ std::string free_path_chart(const CaseResult& result) {
     if (points.empty()) {
         return "";
     }
-    Chart chart{"Way between tree hits", Axis::from_zero("1 / (n (D + DBH)), m", most_m),
-                Axis::from_zero("Way down the slope per hit, m", most_m)};
+    Chart chart{
+        report::page_text("validation.page_factors.way_between_tree_hits"),
+        Axis::from_zero(report::page_text("validation.page_factors.1_n_d_dbh_m"), most_m),
+        Axis::from_zero(report::page_text("validation.page_factors.way_down_the_slope_per_hit_m"), most_m)};
     chart.add_line("other2", std::vector<ChartPoint>{{0.0, 0.0}, {most_m, most_m}});
-    chart.add_name("other2", "equal");
+    chart.add_name("other2", report::page_text("validation.page_factors.equal"));
     for (const auto& [variant, of_variant] : points) {
         chart.add_dots(variant, of_variant);
         chart.add_dot_name(variant, variant);
     }
-    return chart.figure(
-        "One dot to each combination. Rocks also go sideways, so their way down the slope between "
-        "two hits is a little shorter than their path.");
+    return chart.figure(report::page_text("validation.page_factors.one_dot_to_each_combination"));
 }
 
 std::string combinations_table(const CaseResult& result) {
@@ -236,16 +241,17 @@ std::string combinations_table(const CaseResult& result) {
         head.push_back(escaped(factor_name(setting)));
     }
     const std::vector<std::pair<std::string, std::string>> figures{
-        {"basal_area_m2pha", "basal area, m²/ha"}, {protection, "protection effect"},
-        {"energy_kept_share", "energy kept"},      {"residual_energy_kj", "mean energy, kJ"},
-        {"hits_per_rock", "hits per rock"},        {free_path, "way between hits, m"},
-        {analytic, "1 / (n (D + DBH)), m"}};
+        {"basal_area_m2pha", report::page_text("validation.page_factors.basal_area_m_ha")},
+        {protection, report::page_text("validation.page_factors.protection_effect_2")},
+        {"energy_kept_share", report::page_text("validation.page_factors.energy_kept")},
+        {"residual_energy_kj", report::page_text("validation.page_factors.mean_energy_kj")},
+        {"hits_per_rock", report::page_text("validation.page_factors.hits_per_rock")},
+        {free_path, report::page_text("validation.page_factors.way_between_hits_m")},
+        {analytic, report::page_text("validation.page_factors.1_n_d_dbh_m")}};
     for (const auto& [figure, name] : figures) {
         head.push_back(name);
     }
-    HtmlTable table{
-        "Mean energy: of rocks that arrive at the foot with forest. Settings that move alone stand last.",
-        head};
+    HtmlTable table{report::page_text("validation.page_factors.mean_energy_of_rocks_that"), head};
     for (const Side& side : {strict_side, default_side}) {
         table.group(side.name);
         for (const FactorRow& row : result.factors) {
@@ -265,7 +271,9 @@ std::string combinations_table(const CaseResult& result) {
             table.row(cells);
         }
     }
-    return joined("<section class=\"card\"><h3>All combinations</h3>\n", table.html(), "</section>\n");
+    return joined("<section class=\"card\"><h3>",
+                  report::page_text("validation.page_factors.all_combinations"), "</h3>\n", table.html(),
+                  "</section>\n");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/validation/page_parts.hpp"
 
 namespace coupling::validation {
@@ -20,7 +21,9 @@ Score sum_of(std::span<const CaseResult> cases, const Side& side) {
 }
 
 std::string independent_of(const Score& score) {
-    return joined(std::to_string(score.met_independent), " of ", std::to_string(score.independent));
+    return report::page_text("validation.page_opening.of",
+                             {{"score_met_independent", std::to_string(score.met_independent)},
+                              {"score_independent", std::to_string(score.independent)}});
 }
 
 /// Names of the figures missed, such as "mean speed, m/s; tree hits per rock".
@@ -40,7 +43,11 @@ std::string missed_in(const CaseResult& result, const Side& side) {
 }
 
 std::string overview(std::span<const CaseResult> cases) {
-    report::HtmlTable table{"", {"case", "strict", "default", "missed in strict", "missed in default"}};
+    report::HtmlTable table{
+        "",
+        {report::page_text("validation.page_opening.case"), report::page_text("common.strict"),
+         report::page_text("common.default"), report::page_text("validation.page_opening.missed_in_strict"),
+         report::page_text("validation.page_opening.missed_in_default")}};
     table.text_columns({3, 4});
     for (const CaseResult& result : cases) {
         table.row({joined("<a href=\"#", escaped(result.name), "\">",
@@ -54,25 +61,23 @@ std::string overview(std::span<const CaseResult> cases) {
 }
 
 std::string how_to_read() {
-    return "<h2>How to read this page</h2>\n<dl class=\"facts words\">"
-           "<div><dt>observed</dt><dd>measured in the field</dd></div>"
-           "<div><dt>published</dt><dd>simulated by the authors of the model with their own "
-           "program</dd></div>"
-           "<div><dt>strict</dt><dd>Bannwald with exactly what the paper states; where it is silent, our "
-           "choices</dd></div>"
-           "<div><dt>default</dt><dd>Bannwald as it is shipped: our best. The forest has no strict "
-           "set</dd></div>"
-           "<div><dt>independent</dt><dd>the figure was not used to rebuild slope or stand: a hit "
-           "counts</dd></div>"
-           "<div><dt>fitted</dt><dd>the model was calibrated with the figure: a hit proves little</dd></div>"
-           "<div><dt>rebuilding</dt><dd>the figure was used to rebuild slope or stand, or it rests on "
-           "choices or a reference of our own: a hit proves little</dd></div></dl>\n"
-           "<p>Criteria come from the published spread and were set before our model was run on the case, "
-           "unless "
-           "their note says otherwise. A miss "
-           "is printed as a miss, with its likely cause. A figure marked ± has the standard deviation "
-           "between series of "
-           "few rocks, as an experiment would have them.</p>\n";
+    return joined("<h2>", report::page_text("validation.page_opening.how_to_read_this_page"),
+                  "</h2>\n<dl class=\"facts words\"><div><dt>observed</dt><dd>",
+                  report::page_text("validation.page_opening.measured_in_the_field"),
+                  "</dd></div><div><dt>published</dt><dd>",
+                  report::page_text("validation.page_opening.simulated_by_the_authors_of_the"),
+                  "</dd></div><div><dt>strict</dt><dd>",
+                  report::page_text("validation.page_opening.bannwald_with_exactly_what_the"),
+                  "</dd></div><div><dt>default</dt><dd>",
+                  report::page_text("validation.page_opening.bannwald_as_it_is_shipped_our"),
+                  "</dd></div><div><dt>independent</dt><dd>",
+                  report::page_text("validation.page_opening.the_figure_was_not_used_to"),
+                  "</dd></div><div><dt>fitted</dt><dd>",
+                  report::page_text("validation.page_opening.the_model_was_calibrated_with"),
+                  "</dd></div><div><dt>rebuilding</dt><dd>",
+                  report::page_text("validation.page_opening.the_figure_was_used_to_rebuild"),
+                  "</dd></div></dl>\n<p>",
+                  report::page_text("validation.page_opening.criteria_come_from_the"), "</p>\n");
 }
 
 }  // namespace
@@ -83,15 +88,18 @@ std::string page_opening(std::span<const CaseResult> cases) {
     const bool has_strict =
         std::any_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.has_strict; });
     const std::string of_strict =
-        has_strict ? joined("<b>strict</b> meets <b>", strict.text(),
-                            "</b> criteria, of the independent ones ", independent_of(strict), ". ")
+        has_strict ? report::page_text(
+                         "validation.page_opening.strict_meets_criteria_of_the",
+                         {{"strict", strict.text()}, {"independent_of_strict", independent_of(strict)}})
                    : "";
-    return joined(
-        "<h1>Bannwald against the published cases</h1>\n<section class=\"card\"><p "
-        "class=\"answer\">",
-        of_strict, "<b>default</b> meets <b>", ours.text(), has_strict ? "</b>" : "</b> criteria",
-        ", of the independent ones ", independent_of(ours), ".</p>\n", overview(cases), "</section>\n",
-        how_to_read());
+    return joined("<h1>", report::page_text("common.bannwald_against_the_published"),
+                  "</h1>\n<section class=\"card\"><p class=\"answer\">",
+                  report::page_text("validation.page_opening.default_meets_of_the",
+                                    {{"of_strict", of_strict},
+                                     {"ours", ours.text()},
+                                     {"part", has_strict ? "</b>" : "</b> criteria"},
+                                     {"independent_of_ours", independent_of(ours)}}),
+                  "</p>\n", overview(cases), "</section>\n", how_to_read());
 }
 
 }  // namespace coupling::validation

@@ -3,6 +3,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/validation/page_parts.hpp"
 
 namespace coupling::validation {
@@ -36,7 +37,8 @@ void Score::add(const Score& other) {
 }
 
 std::string Score::text() const {
-    return joined(std::to_string(met), " of ", std::to_string(met + missed));
+    return report::page_text("validation.page_shared.of",
+                             {{"met", std::to_string(met)}, {"met_missed", std::to_string(met + missed)}});
 }
 
 Score score_of(const CaseResult& result, const Side& side) {
@@ -66,12 +68,15 @@ std::string badge(Verdict verdict) {
 
 std::string criterion_text(const VerdictRow& row) {
     if (row.low && row.high) {
-        return joined(figure_text(*row.low), " to ", figure_text(*row.high));
+        return report::page_text("validation.page_shared.to",
+                                 {{"row_low", figure_text(*row.low)}, {"row_high", figure_text(*row.high)}});
     }
     if (row.low) {
-        return joined("at least ", figure_text(*row.low));
+        return report::page_text("validation.page_shared.at_least", {{"row_low", figure_text(*row.low)}});
     }
-    return row.high ? joined("at most ", figure_text(*row.high)) : "–";
+    return row.high
+               ? report::page_text("validation.page_shared.at_most", {{"row_high", figure_text(*row.high)}})
+               : "–";
 }
 
 Verdict judge(const VerdictRow& row, double value) {

@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/validation/page_notes.hpp"
 #include "coupling/validation/page_parts.hpp"
 #include "coupling/validation/quantities.hpp"
@@ -33,7 +34,7 @@ std::string ours(const Value& value, Verdict verdict) {
     return cell;
 }
 
-std::string miss_of(const char* set, const Value& value) {
+std::string miss_of(const std::string& set, const Value& value) {
     return joined(set, " ", figure_text(value.value));
 }
 
@@ -137,9 +138,12 @@ std::size_t turned(const CaseResult& result, const std::vector<const VerdictRow*
 std::string forest_verdicts(const CaseResult& result) {
     const bool has_reference = std::any_of(result.rows.begin(), result.rows.end(),
                                            [](const VerdictRow& row) { return row.published.has_value(); });
-    std::vector<std::string> head{"quantity", "Bannwald", "criterion", "rests on"};
+    std::vector<std::string> head{report::page_text("validation.page_tables.quantity"),
+                                  report::page_text("validation.page_tables.bannwald"),
+                                  report::page_text("validation.page_tables.criterion"),
+                                  report::page_text("validation.page_tables.rests_on")};
     if (has_reference) {
-        head.emplace_back("reference");
+        head.emplace_back(report::page_text("validation.page_tables.reference"));
     }
     HtmlTable table{escaped(result.extent), head};
     table.text_columns({3});
@@ -164,10 +168,14 @@ std::string verdict_table(const CaseResult& result) {
         return forest_verdicts(result);
     }
     HtmlTable table{
-        joined("Large figures: all ", report::grouped(result.rocks),
-               " rocks; small ones: mean ± standard deviation of ", report::grouped(result.series),
-               " series of ", report::grouped(result.rocks_per_series), " rocks."),
-        {"quantity", "observed", "published", "strict", "default", "criterion", "rests on"}};
+        report::page_text("validation.page_tables.large_figures_all_rocks_small",
+                          {{"result_rocks", report::grouped(result.rocks)},
+                           {"result_series", report::grouped(result.series)},
+                           {"result_rocks_per_series", report::grouped(result.rocks_per_series)}}),
+        {report::page_text("validation.page_tables.quantity"), report::page_text("common.observed"),
+         report::page_text("validation.page_tables.published"), report::page_text("common.strict"),
+         report::page_text("common.default"), report::page_text("validation.page_tables.criterion"),
+         report::page_text("validation.page_tables.rests_on")}};
     table.text_columns({6});
     Notes notes;
     for (const VerdictRow& row : result.rows) {
@@ -193,14 +201,27 @@ std::string misses(const CaseResult& result) {
             continue;
         }
         items += joined(
-            "<li><b>", row_name(row), "</b>: ", (strict ? miss_of("strict", row.strict_value) : ""),
-            (strict && ours_missed ? " and " : ""),
-            (ours_missed ? miss_of(result.has_strict ? "default" : "Bannwald", row.default_value) : ""),
-            " instead of ", criterion_text(row), ". ",
-            (row.cause.empty() ? "The cause is not known." : joined("Likely cause: ", escaped(row.cause))),
+            "<li>",
+            report::page_text(
+                "validation.page_tables.instead_of",
+                {{"row_name_row", row_name(row)},
+                 {"part", (strict ? miss_of("strict", row.strict_value) : "")},
+                 {"part_2", (strict && ours_missed ? report::page_text("common.and") : "")},
+                 {"part_3", (ours_missed ? miss_of(result.has_strict
+                                                       ? "default"
+                                                       : report::page_text("validation.page_tables.bannwald"),
+                                                   row.default_value)
+                                         : "")},
+                 {"criterion_text_row", criterion_text(row)},
+                 {"part_4",
+                  (row.cause.empty() ? report::page_text("validation.page_tables.the_cause_is_not_known")
+                                     : report::page_text("validation.page_tables.likely_cause",
+                                                         {{"row_cause", escaped(row.cause)}}))}}),
             "</li>\n");
     }
-    return items.empty() ? "" : joined("<h3>Missed</h3>\n<ul class=\"causes\">\n", items, "</ul>\n");
+    return items.empty() ? ""
+                         : joined("<h3>", report::page_text("validation.page_tables.missed"),
+                                  "</h3>\n<ul class=\"causes\">\n", items, "</ul>\n");
 }
 
 std::string nearness(const CaseResult& result) {
@@ -216,13 +237,13 @@ std::string nearness(const CaseResult& result) {
         strict += std::abs(row.strict_value.value - *row.observed) < published_off ? 1U : 0U;
         ours_nearer += std::abs(row.default_value.value - *row.observed) < published_off ? 1U : 0U;
     }
-    return compared == 0
-               ? ""
-               : joined("<p>Of ", std::to_string(compared),
-                        " figures that are both observed and published, <b>default</b> is nearer to the "
-                        "observed "
-                        "one than the published model in <b>",
-                        std::to_string(ours_nearer), "</b>, strict in ", std::to_string(strict), ".</p>\n");
+    return compared == 0 ? ""
+                         : joined("<p>",
+                                  report::page_text("validation.page_tables.of_figures_that_are_both",
+                                                    {{"compared", std::to_string(compared)},
+                                                     {"ours_nearer", std::to_string(ours_nearer)},
+                                                     {"strict", std::to_string(strict)}}),
+                                  "</p>\n");
 }
 
 /// The name of a figure for people, with its unit; the machine's name where the program knows none.
@@ -245,11 +266,13 @@ std::string variants_table(const CaseResult& result) {
     if (result.variants.size() < 2) {
         return "";
     }
-    std::vector<std::string> head{"quantity", "observed", "published"};
+    std::vector<std::string> head{report::page_text("validation.page_tables.quantity"),
+                                  report::page_text("common.observed"),
+                                  report::page_text("validation.page_tables.published")};
     for (const VariantOutcome& variant : result.variants) {
         head.push_back(escaped(spaced(variant.variant)));
     }
-    HtmlTable table{"All rocks.", head};
+    HtmlTable table{report::page_text("validation.page_tables.all_rocks"), head};
     for (const std::string& quantity : quantities_of(result)) {
         const VerdictRow* row = row_named(result, quantity);
         std::vector<std::string> cells{row == nullptr ? figure_name(quantity) : row_name(*row),
@@ -265,7 +288,9 @@ std::string variants_table(const CaseResult& result) {
                                             : joined("<li><b>", escaped(variant.variant),
                                                      "</b>: ", escaped(variant.meaning), "</li>\n");
     }
-    return joined("<section class=\"card\"><h3>Variants of the model side by side</h3>\n", table.html(),
+    return joined("<section class=\"card\"><h3>",
+                  report::page_text("validation.page_tables.variants_of_the_model_side_by"), "</h3>\n",
+                  table.html(),
                   (meanings.empty() ? "" : joined("<ul class=\"causes soft\">\n", meanings, "</ul>\n")),
                   "</section>\n");
 }
@@ -275,14 +300,11 @@ std::string choices_table(const CaseResult& result) {
     if (result.choices.empty() || rows.empty()) {
         return "";
     }
-    std::vector<std::string> head{"free choice"};
+    std::vector<std::string> head{report::page_text("validation.page_tables.free_choice")};
     for (const VerdictRow* row : rows) {
         head.push_back(joined(row_name(*row), "<small>", criterion_text(*row), "</small>"));
     }
-    HtmlTable table{
-        "The first line holds the verdicts with nothing moved, on as few rocks; further down a badge stands "
-        "where one turns.",
-        head};
+    HtmlTable table{report::page_text("validation.page_tables.the_first_line_holds_the"), head};
     add_choices(table, result, rows, strict_side);
     add_choices(table, result, rows, default_side);
     std::string reasons;
@@ -290,13 +312,13 @@ std::string choices_table(const CaseResult& result) {
         reasons += joined("<li><b>", escaped(choice.choice), "</b>: ", escaped(choice.reason), "</li>\n");
     }
     return joined(
-        "<section class=\"card\"><h3>Free choices moved</h3>\n<p>What is not public had to be chosen. Moved "
-        "within "
-        "reason, one at a time, these choices turn the verdict of ",
-        std::to_string(turned(result, rows, strict_side)), " of ", std::to_string(rows.size()),
-        " criteria in strict and of ", std::to_string(turned(result, rows, default_side)),
-        " in default. Those prove little.</p>\n", table.html(), "<ul class=\"causes soft\">\n", reasons,
-        "</ul>\n</section>\n");
+        "<section class=\"card\"><h3>", report::page_text("validation.page_tables.free_choices_moved"),
+        "</h3>\n<p>",
+        report::page_text("validation.page_tables.what_is_not_public_had_to_be",
+                          {{"rows_strict_side", std::to_string(turned(result, rows, strict_side))},
+                           {"rows", std::to_string(rows.size())},
+                           {"rows_default_side", std::to_string(turned(result, rows, default_side))}}),
+        "</p>\n", table.html(), "<ul class=\"causes soft\">\n", reasons, "</ul>\n</section>\n");
 }
 
 }  // namespace coupling::validation

@@ -9,6 +9,7 @@
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/percent_axis.hpp"
 
 namespace coupling::compare {
@@ -28,22 +29,26 @@ struct ShownFigure {
     const char* axis;
 };
 constexpr std::array shown_figures{
-    ShownFigure{"protection_percent", "Protection", "Rocks stopped, %"},
-    ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
-    ShownFigure{"reached_bare_percent", "Rocks that arrive over the bare slope", "Rocks that arrive, %"},
-    ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
-    ShownFigure{"above_300_kj_per_1000", "Rocks above 300 kJ", "Rocks per 1000 released"},
-    ShownFigure{"above_300_kj_bare_per_1000", "Rocks above 300 kJ over the bare slope",
-                "Rocks per 1000 released"},
-    ShownFigure{"held_percent", "Rocks that a net holds", "Share of those that reach it, %"},
-    ShownFigure{"held_bare_percent", "Rocks that a net holds over the bare slope",
-                "Share of those that reach it, %"},
-    ShownFigure{"height_needed_m", "Height that a net needs", "Height, m"},
-    ShownFigure{"height_needed_bare_m", "Height that a net needs over the bare slope", "Height, m"}};
-constexpr std::array shown_series{ShownFigure{"protection_percent", "Protection", "Rocks stopped, %"},
-                                  ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
-                                  ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
-                                  ShownFigure{"volume_m3pha", "Volume", "Volume, m³/ha"}};
+    ShownFigure{"protection_percent", "compare.charts.protection", "common.rocks_stopped"},
+    ShownFigure{"reached_percent", "common.rocks_that_arrive", "common.rocks_that_arrive_2"},
+    ShownFigure{"reached_bare_percent", "compare.charts.rocks_that_arrive_over_the_bare",
+                "common.rocks_that_arrive_2"},
+    ShownFigure{"energy_95_kj", "common.energy_95th_percentile", "common.energy_kj"},
+    ShownFigure{"above_300_kj_per_1000", "compare.charts.rocks_above_300_kj",
+                "compare.charts.rocks_per_1000_released"},
+    ShownFigure{"above_300_kj_bare_per_1000", "compare.charts.rocks_above_300_kj_over_the",
+                "compare.charts.rocks_per_1000_released"},
+    ShownFigure{"held_percent", "compare.charts.rocks_that_a_net_holds",
+                "compare.charts.share_of_those_that_reach_it"},
+    ShownFigure{"held_bare_percent", "compare.charts.rocks_that_a_net_holds_over_the",
+                "compare.charts.share_of_those_that_reach_it"},
+    ShownFigure{"height_needed_m", "compare.charts.height_that_a_net_needs", "common.height_m"},
+    ShownFigure{"height_needed_bare_m", "compare.charts.height_that_a_net_needs_over", "common.height_m"}};
+constexpr std::array shown_series{
+    ShownFigure{"protection_percent", "compare.charts.protection", "common.rocks_stopped"},
+    ShownFigure{"reached_percent", "common.rocks_that_arrive", "common.rocks_that_arrive_2"},
+    ShownFigure{"energy_95_kj", "common.energy_95th_percentile", "common.energy_kj"},
+    ShownFigure{"volume_m3pha", "common.volume", "common.volume_m_ha"}};
 
 /// The same figure of several courses; of today there is one course.
 using Lines = std::vector<const Line*>;
@@ -68,8 +73,8 @@ bool has_interval(const Figure& figure) {
 /// Protection lies close below 100 %, and there it is compared.
 Axis axis_of(const ShownFigure& shown, double lowest, double highest) {
     return shown.quantity == std::string_view{"protection_percent"} && std::isfinite(lowest)
-               ? report::percent_axis(shown.axis, lowest, highest)
-               : Axis::from_zero(shown.axis, highest);
+               ? report::percent_axis(report::page_text(shown.axis), lowest, highest)
+               : Axis::from_zero(report::page_text(shown.axis), highest);
 }
 
 /// "1 none, 2 pfm1".
@@ -86,7 +91,8 @@ std::string list_of_courses(const Lines& lines) {
 std::string list_of_runs(const SideBySide& comparison) {
     std::string list;
     for (std::size_t i = 0; i < comparison.letters.size(); ++i) {
-        list += joined(i > 0 ? ", " : "Run: ", std::to_string(i + 1), " ", comparison.letters[i]);
+        list += joined(i > 0 ? ", " : report::page_text("compare.charts.run"), std::to_string(i + 1), " ",
+                       comparison.letters[i]);
     }
     return list;
 }
@@ -106,9 +112,10 @@ std::string why_no_point(const std::optional<Figure>& figure, std::string_view q
         return figure->why_none;
     }
     if (!figure) {
-        return "not part of this run";
+        return report::page_text("compare.charts.not_part_of_this_run");
     }
-    return quantity == "energy_95_kj" ? "fewer than 20 rocks arrive" : "too few rocks";
+    return quantity == "energy_95_kj" ? report::page_text("compare.charts.fewer_than_20_rocks_arrive")
+                                      : report::page_text("compare.charts.too_few_rocks");
 }
 
 /// " No point: B (only 2 rocks arrive ...)." Empty where each run knows the figure.
@@ -123,7 +130,7 @@ std::string missing_points(const Lines& lines, const SideBySide& comparison) {
             }
         }
     }
-    return list.empty() ? "" : joined(" No point: ", list, ".");
+    return list.empty() ? "" : report::page_text("compare.charts.no_point", {{"list", list}});
 }
 
 /// Empty where no run knows the figure.
@@ -144,9 +151,11 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
     const Line& first = *lines.front();
     const bool alone = lines.size() == 1;
     const auto places = static_cast<double>(alone ? first.figures.size() : lines.size());
-    Chart chart{joined(shown.title, ": ", first.key.target, alone && !first.key.regime.empty() ? ", " : "",
+    Chart chart{joined(report::page_text(shown.title), ": ", first.key.target,
+                       alone && !first.key.regime.empty() ? ", " : "",
                        alone ? course_name(first.key.regime, first.key.climate) : std::string{}),
-                Axis{.title = alone ? list_of_runs(comparison) : "Regime, by its number below",
+                Axis{.title = alone ? list_of_runs(comparison)
+                                    : report::page_text("compare.charts.regime_by_its_number_below"),
                      .low = 0.5,
                      .high = places + 0.5,
                      .whole_numbers = true},
@@ -164,11 +173,15 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
         chart.add_dot_name(look_of(run), comparison.names[run]);
     }
     return chart.figure(
-        joined(alone ? std::string{} : joined("Regimes: ", list_of_courses(lines), ". "),
-               first.key.when == "today" ? "With the 95 % interval of the chance in the rocks."
-               : any_interval            ? "Mean over the years, with its 95 % interval."
-                                         : "Mean over the years, without intervals.",
-               shown.quantity == std::string_view{"protection_percent"} ? " Below 0 is drawn as 0." : "",
+        joined(alone ? std::string{}
+                     : report::page_text("compare.charts.regimes",
+                                         {{"list_of_courses_lines", list_of_courses(lines)}}),
+               first.key.when == "today" ? report::page_text("compare.charts.with_the_95_interval_of_the")
+               : any_interval            ? report::page_text("compare.charts.mean_over_the_years_with_its_95")
+                                         : report::page_text("compare.charts.mean_over_the_years_without"),
+               shown.quantity == std::string_view{"protection_percent"}
+                   ? report::page_text("compare.charts.below_0_is_drawn_as_0")
+                   : "",
                missing_points(lines, comparison)));
 }
 
@@ -221,8 +234,10 @@ std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
         return "";
     }
     const auto& [quantity, target, course] = key;
-    Chart chart{joined(shown.title, ": ", target.empty() ? "forest" : target, ", ", course),
-                Axis::from_zero("Years since the start", last_year), axis_of(shown, lowest, highest)};
+    Chart chart{
+        joined(report::page_text(shown.title), ": ", target.empty() ? "forest" : target, ", ", course),
+        Axis::from_zero(report::page_text("common.years_since_the_start"), last_year),
+        axis_of(shown, lowest, highest)};
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto found = bands[i].find(key);
         if (found == bands[i].end()) {
@@ -248,9 +263,8 @@ std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
         chart.add_name(look_of(i), comparison.names[i]);
         chart.add_end_letter(points.back().y, comparison.letters[i]);
     }
-    return chart.figure(any_range
-                            ? "Mean of the replicates; bands hold nine in ten of them. Below 0 is drawn as 0."
-                            : "One replicate: no bands. Below 0 is drawn as 0.");
+    return chart.figure(any_range ? report::page_text("compare.charts.mean_of_the_replicates_bands")
+                                  : report::page_text("compare.charts.one_replicate_no_bands_below_0"));
 }
 
 }  // namespace
@@ -283,7 +297,8 @@ std::string interval_charts(const SideBySide& comparison) {
         std::vector<std::string> targets;
         std::map<std::string, Lines> of_target;
         for (const Line& line : comparison.lines) {
-            if (line.key.quantity == shown.quantity && line.key.when != "worst year") {
+            if (line.key.quantity == shown.quantity &&
+                line.key.when != report::page_text("compare.charts.worst_year")) {
                 Lines& lines = of_target[line.key.target];
                 if (lines.empty()) {
                     targets.push_back(line.key.target);
@@ -295,7 +310,9 @@ std::string interval_charts(const SideBySide& comparison) {
             html += interval_chart(of_target[target], shown, comparison);
         }
     }
-    return html.empty() ? "" : joined("<h2>Main figures</h2>\n<div class=\"thirds\">", html, "</div>\n");
+    return html.empty() ? ""
+                        : joined("<h2>", report::page_text("compare.charts.main_figures"),
+                                 "</h2>\n<div class=\"thirds\">", html, "</div>\n");
 }
 
 std::string over_years(std::span<const FinishedRun> runs, const SideBySide& comparison) {
@@ -318,7 +335,9 @@ std::string over_years(std::span<const FinishedRun> runs, const SideBySide& comp
             }
         }
     }
-    return html.empty() ? "" : joined("<h2>Over the years</h2>\n<div class=\"halves\">", html, "</div>\n");
+    return html.empty() ? ""
+                        : joined("<h2>", report::page_text("compare.charts.over_the_years"),
+                                 "</h2>\n<div class=\"halves\">", html, "</div>\n");
 }
 
 }  // namespace coupling::compare

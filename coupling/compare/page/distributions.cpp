@@ -7,6 +7,7 @@
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::compare {
 namespace {
@@ -66,10 +67,13 @@ struct Quantity {
     const char* axis;
     bool logarithmic;
 };
-constexpr std::array at_targets{Quantity{"energy", "Energy exceeded", "Energy E, kJ", true},
-                                Quantity{"speed", "Speed exceeded", "Speed v, m/s", false},
-                                Quantity{"height", "Height exceeded", "Height above ground h, m", false}};
-constexpr Quantity run_outs{"run_out", "Run-out exceeded", "Run-out in plan, m", false};
+constexpr std::array at_targets{
+    Quantity{"energy", "compare.distributions.energy_exceeded", "common.energy_e_kj", true},
+    Quantity{"speed", "compare.distributions.speed_exceeded", "compare.distributions.speed_v_m_s", false},
+    Quantity{"height", "compare.distributions.height_exceeded",
+             "compare.distributions.height_above_ground_h_m", false}};
+constexpr Quantity run_outs{"run_out", "compare.distributions.run_out_exceeded", "common.run_out_in_plan_m",
+                            false};
 /// Where axes of energy begin: a rock of less is as good as at rest.
 constexpr double least_kj = 0.1;
 
@@ -121,24 +125,25 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
     if (lines.empty()) {
         return "";
     }
-    const Axis x = quantity.logarithmic ? Axis::powers_of_ten(quantity.axis, least_kj, most_x)
-                                        : Axis::from_zero(quantity.axis, most_x);
-    Chart chart{joined(quantity.title, where), x,
-                Axis::powers_of_ten("% of all rocks with more", least_percent,
-                                    std::max(most_percent, 10.0 * least_percent))};
+    const Axis x = quantity.logarithmic
+                       ? Axis::powers_of_ten(report::page_text(quantity.axis), least_kj, most_x)
+                       : Axis::from_zero(report::page_text(quantity.axis), most_x);
+    Chart chart{joined(report::page_text(quantity.title), where), x,
+                Axis::powers_of_ten(report::page_text("compare.distributions.of_all_rocks_with_more"),
+                                    least_percent, std::max(most_percent, 10.0 * least_percent))};
     for (const auto& [run, points] : lines) {
         chart.add_line(look_of(run), points);
         chart.add_name(look_of(run), comparison.names[run]);
     }
     if (quantity.logarithmic) {
-        chart.add_mark(30.0, "30 kJ");
-        chart.add_mark(300.0, "300 kJ");
+        chart.add_mark(30.0, report::page_text("common.30_kj"));
+        chart.add_mark(300.0, report::page_text("common.300_kj"));
     }
     return chart.figure("");
 }
 
-const char* words_of(const std::string& cover) {
-    return cover == "bare" ? "bare slope" : "with forest";
+const std::string& words_of(const std::string& cover) {
+    return cover == "bare" ? report::page_text("common.bare_slope") : report::page_text("common.with_forest");
 }
 
 }  // namespace
@@ -165,20 +170,22 @@ std::string distributions(std::span<const FinishedRun> runs, const SideBySide& c
         for (const std::string& target : targets) {
             for (const Quantity& quantity : at_targets) {
                 charts += chart_of({target, cover, quantity.name}, quantity, read, comparison,
-                                   joined(" at ", target, ", ", words_of(cover)));
+                                   report::page_text("compare.distributions.at",
+                                                     {{"target", target}, {"words_of", words_of(cover)}}));
             }
         }
         if (!charts.empty()) {
-            html += joined("<h3>", std::string{cover} == "bare" ? "Bare slope" : "With forest",
+            html += joined("<h3>",
+                           std::string{cover} == "bare" ? report::page_text("common.bare_slope_2")
+                                                        : report::page_text("common.with_forest_2"),
                            "</h3>\n<div class=\"thirds\">", charts, "</div>\n");
         }
     }
-    return html.empty() ? ""
-                        : joined(
-                              "<h2>Distributions</h2>\n<p class=\"soft\">Percent of all rocks of a run that "
-                              "arrive with more than the value below, by powers of ten. A curve ends where "
-                              "the last rocks of a run lie; the fewer, the more chance in it.</p>\n",
-                              html);
+    return html.empty()
+               ? ""
+               : joined("<h2>", report::page_text("common.distributions"), "</h2>\n<p class=\"soft\">",
+                        report::page_text("compare.distributions.percent_of_all_rocks_of_a_run"), "</p>\n",
+                        html);
 }
 
 }  // namespace coupling::compare

@@ -12,6 +12,7 @@
 #include "coupling/results/report/map_furniture.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/png.hpp"
 
 namespace coupling::compare {
@@ -66,16 +67,13 @@ struct ShownMap {
     const char* meaning;
 };
 constexpr std::array shown_maps{
-    ShownMap{
-        "Reach_probability", "Reach probability",
-        "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by powers "
-        "of ten."},
-    ShownMap{"E_95", "Energy, 95th percentile",
-             "Of the largest kinetic energy of each rock in a cell: one rock in twenty has more."},
-    ShownMap{"V_max", "Highest speed", "Of any rock in a cell."},
-    ShownMap{"Ph_95", "Passing height, 95th percentile",
-             "Underside of the rocks above the ground: one rock in twenty is higher."},
-    ShownMap{"Nr_deposited", "Where rocks come to rest", "Rocks in a cell; colours by powers of ten."}};
+    ShownMap{"Reach_probability", "common.reach_probability", "common.rocks_that_pass_a_cell_in"},
+    ShownMap{"E_95", "common.energy_95th_percentile", "compare.maps.of_the_largest_kinetic_energy"},
+    ShownMap{"V_max", "compare.maps.highest_speed", "common.of_any_rock_in_a_cell"},
+    ShownMap{"Ph_95", "compare.maps.passing_height_95th_percentile",
+             "compare.maps.underside_of_the_rocks_above"},
+    ShownMap{"Nr_deposited", "compare.maps.where_rocks_come_to_rest",
+             "compare.maps.rocks_in_a_cell_colours_by"}};
 
 std::string row(const ShownMap& shown, const std::string& cover, std::span<const FinishedRun> runs,
                 const SideBySide& comparison, int& legends) {
@@ -97,12 +95,14 @@ std::string row(const ShownMap& shown, const std::string& cover, std::span<const
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (rasters[i]) {
             figures +=
-                figure(*rasters[i], scale, joined(comparison.letters[i], ": ", report::escaped(shown.name)),
+                figure(*rasters[i], scale,
+                       joined(comparison.letters[i], ": ", report::escaped(report::page_text(shown.name))),
                        scale.legend(joined("compare-ramp", std::to_string(++legends))));
         }
     }
-    return joined("<h4>", report::escaped(shown.name), "</h4><p class=\"soft\">",
-                  report::escaped(shown.meaning), "</p>\n<div class=\"thirds\">", figures, "</div>\n");
+    return joined("<h4>", report::escaped(report::page_text(shown.name)), "</h4><p class=\"soft\">",
+                  report::escaped(report::page_text(shown.meaning)), "</p>\n<div class=\"thirds\">", figures,
+                  "</div>\n");
 }
 
 }  // namespace
@@ -119,16 +119,16 @@ std::string maps(std::span<const FinishedRun> runs, const SideBySide& comparison
             rows += row(shown, cover, runs, comparison, legends);
         }
         if (!rows.empty()) {
-            html +=
-                joined("<h3>", std::string{cover} == "bare" ? "Bare slope" : "With forest", "</h3>\n", rows);
+            html += joined("<h3>",
+                           std::string{cover} == "bare" ? report::page_text("common.bare_slope_2")
+                                                        : report::page_text("common.with_forest_2"),
+                           "</h3>\n", rows);
         }
     }
-    return html.empty() ? ""
-                        : joined(
-                              "<h2>Maps</h2>\n<p class=\"soft\">A quantity has the same colours in all runs. "
-                              "North is up. The runs' own pages show them on hillshade with sources and "
-                              "targets.</p>\n",
-                              html);
+    return html.empty()
+               ? ""
+               : joined("<h2>", report::page_text("common.maps"), "</h2>\n<p class=\"soft\">",
+                        report::page_text("compare.maps.a_quantity_has_the_same_colours"), "</p>\n", html);
 }
 
 }  // namespace coupling::compare

@@ -11,6 +11,7 @@
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
 #include "coupling/version.hpp"
 
@@ -39,28 +40,41 @@ std::string warnings_of(std::span<const FinishedRun> runs, const SideBySide& com
     for (const auto& [sentence, names] : entries) {
         sentences.push_back(joined(names, ": ", sentence));
     }
-    return report::first_warnings(sentences, "the pages of the runs list all");
+    return report::first_warnings(sentences,
+                                  report::page_text("compare.page.the_pages_of_the_runs_list_all"));
 }
 
 std::string opening(std::span<const FinishedRun> runs, const SideBySide& comparison) {
-    std::string html = "<h1>Runs side by side</h1>\n<dl class=\"facts\">";
+    std::string html =
+        joined("<h1>", report::page_text("compare.page.runs_side_by_side"), "</h1>\n<dl class=\"facts\">");
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const SummaryOfRun& run = runs[i].summary;
         html += joined(
             "<div><dt>", escaped(comparison.names[i]), "</dt><dd>", escaped(runs[i].folder.string()),
-            "<br/><span class=\"soft\">", report::grouped(run.rocks), " rocks",
-            run.years > 0
-                ? joined(" a year, ", std::to_string(run.years), " years, ", std::to_string(run.replicates),
-                         run.replicates == 1 ? " replicate" : " replicates")
-                : std::string{},
-            ", seed ", std::to_string(run.seed), ", version ", escaped(run.version), "</span></dd></div>");
+            "<br/><span class=\"soft\">",
+            report::page_text(
+                "compare.page.rocks_seed_version",
+                {{"run_rocks", report::grouped(run.rocks)},
+                 {"part", run.years > 0 ? report::page_text(
+                                              "compare.page.a_year_years",
+                                              {{"run_years", std::to_string(run.years)},
+                                               {"run_replicates", std::to_string(run.replicates)},
+                                               {"part", run.replicates == 1
+                                                            ? report::page_text("common.replicate")
+                                                            : report::page_text("compare.page.replicates")}})
+                                        : std::string{}},
+                 {"run_seed", std::to_string(run.seed)},
+                 {"run_version", escaped(run.version)}}),
+            "</span></dd></div>");
     }
     html += "</dl>\n";
     for (const std::string& why : comparison.not_comparable) {
-        html += joined("<p class=\"warning\"><b>Not comparable:</b> ", escaped(why), ".</p>\n");
+        html += joined("<p class=\"warning\">",
+                       report::page_text("compare.page.not_comparable", {{"why", escaped(why)}}), "</p>\n");
     }
     for (const std::string& note : comparison.notes) {
-        html += joined("<p class=\"lead\">Note: ", escaped(note), ".</p>\n");
+        html += joined("<p class=\"lead\">",
+                       report::page_text("compare.page.note", {{"note", escaped(note)}}), "</p>\n");
     }
     return html;
 }
@@ -83,14 +97,16 @@ void add_rows(const std::vector<Disagreement>& list, HtmlTable& table) {
 
 std::string disagreements(const SideBySide& comparison) {
     if (comparison.inputs.empty() && comparison.settings.empty()) {
-        return "<h2>What differs</h2>\n<p>Settings and inputs are the same.</p>\n";
+        return joined("<h2>", report::page_text("compare.page.what_differs"), "</h2>\n<p>",
+                      report::page_text("compare.page.settings_and_inputs_are_the"), "</p>\n");
     }
-    std::vector<std::string> head{"Setting or input"};
+    std::vector<std::string> head{report::page_text("compare.page.setting_or_input")};
     add_names(comparison, head);
-    HtmlTable table{"Only what is not the same in all runs; inputs with the beginning of their hash.", head};
+    HtmlTable table{report::page_text("compare.page.only_what_is_not_the_same_in"), head};
     add_rows(comparison.settings, table);
     add_rows(comparison.inputs, table);
-    return joined("<h2>What differs</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+    return joined("<h2>", report::page_text("compare.page.what_differs"), "</h2>\n<section class=\"card\">",
+                  table.html(), "</section>\n");
 }
 
 std::string in_words(const std::optional<Figure>& figure) {
@@ -105,7 +121,10 @@ std::string in_words(const std::optional<Figure>& figure) {
         text += joined(" <small>(", report::fixed(figure->low, decimals), " – ",
                        report::fixed(figure->high, decimals), ")</small>");
     }
-    return figure->year < 0 ? text : joined(text, " in year ", std::to_string(figure->year));
+    return figure->year < 0
+               ? text
+               : report::page_text("compare.page.in_year",
+                                   {{"value", text}, {"figure_year", std::to_string(figure->year)}});
 }
 
 std::string in_words(const std::optional<Difference>& difference) {
@@ -115,9 +134,10 @@ std::string in_words(const std::optional<Difference>& difference) {
     const int decimals = std::abs(difference->value) < 10.0 ? 2 : 1;
     const std::string value =
         joined(difference->value > 0.0 ? "+" : "", report::fixed(difference->value, decimals));
-    return !difference->has_interval()         ? value
-           : difference->is_more_than_chance() ? joined("<b>", value, "</b> *")
-                                               : joined(value, " <small>not significant</small>");
+    return !difference->has_interval() ? value
+           : difference->is_more_than_chance()
+               ? joined("<b>", value, "</b> *")
+               : report::page_text("compare.page.not_significant", {{"value", value}});
 }
 
 std::string title_of(const FigureKey& key) {
@@ -126,20 +146,18 @@ std::string title_of(const FigureKey& key) {
 }
 
 std::string figures(const SideBySide& comparison, bool over_years, bool one_replicate) {
-    std::vector<std::string> head{"Figure"};
+    std::vector<std::string> head{report::page_text("compare.page.figure")};
     add_names(comparison, head);
     for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
         head.push_back(joined(comparison.letters[i], " − A"));
     }
     HtmlTable table{
         one_replicate
-            ? std::string{"One replicate: no intervals; which differences are significant is not known."}
-            : joined("In brackets: 95 % interval of the chance in the simulated rocks",
-                     over_years
-                         ? " and years, over the replicates; at worst years where nine of ten replicates lie"
-                         : "",
-                     ". *: the difference is statistically significant (95 %). Of many figures one in twenty "
-                     "is so by chance."),
+            ? std::string{report::page_text("compare.page.one_replicate_no_intervals")}
+            : report::page_text(
+                  "compare.page.in_brackets_95_interval_of_the",
+                  {{"part",
+                    over_years ? report::page_text("compare.page.and_years_over_the_replicates") : ""}}),
         head};
     std::string title;
     for (const Line& line : comparison.lines) {
@@ -158,7 +176,8 @@ std::string figures(const SideBySide& comparison, bool over_years, bool one_repl
         }
         table.row(cells);
     }
-    return joined("<h2>Figures</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+    return joined("<h2>", report::page_text("compare.page.figures"), "</h2>\n<section class=\"card\">",
+                  table.html(), "</section>\n");
 }
 
 }  // namespace
@@ -169,8 +188,9 @@ void write_page(std::ostream& out, std::span<const FinishedRun> runs, const Side
         << page_scripts::policy(scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(version()) << "\"/>\n<title>Runs side by side</title>\n<style>" << report::style()
-        << run_style() << "</style>\n</head>\n<body>\n<main>\n"
+        << escaped(version())
+        << joined("\"/>\n<title>", report::page_text("compare.page.runs_side_by_side"), "</title>\n<style>")
+        << report::style() << run_style() << "</style>\n</head>\n<body>\n<main>\n"
         << warnings_of(runs, comparison) << opening(runs, comparison) << disagreements(comparison)
         << interval_charts(comparison) << over_years(runs, comparison) << distributions(runs, comparison)
         << maps(runs, comparison)

@@ -10,6 +10,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -36,29 +37,34 @@ double felled(const YearView& year) {
 }
 
 constexpr std::array standing{
-    NamedFigure{"Stems from 12 cm on, per ha",
+    NamedFigure{"decades.answers.stems_from_12_cm_on_per_ha",
                 [](const YearView& year) { return stems_from_12_cm(*year.stand); }},
-    NamedFigure{"Stems from 1 cm on, per ha", [](const YearView& year) { return year.stand->stems_pha; }},
-    NamedFigure{"Basal area, m²/ha", [](const YearView& year) { return year.stand->basal_area_m2pha; }},
-    NamedFigure{"Volume, m³/ha", [](const YearView& year) { return year.stand->volume_m3pha; }},
-    NamedFigure{"Mean diameter (quadratic), cm",
+    NamedFigure{"decades.answers.stems_from_1_cm_on_per_ha",
+                [](const YearView& year) { return year.stand->stems_pha; }},
+    NamedFigure{"common.basal_area_m_ha", [](const YearView& year) { return year.stand->basal_area_m2pha; }},
+    NamedFigure{"common.volume_m_ha", [](const YearView& year) { return year.stand->volume_m3pha; }},
+    NamedFigure{"decades.answers.mean_diameter_quadratic_cm",
                 [](const YearView& year) { return year.stand->mean_dbh_cm; }},
-    NamedFigure{"Dominant height, m", [](const YearView& year) { return year.stand->dominant_height_m; }},
-    NamedFigure{"Leaf area index", [](const YearView& year) { return year.stand->leaf_area_index; }},
-    NamedFigure{"Saplings below 1 cm, per ha", [](const YearView& year) { return year.row->saplings_pha; }},
-    NamedFigure{"Standing dead wood, m³/ha", [](const YearView& year) { return year.row->snags_m3pha; }},
-    NamedFigure{"Lying dead wood, m³/ha", [](const YearView& year) { return year.row->logs_m3pha; }},
-    NamedFigure{"Dead wood as far as not rotted, dry, t/ha",
+    NamedFigure{"decades.answers.dominant_height_m",
+                [](const YearView& year) { return year.stand->dominant_height_m; }},
+    NamedFigure{"common.leaf_area_index", [](const YearView& year) { return year.stand->leaf_area_index; }},
+    NamedFigure{"decades.answers.saplings_below_1_cm_per_ha",
+                [](const YearView& year) { return year.row->saplings_pha; }},
+    NamedFigure{"decades.answers.standing_dead_wood_m_ha",
+                [](const YearView& year) { return year.row->snags_m3pha; }},
+    NamedFigure{"decades.answers.lying_dead_wood_m_ha",
+                [](const YearView& year) { return year.row->logs_m3pha; }},
+    NamedFigure{"decades.answers.dead_wood_as_far_as_not_rotted",
                 [](const YearView& year) { return year.row->dead_stems_tpha; }},
 };
 
 constexpr std::array flows{
-    NamedFigure{"Increment, m³/ha a year",
+    NamedFigure{"common.increment_m_ha_a_year",
                 [](const YearView& year) { return year.row->volume_increment_m3pha; }},
-    NamedFigure{"Harvest, m³/ha a year", felled},
-    NamedFigure{"Mortality, m³/ha a year",
+    NamedFigure{"decades.answers.harvest_m_ha_a_year", felled},
+    NamedFigure{"decades.answers.mortality_m_ha_a_year",
                 [](const YearView& year) { return all_losses(year) - felled(year); }},
-    NamedFigure{"Ingrowth over 1 cm, stems/ha a year",
+    NamedFigure{"decades.answers.ingrowth_over_1_cm_stems_ha_a",
                 [](const YearView& year) { return year.row->ingrowth_stems_pha; }},
 };
 
@@ -75,7 +81,7 @@ std::string cell(const Band& band, bool with_band) {
 
 /// One row of a table for each regime; with several of them under the name of the figure.
 template <class CellsOf>
-void add_rows(HtmlTable& table, const RunView& run, const char* name, const CellsOf& cells_of) {
+void add_rows(HtmlTable& table, const RunView& run, const std::string& name, const CellsOf& cells_of) {
     if (run.regimes.size() > 1) {
         table.group(name);
     }
@@ -90,29 +96,25 @@ void add_rows(HtmlTable& table, const RunView& run, const char* name, const Cell
 
 std::string year_name(const RunView& run, std::size_t year) {
     const std::int32_t calendar_year = run.regimes[0].replicates[0][year].row->calendar_year;
-    return joined(year == 0           ? "start"
-                  : year == run.years ? joined("end, year ", std::to_string(year))
-                                      : joined("year ", std::to_string(year)),
+    return joined(year == 0 ? "start"
+                  : year == run.years
+                      ? report::page_text("decades.answers.end_year", {{"year", std::to_string(year)}})
+                      : report::page_text("common.year", {{"year", std::to_string(year)}}),
                   " <small>", std::to_string(calendar_year), "</small>");
 }
 
 std::string standing_table(const RunView& run, bool with_band) {
     std::vector<std::size_t> years{0, run.years / 2, run.years};
     years.erase(std::unique(years.begin(), years.end()), years.end());
-    std::vector<std::string> head{"What stands"};
+    std::vector<std::string> head{report::page_text("decades.answers.what_stands")};
     for (const std::size_t year : years) {
         head.push_back(year_name(run, year));
     }
-    HtmlTable table{
-        with_band
-            ? "Mean of the replicates; in brackets where nine in ten of them lie (5th to 95th "
-              "percentile, straight between replicates). Dead wood has its full volume until less than "
-              "a tenth of its density is left."
-            : "One replicate: no intervals. Living trees from 1 cm diameter on; volume is stem wood over "
-              "bark; dead wood has its full volume until less than a tenth of its density is left.",
-        head};
+    HtmlTable table{with_band ? report::page_text("decades.answers.mean_of_the_replicates_in")
+                              : report::page_text("decades.answers.one_replicate_no_intervals"),
+                    head};
     for (const NamedFigure& figure : standing) {
-        add_rows(table, run, figure.name, [&](const RegimeView& regime) {
+        add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
             std::vector<std::string> cells;
             for (const std::size_t year : years) {
                 cells.push_back(cell(regime.band(year, figure.of), with_band));
@@ -134,17 +136,15 @@ std::string flow_table(const RunView& run, bool with_band) {
         spans = {{1, middle}, {middle + 1, run.years}};
     }
     spans.push_back({1, run.years});
-    std::vector<std::string> head{"What came and went"};
+    std::vector<std::string> head{report::page_text("decades.answers.what_came_and_went")};
     for (const Span& span : spans) {
-        head.push_back(joined("years ", std::to_string(span.first), " to ", std::to_string(span.last)));
+        head.push_back(report::page_text(
+            "decades.answers.years_to",
+            {{"span", std::to_string(span.first)}, {"span_last", std::to_string(span.last)}}));
     }
-    HtmlTable table{
-        "Mean of the years. Increment is growth of the trees that began the year; harvest is what was "
-        "felled, "
-        "mortality all other losses.",
-        head};
+    HtmlTable table{report::page_text("decades.answers.mean_of_the_years_increment_is"), head};
     for (const NamedFigure& figure : flows) {
-        add_rows(table, run, figure.name, [&](const RegimeView& regime) {
+        add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
             std::vector<std::string> cells;
             for (const Span& span : spans) {
                 cells.push_back(cell(regime.mean_band(span.first, span.last, figure.of), with_band));
@@ -161,20 +161,25 @@ std::string answer_of(const RunView& run, const RegimeView& regime) {
         return joined(figure_text(regime.band(0, figure).mean), " → <b>",
                       figure_text(regime.band(run.years, figure).mean), "</b>");
     };
-    return joined("<p class=\"answer\">",
-                  run.regimes.size() > 1 ? joined("<b>", escaped(regime.title()), "</b>. ") : "", "Volume ",
-                  from_to([](const YearView& year) { return year.stand->volume_m3pha; }),
-                  "\u00a0m³/ha, stems from 12\u00a0cm on ",
-                  from_to([](const YearView& year) { return stems_from_12_cm(*year.stand); }),
-                  " per ha, dominant height ",
-                  from_to([](const YearView& year) { return year.stand->dominant_height_m; }),
-                  "\u00a0m; harvested ", figure_text(regime.mean_band(1, run.years, felled).mean),
-                  "\u00a0m³/ha a year.</p>");
+    return joined(
+        "<p class=\"answer\">",
+        report::page_text(
+            "decades.answers.volume_m_ha_stems_from_12_cm_on",
+            {{"part", run.regimes.size() > 1 ? joined("<b>", escaped(regime.title()), "</b>. ") : ""},
+             {"stand_volume_m3pha", from_to([](const YearView& year) { return year.stand->volume_m3pha; })},
+             {"year_stand", from_to([](const YearView& year) { return stems_from_12_cm(*year.stand); })},
+             {"stand_dominant_height_m",
+              from_to([](const YearView& year) { return year.stand->dominant_height_m; })},
+             {"felled_mean", figure_text(regime.mean_band(1, run.years, felled).mean)}}),
+        "</p>");
 }
 
 std::string area_text(const forest::PatchGrid& grid) {
-    return joined(report::fixed(grid.area_ha(), grid.area_ha() < 10.0 ? 2 : 1), " ha on the map, ",
-                  grouped(grid.size()), grid.size() == 1 ? " patch" : " patches");
+    return report::page_text("decades.answers.ha_on_the_map",
+                             {{"part", report::fixed(grid.area_ha(), grid.area_ha() < 10.0 ? 2 : 1)},
+                              {"grid", grouped(grid.size())},
+                              {"part_2", grid.size() == 1 ? report::page_text("decades.answers.patch")
+                                                          : report::page_text("decades.answers.patches")}});
 }
 
 std::string elevation_text(const forest::PatchGrid& grid) {
@@ -185,8 +190,10 @@ std::string elevation_text(const forest::PatchGrid& grid) {
     for (const forest::Patch& patch : grid.patches()) {
         slope_deg += patch.slope.in_degrees() / static_cast<double>(grid.size());
     }
-    return joined(report::fixed(low->ground_m, 0), " to ", report::fixed(high->ground_m, 0),
-                  " m above sea level, mean slope ", report::fixed(slope_deg, 0), "°");
+    return report::page_text("decades.answers.to_m_above_sea_level_mean_slope",
+                             {{"low_ground_m", report::fixed(low->ground_m, 0)},
+                              {"high_ground_m", report::fixed(high->ground_m, 0)},
+                              {"slope_deg", report::fixed(slope_deg, 0)}});
 }
 
 std::string years_text(const RunView& run) {
@@ -195,8 +202,11 @@ std::string years_text(const RunView& run) {
     }
     const std::vector<YearView>& years = run.regimes[0].replicates[0];
     const int start = years.front().row->calendar_year;
-    return joined(std::to_string(run.years), ", ", std::to_string(start + 1), " to ",
-                  std::to_string(years.back().row->calendar_year), "; start: end of ", std::to_string(start));
+    return report::page_text("decades.answers.to_start_end_of",
+                             {{"run_years", std::to_string(run.years)},
+                              {"start", std::to_string(start + 1)},
+                              {"row_calendar_year", std::to_string(years.back().row->calendar_year)},
+                              {"start_2", std::to_string(start)}});
 }
 
 /// Names may break after their underscores rather than inside a word.
@@ -212,7 +222,7 @@ std::string breakable(const std::string& html) {
 std::string rocks_a_year(const Site& site) {
     const std::uint64_t rocks =
         site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-    return joined(grouped(rocks), " a year with rocks");
+    return report::page_text("decades.answers.a_year_with_rocks", {{"rocks", grouped(rocks)}});
 }
 
 std::string list_of(const std::vector<std::string>& items) {
@@ -238,37 +248,58 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     }
     const std::string replicates = std::to_string(run.replicates());
     std::string html = joined(
-        "<h1>A forest over ", std::to_string(run.years), " years</h1>\n<p class=\"lead\">Scenario <b>",
-        escaped(content.scenario.file.filename().string()), "</b>: ", std::to_string(ran.size()),
-        ran.size() == 1 ? " regime, " : " regimes, ",
-        has_climates ? joined(std::to_string(run.climates.size()), " climates, ") : "", replicates,
-        run.replicates() == 1 ? " replicate" : " replicates each",
-        ". Replicates differ only in their random numbers",
-        has_climates ? "; all begin with the same forest, and regimes and climates see the same chance" : "",
-        ".</p>\n");
+        "<h1>",
+        report::page_text("decades.answers.a_forest_over_years", {{"run_years", std::to_string(run.years)}}),
+        "</h1>\n<p class=\"lead\">",
+        report::page_text(
+            "decades.answers.scenario_replicates_differ_only",
+            {{"content_file", escaped(content.scenario.file.filename().string())},
+             {"ran", std::to_string(ran.size())},
+             {"part", ran.size() == 1 ? report::page_text("decades.answers.regime")
+                                      : report::page_text("decades.answers.regimes")},
+             {"part_2", has_climates
+                            ? report::page_text("decades.answers.climates",
+                                                {{"run_climates", std::to_string(run.climates.size())}})
+                            : ""},
+             {"replicates", replicates},
+             {"part_3", run.replicates() == 1 ? report::page_text("common.replicate")
+                                              : report::page_text("decades.answers.replicates_each")},
+             {"part_4",
+              has_climates ? report::page_text("decades.answers.all_begin_with_the_same_forest") : ""}}),
+        "</p>\n");
     std::vector<std::string> species_names;
     for (const std::size_t s : run.species) {
         species_names.push_back(escaped(content.names.species.all()[s].latin_name));
     }
-    html += joined("<dl class=\"facts\">", fact("Forest", area_text(content.grid)));
-    html += content.grid.size() > 0 ? fact("Ground", elevation_text(content.grid)) : "";
-    html += joined(fact("Years", years_text(run)), fact("Regimes", list_of(regime_names)));
-    html += joined(fact("Replicates", replicates), fact("Species", list_of(species_names)));
+    html += joined("<dl class=\"facts\">",
+                   fact(report::page_text("decades.answers.forest"), area_text(content.grid)));
+    html +=
+        content.grid.size() > 0 ? fact(report::page_text("common.ground"), elevation_text(content.grid)) : "";
+    html += joined(fact(report::page_text("decades.answers.years"), years_text(run)),
+                   fact(report::page_text("decades.answers.regimes_2"), list_of(regime_names)));
+    html += joined(fact(report::page_text("decades.answers.replicates"), replicates),
+                   fact(report::page_text("decades.answers.species"), list_of(species_names)));
     html += content.climate.empty() ? ""
-                                    : joined("<div class=\"row\"><dt>", has_climates ? "Climates" : "Climate",
+                                    : joined("<div class=\"row\"><dt>",
+                                             has_climates ? report::page_text("decades.answers.climates_2")
+                                                          : report::page_text("decades.answers.climate"),
                                              "</dt><dd>", breakable(escaped(content.climate)), "</dd></div>");
     if (has_rocks(content.scenario) && content.site != nullptr) {
         html += report::deciding_facts(content.scenario, content.site->sources, rocks_a_year(*content.site));
     } else {
-        html += fact("Random seed",
+        html += fact(report::page_text("common.random_seed"),
                      report::marked(content.scenario, std::to_string(content.scenario.seed), {"run.seed"}));
     }
-    return joined(html, fact("Program", joined("Bannwald ", escaped(content.version))), "</dl>\n");
+    return joined(
+        html,
+        fact(report::page_text("common.program"),
+             report::page_text("decades.answers.bannwald", {{"content_version", escaped(content.version)}})),
+        "</dl>\n");
 }
 
 std::string answers(const RunView& run) {
     if (run.regimes.empty()) {
-        return "<p>No member of the run is done.</p>\n";
+        return joined("<p>", report::page_text("decades.answers.no_member_of_the_run_is_done"), "</p>\n");
     }
     const bool with_band = run.replicates() > 1;
     std::string html;

@@ -8,6 +8,7 @@
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
 
 namespace coupling::decades {
@@ -18,23 +19,28 @@ using report::escaped;
 
 std::vector<Section> sections_of(const PageContent& content, const RunView& run) {
     std::vector<Section> sections = content.first;
-    sections.push_back({"The forest at the start, half-way and at the end", answers(run)});
-    sections.push_back({"The slope in three dimensions", view_of_years(content, run)});
-    sections.push_back({"Maps of the rocks", maps_of_falls(content, run)});
-    sections.push_back({"The forest over the years", charts_of_regimes(run)});
-    sections.push_back({"Species, losses and diameters", charts_by_regime(content, run)});
-    sections.push_back({"The stand seen from above and from the side", pictures(content, run)});
-    sections.push_back({"Warnings", report::list_of_warnings(content.warnings)});
-    sections.push_back({"Settings", report::table_of_settings(content.scenario, [&](const std::string& key) {
+    sections.push_back({report::page_text("decades.decade_page.the_forest_at_the_start_half"), answers(run)});
+    sections.push_back(
+        {report::page_text("common.the_slope_in_three_dimensions"), view_of_years(content, run)});
+    sections.push_back(
+        {report::page_text("decades.decade_page.maps_of_the_rocks"), maps_of_falls(content, run)});
+    sections.push_back(
+        {report::page_text("decades.decade_page.the_forest_over_the_years"), charts_of_regimes(run)});
+    sections.push_back({report::page_text("decades.decade_page.species_losses_and_diameters"),
+                        charts_by_regime(content, run)});
+    sections.push_back(
+        {report::page_text("decades.decade_page.the_stand_seen_from_above_and"), pictures(content, run)});
+    sections.push_back({report::page_text("common.warnings"), report::list_of_warnings(content.warnings)});
+    sections.push_back({report::page_text("common.settings"),
+                        report::table_of_settings(content.scenario, [&](const std::string& key) {
                             return !content.shows_setting || content.shows_setting(key);
                         })});
     sections.push_back(
-        {"Data",
-         joined("<section class=\"card\"><p>Input files, named as in the scenario; please credit their "
-                "owners as their licences ask.</p>",
-                report::table_of_inputs(content.inputs), "</section>\n")});
+        {report::page_text("common.data"),
+         joined("<section class=\"card\"><p>", report::page_text("common.input_files_named_as_in_the"),
+                "</p>", report::table_of_inputs(content.inputs), "</section>\n")});
     sections.push_back(
-        {"Files of this run",
+        {report::page_text("common.files_of_this_run"),
          joined("<section class=\"card\">", report::table_of_files("", content.files), "</section>\n")});
     return sections;
 }
@@ -49,8 +55,9 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(content.version)
-        << "\"/>\n<title>A forest over years: " << escaped(content.scenario.file.stem().string())
-        << "</title>\n<style>" << report::style() << page_style() << "</style>\n</head>\n<body>\n"
+        << joined("\"/>\n<title>", report::page_text("decades.decade_page.a_forest_over_years"))
+        << escaped(content.scenario.file.stem().string()) << "</title>\n<style>" << report::style()
+        << page_style() << "</style>\n</head>\n<body>\n"
         << fill_definitions() << "<main>\n"
         << report::first_warnings(content.warnings) << page_opening(content, run);
     for (const Section& section : sections_of(content, run)) {

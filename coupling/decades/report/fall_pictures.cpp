@@ -9,6 +9,7 @@
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -68,22 +69,13 @@ struct Quantity {
     const char* effect_unit;  ///< empty: no map of what the forest changes
 };
 constexpr std::array quantities{
-    Quantity{"Reach_probability", "Reach probability",
-             "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
-             "powers of ten.",
-             ""},
-    Quantity{"E_mean", "Energy, mean",
-             "Of the largest kinetic energy (translation and rotation; pir3d, classical: translation alone) "
-             "of each "
-             "rock in a cell. For the "
-             "forest effect, "
-             "no rock counts as no energy.",
-             "kJ"},
-    Quantity{"E_max", "Energy, largest", "Of any rock in a cell.", ""},
-    Quantity{"Nr_passages", "Rocks that pass", "Each rock counts once in a cell; colours by powers of ten.",
-             "rocks"},
-    Quantity{"Nr_tree_impacts", "Hits on trees", "Of the rocks of all replicates; colours by powers of ten.",
-             ""},
+    Quantity{"Reach_probability", "common.reach_probability", "common.rocks_that_pass_a_cell_in", ""},
+    Quantity{"E_mean", "decades.fall_pictures.energy_mean",
+             "decades.fall_pictures.of_the_largest_kinetic_energy", "kJ"},
+    Quantity{"E_max", "decades.fall_pictures.energy_largest", "common.of_any_rock_in_a_cell", ""},
+    Quantity{"Nr_passages", "common.rocks_that_pass", "common.each_rock_counts_once_in_a_cell", "rocks"},
+    Quantity{"Nr_tree_impacts", "common.hits_on_trees",
+             "decades.fall_pictures.of_the_rocks_of_all_replicates", ""},
 };
 
 class FallPictures {
@@ -146,17 +138,19 @@ config::Raster<float> FallPictures::effect(const RasterKind& kind, std::size_t c
 std::string FallPictures::title(std::size_t slope, std::int32_t year) const {
     const auto regime = std::find_if(run_.regimes.begin(), run_.regimes.end(),
                                      [&](const RegimeView& view) { return view.course == slope; });
-    const std::string name = regime == run_.regimes.end() ? "bare slope"
+    const std::string name = regime == run_.regimes.end() ? report::page_text("common.bare_slope")
                              : run_.regimes.size() > 1    ? regime->title()
-                                                          : "with forest";
-    return joined(year == 0 ? "start" : joined("year ", std::to_string(year)), ", ", name);
+                                                          : report::page_text("common.with_forest");
+    return joined(year == 0 ? "start" : report::page_text("common.year", {{"year", std::to_string(year)}}),
+                  ", ", name);
 }
 
 std::string FallPictures::figure(const Quantity& quantity, const std::string& title,
                                  const config::Raster<float>& values, const ColourScale& scale) {
-    return sheet_.figure({title, joined(quantity.name, ", ", title), sheet_.picture(values, scale),
-                          scale.legend(joined("fall-ramp", std::to_string(++legends_))), "", quantity.name},
-                         report::MapSize::third);
+    return sheet_.figure(
+        {title, joined(report::page_text(quantity.name), ", ", title), sheet_.picture(values, scale),
+         scale.legend(joined("fall-ramp", std::to_string(++legends_))), "", report::page_text(quantity.name)},
+        report::MapSize::third);
 }
 
 std::string FallPictures::block(const Quantity& quantity) {
@@ -192,13 +186,16 @@ std::string FallPictures::block(const Quantity& quantity) {
         }
         for (const std::size_t slope : slopes) {
             if (*quantity.effect_unit != '\0' && slope != no_regime) {
-                figures += figure(quantity, joined("forest effect, ", title(slope, year)),
+                figures += figure(quantity,
+                                  report::page_text("decades.fall_pictures.forest_effect",
+                                                    {{"slope_year", title(slope, year)}}),
                                   effect(kind, slope, year), effects);
             }
         }
     }
-    return joined("<details><summary>", quantity.name, "</summary><p class=\"soft\">", quantity.meaning,
-                  "</p>\n<div class=\"thirds\">", figures, "</div></details>\n");
+    return joined("<details><summary>", report::page_text(quantity.name), "</summary><p class=\"soft\">",
+                  report::page_text(quantity.meaning), "</p>\n<div class=\"thirds\">", figures,
+                  "</div></details>\n");
 }
 
 std::string FallPictures::html() {
@@ -209,13 +206,10 @@ std::string FallPictures::html() {
     for (const Quantity& quantity : quantities) {
         blocks += block(quantity);
     }
-    return joined(
-        "<div>", sheet_.definitions(),
-        "<p class=\"soft\">Rocks of all replicates; a quantity has the same colours in all years and "
-        "regimes. Forest effect: with forest minus bare slope; blue: less with forest, red: more. North is "
-        "up. Grids of all years lie in rasters/rockfall/.</p>\n<figure class=\"map map-choice only-live\" "
-        "hidden=\"hidden\"></figure>\n",
-        blocks, "</div>\n");
+    return joined("<div>", sheet_.definitions(), "<p class=\"soft\">",
+                  report::page_text("decades.fall_pictures.rocks_of_all_replicates_a"),
+                  "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n", blocks,
+                  "</div>\n");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "coupling/results/report/map_furniture.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -65,13 +66,15 @@ std::string one_in_text(const Chosen& chosen) {
     const double ratio = static_cast<double>(chosen.trees.size() + chosen.left_out) /
                          static_cast<double>(std::max<std::size_t>(1, chosen.trees.size()));
     return chosen.left_out == 0 ? ""
-                                : joined("One tree in ", report::fixed(ratio, ratio < 9.95 ? 1 : 0),
-                                         " is drawn, by lot: every part of the forest keeps its share.");
+                                : report::page_text("decades.plan_drawing.one_tree_in_is_drawn_by_lot",
+                                                    {{"part", report::fixed(ratio, ratio < 9.95 ? 1 : 0)}});
 }
 
-std::string left_out_text(const Chosen& chosen, const char* which) {
-    return chosen.left_out == 0 ? ""
-                                : joined("Left out: the ", report::grouped(chosen.left_out), " ", which, ".");
+std::string left_out_text(const Chosen& chosen, const std::string& which) {
+    return chosen.left_out == 0
+               ? ""
+               : report::page_text("decades.plan_drawing.left_out_the",
+                                   {{"chosen_left_out", report::grouped(chosen.left_out)}, {"which", which}});
 }
 
 /// The part of one contour inside a square of four heights: it enters through one side and leaves through
@@ -214,8 +217,9 @@ Drawing PlanDrawing::crowns(const DrawnTrees& trees, const Transect& strip) cons
                       report::attribute("cx", x_of(tree->x_m)), report::attribute("cy", y_of(tree->y_m)),
                       report::attribute("r", radius), "/>");
     }
-    return {sheet("crowns seen from above", joined("<g class=\"crown\">", svg, "</g>", strip_outline(strip))),
-            left_out_text(chosen, "lowest trees")};
+    return {sheet(report::page_text("decades.plan_drawing.crowns_seen_from_above"),
+                  joined("<g class=\"crown\">", svg, "</g>", strip_outline(strip))),
+            left_out_text(chosen, report::page_text("decades.plan_drawing.lowest_trees"))};
 }
 
 Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& window) const {
@@ -242,7 +246,8 @@ Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& wi
                report::attribute("y", y_of(window.y_north_m())),
                report::attribute("width", (window.x_east_m() - window.x_west_m) * per_m_),
                report::attribute("height", (window.y_north_m() - window.y_south_m) * per_m_), "/>");
-    return {sheet("trees seen from above", joined("<g class=\"points\">", svg, "</g>", outline)),
+    return {sheet(report::page_text("decades.plan_drawing.trees_seen_from_above"),
+                  joined("<g class=\"points\">", svg, "</g>", outline)),
             one_in_text(chosen)};
 }
 

@@ -14,6 +14,7 @@
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -65,9 +66,12 @@ std::string in_words(const std::optional<PairedDifference>& d) {
     if (!d) {
         return "–";
     }
-    return d->pairs > 1 ? joined(fixed(d->mean, 1), " <small>(", fixed(d->low, 1), " to ", fixed(d->high, 1),
-                                 ")</small>")
-                        : joined(fixed(d->mean, 1), " <small>(one replicate: chance unknown)</small>");
+    return d->pairs > 1
+               ? report::page_text(
+                     "decades.protection.to",
+                     {{"mean", fixed(d->mean, 1)}, {"low", fixed(d->low, 1)}, {"high", fixed(d->high, 1)}})
+               : report::page_text("decades.protection.one_replicate_chance_unknown",
+                                   {{"mean", fixed(d->mean, 1)}});
 }
 
 /// Mean over all years of the means over replicates.
@@ -100,10 +104,14 @@ std::string stopped_in_words(const std::optional<OverReplicates>& v, const Paire
     if (v->replicates > 1 || !effect) {
         return value;
     }
-    return effect->one_sided ? joined(value, " (with 95 % confidence at least ",
-                                      fixed(100.0 * std::max(0.0, effect->interval.low), 1), ")")
-                             : joined(value, " (95 % interval ", fixed(100.0 * effect->interval.low, 1),
-                                      " to ", fixed(100.0 * effect->interval.high, 1), ")");
+    return effect->one_sided
+               ? report::page_text("decades.protection.with_95_confidence_at_least",
+                                   {{"value", value},
+                                    {"interval_low", fixed(100.0 * std::max(0.0, effect->interval.low), 1)}})
+               : report::page_text("decades.protection.95_interval_to",
+                                   {{"value", value},
+                                    {"interval_low", fixed(100.0 * effect->interval.low, 1)},
+                                    {"interval_high", fixed(100.0 * effect->interval.high, 1)}});
 }
 
 bool is_one_replicate(const Series& series) {
@@ -117,12 +125,13 @@ std::string last_year_in_words(const Series& reached, std::size_t course, const 
     if (!share) {
         return "";
     }
-    std::string text = joined("In year ", std::to_string(last.year), " ", range_text(*share, 2, "\u00a0%"),
-                              " of all rocks arrive, over the bare slope ",
-                              fixed(100.0 * last.bare.share.value, 2), "\u00a0%.");
+    std::string text = report::page_text("decades.protection.in_year_of_all_rocks_arrive",
+                                         {{"last_year", std::to_string(last.year)},
+                                          {"range_text_share", range_text(*share, 2, "\u00a0%")},
+                                          {"bare_share", fixed(100.0 * last.bare.share.value, 2)}});
     if (!std::isnan(last.forest.energy_kj.p95)) {
-        text += joined(" Of the rocks that come through the forest 5\u00a0% have more than <b>",
-                       fixed(last.forest.energy_kj.p95, 0), "\u00a0kJ</b>.");
+        text += report::page_text("decades.protection.of_the_rocks_that_come_through",
+                                  {{"energy_kj_p95", fixed(last.forest.energy_kj.p95, 0)}});
     }
     const std::string rise = rise_in_words(last.forest, last.bare);
     return rise.empty() ? text : joined(text, " ", rise);
@@ -137,17 +146,22 @@ std::string answer_of(const Names& names, const Series& protection, const Series
     const auto first = effect_in(years.front());
     const auto last = effect_in(years.back());
     const YearAtTarget at_end = at_year(years.back());
-    std::string text = joined("<p class=\"answer\"><b>", report::escaped(look_of(names, course).title()),
-                              "</b>: of the rocks that would arrive the forest stops at the start ",
-                              stopped_in_words(first, at_year(years.front()).paired), ", in year ",
-                              std::to_string(years.back()), " ", stopped_in_words(last, at_end.paired));
+    std::string text =
+        joined("<p class=\"answer\">",
+               report::page_text("decades.protection.of_the_rocks_that_would_arrive",
+                                 {{"course_title", report::escaped(look_of(names, course).title())},
+                                  {"years_paired", stopped_in_words(first, at_year(years.front()).paired)},
+                                  {"years", std::to_string(years.back())},
+                                  {"at_end_paired", stopped_in_words(last, at_end.paired)}}));
     const auto worst = worst_year(protection, course);
     const auto is_below = [&](const std::optional<OverReplicates>& end) {
         return !end || worst->value.band.mean < end->band.mean;
     };
     text += worst && is_below(first) && is_below(last)
-                ? joined("; lowest in year ", std::to_string(worst->year), ": ",
-                         stopped_in_words(worst->value, at_year(worst->year).paired), ". ")
+                ? report::page_text(
+                      "decades.protection.lowest_in_year",
+                      {{"worst_year", std::to_string(worst->year)},
+                       {"year_paired", stopped_in_words(worst->value, at_year(worst->year).paired)}})
                 : ". ";
     return joined(text, last_year_in_words(reached, course, at_end), "</p>");
 }
@@ -163,14 +177,16 @@ std::string rates_over_years(const Names& names, std::span<const MemberYears> me
     years.erase(std::unique(years.begin(), years.end()), years.end());
     std::vector<report::EnergyRates> rows;
     for (const std::int32_t year : years) {
-        const std::string when = joined("year ", std::to_string(year), ", ");
-        rows.push_back({joined(when, "bare slope"), at_target(names, members, 0, target, year).bare.above});
+        const std::string when =
+            report::page_text("decades.protection.year", {{"year", std::to_string(year)}});
+        rows.push_back({report::page_text("decades.protection.bare_slope", {{"when", when}}),
+                        at_target(names, members, 0, target, year).bare.above});
         for (std::size_t course = 0; course < names.courses(); ++course) {
             rows.push_back({joined(when, report::escaped(look_of(names, course).title())),
                             at_target(names, members, course, target, year).forest.above});
         }
     }
-    return report::energy_rates_table("Rocks", rows);
+    return report::energy_rates_table(report::page_text("common.rocks"), rows);
 }
 
 std::string table_of(const Names& names, const Series& protection, const Series& reached,
@@ -181,34 +197,43 @@ std::string table_of(const Names& names, const Series& protection, const Series&
     const bool one = is_one_replicate(protection);
     const std::string last = std::to_string(years.back());
     const bool several = years.size() > 1;  // of one year with rocks the first is the last
-    std::vector<std::string> head{"Regime", joined("year ", std::to_string(years.front()))};
+    std::vector<std::string> head{
+        report::page_text("decades.protection.regime"),
+        report::page_text("common.year_2", {{"years", std::to_string(years.front())}})};
     if (several) {
-        head.push_back(joined("year ", last));
+        head.push_back(report::page_text("decades.protection.year_2", {{"last", last}}));
     }
-    head.insert(head.end(), {"mean of the years", "lowest", "in year"});
+    head.insert(head.end(), {report::page_text("decades.protection.mean_of_the_years"),
+                             report::page_text("decades.protection.lowest"),
+                             report::page_text("decades.protection.in_year")});
     if (compares) {
-        head.push_back(joined("year ", last, " minus A", has_climates ? " in the same climate" : ""));
+        head.push_back(report::page_text(
+            "decades.protection.year_minus_a",
+            {{"last", last},
+             {"part", has_climates ? report::page_text("decades.protection.in_the_same_climate") : ""}}));
     }
     if (has_climates) {
-        head.push_back(joined("year ", last, " minus ", report::escaped(names.climates.front()),
-                              compares ? ", same regime" : ""));
+        head.push_back(report::page_text(
+            "decades.protection.year_minus",
+            {{"last", last},
+             {"names_climates", report::escaped(names.climates.front())},
+             {"part", compares ? report::page_text("decades.protection.same_regime") : ""}}));
     }
     report::HtmlTable table{
-        joined("Rocks that the forest stops above ", report::escaped(target),
-               ", percent of those that arrive over the bare slope; below 0 more arrive "
-               "than without it. A dash: fewer than ",
-               std::to_string(least_arrivals_for_protection),
-               " rocks arrive over the bare slope, too few for a protection figure. ",
-               one ? "One replicate: no intervals. "
-                   : "In brackets the 5th and 95th percentile of the replicates; with few replicates "
-                     "this is close to the full range. ",
-               "The lowest of many years is partly chance.",
-               !one && (compares || has_climates)
-                   ? joined(" Differences are paired by replicate, with their 95 % "
-                            "interval: where it includes 0, the difference between the ",
-                            compares ? "regimes" : "", compares && has_climates ? " or " : "",
-                            has_climates ? "climates" : "", " is not significant.")
-                   : ""),
+        report::page_text(
+            "decades.protection.rocks_that_the_forest_stops",
+            {{"target", report::escaped(target)},
+             {"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)},
+             {"part", one ? report::page_text("common.one_replicate_no_intervals")
+                          : report::page_text("decades.protection.in_brackets_the_5th_and_95th")},
+             {"part_2", !one && (compares || has_climates)
+                            ? report::page_text("decades.protection.differences_are_paired_by",
+                                                {{"part", compares ? "regimes" : ""},
+                                                 {"part_2", compares && has_climates
+                                                                ? report::page_text("decades.protection.or")
+                                                                : ""},
+                                                 {"part_3", has_climates ? "climates" : ""}})
+                            : ""}}),
         head};
     for (std::size_t course = 0; course < names.courses(); ++course) {
         const auto worst = worst_year(protection, course);
@@ -242,8 +267,7 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
     std::string html =
         site.nets.empty() || site.targets.empty()
             ? ""
-            : "<p>The nets stand on the bare slope too: protection compares forest and no forest behind the "
-              "same nets.</p>\n";
+            : joined("<p>", report::page_text("decades.protection.the_nets_stand_on_the_bare"), "</p>\n");
     for (std::uint32_t place = 0; place < site.targets.size(); ++place) {
         const rockfall::Target& target = site.targets[place];
         const auto find = [&](const char* quantity) -> const Series& {
@@ -255,11 +279,11 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
         const Series& reached = find("reached_percent");
         const std::string title = report::escaped(target.name.empty() ? target.id : target.name);
         if (years_of(protection).empty()) {
-            html += joined("<section class=\"card\"><h3>", title,
-                           "</h3><p>No protection figure in any year: fewer than ",
-                           std::to_string(least_arrivals_for_protection),
-                           " rocks a year arrive over the bare slope.</p>",
-                           rates_over_years(names, members, reached, place), "</section>\n");
+            html += joined("<section class=\"card\"><h3>", title, "</h3><p>",
+                           report::page_text("decades.protection.no_protection_figure_in_any",
+                                             {{"least_arrivals_for_protection",
+                                               std::to_string(least_arrivals_for_protection)}}),
+                           "</p>", rates_over_years(names, members, reached, place), "</section>\n");
             continue;
         }
         html += joined("<section class=\"card\"><h3>", title, "</h3>");
@@ -271,23 +295,23 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
             }
         }
         html += splits_charts(names) ? other_climates() : "";
-        html += joined(
-            "<p class=\"soft\">",
-            is_one_replicate(protection)
-                ? "One replicate: no intervals of the replicates; those in brackets cover only the chance "
-                  "in its rocks."
-                : "Means of the replicates, in brackets their 5th and 95th percentile.",
-            "</p>", rates_over_years(names, members, reached, place), "</section>\n",
-            table_of(names, protection, reached, target.name));
+        html += joined("<p class=\"soft\">",
+                       is_one_replicate(protection)
+                           ? report::page_text("decades.protection.one_replicate_no_intervals_of")
+                           : report::page_text("decades.protection.means_of_the_replicates_in"),
+                       "</p>", rates_over_years(names, members, reached, place), "</section>\n",
+                       table_of(names, protection, reached, target.name));
         html += joined(
             "<div class=\"halves\">",
+            charts_of(names, protection,
+                      report::page_text("decades.protection.protection", {{"target_name", target.name}}),
+                      report::page_text("common.rocks_stopped"),
+                      report::page_text("decades.protection.of_the_rocks_that_arrive_over"), true),
             charts_of(
-                names, protection, joined("Protection: ", target.name), "Rocks stopped, %",
-                "Of the rocks that arrive over the bare slope. Below 0 is drawn as 0. Years with too few "
-                "rocks have no point.",
-                true),
-            charts_of(names, reached, joined("Rocks that arrive: ", target.name), "Rocks that arrive, %",
-                      "Of all rocks released in the year.", false),
+                names, reached,
+                report::page_text("decades.protection.rocks_that_arrive", {{"target_name", target.name}}),
+                report::page_text("common.rocks_that_arrive_2"),
+                report::page_text("decades.protection.of_all_rocks_released_in_the"), false),
             "</div>\n");
     }
     return html;

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/percent_axis.hpp"
 
 namespace coupling::decades {
@@ -40,7 +41,7 @@ std::string regime_chart(const std::string& title, const RegimeAxes& axes,
                          const std::string& caption) {
     const bool with_bands = curves.size() <= most_bands;
     report::Chart chart{title,
-                        report::Axis{"Years since the start", 0.0,
+                        report::Axis{report::page_text("common.years_since_the_start"), 0.0,
                                      static_cast<double>(std::max<std::size_t>(axes.years, 1)), false, true},
                         axes.may_begin_above_0 && std::isfinite(extent.least)
                             ? report::percent_axis(axes.y_title, extent.least, extent.most)
@@ -60,7 +61,8 @@ std::string regime_chart(const std::string& title, const RegimeAxes& axes,
         any_band = any_band || (with_bands && !curve.ranges.empty());
     }
     if (any_band) {
-        chart.add_band_name(line_of_regime(curves.front().line), "nine in ten replicates");
+        chart.add_band_name(line_of_regime(curves.front().line),
+                            report::page_text("decades.regime_chart.nine_in_ten_replicates"));
     }
     return chart.figure(caption);
 }
@@ -84,8 +86,10 @@ std::string regime_charts(const RegimeAxes& axes, std::span<const RegimeCurve> c
     std::string html;
     for (std::size_t climate = 0; climate < by_climate.size(); ++climate) {
         if (!by_climate[climate].empty()) {
-            html += regime_chart(joined(axes.title, ", climate ", axes.climates[climate]), axes,
-                                 by_climate[climate], extent, caption);
+            html += regime_chart(
+                report::page_text("decades.regime_chart.climate",
+                                  {{"axes_title", axes.title}, {"climates_climate", axes.climates[climate]}}),
+                axes, by_climate[climate], extent, caption);
         }
     }
     return html;

@@ -4,6 +4,7 @@
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/regime_chart.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -13,10 +14,10 @@ using config::joined;
 constexpr std::size_t most_chart_points = 200;
 
 struct RegimeChart {
-    const char* title;
-    const char* axis;
+    std::string title;
+    std::string axis;
     YearFigure figure;
-    const char* caption = "";
+    std::string caption = {};
     std::size_t first_year = 0;     ///< 1 for what only a year can have
     std::size_t years_a_point = 1;  ///< > 1: means over so many years
 };
@@ -80,39 +81,50 @@ std::string charts_of_regimes(const RunView& run) {
         return "";
     }
     const std::size_t five = run.years > 20 ? 5 : 1;
-    const char* by_five = five > 1 ? "Means over 5 years." : "";
+    const std::string by_five = five > 1 ? report::page_text("decades.regime_charts.means_over_5_years") : "";
     const std::vector<RegimeChart> charts{
-        {"Volume", "Volume, m³/ha", [](const YearView& year) { return year.stand->volume_m3pha; }},
-        {"Basal area", "Basal area, m²/ha",
+        {report::page_text("common.volume"), report::page_text("common.volume_m_ha"),
+         [](const YearView& year) { return year.stand->volume_m3pha; }},
+        {report::page_text("decades.regime_charts.basal_area"), report::page_text("common.basal_area_m_ha"),
          [](const YearView& year) { return year.stand->basal_area_m2pha; }},
-        {"Stems from 12 cm on", "Stems per ha",
+        {report::page_text("decades.regime_charts.stems_from_12_cm_on"),
+         report::page_text("decades.regime_charts.stems_per_ha"),
          [](const YearView& year) { return stems_from_12_cm(*year.stand); }},
-        {"Dominant height", "Height, m", [](const YearView& year) { return year.stand->dominant_height_m; },
-         "Mean of the 100 thickest trees per hectare."},
-        {"Leaf area index", "Leaf area index, m²/m²",
+        {report::page_text("decades.regime_charts.dominant_height"), report::page_text("common.height_m"),
+         [](const YearView& year) { return year.stand->dominant_height_m; },
+         report::page_text("decades.regime_charts.mean_of_the_100_thickest_trees")},
+        {report::page_text("common.leaf_area_index"),
+         report::page_text("decades.regime_charts.leaf_area_index_m_m"),
          [](const YearView& year) { return year.stand->leaf_area_index; }},
-        {"Increment", "Increment, m³/ha a year",
+        {report::page_text("decades.regime_charts.increment"),
+         report::page_text("common.increment_m_ha_a_year"),
          [](const YearView& year) { return year.row->volume_increment_m3pha; }, by_five, 1, five},
-        {"Standing dead wood", "Volume, m³/ha", [](const YearView& year) { return year.row->snags_m3pha; },
-         "Snags and the stumps of felled trees. A piece counts with its full volume until less than a tenth "
-         "of "
-         "its density is left."},
-        {"Lying dead wood", "Volume, m³/ha", [](const YearView& year) { return year.row->logs_m3pha; },
-         "A piece counts with its full volume until less than a tenth of its density is left."},
-        {"Mass of dead wood", "Dry mass, t/ha",
+        {report::page_text("decades.regime_charts.standing_dead_wood"),
+         report::page_text("common.volume_m_ha"), [](const YearView& year) { return year.row->snags_m3pha; },
+         report::page_text("decades.regime_charts.snags_and_the_stumps_of_felled")},
+        {report::page_text("decades.regime_charts.lying_dead_wood"), report::page_text("common.volume_m_ha"),
+         [](const YearView& year) { return year.row->logs_m3pha; },
+         report::page_text("decades.regime_charts.a_piece_counts_with_its_full")},
+        {report::page_text("decades.regime_charts.mass_of_dead_wood"),
+         report::page_text("decades.regime_charts.dry_mass_t_ha"),
          [](const YearView& year) { return year.row->dead_stems_tpha; },
-         "Standing and lying, as far as it has not rotted."},
-        {"Saplings", "Saplings per ha", [](const YearView& year) { return year.row->saplings_pha; },
-         "Young trees below 1 cm diameter."},
-        {"Ingrowth", "Stems/ha a year", [](const YearView& year) { return year.row->ingrowth_stems_pha; },
-         five > 1 ? "Trees that passed 1 cm or were planted; means over 5 years."
-                  : "Trees that passed 1 cm or were planted.",
+         report::page_text("decades.regime_charts.standing_and_lying_as_far_as_it")},
+        {report::page_text("decades.regime_charts.saplings"),
+         report::page_text("decades.regime_charts.saplings_per_ha"),
+         [](const YearView& year) { return year.row->saplings_pha; },
+         report::page_text("decades.regime_charts.young_trees_below_1_cm_diameter")},
+        {report::page_text("decades.regime_charts.ingrowth"),
+         report::page_text("decades.regime_charts.stems_ha_a_year"),
+         [](const YearView& year) { return year.row->ingrowth_stems_pha; },
+         five > 1 ? report::page_text("decades.regime_charts.trees_that_passed_1_cm_or_were")
+                  : report::page_text("decades.regime_charts.trees_that_passed_1_cm_or_were_2"),
          1, five},
     };
     std::string html;
     const std::size_t lines = run.regimes.size() / (run.chart_a_climate ? run.climates.size() : 1);
     if (lines > most_bands && run.replicates() > 1) {
-        html += "<p class=\"soft\">Means of the replicates; their ranges stand in tables/.</p>\n";
+        html += joined("<p class=\"soft\">",
+                       report::page_text("decades.regime_charts.means_of_the_replicates_their"), "</p>\n");
     }
     html += "<div class=\"halves\">";
     for (const RegimeChart& chart : charts) {

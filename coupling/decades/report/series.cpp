@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "config/text/joined.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -70,7 +71,8 @@ CourseLook look_of(const Names& names, std::size_t course) {
 }
 
 std::string other_climates() {
-    return "<p class=\"soft\">In the first climate; the tables and charts below have all of them.</p>\n";
+    return joined("<p class=\"soft\">", report::page_text("decades.series.in_the_first_climate_the_tables"),
+                  "</p>\n");
 }
 
 bool splits_charts(const Names& names) {

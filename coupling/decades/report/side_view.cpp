@@ -5,6 +5,7 @@
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/stand_drawing.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -64,10 +65,10 @@ std::string axes_of(const Frame& frame, const Transect& strip) {
     return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left_edge), " ",
                   place(bottom), "H", place(right), strokes, "\"/>", labels, end(left_edge, "P"),
                   end(right, "Q"), "<text text-anchor=\"middle\" x=\"", place(0.5 * (left_edge + right)),
-                  "\" y=\"", place(bottom + 38.0),
-                  "\">Distance in plan, m</text><text text-anchor=\"middle\" "
-                  "transform=\"translate(12 ",
-                  place(0.5 * (top + bottom)), ")rotate(-90)\">Height above sea level, m</text>");
+                  "\" y=\"", place(bottom + 38.0), "\">", report::page_text("common.distance_in_plan_m"),
+                  "</text><text text-anchor=\"middle\" transform=\"translate(12 ",
+                  place(0.5 * (top + bottom)), ")rotate(-90)\">",
+                  report::page_text("decades.side_view.height_above_sea_level_m"), "</text>");
 }
 
 double ground_m(const ForestGround& ground, const Transect& strip, double distance_m) {
@@ -160,8 +161,9 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
         const auto limit = heights.end() - static_cast<std::ptrdiff_t>(most_trees);
         std::nth_element(heights.begin(), limit, heights.end());
         std::erase_if(drawn, [least = *limit](const TreeRow* tree) { return tree->height_m < least; });
-        left_out = joined("Left out: ", report::grouped(in_strip.size() - drawn.size()), " trees below ",
-                          report::three_digits(static_cast<double>(*limit)), " m.");
+        left_out = report::page_text("decades.side_view.left_out_trees_below_m",
+                                     {{"in_strip_drawn", report::grouped(in_strip.size() - drawn.size())},
+                                      {"limit", report::three_digits(static_cast<double>(*limit))}});
     }
     std::string trees;
     for (const TreeRow* tree : drawn) {
@@ -169,11 +171,11 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
     }
     const double drawn_width = frame.x_of(strip.length_m) + beside;
     const double x = 0.5 * (drawn_width - (left_edge + widest_strip + beside));
-    return {
-        joined("<svg viewBox=\"", place(x), " 0 ", place(left_edge + widest_strip + beside), " ",
-               place(frame.y_of(low_m) + below), "\" role=\"img\" aria-label=\"trees seen from the side\">",
-               axes_of(frame, strip), ground_of(frame, ground, strip), trees, "</svg>"),
-        left_out};
+    return {joined("<svg viewBox=\"", place(x), " 0 ", place(left_edge + widest_strip + beside), " ",
+                   place(frame.y_of(low_m) + below), "\" role=\"img\" aria-label=\"",
+                   report::page_text("decades.side_view.trees_seen_from_the_side"), "\">",
+                   axes_of(frame, strip), ground_of(frame, ground, strip), trees, "</svg>"),
+            left_out};
 }
 
 }  // namespace coupling::decades

@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/scene.hpp"
 #include "coupling/results/report/species_colours.hpp"
 
@@ -91,9 +92,7 @@ std::string view_of_years(const PageContent& content, const RunView& run) {
     if (scene.stands.empty()) {
         return "";
     }
-    return report::scene_figure(
-        scene,
-        "This view needs scripts and WebGL. The stand from above and from the side is drawn further below.");
+    return report::scene_figure(scene, report::page_text("decades.stand_view.this_view_needs_scripts_and"));
 }
 
 }  // namespace coupling::decades

@@ -8,6 +8,7 @@
 #include "coupling/decades/report/series.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/stop_causes.hpp"
 
 namespace coupling::decades {
@@ -51,32 +52,38 @@ std::string where_met(const Series& met, std::size_t course, std::int32_t year) 
     const auto value = over_replicates(met, course, year);
     const double percent = value ? value->band.mean : 0.0;
     if (percent >= 99.95) {
-        return "on the whole area";
+        return report::page_text("decades.target_profile.on_the_whole_area");
     }
     return percent < 0.05 ? "nowhere"
-                          : joined("on ", fixed(percent, percent < 10.0 ? 1 : 0), " % of the area");
+                          : report::page_text("decades.target_profile.on_of_the_area",
+                                              {{"part", fixed(percent, percent < 10.0 ? 1 : 0)}});
 }
 
 std::string profile_in_words(const Names& names, const Series& met, const forest::TargetProfile& profile,
                              double mean_block_m) {
     std::string html =
-        joined("<p>Rocks of ", fixed(mean_block_m, 2), "\u00a0m on average ask for at least ",
-               fixed(profile.least_stems_pha, 0), " stems a hectare from ", fixed(profile.dbh_from_cm, 0),
-               "\u00a0cm on (better ", fixed(profile.ideal_stems_pha, 0),
-               "), and for no gap along the fall line above ", fixed(profile.longest_gap_m, 0), "\u00a0m. ");
+        joined("<p>", report::page_text("decades.target_profile.rocks_of_m_on_average_ask_for",
+                                        {{"mean_block_m", fixed(mean_block_m, 2)},
+                                         {"profile_least_stems_pha", fixed(profile.least_stems_pha, 0)},
+                                         {"profile_dbh_from_cm", fixed(profile.dbh_from_cm, 0)},
+                                         {"profile_ideal_stems_pha", fixed(profile.ideal_stems_pha, 0)},
+                                         {"profile_longest_gap_m", fixed(profile.longest_gap_m, 0)}}));
     html += joined("<small>", escaped(profile.source), ".</small></p>\n");
     const std::vector<std::int32_t> years = three_of(years_of(met));
     for (std::size_t course = 0; course < names.courses(); ++course) {
         if (splits_charts(names) && names.climate_of(course) > 0) {
             continue;
         }
-        html += joined("<p class=\"answer\"><b>", title_of(names, course), "</b>. Stands meet this ");
+        html +=
+            joined("<p class=\"answer\">", report::page_text("decades.target_profile.stands_meet_this",
+                                                             {{"names_course", title_of(names, course)}}));
         for (std::size_t i = 0; i < years.size(); ++i) {
-            html +=
-                joined(i == 0                  ? ""
-                       : i + 1 == years.size() ? " and "
-                                               : ", ",
-                       "<b>", where_met(met, course, years[i]), "</b> in year ", std::to_string(years[i]));
+            html += report::page_text("decades.target_profile.in_year",
+                                      {{"part", i == 0                  ? ""
+                                                : i + 1 == years.size() ? report::page_text("common.and")
+                                                                        : ", "},
+                                       {"course_years", where_met(met, course, years[i])},
+                                       {"years", std::to_string(years[i])}});
         }
         html += ".</p>\n";
     }
@@ -99,7 +106,7 @@ void add_rows(report::HtmlTable& table, const Names& names, const Series& series
 std::vector<std::string> head_of(const std::string& first, const std::vector<std::int32_t>& years) {
     std::vector<std::string> head{first};
     for (const std::int32_t year : years) {
-        head.push_back(joined("year ", std::to_string(year)));
+        head.push_back(report::page_text("common.year", {{"year", std::to_string(year)}}));
     }
     return head;
 }
@@ -110,16 +117,19 @@ std::string table_of_stands(const Names& names, std::span<const Series> all_seri
     const bool one = std::all_of(longest->values.begin(), longest->values.end(),
                                  [](const auto& replicates) { return replicates.size() <= 1; });
     report::HtmlTable table{
-        joined(one ? "One replicate: no intervals. "
-                   : "Mean of the replicates, in brackets their 5th and 95th percentile. ",
-               "A gap is a line of patches of 10 m without a stem of 12 cm; its length is that along the "
-               "ground."),
-        head_of("Stands", years)};
+        report::page_text(
+            "decades.target_profile.a_gap_is_a_line_of_patches_of",
+            {{"part", one ? report::page_text("common.one_replicate_no_intervals")
+                          : report::page_text("decades.target_profile.mean_of_the_replicates_in")}}),
+        head_of(report::page_text("decades.target_profile.stands"), years)};
     if (const Series* met = find(all_series, "target_profile_met_percent")) {
-        add_rows(table, names, *met, "Forest in stands that meet the target profile, %", years, 0);
+        add_rows(table, names, *met,
+                 report::page_text("decades.target_profile.forest_in_stands_that_meet_the"), years, 0);
     }
-    add_rows(table, names, *longest, "Longest gap along the fall line, m", years, 0);
-    add_rows(table, names, *find(all_series, "gap_95_m"), "Gap that one in twenty exceeds, m", years, 0);
+    add_rows(table, names, *longest,
+             report::page_text("decades.target_profile.longest_gap_along_the_fall_line"), years, 0);
+    add_rows(table, names, *find(all_series, "gap_95_m"),
+             report::page_text("decades.target_profile.gap_that_one_in_twenty_exceeds"), years, 0);
     return table.html();
 }
 
@@ -133,11 +143,12 @@ std::string table_of_causes(const Names& names, std::span<const Series> all_seri
     if (all_years.size() > 1) {
         years.push_back(all_years.back());
     }
-    report::HtmlTable table{"What ended the fall of the rocks through the forest, percent of all rocks.",
-                            head_of("Rocks", years)};
+    report::HtmlTable table{report::page_text("decades.target_profile.what_ended_the_fall_of_the"),
+                            head_of(report::page_text("common.rocks"), years)};
     constexpr std::array<const char*, stop_causes> in_words{
-        "Stopped by a tree, %",     "Stopped by a log, %", "Held by a net, %",
-        "Stopped by the ground, %", "Left the terrain, %", "Given up after too many impacts, %"};
+        "decades.target_profile.stopped_by_a_tree", "decades.target_profile.stopped_by_a_log",
+        "decades.target_profile.held_by_a_net",     "decades.target_profile.stopped_by_the_ground",
+        "decades.target_profile.left_the_terrain",  "decades.target_profile.given_up_after_too_many_impacts"};
     for (std::size_t cause = 0; cause < stop_causes; ++cause) {
         const auto kind = static_cast<StopCause>(cause);
         const bool stops = kind < StopCause::left_terrain;
@@ -157,7 +168,7 @@ std::string table_of_causes(const Names& names, std::span<const Series> all_seri
             any = any || happened(course);
         }
         if (any) {
-            add_rows(table, names, *series, in_words[cause], years, 1);
+            add_rows(table, names, *series, report::page_text(in_words[cause]), years, 1);
         }
     }
     return table.html();
@@ -172,8 +183,10 @@ std::string stands_against_rocks(const Names& names, std::span<const Series> all
     if (profile && met != nullptr) {
         html += profile_in_words(names, *met, *profile, mean_block_m);
     } else {
-        html += joined("<p>Rocks of ", fixed(mean_block_m, 2),
-                       "\u00a0m on average are larger than any that the target profiles speak of.</p>\n");
+        html += joined("<p>",
+                       report::page_text("decades.target_profile.rocks_of_m_on_average_are",
+                                         {{"mean_block_m", fixed(mean_block_m, 2)}}),
+                       "</p>\n");
     }
     html += table_of_stands(names, all_series);
     html += table_of_causes(names, all_series);

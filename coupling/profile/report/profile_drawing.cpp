@@ -9,6 +9,7 @@
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -35,8 +36,10 @@ struct Sheet {
     double per_m = 1.0;
 
     explicit Sheet(const ProfileResults& results)
-        : distance{"Distance in plan, m", results.site.first_m(), results.site.last_m()},
-          height{"Height, m", results.site.corners.front().height_m, results.site.corners.front().height_m} {
+        : distance{report::page_text("common.distance_in_plan_m"), results.site.first_m(),
+                   results.site.last_m()},
+          height{report::page_text("common.height_m"), results.site.corners.front().height_m,
+                 results.site.corners.front().height_m} {
         for (const rockfall::ProfilePoint& corner : results.site.corners) {
             include(corner.height_m);
         }
@@ -221,7 +224,9 @@ std::string legend(const ProfileResults& results, const std::vector<std::uint8_t
             escaped(results.site.slope.types[types[i]].label));
     }
     if (!results.tally.paths.empty()) {
-        const std::array<const char*, 3> names{"rock below 30 kJ", "30 to 300 kJ", "above 300 kJ"};
+        const std::array<std::string, 3> names{report::page_text("profile_drawing.rock_below_30_kj"),
+                                               report::page_text("profile_drawing.30_to_300_kj"),
+                                               report::page_text("profile_drawing.above_300_kj")};
         for (std::size_t c = 0; c < names.size(); ++c) {
             items += legend_entry(joined("<g class=\"paths\"><path class=\"class", std::to_string(c),
                                          "\" d=\"M1 11Q15 -4 29 11\"/></g>"),
@@ -240,19 +245,18 @@ std::string drawing(const ProfileResults& results) {
     const std::size_t drawn = paths == 0 ? 0 : (paths + drawn_every(results) - 1) / drawn_every(results);
     // One unit is one pixel at most, so that letters stay those of the page.
     const std::string width = place(std::max(sheet.right(), 420.0) + 20.0);
-    return joined(
-        "<h2>The profile</h2>\n<figure class=\"chart map profile\"><figcaption><b>The profile at true "
-        "vertical "
-        "scale</b></figcaption>",
-        legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
-        place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"The profile at true vertical scale\">",
-        axes_of(sheet), ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet),
-        "</svg><p>",
-        (drawn == 0 ? std::string{"No paths were kept (output.sample_paths)."}
-                    : joined("Paths of the underside of ", report::grouped(drawn),
-                             " rocks, coloured by their kinetic energy (translation and rotation; PiR3D: "
-                             "translation alone).")),
-        "</p></figure>\n");
+    return joined("<h2>", report::page_text("profile_drawing.the_profile"),
+                  "</h2>\n<figure class=\"chart map profile\"><figcaption>",
+                  report::page_text("profile_drawing.the_profile_at_true_vertical"), "</figcaption>",
+                  legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
+                  place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"",
+                  report::page_text("profile_drawing.the_profile_at_true_vertical_2"), "\">", axes_of(sheet),
+                  ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet),
+                  "</svg><p>",
+                  (drawn == 0 ? std::string{report::page_text("profile_drawing.no_paths_were_kept_output")}
+                              : report::page_text("profile_drawing.paths_of_the_underside_of_rocks",
+                                                  {{"drawn", report::grouped(drawn)}})),
+                  "</p></figure>\n");
 }
 
 }  // namespace coupling::profile

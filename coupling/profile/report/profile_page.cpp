@@ -15,6 +15,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
 
 namespace coupling::profile {
@@ -33,10 +34,10 @@ using report::three_digits;
 /// A run-out that ends where the profile does is none.
 std::string left_in_words(const ProfileResults& results) {
     const auto left = results.tally.by_reason[static_cast<std::size_t>(rockfall::StopReason::left_terrain)];
-    return left == 0
-               ? ""
-               : joined(" Of all rocks ", report::percent(share_of(left, results.tally.rocks).value),
-                        " left the profile over an end: their run-out is counted to there and would go on.");
+    return left == 0 ? ""
+                     : report::page_text(
+                           "profile_page.of_all_rocks_left_the_profile",
+                           {{"tally_rocks", report::percent(share_of(left, results.tally.rocks).value)}});
 }
 
 std::string opening(const ProfileResults& results) {
@@ -45,24 +46,33 @@ std::string opening(const ProfileResults& results) {
     const double length_m = site.last_m() - site.first_m();
     const double drop_m = site.corners.front().height_m - site.corners.back().height_m;
     constexpr double deg_per_rad = 57.295779513082321;
-    std::string html =
-        joined("<h1>Rockfall along a profile</h1>\n<p class=\"lead\">Scenario <b>",
-               escaped(scenario.file.filename().string()), "</b>: ", grouped(results.tally.rocks),
-               " rocks fell along one profile, in two dimensions: nothing turns them sideways and there are "
-               "no trees. "
-               "Mean run-out <b>",
-               fixed(results.tally.run_out_m.mean(), 1), "\u00a0m</b> in plan, standard deviation ",
-               fixed(results.tally.run_out_m.deviation(), 1), "\u00a0m.", left_in_words(results),
-               "</p>\n<dl class=\"facts\">");
-    html += fact("Profile", escaped(scenario.profile));
-    html += fact("Length in plan", joined(fixed(length_m, 1), " m"));
-    html += fact("Drop", joined(fixed(drop_m, 1), " m, ",
-                                fixed(deg_per_rad * std::atan2(drop_m, length_m), 1), "° on average"));
-    html += fact("Corners", grouped(site.corners.size()));
-    html += fact("Release", report::marked(scenario, joined("at ", config::to_text(site.start_m), " m"),
-                                           {"profile.start_m"}));
+    std::string html = joined(
+        "<h1>", report::page_text("profile_page.rockfall_along_a_profile"), "</h1>\n<p class=\"lead\">",
+        report::page_text("profile_page.scenario_rocks_fell_along_one",
+                          {{"file", escaped(scenario.file.filename().string())},
+                           {"tally_rocks", grouped(results.tally.rocks)},
+                           {"run_out_m_mean", fixed(results.tally.run_out_m.mean(), 1)},
+                           {"run_out_m_deviation", fixed(results.tally.run_out_m.deviation(), 1)},
+                           {"left_in_words", left_in_words(results)}}),
+        "</p>\n<dl class=\"facts\">");
+    html += fact(report::page_text("profile_page.profile"), escaped(scenario.profile));
+    html += fact(report::page_text("profile_page.length_in_plan"), joined(fixed(length_m, 1), " m"));
+    html +=
+        fact(report::page_text("profile_page.drop"),
+             report::page_text("profile_page.m_on_average",
+                               {{"drop_m", fixed(drop_m, 1)},
+                                {"drop_m_length_m", fixed(deg_per_rad * std::atan2(drop_m, length_m), 1)}}));
+    html += fact(report::page_text("profile_page.corners"), grouped(site.corners.size()));
+    html += fact(
+        report::page_text("common.release"),
+        report::marked(scenario,
+                       report::page_text("profile_page.at_m", {{"start_m", config::to_text(site.start_m)}}),
+                       {"profile.start_m"}));
     html += report::deciding_facts(scenario, {}, grouped(results.tally.rocks));
-    return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");
+    return joined(html,
+                  fact(report::page_text("common.program"),
+                       report::page_text("common.bannwald", {{"version", escaped(results.version)}})),
+                  "</dl>\n");
 }
 
 std::string share_in_words(const Share& share) {
@@ -76,21 +86,23 @@ std::string rates_table(const ProfileResults& results) {
         rows.push_back({escaped(results.site.stations[i].name),
                         rates_of(results.tally.stations[i], results.tally.rocks)});
     }
-    return report::energy_rates_table("Station", rows);
+    return report::energy_rates_table(report::page_text("profile_page.station"), rows);
 }
 
 std::string stations(const ProfileResults& results) {
     if (results.site.stations.empty()) {
-        return "<h2>Stations</h2>\n<p>None given (profile.stations_m, profile.stations).</p>\n";
+        return joined("<h2>", report::page_text("profile_page.stations"), "</h2>\n<p>",
+                      report::page_text("profile_page.none_given_profile_stations_m"), "</p>\n");
     }
     using namespace rockfall;
     HtmlTable table{
-        "Energy is translation and rotation (pir3d, classical: translation alone); height is that of the "
-        "underside "
-        "above ground, vertical.",
-        {"Station", "at, m", "rocks that pass (95 % interval)", "energy, kJ: mean", "sd", "90 %", "95 %",
-         "99 %", "translation alone, kJ: mean", "speed, m/s: mean", "speed 95 %", "height, m: mean",
-         "height 95 %"}};
+        report::page_text("profile_page.energy_is_translation_and"),
+        {report::page_text("profile_page.station"), report::page_text("profile_page.at_m_2"),
+         report::page_text("profile_page.rocks_that_pass_95_interval"),
+         report::page_text("profile_page.energy_kj_mean"), report::page_text("profile_page.sd"), "90 %",
+         "95 %", "99 %", report::page_text("profile_page.translation_alone_kj_mean"),
+         report::page_text("profile_page.speed_m_s_mean"), report::page_text("profile_page.speed_95"),
+         report::page_text("profile_page.height_m_mean"), report::page_text("profile_page.height_95")}};
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const StationTally& tally = results.tally.stations[i];
         const auto energy_kj = [&](double share) {
@@ -107,23 +119,24 @@ std::string stations(const ProfileResults& results) {
                    three_digits(tally.height_m.moments.mean()),
                    three_digits(tally.height_m.quantile(fine_height_bins, 0.95))});
     }
-    return joined("<h2>Stations</h2>\n<section class=\"card\">", table.html(), rates_table(results),
-                  "</section>\n", charts_at_stations(results));
+    return joined("<h2>", report::page_text("profile_page.stations"), "</h2>\n<section class=\"card\">",
+                  table.html(), rates_table(results), "</section>\n", charts_at_stations(results));
 }
 
 std::string key_figures(const ProfileResults& results) {
     using namespace rockfall;
     const ProfileTally& tally = results.tally;
-    HtmlTable table{"", {"All rocks", "value"}};
-    table.row({"Rocks", grouped(tally.rocks)});
+    HtmlTable table{"", {report::page_text("common.all_rocks"), report::page_text("common.value")}};
+    table.row({report::page_text("common.rocks"), grouped(tally.rocks)});
     const auto share = [&](StopReason reason) {
         return share_in_words(share_of(tally.by_reason[static_cast<std::size_t>(reason)], tally.rocks));
     };
-    table.row({"Came to rest on the ground", share(StopReason::at_rest)});
-    table.row({"Caught by the roughness of the ground", share(StopReason::caught)});
-    table.row({"Left the profile over an end", share(StopReason::left_terrain)});
-    table.row({"Ended by the limit of impacts", share(StopReason::gave_up)});
-    table.row({"Run-out in plan: mean / shortest / longest, m",
+    table.row({report::page_text("common.came_to_rest_on_the_ground"), share(StopReason::at_rest)});
+    table.row({report::page_text("common.caught_by_the_roughness_of_the"), share(StopReason::caught)});
+    table.row(
+        {report::page_text("profile_page.left_the_profile_over_an_end"), share(StopReason::left_terrain)});
+    table.row({report::page_text("profile_page.ended_by_the_limit_of_impacts"), share(StopReason::gave_up)});
+    table.row({report::page_text("profile_page.run_out_in_plan_mean_shortest"),
                joined(fixed(tally.run_out_m.mean(), 1), " / ", fixed(tally.run_out_m.least(), 1), " / ",
                       fixed(tally.run_out_m.most(), 1))});
     const auto spread = [&](const std::string& name, const Spread& s, const LogBins& bins, double unit) {
@@ -131,17 +144,20 @@ std::string key_figures(const ProfileResults& results) {
                                 three_digits(s.quantile(bins, 0.90) / unit), " / ",
                                 three_digits(s.moments.most() / unit))});
     };
-    spread("Largest speed of a rock: mean / 90 % / largest, m/s", tally.max_speed_mps, fine_speed_bins, 1.0);
-    spread("Largest energy of a rock: mean / 90 % / largest, kJ", tally.max_energy_j, fine_energy_bins,
-           j_per_kj);
-    spread("Largest vertical height of a rock: mean / 90 % / largest, m", tally.max_height_m,
+    spread(report::page_text("profile_page.largest_speed_of_a_rock_mean_90"), tally.max_speed_mps,
+           fine_speed_bins, 1.0);
+    spread(report::page_text("profile_page.largest_energy_of_a_rock_mean"), tally.max_energy_j,
+           fine_energy_bins, j_per_kj);
+    spread(report::page_text("profile_page.largest_vertical_height_of_a"), tally.max_height_m,
            fine_height_bins, 1.0);
-    table.row({"Mean speed, m/s", three_digits(tally.mean_speed_mps.mean())});
-    table.row({"Ground impacts per rock", three_digits(tally.ground_impacts.mean())});
+    table.row({report::page_text("profile_page.mean_speed_m_s"), three_digits(tally.mean_speed_mps.mean())});
     table.row(
-        {"Jump from impact to impact: mean / longest, m",
+        {report::page_text("common.ground_impacts_per_rock"), three_digits(tally.ground_impacts.mean())});
+    table.row(
+        {report::page_text("profile_page.jump_from_impact_to_impact_mean"),
          joined(three_digits(tally.jump_length_m.mean()), " / ", three_digits(tally.jump_length_m.most()))});
-    return joined("<h2>Key figures</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+    return joined("<h2>", report::page_text("common.key_figures"), "</h2>\n<section class=\"card\">",
+                  table.html(), "</section>\n");
 }
 
 }  // namespace
@@ -167,21 +183,23 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(results.version)
-        << "\"/>\n<title>Rockfall along a profile: " << escaped(results.scenario.file.stem().string())
-        << "</title>\n<style>" << report::style() << style_of_profile()
-        << "</style>\n</head>\n<body>\n<main>\n"
+        << joined("\"/>\n<title>", report::page_text("profile_page.rockfall_along_a_profile_2"))
+        << escaped(results.scenario.file.stem().string()) << "</title>\n<style>" << report::style()
+        << style_of_profile() << "</style>\n</head>\n<body>\n<main>\n"
         << report::first_warnings(results.warnings) << opening(results) << drawing(results)
-        << charts_along(results) << stations(results) << key_figures(results) << "<h2>Warnings</h2>\n"
-        << report::list_of_warnings(results.warnings) << "<h2>Settings</h2>\n"
+        << charts_along(results) << stations(results) << key_figures(results)
+        << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
+        << report::list_of_warnings(results.warnings)
+        << joined("<h2>", report::page_text("common.settings"), "</h2>\n")
         << report::table_of_settings(results.scenario,
                                      [](const std::string& key) {
                                          return !plays_no_part(key) || key.starts_with("rockfall.lateral");
                                      })
-        << "<h2>Data</h2>\n<section class=\"card\"><p>Input files, named as in the scenario; please credit "
-           "their "
-           "owners as their licences ask.</p>"
+        << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\"><p>",
+                  report::page_text("common.input_files_named_as_in_the"), "</p>")
         << report::table_of_inputs(results.site.inputs)
-        << "</section>\n<h2>Files of this run</h2>\n<section class=\"card\">"
+        << joined("</section>\n<h2>", report::page_text("common.files_of_this_run"),
+                  "</h2>\n<section class=\"card\">")
         << report::table_of_files("", files) << "</section>\n"
         << report::citation(results.version, results.scenario) << "</main>\n"
         << page_scripts::elements(scripts) << "</body>\n</html>\n";

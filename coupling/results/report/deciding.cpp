@@ -8,6 +8,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::report {
 namespace {
@@ -29,8 +30,9 @@ bool is_preset(const config::Options& options, const std::vector<std::string>& k
     });
 }
 
-std::string mark(const char* word, bool is_default) {
-    return joined(" <span class=\"mark", is_default ? "" : " given", "\">", word, "</span>");
+std::string mark(const std::string& word, bool is_default) {
+    return joined(" <span class=\"mark", is_default ? "" : page_text("deciding.given"), "\">", word,
+                  "</span>");
 }
 
 bool starts_differ(const std::vector<ReleaseSource>& sources) {
@@ -39,7 +41,9 @@ bool starts_differ(const std::vector<ReleaseSource>& sources) {
 }
 
 std::string from_low_to_high(double low, double high, int decimals) {
-    return low == high ? fixed(low, decimals) : joined(fixed(low, decimals), " to ", fixed(high, decimals));
+    return low == high ? fixed(low, decimals)
+                       : page_text("deciding.to", {{"low_decimals", fixed(low, decimals)},
+                                                   {"high_decimals", fixed(high, decimals)}});
 }
 
 /// Smallest and largest value over the starts of all sources.
@@ -69,13 +73,13 @@ const std::vector<std::string>& size_keys() {
 }
 
 std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
-    constexpr const char* shape = ", spheres";
+    const std::string& shape = page_text("deciding.spheres");
     if (!starts_differ(sources)) {
         return marked(scenario, joined(rock_size(scenario), shape), size_keys());
     }
     const rockfall::DiameterRange range = rockfall::diameter_range(start_law(scenario), sources);
     return joined(from_low_to_high(range.smallest_m, range.largest_m, 2), " m", shape,
-                  mark("by source", false));
+                  mark(page_text("deciding.by_source"), false));
 }
 
 /// A value over all starts: marked as the setting where all sources share its value, otherwise as their own.
@@ -88,7 +92,8 @@ std::string marked_over(const Scenario& scenario, const std::vector<ReleaseSourc
         return !source.own_start || value_of(*source.own_start) == common;
     });
     const std::string text = joined(range_over(scenario, sources, value_of, decimals), unit);
-    return is_common ? marked(scenario, text, {key}) : joined(text, mark("by source", false));
+    return is_common ? marked(scenario, text, {key})
+                     : joined(text, mark(page_text("deciding.by_source"), false));
 }
 
 std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
@@ -96,8 +101,8 @@ std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSo
     const bool drops = scenario.fall_height_m > 0.0;
     return joined(
         marked_over(
-            scenario, sources, [](const StartLaw& law) { return law.height_m; }, 1, " m above ground",
-            drops ? "release.fall_height_m" : "release.start_height_m"),
+            scenario, sources, [](const StartLaw& law) { return law.height_m; }, 1,
+            page_text("deciding.m_above_ground"), drops ? "release.fall_height_m" : "release.start_height_m"),
         ", ",
         marked_over(
             scenario, sources, [](const StartLaw& law) { return law.speed_mps; }, 1, " m/s",
@@ -105,7 +110,7 @@ std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSo
         ", ",
         marked_over(
             scenario, sources, [](const StartLaw& law) { return deg_per_rad * law.dip.in_radians(); }, 1,
-            "° below the horizon", "release.start_dip_deg"));
+            page_text("deciding.below_the_horizon"), "release.start_dip_deg"));
 }
 
 }  // namespace
@@ -123,35 +128,46 @@ std::string marked(const Scenario& scenario, const std::string& value, const std
 std::string start_of_rocks(const Scenario& scenario) {
     const StartLaw law = start_law(scenario);
     if (scenario.fall_height_m > 0.0) {
-        return marked(scenario, joined("dropped at rest from ", config::to_text(law.height_m), " m"),
-                      {"release.fall_height_m"});
+        return marked(
+            scenario,
+            page_text("deciding.dropped_at_rest_from_m", {{"law_height_m", config::to_text(law.height_m)}}),
+            {"release.fall_height_m"});
     }
-    const std::string height = law.height_m <= 0.0 ? std::string{"rolling from the ground"}
-                                                   : joined(config::to_text(law.height_m), " m above ground");
+    const std::string height =
+        law.height_m <= 0.0
+            ? std::string{page_text("deciding.rolling_from_the_ground")}
+            : page_text("deciding.m_above_ground_2", {{"law_height_m", config::to_text(law.height_m)}});
     return joined(
         marked(scenario, height, {"release.start_height_m"}), ", ",
         marked(scenario, joined(config::to_text(law.speed_mps), " m/s"), {"release.start_speed_mps"}), ", ",
-        marked(scenario, joined(config::to_text(scenario.start_dip_deg), "° below the horizon"),
+        marked(scenario,
+               page_text("deciding.below_the_horizon_2",
+                         {{"start_dip_deg", config::to_text(scenario.start_dip_deg)}}),
                {"release.start_dip_deg"}));
 }
 
 std::string spread_of_directions(const Scenario& scenario) {
     if (!scenario.profile.empty()) {
-        return "none: two dimensions";
+        return page_text("deciding.none_two_dimensions");
     }
-    const std::string start = marked(
-        scenario,
-        joined("±", config::to_text(scenario.start_scatter_deg), "° around the fall line at the start"),
-        {"release.start_scatter_deg"});
+    const std::string start =
+        marked(scenario,
+               page_text("deciding.around_the_fall_line_at_the",
+                         {{"start_scatter_deg", config::to_text(scenario.start_scatter_deg)}}),
+               {"release.start_scatter_deg"});
     const rockfall::WrittenLaw& law = scenario.rockfall.written;
     switch (scenario.rockfall.fall.motion.model) {
         case rockfall::MotionModel::pir3d:
-            return joined(start, ", at impacts as the soils of PiR3D say",
-                          marked(scenario, "", {"pir3d.spread", "pir3d.uncertainty", "terrain.soils"}));
+            return page_text(
+                "deciding.at_impacts_as_the_soils_of",
+                {{"start", start},
+                 {"marked", marked(scenario, "", {"pir3d.spread", "pir3d.uncertainty", "terrain.soils"})}});
         case rockfall::MotionModel::classical:
             return joined(
                 start, ", ",
-                marked(scenario, joined("±", config::to_text(law.classical_lateral_deg), "° at impacts"),
+                marked(scenario,
+                       page_text("deciding.at_impacts",
+                                 {{"law_classical_lateral_deg", config::to_text(law.classical_lateral_deg)}}),
                        {"classical.lateral_deg"}));
         case rockfall::MotionModel::picus:
             break;
@@ -159,8 +175,9 @@ std::string spread_of_directions(const Scenario& scenario) {
     return joined(
         start, ", ",
         marked(scenario,
-               joined("at impacts ±", config::to_text(law.lateral_slow_deg), "° (slow) to ±",
-                      config::to_text(law.lateral_fast_deg), "° (fast rocks)"),
+               page_text("deciding.at_impacts_slow_to_fast_rocks",
+                         {{"law_lateral_slow_deg", config::to_text(law.lateral_slow_deg)},
+                          {"law_lateral_fast_deg", config::to_text(law.lateral_fast_deg)}}),
                {"rockfall.lateral_slow_deg", "rockfall.lateral_fast_deg", "rockfall.lateral_fast_mps"}));
 }
 
@@ -170,14 +187,20 @@ std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSo
     const std::string density = marked_over(
         scenario, sources, [](const StartLaw& law) { return law.density_kgpm3; }, 0, " kg/m³",
         "release.density_kgpm3");
-    std::string html = fact("Rocks", marked(scenario, rocks, {"release.rocks", "release.rocks_per_source"}));
-    html += fact("Rock diameter", sizes.empty() ? size_of_rocks(scenario, sources) : sizes);
-    html += fact("Rock density", density);
-    html += fact("Start", by_source ? start_with_own(scenario, sources) : start_of_rocks(scenario));
-    html += fact("Spread of directions", spread_of_directions(scenario));
-    html += fact("Motion", marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
-    html += fact("Settings", marked(scenario, escaped(scenario.preset), {"rockfall.preset"}));
-    return joined(html, fact("Random seed", marked(scenario, std::to_string(scenario.seed), {"run.seed"})));
+    std::string html = fact(page_text("common.rocks"),
+                            marked(scenario, rocks, {"release.rocks", "release.rocks_per_source"}));
+    html +=
+        fact(page_text("deciding.rock_diameter"), sizes.empty() ? size_of_rocks(scenario, sources) : sizes);
+    html += fact(page_text("deciding.rock_density"), density);
+    html += fact(page_text("deciding.start"),
+                 by_source ? start_with_own(scenario, sources) : start_of_rocks(scenario));
+    html += fact(page_text("deciding.spread_of_directions"), spread_of_directions(scenario));
+    html +=
+        fact(page_text("deciding.motion"), marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
+    html +=
+        fact(page_text("common.settings"), marked(scenario, escaped(scenario.preset), {"rockfall.preset"}));
+    return joined(html, fact(page_text("common.random_seed"),
+                             marked(scenario, std::to_string(scenario.seed), {"run.seed"})));
 }
 
 }  // namespace coupling::report

@@ -4,6 +4,7 @@
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::report {
 namespace {
@@ -25,10 +26,7 @@ std::string energy_rates_table(const std::string& first_head, std::span<const En
     for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
         head.push_back(joined("above ", kj_text(i), "\u00a0kJ"));
     }
-    HtmlTable table{
-        "Rocks above an energy, per 1000 rocks released; in brackets the 95 % interval. Unlike a mean or a "
-        "percentile of those that arrive, this counts the rocks that are stopped too.",
-        head};
+    HtmlTable table{page_text("energy_rates.rocks_above_an_energy_per_1000"), head};
     for (const EnergyRates& row : rows) {
         std::vector<std::string> cells{row.name};
         for (const Share& share : row.above) {

@@ -5,6 +5,7 @@
 #include "config/errors/brief.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::report {
 namespace {
@@ -22,7 +23,7 @@ std::string items_of(const std::vector<std::string>& lines, std::size_t first, s
 }  // namespace
 
 std::string first_warnings(const config::Warnings& warnings) {
-    return first_warnings(warnings.sentences(), "the section Warnings lists all");
+    return first_warnings(warnings.sentences(), page_text("first_warnings.the_section_warnings_lists_all"));
 }
 
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where) {
@@ -32,12 +33,18 @@ std::string first_warnings(const std::vector<std::string>& sentences, const std:
     }
     const std::vector<std::string> lines = config::brief(sentences, where);
     const std::size_t open = lines.size() == most + 1 ? lines.size() : std::min(most, lines.size());
-    std::string html = joined(
-        "<section class=\"alert\" aria-label=\"Warnings\"><b>", std::to_string(sentences.size()),
-        sentences.size() == 1 ? " warning" : " warnings", " about this run</b>", items_of(lines, 0, open));
+    std::string html =
+        joined("<section class=\"alert\" aria-label=\"", page_text("common.warnings"), "\">",
+               page_text("first_warnings.about_this_run",
+                         {{"sentences", std::to_string(sentences.size())},
+                          {"part", sentences.size() == 1 ? page_text("first_warnings.warning")
+                                                         : page_text("first_warnings.warnings")},
+                          {"lines_open", items_of(lines, 0, open)}}));
     if (open < lines.size()) {
-        html += joined("<details><summary>", std::to_string(lines.size() - open), " more</summary>",
-                       items_of(lines, open, lines.size()), "</details>");
+        html +=
+            joined("<details><summary>",
+                   page_text("first_warnings.more", {{"lines_open", std::to_string(lines.size() - open)}}),
+                   "</summary>", items_of(lines, open, lines.size()), "</details>");
     }
     return joined(html, "</section>\n");
 }

@@ -6,6 +6,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::report {
 namespace {
@@ -30,35 +31,35 @@ std::string rock_size(const Scenario& scenario) {
             const auto [low, high] =
                 std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
             return low == scenario.diameter_classes_m.end()
-                       ? "in classes"
-                       : joined(config::to_text(*low), " to ", config::to_text(*high), " m, in classes");
+                       ? page_text("listings.in_classes")
+                       : page_text("listings.to_m_in_classes",
+                                   {{"low", config::to_text(*low)}, {"high", config::to_text(*high)}});
         }
         case DiameterKind::uniform:
-            return joined(config::to_text(scenario.diameter_low_m), " to ",
-                          config::to_text(scenario.diameter_high_m), " m");
+            return page_text("listings.to_m",
+                             {{"diameter_low_m", config::to_text(scenario.diameter_low_m)},
+                              {"diameter_high_m", config::to_text(scenario.diameter_high_m)}});
         case DiameterKind::lognormal:
             break;
     }
-    return joined("log-normal, mean ", config::to_text(scenario.diameter_m), " m");
+    return page_text("listings.log_normal_mean_m", {{"diameter_m", config::to_text(scenario.diameter_m)}});
 }
 
 std::string motion_in_words(const Scenario& scenario) {
     switch (scenario.rockfall.fall.motion.model) {
         case rockfall::MotionModel::pir3d:
-            return "PiR3D: rocks slide and do not spin, energies are those of translation alone";
+            return page_text("listings.pir3d_rocks_slide_and_do_not");
         case rockfall::MotionModel::classical:
-            return "Classical, constant restitution: rocks are points that do not spin, energies are those "
-                   "of "
-                   "translation alone";
+            return page_text("listings.classical_constant_restitution");
         case rockfall::MotionModel::picus:
             break;
     }
-    return "PICUS Rock’n’Roll: rocks jump, roll and spin";
+    return page_text("listings.picus_rock_n_roll_rocks_jump");
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {
     if (warnings.sentences().empty()) {
-        return "<p>None.</p>\n";
+        return joined("<p>", page_text("listings.none"), "</p>\n");
     }
     std::string html = "<ul class=\"notes\">";
     for (const std::string& sentence : warnings.sentences()) {
@@ -70,10 +71,11 @@ std::string list_of_warnings(const config::Warnings& warnings) {
 std::string table_of_settings(const Scenario& scenario,
                               const std::function<bool(const std::string&)>& is_shown) {
     if (scenario.options == nullptr) {
-        return "<p>Not recorded.</p>\n";
+        return joined("<p>", page_text("listings.not_recorded"), "</p>\n");
     }
-    HtmlTable table{"Settings marked with ● differ from the default.",
-                    {"setting", "value", "unit", "default", "meaning"}};
+    HtmlTable table{page_text("listings.settings_marked_with_differ"),
+                    {page_text("listings.setting"), page_text("common.value"), page_text("listings.unit"),
+                     page_text("common.default"), page_text("listings.meaning")}};
     table.text_columns({2, 4});
     std::string section;
     for (const config::ParameterRow& row : scenario.options->rows()) {
@@ -95,7 +97,9 @@ std::string table_of_settings(const Scenario& scenario,
 }
 
 std::string table_of_inputs(const std::vector<InputFile>& inputs) {
-    HtmlTable table{"", {"role", "file", "bytes", "hash"}};
+    HtmlTable table{"",
+                    {page_text("listings.role"), page_text("listings.file"), page_text("listings.bytes"),
+                     page_text("listings.hash")}};
     table.text_columns({1});
     for (const InputFile& file : inputs) {
         table.row({escaped(file.role), escaped(file.name), grouped(file.bytes),
@@ -105,7 +109,7 @@ std::string table_of_inputs(const std::vector<InputFile>& inputs) {
 }
 
 std::string table_of_files(std::string_view caption, const std::vector<WrittenFile>& files) {
-    HtmlTable table{caption, {"file", "holds"}};
+    HtmlTable table{caption, {page_text("listings.file"), page_text("listings.holds")}};
     table.text_columns({1});
     for (const WrittenFile& file : files) {
         table.row({joined("<code>", escaped(file.path), "</code>"), escaped(file.sentence)});
@@ -115,14 +119,11 @@ std::string table_of_files(std::string_view caption, const std::vector<WrittenFi
 
 std::string citation(const std::string& version, const Scenario& scenario) {
     return joined(
-        "<h2>How to cite</h2>\n<p>Bannwald ", escaped(version),
-        ": rockfall through forests on real terrain, GPL-3.0-or-later. Scenario ",
-        escaped(scenario.file.filename().string()), ", seed ", std::to_string(scenario.seed),
-        ". The rockfall model follows Rammer, W., Brauner, M., Dorren, L. K. A., Berger, F., Lexer, M. J. "
-        "(2010): "
-        "Evaluation of a 3-D rockfall module within a forest patch model. Natural Hazards and Earth "
-        "System Sciences "
-        "10, 699–711.</p>\n");
+        "<h2>", page_text("listings.how_to_cite"), "</h2>\n<p>",
+        page_text("listings.bannwald_rockfall_through", {{"version", escaped(version)},
+                                                         {"file", escaped(scenario.file.filename().string())},
+                                                         {"seed", std::to_string(scenario.seed)}}),
+        "</p>\n");
 }
 
 }  // namespace coupling::report

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::report {
 namespace {
@@ -27,7 +28,8 @@ Axis percent_axis(std::string title, double least, double most) {
     Axis axis;
     axis.low = std::floor(from / step + 1e-9) * step;
     axis.high = std::ceil(most / step - 1e-9) * step;
-    axis.title = joined(title, " (axis from ", tick_text(axis.low), " on)");
+    axis.title =
+        page_text("percent_axis.axis_from_on", {{"title", title}, {"axis_low", tick_text(axis.low)}});
     return axis;
 }
 

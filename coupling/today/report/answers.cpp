@@ -7,6 +7,7 @@
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
@@ -15,7 +16,8 @@ namespace {
 using config::joined;
 
 std::string interval_text(const Interval& interval) {
-    return joined(percent(interval.low), " to ", percent(interval.high));
+    return page_text("today.answers.to",
+                     {{"interval_low", percent(interval.low)}, {"interval_high", percent(interval.high)}});
 }
 
 /// The shares of both slopes as bars with their intervals.
@@ -27,50 +29,54 @@ std::string share_bars(const TargetFigures& target, const std::vector<Cover>& co
         most = std::max(most, target.at(cover).share.interval.high);
     }
     const double per_share = most > 0.0 ? length / most : 0.0;
-    std::string svg = joined("<svg class=\"bars\" viewBox=\"0 0 440 ",
-                             place(34.0 * static_cast<double>(covers.size()) + 6.0),
-                             "\" role=\"img\" aria-label=\"share of rocks that arrive\">");
+    std::string svg = joined(
+        "<svg class=\"bars\" viewBox=\"0 0 440 ", place(34.0 * static_cast<double>(covers.size()) + 6.0),
+        "\" role=\"img\" aria-label=\"", page_text("today.answers.share_of_rocks_that_arrive"), "\">");
     double y = 6.0;
     for (const Cover cover : covers) {
         const Share& share = target.at(cover).share;
         const double low = left + per_share * share.interval.low;
         const double high = left + per_share * share.interval.high;
-        svg += joined("<text text-anchor=\"end\" x=\"", place(left - 8.0), "\" y=\"", place(y + 16.0), "\">",
-                      (cover == Cover::forest ? "with forest" : "bare slope"), "</text><rect class=\"",
-                      name_of(cover), "\" x=\"", place(left), "\" y=\"", place(y), "\" width=\"",
-                      place(per_share * share.value), "\" height=\"22\"/><path class=\"whisker\" d=\"M",
-                      place(low), " ", place(y + 11.0), "H", place(high), "M", place(low), " ",
-                      place(y + 6.0), "v10M", place(high), " ", place(y + 6.0), "v10\"/><text x=\"",
-                      place(high + 8.0), "\" y=\"", place(y + 16.0), "\">", percent(share.value), "</text>");
+        svg += joined(
+            "<text text-anchor=\"end\" x=\"", place(left - 8.0), "\" y=\"", place(y + 16.0), "\">",
+            (cover == Cover::forest ? page_text("common.with_forest") : page_text("common.bare_slope")),
+            "</text><rect class=\"", name_of(cover), "\" x=\"", place(left), "\" y=\"", place(y),
+            "\" width=\"", place(per_share * share.value), "\" height=\"22\"/><path class=\"whisker\" d=\"M",
+            place(low), " ", place(y + 11.0), "H", place(high), "M", place(low), " ", place(y + 6.0), "v10M",
+            place(high), " ", place(y + 6.0), "v10\"/><text x=\"", place(high + 8.0), "\" y=\"",
+            place(y + 16.0), "\">", percent(share.value), "</text>");
         y += 34.0;
     }
     return joined(svg, "</svg>");
 }
 
 std::string reaching(const Share& share) {
-    return joined("<b>", percent(share.value), "</b> of the rocks (", grouped(share.part), " of ",
-                  grouped(share.whole), ")");
+    return page_text("today.answers.of_the_rocks_of", {{"share", percent(share.value)},
+                                                       {"share_part", grouped(share.part)},
+                                                       {"share_whole", grouped(share.whole)}});
 }
 
 std::string protection_sentence(const TargetFigures& target) {
     if (!target.protection) {
-        return "No rock arrives over the bare slope: there is no danger here that the forest could lower.";
+        return page_text("today.answers.no_rock_arrives_over_the_bare");
     }
     if (too_few_for_protection(target.paired)) {
-        return joined("<b>No protection figure</b>: ", too_few_in_words(target.paired.bare()), ".");
+        return page_text("today.answers.no_protection_figure",
+                         {{"paired_bare", too_few_in_words(target.paired.bare())}});
     }
     const ProtectionEffect& effect = *target.protection;
     if (effect.one_sided) {
-        return joined("The forest stops <b>all of them</b>; with 95 % confidence at least ",
-                      percent(std::max(0.0, effect.interval.low)), ".");
+        return page_text("today.answers.the_forest_stops_all_of_them",
+                         {{"interval_low", percent(std::max(0.0, effect.interval.low))}});
     }
     if (effect.value < 0.0) {
-        return joined("With forest <b>more</b> rocks arrive here: protection effect <b>",
-                      percent(effect.value), "</b> (95 % interval ", interval_text(effect.interval), ").");
+        return page_text(
+            "today.answers.with_forest_more_rocks_arrive",
+            {{"effect", percent(effect.value)}, {"effect_interval", interval_text(effect.interval)}});
     }
-    return joined("The forest stops <b>", percent(effect.value),
-                  "</b> of the rocks that would arrive (95 % interval ", interval_text(effect.interval),
-                  ").");
+    return page_text(
+        "today.answers.the_forest_stops_of_the_rocks",
+        {{"effect", percent(effect.value)}, {"effect_interval", interval_text(effect.interval)}});
 }
 
 bool nothing_arrives(const TargetFigures& target) {
@@ -79,23 +85,32 @@ bool nothing_arrives(const TargetFigures& target) {
 
 std::string nothing(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
-    return joined("<p class=\"answer\"><b>No rock</b> of ", grouped(bare.whole), " arrives here",
-                  results.with_forest ? ", neither with today's forest nor over the bare slope"
-                                      : " over the bare slope",
-                  ". With 95 % confidence fewer than ", percent(bare.interval.high),
-                  " of rocks released like these would.</p>");
+    return joined(
+        "<p class=\"answer\">",
+        page_text("today.answers.no_rock_of_arrives_here_with_95",
+                  {{"bare_whole", grouped(bare.whole)},
+                   {"part", results.with_forest ? page_text("today.answers.neither_with_today_s_forest_nor")
+                                                : page_text("today.answers.over_the_bare_slope")},
+                   {"interval_high", percent(bare.interval.high)}}),
+        "</p>");
 }
 
 std::string answer(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
     if (!results.with_forest) {
-        return joined("<p class=\"answer\">", reaching(bare), " reach it over the bare slope (95 % interval ",
-                      interval_text(bare.interval),
-                      "). Only the bare slope is assessed: ", why_no_obstacles(results), ".</p>");
+        return joined("<p class=\"answer\">",
+                      page_text("today.answers.reach_it_over_the_bare_slope_95",
+                                {{"reaching_bare", reaching(bare)},
+                                 {"bare_interval", interval_text(bare.interval)},
+                                 {"why_no_obstacles", why_no_obstacles(results)}}),
+                      "</p>");
     }
-    return joined("<p class=\"answer\">", reaching(target.at(Cover::forest).share),
-                  " reach it with today's forest, ", reaching(bare), " over the bare slope. ",
-                  protection_sentence(target), "</p>");
+    return joined("<p class=\"answer\">",
+                  page_text("today.answers.reach_it_with_today_s_forest",
+                            {{"forest_share", reaching(target.at(Cover::forest).share)},
+                             {"reaching_bare", reaching(bare)},
+                             {"protection_sentence_target", protection_sentence(target)}}),
+                  "</p>");
 }
 
 /// "812 (790 to 834)"; an interval that is open upwards has too few rocks.
@@ -104,8 +119,11 @@ std::string with_interval(const Distribution& d) {
         return "–";
     }
     const bool open = std::isinf(d.p95_interval.high);
-    return joined(three_digits(d.p95), " <span class=\"soft\">(", three_digits(d.p95_interval.low),
-                  (open ? " or more" : joined(" to ", three_digits(d.p95_interval.high))), ")</span>");
+    return joined(
+        three_digits(d.p95), " <span class=\"soft\">(", three_digits(d.p95_interval.low),
+        (open ? page_text("today.answers.or_more")
+              : page_text("today.answers.to_2", {{"p95_interval_high", three_digits(d.p95_interval.high)}})),
+        ")</span>");
 }
 
 /// What happens beyond the rim of the terrain nobody knows.
@@ -116,30 +134,36 @@ std::string leaving(const RunResults& results, const Figures& figures) {
     if (bare.part + forest.part == 0) {
         return "";
     }
-    return joined("<p class=\"soft\">", percent(bare.value),
-                  " of the rocks leave the terrain over the bare slope",
-                  results.with_forest ? joined(", ", percent(forest.value), " with forest") : std::string{},
-                  ", over its rim or into a hole without heights: where they end is not known, and a target "
-                  "beyond counts none of them.</p>\n");
+    return joined("<p class=\"soft\">",
+                  page_text("today.answers.of_the_rocks_leave_the_terrain",
+                            {{"bare", percent(bare.value)},
+                             {"part", results.with_forest ? page_text("today.answers.with_forest",
+                                                                      {{"forest", percent(forest.value)}})
+                                                          : std::string{}}}),
+                  "</p>\n");
 }
 
 std::string figures_at(const TargetFigures& target, const std::vector<Cover>& covers) {
     HtmlTable table{"",
-                    {"at this target", "mean", "50 %", "90 %", "95 % (interval)", "98 %", "99 %", "largest"}};
+                    {page_text("today.answers.at_this_target"), page_text("common.mean"), "50 %", "90 %",
+                     page_text("today.answers.95_interval"), "98 %", "99 %", page_text("common.largest")}};
     struct Quantity {
         const char* name;
         Distribution ArrivalFigures::*values;
     };
-    constexpr std::array quantities{Quantity{"Energy, kJ", &ArrivalFigures::energy_kj},
-                                    Quantity{"Speed, m/s", &ArrivalFigures::speed_mps},
-                                    Quantity{"Height above ground, m", &ArrivalFigures::height_m}};
+    constexpr std::array quantities{Quantity{"common.energy_kj", &ArrivalFigures::energy_kj},
+                                    Quantity{"today.answers.speed_m_s", &ArrivalFigures::speed_mps},
+                                    Quantity{"common.height_above_ground_m", &ArrivalFigures::height_m}};
     for (const Quantity& quantity : quantities) {
-        table.group(quantity.name);
+        table.group(page_text(quantity.name));
         for (const Cover cover : covers) {
             const Distribution& d = target.at(cover).*quantity.values;
             const std::uint64_t rocks = target.at(cover).share.part;
-            table.row({joined(cover == Cover::forest ? "with forest" : "bare slope", " <small>(",
-                              grouped(rocks), rocks == 1 ? " rock" : " rocks", ")</small>"),
+            table.row({joined(cover == Cover::forest ? page_text("common.with_forest")
+                                                     : page_text("common.bare_slope"),
+                              " <small>(", grouped(rocks),
+                              rocks == 1 ? page_text("today.answers.rock") : page_text("today.answers.rocks"),
+                              ")</small>"),
                        three_digits(d.mean), three_digits(d.p50), three_digits(d.p90), with_interval(d),
                        three_digits(d.p98), three_digits(d.p99), three_digits(d.max)});
         }
@@ -153,11 +177,16 @@ std::string certainty(const TargetFigures& target, const RunResults& results) {
     std::string text = "<p class=\"soft\">";
     if (results.with_forest && target.protection) {
         const std::uint64_t turned = target.paired.only_forest;
-        text += joined("The forest stops ", grouped(target.paired.only_bare), " rocks that would arrive; ",
-                       grouped(turned), turned == 1 ? " arrives" : " arrive",
-                       " only because a tree or log deflected ", turned == 1 ? "it. " : "them. ");
+        text += page_text(
+            "today.answers.the_forest_stops_rocks_that",
+            {{"paired_only_bare", grouped(target.paired.only_bare)},
+             {"turned", grouped(turned)},
+             {"part", turned == 1 ? page_text("today.answers.arrives") : page_text("today.answers.arrive")},
+             {"part_2", turned == 1 ? page_text("today.answers.it") : page_text("today.answers.them")}});
     }
-    return joined(text, "To halve the uncertainty, simulate ", grouped(rocks_for_half(rocks)), " rocks.</p>");
+    return joined(page_text("today.answers.to_halve_the_uncertainty",
+                            {{"value", text}, {"rocks_for_half_rocks", grouped(rocks_for_half(rocks))}}),
+                  "</p>");
 }
 
 /// Whether the forest makes the rocks that still arrive look stronger, and what that means.
@@ -170,23 +199,24 @@ std::string effect_on_energy(const TargetFigures& target) {
 std::string rates_at(const TargetFigures& target, const std::vector<Cover>& covers) {
     std::vector<EnergyRates> rows;
     for (const Cover cover : covers) {
-        rows.push_back({cover == Cover::forest ? "with forest" : "bare slope", target.at(cover).above});
+        rows.push_back(
+            {cover == Cover::forest ? page_text("common.with_forest") : page_text("common.bare_slope"),
+             target.at(cover).above});
     }
-    return energy_rates_table("at this target", rows);
+    return energy_rates_table(page_text("today.answers.at_this_target"), rows);
 }
 
 std::string without_targets(const RunResults& results, const Figures& figures) {
     const SlopeFigures& bare = figures.at(Cover::bare);
-    std::string text =
-        "<section class=\"card\"><p class=\"answer\">No target was given, so nothing is counted at a road or "
-        "house. ";
+    std::string text = joined("<section class=\"card\"><p class=\"answer\">",
+                              page_text("today.answers.no_target_was_given_so_nothing"));
     if (results.with_forest) {
         const SlopeFigures& forest = figures.at(Cover::forest);
-        text += joined("With forest rocks run out <b>", three_digits(forest.run_out_m.mean),
-                       " m</b> on average (95 % of them at most ", three_digits(forest.run_out_m.p95),
-                       " m), over the bare slope ");
+        text += page_text("today.answers.with_forest_rocks_run_out_m_on",
+                          {{"run_out_m_mean", three_digits(forest.run_out_m.mean)},
+                           {"run_out_m_p95", three_digits(forest.run_out_m.p95)}});
     } else {
-        text += "Over the bare slope rocks run out ";
+        text += page_text("today.answers.over_the_bare_slope_rocks_run");
     }
     return joined(text, "<b>", three_digits(bare.run_out_m.mean),
                   " m</b> (95 %: ", three_digits(bare.run_out_m.p95), " m).</p></section>\n");
@@ -195,8 +225,9 @@ std::string without_targets(const RunResults& results, const Figures& figures) {
 }  // namespace
 
 std::string answers(const RunResults& results, const Figures& figures) {
-    std::string html = results.with_forest ? "<h2>What arrives, and what the forest stops</h2>\n"
-                                           : "<h2>What arrives</h2>\n";
+    std::string html = results.with_forest
+                           ? joined("<h2>", page_text("today.answers.what_arrives_and_what_the"), "</h2>\n")
+                           : joined("<h2>", page_text("today.answers.what_arrives"), "</h2>\n");
     if (figures.targets.empty()) {
         return html + without_targets(results, figures);
     }
@@ -211,17 +242,8 @@ std::string answers(const RunResults& results, const Figures& figures) {
                              rates_at(target, covers), figures_at(target, covers));
         html += "</section>\n";
     }
-    return joined(
-        html, leaving(results, figures),
-        "<p class=\"soft\">Energy is translation and rotation (pir3d, classical: translation alone) of a "
-        "rock where it "
-        "first meets the target; "
-        "height is that of "
-        "its underside, vertically above the ground. Intervals cover the chance in the simulated rocks, "
-        "not what the "
-        "terrain model, the tree list or the rockfall model get wrong. How often rocks break off is not "
-        "part of this "
-        "run: shares are per released rock, not per year.</p>\n");
+    return joined(html, leaving(results, figures), "<p class=\"soft\">",
+                  page_text("today.answers.energy_is_translation_and"), "</p>\n");
 }
 
 }  // namespace coupling::report

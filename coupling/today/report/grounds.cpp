@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
@@ -23,17 +24,17 @@ struct GroundColumn {
 constexpr std::array ground_columns{
     GroundColumn{"R<sub>N</sub>", &GroundFigures::r_n, 2},
     GroundColumn{"R<sub>T</sub>", &GroundFigures::r_t, 2},
-    GroundColumn{"stops at an impact, %", &GroundFigures::p_stop, 4},
-    GroundColumn{"caught while rolling, 1/m", &GroundFigures::rolling_stops_per_m, 4},
-    GroundColumn{"friction k", &GroundFigures::friction, 2},
+    GroundColumn{"today.grounds.stops_at_an_impact", &GroundFigures::p_stop, 4},
+    GroundColumn{"today.grounds.caught_while_rolling_1_m", &GroundFigures::rolling_stops_per_m, 4},
+    GroundColumn{"today.grounds.friction_k", &GroundFigures::friction, 2},
     GroundColumn{"β<sub>lim</sub>, °", &GroundFigures::threshold_deg, 1},
-    GroundColumn{"width of R at rest, %", &GroundFigures::dr_slow_percent, 1},
-    GroundColumn{"fast, %", &GroundFigures::dr_fast_percent, 1},
-    GroundColumn{"width of k at rest, %", &GroundFigures::dk_slow_percent, 1},
-    GroundColumn{"fast, %", &GroundFigures::dk_fast_percent, 1},
-    GroundColumn{"width of the angles at rest, °", &GroundFigures::angle_slow_deg, 1},
+    GroundColumn{"today.grounds.width_of_r_at_rest", &GroundFigures::dr_slow_percent, 1},
+    GroundColumn{"today.grounds.fast", &GroundFigures::dr_fast_percent, 1},
+    GroundColumn{"today.grounds.width_of_k_at_rest", &GroundFigures::dk_slow_percent, 1},
+    GroundColumn{"today.grounds.fast", &GroundFigures::dk_fast_percent, 1},
+    GroundColumn{"today.grounds.width_of_the_angles_at_rest", &GroundFigures::angle_slow_deg, 1},
     GroundColumn{"fast, °", &GroundFigures::angle_fast_deg, 1},
-    GroundColumn{"fast from, m/s", &GroundFigures::limit_mps, 1},
+    GroundColumn{"today.grounds.fast_from_m_s", &GroundFigures::limit_mps, 1},
 };
 
 bool any_has(const std::vector<GroundFigures>& grounds, double GroundFigures::*value) {
@@ -56,17 +57,14 @@ std::string shown(const GroundFigures& ground, const GroundColumn& column) {
 std::string caption_of(const RunResults& results) {
     switch (results.scenario.rockfall.fall.motion.model) {
         case rockfall::MotionModel::pir3d:
-            return "What PiR3D heeds of each ground type that occurs: its soil. Widths of R<sub>N</sub>, "
-                   "R<sub>T</sub> and k are relative to them and fall straight from rest to the speed named "
-                   "last.";
+            return page_text("today.grounds.what_pir3d_heeds_of_each_ground");
         case rockfall::MotionModel::classical:
-            return "What the classical model heeds of each ground type that occurs.";
+            return page_text("today.grounds.what_the_classical_model_heeds");
         case rockfall::MotionModel::picus:
             break;
     }
-    return joined(
-        "What PICUS heeds of each ground type that occurs; stopping for a rock of the mean diameter, ",
-        fixed(middle_diameter_m(results), 2), " m.");
+    return page_text("today.grounds.what_picus_heeds_of_each_ground",
+                     {{"middle_diameter_m", fixed(middle_diameter_m(results), 2)}});
 }
 
 }  // namespace
@@ -74,13 +72,14 @@ std::string caption_of(const RunResults& results) {
 std::string grounds(const RunResults& results) {
     const std::vector<GroundFigures> all = grounds_of(results);
     const bool has_soils = results.scenario.rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
-    std::vector<std::string> head{"Ground type", "code", "share of the area"};
+    std::vector<std::string> head{page_text("today.grounds.ground_type"), page_text("today.grounds.code"),
+                                  page_text("today.grounds.share_of_the_area")};
     if (has_soils) {
-        head.emplace_back("soil");
+        head.emplace_back(page_text("today.grounds.soil"));
     }
     for (const GroundColumn& column : ground_columns) {
         if (any_has(all, column.value)) {
-            head.emplace_back(column.head);
+            head.emplace_back(page_text(column.head));
         }
     }
     HtmlTable table{caption_of(results), head};
@@ -100,7 +99,8 @@ std::string grounds(const RunResults& results) {
         }
         table.row(cells);
     }
-    return joined("<h2>Ground</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+    return joined("<h2>", page_text("common.ground"), "</h2>\n<section class=\"card\">", table.html(),
+                  "</section>\n");
 }
 
 }  // namespace coupling::report

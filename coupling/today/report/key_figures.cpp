@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
@@ -28,49 +29,54 @@ std::string three(const Distribution& d) {
 using rockfall::StopReason;
 
 constexpr std::array key_figure_rows{
-    KeyFigure{"Rocks", [](const SlopeFigures& s) { return grouped(s.rocks); }},
-    KeyFigure{"Came to rest on the ground",
+    KeyFigure{"common.rocks", [](const SlopeFigures& s) { return grouped(s.rocks); }},
+    KeyFigure{"common.came_to_rest_on_the_ground",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::at_rest); }},
-    KeyFigure{"Caught by the roughness of the ground",
+    KeyFigure{"common.caught_by_the_roughness_of_the",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::caught); }},
-    KeyFigure{"Stopped at a tree", [](const SlopeFigures& s) { return stop_share(s, StopReason::tree); }},
-    KeyFigure{"Stopped at a lying log", [](const SlopeFigures& s) { return stop_share(s, StopReason::log); }},
-    KeyFigure{"Held by a net", [](const SlopeFigures& s) { return stop_share(s, StopReason::net); }},
-    KeyFigure{"Left the terrain (not stopped)",
+    KeyFigure{"today.key_figures.stopped_at_a_tree",
+              [](const SlopeFigures& s) { return stop_share(s, StopReason::tree); }},
+    KeyFigure{"today.key_figures.stopped_at_a_lying_log",
+              [](const SlopeFigures& s) { return stop_share(s, StopReason::log); }},
+    KeyFigure{"today.key_figures.held_by_a_net",
+              [](const SlopeFigures& s) { return stop_share(s, StopReason::net); }},
+    KeyFigure{"today.key_figures.left_the_terrain_not_stopped",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::left_terrain); }},
-    KeyFigure{"Given up (too many impacts, not stopped)",
+    KeyFigure{"today.key_figures.given_up_too_many_impacts_not",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::gave_up); }},
-    KeyFigure{"Run-out in plan, m: mean / 90 % / largest",
+    KeyFigure{"today.key_figures.run_out_in_plan_m_mean_90",
               [](const SlopeFigures& s) { return three(s.run_out_m); }},
-    KeyFigure{"Highest speed of a rock, m/s: mean / 90 % / largest",
+    KeyFigure{"today.key_figures.highest_speed_of_a_rock_m_s",
               [](const SlopeFigures& s) { return three(s.max_speed_mps); }},
-    KeyFigure{"Mean speed of a rock, m/s",
+    KeyFigure{"today.key_figures.mean_speed_of_a_rock_m_s",
               [](const SlopeFigures& s) { return three_digits(s.mean_speed_mps); }},
-    KeyFigure{"Highest energy of a rock, kJ: mean / 90 % / largest",
+    KeyFigure{"today.key_figures.highest_energy_of_a_rock_kj",
               [](const SlopeFigures& s) { return three(s.max_energy_kj); }},
-    KeyFigure{"Highest jump of a rock, m: mean / 90 % / largest",
+    KeyFigure{"today.key_figures.highest_jump_of_a_rock_m_mean",
               [](const SlopeFigures& s) { return three(s.max_height_m); }},
-    KeyFigure{"Mean height of all jumps, m",
+    KeyFigure{"today.key_figures.mean_height_of_all_jumps_m",
               [](const SlopeFigures& s) { return three_digits(s.jump_height_mean_m); }},
-    KeyFigure{"Ground impacts per rock",
+    KeyFigure{"common.ground_impacts_per_rock",
               [](const SlopeFigures& s) { return three_digits(s.ground_impacts_per_rock); }},
-    KeyFigure{"Rocks that hit a tree", [](const SlopeFigures& s) { return percent(s.hit_a_tree.value); }},
-    KeyFigure{"Tree hits per rock", [](const SlopeFigures& s) { return three_digits(s.tree_hits_per_rock); }},
-    KeyFigure{"Trees broken per rock",
+    KeyFigure{"today.key_figures.rocks_that_hit_a_tree",
+              [](const SlopeFigures& s) { return percent(s.hit_a_tree.value); }},
+    KeyFigure{"common.tree_hits_per_rock",
+              [](const SlopeFigures& s) { return three_digits(s.tree_hits_per_rock); }},
+    KeyFigure{"today.key_figures.trees_broken_per_rock",
               [](const SlopeFigures& s) { return three_digits(s.trees_broken_per_rock); }},
-    KeyFigure{"Energy taken by trees per rock, kJ",
+    KeyFigure{"today.key_figures.energy_taken_by_trees_per_rock",
               [](const SlopeFigures& s) { return three_digits(s.tree_energy_per_rock_kj); }},
-    KeyFigure{"Hits on lying logs per rock",
+    KeyFigure{"today.key_figures.hits_on_lying_logs_per_rock",
               [](const SlopeFigures& s) { return three_digits(s.log_hits_per_rock); }},
-    KeyFigure{"Logs broken per rock",
+    KeyFigure{"today.key_figures.logs_broken_per_rock",
               [](const SlopeFigures& s) { return three_digits(s.logs_broken_per_rock); }},
-    KeyFigure{"Energy taken by logs per rock, kJ",
+    KeyFigure{"today.key_figures.energy_taken_by_logs_per_rock",
               [](const SlopeFigures& s) { return three_digits(s.log_energy_per_rock_kj); }},
 };
 
 /// Sums over the trees of a diameter class.
 struct DiameterClass {
-    const char* name;
+    std::string name;
     double low_cm;
     std::uint64_t trees = 0;
     std::uint64_t hit = 0;
@@ -84,13 +90,13 @@ std::string share_text(std::uint64_t part, std::uint64_t whole) {
 }
 
 std::string trees_by_diameter(const RunResults& results) {
-    std::array<DiameterClass, 6> classes{{{"below 8 cm", 0.0},
-                                          {"8 to 20 cm", 8.0},
-                                          {"20 to 36 cm", 20.0},
-                                          {"36 to 52 cm", 36.0},
-                                          {"52 to 72 cm", 52.0},
-                                          {"72 cm and more", 72.0}}};
-    DiameterClass all{"all", 0.0};
+    std::array<DiameterClass, 6> classes{{{page_text("today.key_figures.below_8_cm"), 0.0},
+                                          {page_text("today.key_figures.8_to_20_cm"), 8.0},
+                                          {page_text("today.key_figures.20_to_36_cm"), 20.0},
+                                          {page_text("today.key_figures.36_to_52_cm"), 36.0},
+                                          {page_text("today.key_figures.52_to_72_cm"), 52.0},
+                                          {page_text("today.key_figures.72_cm_and_more"), 72.0}}};
+    DiameterClass all{page_text("common.all"), 0.0};
     for (std::size_t i = 0; i < results.site.trees.size(); ++i) {
         const rockfall::StemTally& tally = results.tally.stems[i];
         auto at = classes.begin();
@@ -105,12 +111,11 @@ std::string trees_by_diameter(const RunResults& results) {
             sums->energy_j += tally.energy_j;
         }
     }
-    HtmlTable table{
-        "Which trees take the energy: every tree is listed in tables/stems.csv. A hit counts as breaking if "
-        "it "
-        "exceeds the strength of the stem.",
-        {"Diameter at breast height", "trees", "hit at least once", "hits", "of them breaking",
-         "share of all energy taken"}};
+    HtmlTable table{page_text("today.key_figures.which_trees_take_the_energy"),
+                    {page_text("today.key_figures.diameter_at_breast_height"),
+                     page_text("today.key_figures.trees"), page_text("today.key_figures.hit_at_least_once"),
+                     page_text("today.key_figures.hits"), page_text("today.key_figures.of_them_breaking"),
+                     page_text("today.key_figures.share_of_all_energy_taken")}};
     const auto add = [&](const DiameterClass& c) {
         table.row({c.name, grouped(c.trees), grouped(c.hit), grouped(c.hits), share_text(c.broken, c.hits),
                    share_text(c.energy_j, all.energy_j)});
@@ -128,19 +133,21 @@ std::string trees_by_diameter(const RunResults& results) {
 
 std::string key_figures(const RunResults& results, const Figures& figures) {
     const std::vector<Cover> covers = covers_of(results);
-    std::vector<std::string> head{"All rocks"};
+    std::vector<std::string> head{page_text("common.all_rocks")};
     for (const Cover cover : covers) {
-        head.emplace_back(cover == Cover::forest ? "with forest" : "bare slope");
+        head.emplace_back(cover == Cover::forest ? page_text("common.with_forest")
+                                                 : page_text("common.bare_slope"));
     }
     HtmlTable table{"", head};
     for (const KeyFigure& row : key_figure_rows) {
-        std::vector<std::string> cells{row.name};
+        std::vector<std::string> cells{page_text(row.name)};
         for (const Cover cover : covers) {
             cells.push_back(row.value(figures.at(cover)));
         }
         table.row(cells);
     }
-    return joined("<h2>Key figures</h2>\n<section class=\"card\">", table.html(), "</section>\n",
+    return joined("<h2>", page_text("common.key_figures"), "</h2>\n<section class=\"card\">", table.html(),
+                  "</section>\n",
                   (results.with_forest && !results.site.trees.empty()
                        ? joined("<section class=\"card\">", trees_by_diameter(results), "</section>\n")
                        : ""));

@@ -6,6 +6,7 @@
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
@@ -25,8 +26,8 @@ public:
 
     void paths();
     /// A quantity on each slope in common colours, and what the forest changes.
-    void row(const char* stem, const char* name, const char* difference_unit, const char* meaning,
-             const char* about_effect);
+    void row(const char* stem, const std::string& name, const std::string& difference_unit,
+             const std::string& meaning, const std::string& about_effect);
     void rests_and_hits();
     [[nodiscard]] std::string about() const;
     [[nodiscard]] std::string html() const { return html_; }
@@ -36,7 +37,7 @@ private:
     [[nodiscard]] ValueRange common_range(const RasterKind& kind) const;
     std::string value_map(const RasterKind& kind, Cover cover, const ColourScale& scale,
                           const std::string& title, const std::string& group);
-    std::string difference_map(const RasterKind& kind, const char* unit, const std::string& group);
+    std::string difference_map(const RasterKind& kind, const std::string& unit, const std::string& group);
 
     const RunResults& results_;
     MapSheet sheet_;
@@ -79,15 +80,18 @@ void MapPage::paths() {
     if (results_.paths.empty()) {
         return;
     }
-    html_ += "<h3>Sampled paths</h3>\n<div class=\"halves\">";
+    html_ += joined("<h3>", page_text("today.maps.sampled_paths"), "</h3>\n<div class=\"halves\">");
     for (const Cover cover : covers_) {
         const std::vector<const rockfall::PathRecord*> drawn = drawn_paths(results_, cover);
-        const std::string caption = joined(grouped(drawn.size()), " of ", grouped(results_.rocks), " rocks",
-                                           covers_.size() > 1 ? ", the same ones on both slopes" : "",
-                                           "; colour and width by kinetic energy.");
-        html_ += sheet_.figure({title_of(cover), joined("Sampled paths, ", title_of(cover)),
-                                sheet_.paths(drawn), path_legend(), caption},
-                               MapSize::half);
+        const std::string caption = page_text(
+            "today.maps.of_rocks_colour_and_width_by",
+            {{"drawn", grouped(drawn.size())},
+             {"results_rocks", grouped(results_.rocks)},
+             {"part", covers_.size() > 1 ? page_text("today.maps.the_same_ones_on_both_slopes") : ""}});
+        html_ += sheet_.figure(
+            {title_of(cover), page_text("today.maps.sampled_paths_2", {{"title_of", title_of(cover)}}),
+             sheet_.paths(drawn), path_legend(), caption},
+            MapSize::half);
     }
     html_ += "</div>\n";
 }
@@ -109,7 +113,8 @@ std::string MapPage::value_map(const RasterKind& kind, Cover cover, const Colour
                          MapSize::third);
 }
 
-std::string MapPage::difference_map(const RasterKind& kind, const char* unit, const std::string& group) {
+std::string MapPage::difference_map(const RasterKind& kind, const std::string& unit,
+                                    const std::string& group) {
     const config::Raster<float> difference = difference_of(kind, results_);
     const auto share_where = [&](auto condition) {
         const auto cells = std::count_if(difference.values.begin(), difference.values.end(),
@@ -117,18 +122,20 @@ std::string MapPage::difference_map(const RasterKind& kind, const char* unit, co
         const auto those = std::count_if(difference.values.begin(), difference.values.end(), condition);
         return percent(cells == 0 ? 0.0 : static_cast<double>(those) / static_cast<double>(cells));
     };
-    const std::string caption = joined(
-        "Blue: less with forest, in ", share_where([](float v) { return v < 0.0F; }),
-        " of the cells that rocks pass; red: more, in ", share_where([](float v) { return v > 0.0F; }), ".");
+    const std::string caption =
+        page_text("today.maps.blue_less_with_forest_in_of_the",
+                  {{"share_where_return", share_where([](float v) { return v < 0.0F; })},
+                   {"share_where_return_2", share_where([](float v) { return v > 0.0F; })}});
     const ColourScale scale = ColourScale::difference(bulk_of(difference), unit);
     return sheet_.figure(
-        {"Forest effect (forest − bare)", joined(std::string{kind.meaning}, ", with forest minus bare slope"),
+        {page_text("today.maps.forest_effect_forest_bare"),
+         page_text("today.maps.with_forest_minus_bare_slope", {{"kind_meaning", std::string{kind.meaning}}}),
          sheet_.picture(difference, scale), scale.legend(next_legend()), caption, group},
         MapSize::third);
 }
 
-void MapPage::row(const char* stem, const char* name, const char* difference_unit, const char* meaning,
-                  const char* about_effect) {
+void MapPage::row(const char* stem, const std::string& name, const std::string& difference_unit,
+                  const std::string& meaning, const std::string& about_effect) {
     const RasterKind& kind = raster_kind(stem);
     if (kind.percentile && results_.histograms[index_of(Cover::bare)] == nullptr) {
         return;
@@ -149,33 +156,34 @@ void MapPage::rests_and_hits() {
     const RasterKind& rests = raster_kind("Nr_deposited");
     const ColourScale scale = scale_for(rests, common_range(rests));
     html_ += joined(
-        "<h3>Where rocks come to rest", results_.with_forest ? ", and where they hit trees" : "",
-        "</h3>\n<p class=\"soft\">Rocks that stop, and hits on trees, in each cell; colours by powers of "
-        "ten.</p>\n<div class=\"thirds\">");
+        "<h3>",
+        page_text("today.maps.where_rocks_come_to_rest",
+                  {{"part", results_.with_forest ? page_text("today.maps.and_where_they_hit_trees") : ""}}),
+        "</h3>\n<p class=\"soft\">", page_text("today.maps.rocks_that_stop_and_hits_on"),
+        "</p>\n<div class=\"thirds\">");
     for (const Cover cover : covers_) {
-        html_ += value_map(rests, cover, scale, joined("Come to rest, ", title_of(cover)), "Rocks at rest");
+        html_ += value_map(rests, cover, scale,
+                           page_text("today.maps.come_to_rest", {{"title_of", title_of(cover)}}),
+                           page_text("today.maps.rocks_at_rest"));
     }
     if (results_.with_forest) {
         const RasterKind& hits = raster_kind("Nr_tree_impacts");
         html_ += value_map(hits, Cover::forest,
                            scale_for(hits, range_of(raster_of(hits, results_, Cover::forest))),
-                           "Hits on trees", "Hits on trees");
+                           page_text("common.hits_on_trees"), page_text("common.hits_on_trees"));
     }
     html_ += "</div>\n";
 }
 
 std::string MapPage::about() const {
-    std::string text =
-        joined("North is up; coordinates and scale in metres; cells of ",
-               three_digits(results_.site.map_frame.cell_width_m),
-               " m. Light of the hillshade from the north-west, 45° high. Thin outlines: release sources. "
-               "Thick lines: targets.",
-               results_.site.nets.empty() ? "" : " Blue broken lines: nets.",
-               results_.with_forest ? " Colours of a forest effect end at its 99th percentile." : "");
+    std::string text = page_text(
+        "today.maps.north_is_up_coordinates_and",
+        {{"map_frame_cell_width_m", three_digits(results_.site.map_frame.cell_width_m)},
+         {"part", results_.site.nets.empty() ? "" : page_text("today.maps.blue_broken_lines_nets")},
+         {"part_2", results_.with_forest ? page_text("today.maps.colours_of_a_forest_effect_end") : ""}});
     if (sheet_.block() > 1) {
         const std::string side = std::to_string(sheet_.block());
-        text += joined(" The pictures show blocks of ", side, " × ", side,
-                       " cells, of each the value farthest from 0; the grids in rasters/ hold every cell.");
+        text += page_text("today.maps.the_pictures_show_blocks_of", {{"side", side}});
     }
     return text;
 }
@@ -190,20 +198,16 @@ std::string switch_for(const char* what) {
 std::string maps(const RunResults& results) {
     MapPage page{results};
     page.paths();
-    page.row("Reach_probability", "Reach probability", "points",
-             "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
-             "powers of ten.",
-             " For the forest effect both are shares of the same rocks.");
-    page.row("E_95", "Energy, 95th percentile", "kJ",
-             "Of the largest kinetic energy (translation and rotation; pir3d, classical: translation alone) "
-             "of each "
-             "rock in a cell: one rock in "
-             "twenty has more.",
-             " For the forest effect, no rock counts as no energy.");
-    page.row("Nr_passages", "Rocks that pass", "rocks",
-             "Each rock counts once in a cell; colours by powers of ten.", "");
+    page.row("Reach_probability", page_text("common.reach_probability"), "points",
+             page_text("common.rocks_that_pass_a_cell_in"),
+             page_text("today.maps.for_the_forest_effect_both_are"));
+    page.row("E_95", page_text("common.energy_95th_percentile"), "kJ",
+             page_text("today.maps.of_the_largest_kinetic_energy"),
+             page_text("today.maps.for_the_forest_effect_no_rock"));
+    page.row("Nr_passages", page_text("common.rocks_that_pass"), "rocks",
+             page_text("common.each_rock_counts_once_in_a_cell"), "");
     page.rests_and_hits();
-    return joined("<h2>Maps</h2>\n<p class=\"soft\">", page.about(),
+    return joined("<h2>", page_text("common.maps"), "</h2>\n<p class=\"soft\">", page.about(),
                   "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n<fieldset "
                   "class=\"switches\">",
                   switch_for("hillshade"), switch_for("sources"), switch_for("targets"), "</fieldset>\n",

@@ -5,6 +5,7 @@
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
@@ -26,38 +27,52 @@ std::size_t zones_of(const Site& site) {
 std::string why_no_obstacles(const RunResults& results) {
     const Scenario& scenario = results.scenario;
     if (scenario.trees.empty() && scenario.logs.empty()) {
-        return "neither trees nor logs were given";
+        return page_text("today.opening.neither_trees_nor_logs_were");
     }
     const std::string files =
-        joined(scenario.trees, scenario.trees.empty() || scenario.logs.empty() ? "" : " and ", scenario.logs);
-    return joined("no trees or logs are left: ", escaped(files), " list none on the terrain");
+        joined(scenario.trees, scenario.trees.empty() || scenario.logs.empty() ? "" : page_text("common.and"),
+               scenario.logs);
+    return page_text("today.opening.no_trees_or_logs_are_left_list", {{"files", escaped(files)}});
 }
 
 std::string opening(const RunResults& results, const Figures&) {
     const Scenario& scenario = results.scenario;
     const Site& site = results.site;
     const config::GridFrame& frame = site.map_frame;
-    std::string html = joined(
-        "<h1>", results.with_forest ? "Rockfall with and without forest" : "Rockfall over the bare slope",
-        "</h1>\n<p class=\"lead\">Scenario <b>", escaped(scenario.file.filename().string()),
-        "</b>: ", grouped(results.rocks), " rocks were released from ", grouped(site.sources.size()),
-        " places",
-        (results.with_forest
-             ? std::string{", each falling twice with the same random numbers: through the forest as it "
-                           "stands, lying logs included, and over the bare slope without either."}
-             : joined(" and fell over the bare slope: ", why_no_obstacles(results), ".")),
-        "</p>\n<dl class=\"facts\">");
-    html += fact("Terrain", joined(three_digits(frame.x_east_m() - frame.x_west_m), " × ",
-                                   three_digits(frame.y_north_m() - frame.y_south_m), " m, cells of ",
-                                   three_digits(frame.cell_width_m), " m"));
-    html += fact("Release", joined(grouped(site.sources.size()), " sources in ", grouped(zones_of(site)),
-                                   (zones_of(site) == 1 ? " zone" : " zones")));
-    html += fact("Trees", grouped(site.trees.size()));
+    std::string html =
+        joined("<h1>",
+               results.with_forest ? page_text("today.opening.rockfall_with_and_without")
+                                   : page_text("today.opening.rockfall_over_the_bare_slope"),
+               "</h1>\n<p class=\"lead\">",
+               page_text("today.opening.scenario_rocks_were_released",
+                         {{"file", escaped(scenario.file.filename().string())},
+                          {"rocks", grouped(results.rocks)},
+                          {"sources", grouped(site.sources.size())},
+                          {"part", (results.with_forest
+                                        ? std::string{page_text("today.opening.each_falling_twice_with_the")}
+                                        : page_text("today.opening.and_fell_over_the_bare_slope",
+                                                    {{"why_no_obstacles", why_no_obstacles(results)}}))}}),
+               "</p>\n<dl class=\"facts\">");
+    html += fact(page_text("today.opening.terrain"),
+                 page_text("today.opening.m_cells_of_m",
+                           {{"frame_x_west_m", three_digits(frame.x_east_m() - frame.x_west_m)},
+                            {"frame_y_south_m", three_digits(frame.y_north_m() - frame.y_south_m)},
+                            {"frame_cell_width_m", three_digits(frame.cell_width_m)}}));
+    html += fact(page_text("common.release"),
+                 page_text("today.opening.sources_in",
+                           {{"sources", grouped(site.sources.size())},
+                            {"zones_of", grouped(zones_of(site))},
+                            {"part", (zones_of(site) == 1 ? page_text("today.opening.zone")
+                                                          : page_text("today.opening.zones"))}}));
+    html += fact(page_text("today.opening.trees"), grouped(site.trees.size()));
     if (!site.logs.empty()) {
-        html += fact("Lying logs", grouped(site.logs.size()));
+        html += fact(page_text("today.opening.lying_logs"), grouped(site.logs.size()));
     }
     html += deciding_facts(scenario, site.sources, grouped(results.rocks));
-    return joined(html, fact("Program", joined("Bannwald ", escaped(results.version))), "</dl>\n");
+    return joined(html,
+                  fact(page_text("common.program"),
+                       page_text("common.bannwald", {{"version", escaped(results.version)}})),
+                  "</dl>\n");
 }
 
 }  // namespace coupling::report

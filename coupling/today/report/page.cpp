@@ -4,6 +4,7 @@
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
 #include "coupling/today/report/sections.hpp"
 
@@ -17,7 +18,8 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
         << page_scripts::policy(scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(results.version) << "\"/>\n<title>Rockfall with and without forest: " << name
+        << escaped(results.version)
+        << config::joined("\"/>\n<title>", page_text("today.page.rockfall_with_and_without")) << name
         << "</title>\n<style>" << style() << "</style>\n</head>\n<body>\n<main>\n"
         << first_warnings(results.warnings) << opening(results, figures) << answers(results, figures)
         << nets(results) << slope_view(results) << maps(results) << charts(results, figures)

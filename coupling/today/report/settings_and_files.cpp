@@ -1,6 +1,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
@@ -12,31 +13,30 @@ std::string projection_name(const std::string& text) {
     const std::size_t first = text.find('"');
     const std::size_t last = text.find('"', first + 1);
     return first == std::string::npos || last == std::string::npos
-               ? "none: the DEM has no .prj file, so the grids have none either"
+               ? page_text("today.settings_and_files.none_the_dem_has_no_prj_file_so")
                : text.substr(first + 1, last - first - 1);
 }
 
 }  // namespace
 
 std::string warnings(const RunResults& results) {
-    return joined("<h2>Warnings</h2>\n", list_of_warnings(results.warnings));
+    return joined("<h2>", page_text("common.warnings"), "</h2>\n", list_of_warnings(results.warnings));
 }
 
 std::string settings(const RunResults& results) {
-    return joined("<h2>Settings</h2>\n",
+    return joined("<h2>", page_text("common.settings"), "</h2>\n",
                   table_of_settings(results.scenario, [](const std::string&) { return true; }));
 }
 
 std::string sources_and_files(const RunResults& results, const std::vector<WrittenFile>& files) {
     return joined(
-        "<h2>Data</h2>\n<section class=\"card\"><p>Projection: <b>",
-        escaped(projection_name(results.site.projection)),
-        "</b>. Input files, named as in the scenario; please credit their owners as their licences "
-        "ask.</p>",
-        table_of_inputs(results.site.inputs),
-        "</section>\n<h2>Files of this run</h2>\n<section class=\"card\">",
-        table_of_files("Grids have their projection (.prj) and a QGIS style (.qml) beside them.", files),
-        "</section>\n", citation(results.version, results.scenario));
+        "<h2>", page_text("common.data"), "</h2>\n<section class=\"card\"><p>",
+        page_text("today.settings_and_files.projection_input_files_named_as",
+                  {{"projection_name_projection", escaped(projection_name(results.site.projection))}}),
+        "</p>", table_of_inputs(results.site.inputs), "</section>\n<h2>",
+        page_text("common.files_of_this_run"), "</h2>\n<section class=\"card\">",
+        table_of_files(page_text("common.grids_have_their_projection_prj"), files), "</section>\n",
+        citation(results.version, results.scenario));
 }
 
 }  // namespace coupling::report

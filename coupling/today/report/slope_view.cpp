@@ -2,6 +2,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/scene.hpp"
 #include "coupling/results/report/species_colours.hpp"
 #include "coupling/today/report/sections.hpp"
@@ -76,11 +77,8 @@ std::string slope_view(const RunResults& results) {
             scene.paths.push_back(paths[i]);
         }
     }
-    return joined(
-        "<h2>The slope in three dimensions</h2>\n",
-        scene_figure(scene,
-                     "This view needs scripts and WebGL. The maps below show the same ground, paths and "
-                     "targets from above."));
+    return joined("<h2>", page_text("common.the_slope_in_three_dimensions"), "</h2>\n",
+                  scene_figure(scene, page_text("today.slope_view.this_view_needs_scripts_and")));
 }
 
 }  // namespace coupling::report
