@@ -19,7 +19,7 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(results.version)
-        << config::joined("\"/>\n<title>", page_text("today.page.rockfall_with_and_without")) << name
+        << "\"/>\n<title>" << page_text("today.page.rockfall_with_and_without") << name
         << "</title>\n<style>" << style() << "</style>\n</head>\n<body>\n<main>\n"
         << first_warnings(results.warnings) << opening(results, figures) << answers(results, figures)
         << nets(results) << slope_view(results) << maps(results) << charts(results, figures)
