@@ -53,9 +53,9 @@ void declare_terrain(config::Options& options, Scenario& s) {
                  {.meaning = "instead: CSV with code, wkt (POLYGON); later rows lie on top"});
     options.text("terrain.surface_types", s.surface_types,
                  {.meaning = "CSV with code, label, r_n, r_t, p_stop; or code, name of a shipped type"});
-    options.text(
-        "terrain.soils", s.soils,
-        {.meaning = "CSV of soils of your own for pir3d, as `bannwald info pir3d_soils` shows them"});
+    options.text("terrain.soils", s.soils,
+                 {.meaning = "CSV of soils of your own, as `bannwald info pir3d_soils` shows them; for "
+                             "models that use soils"});
     options.text("terrain.stopping", s.stopping,
                  {.meaning = "CSV with code, diameter_m, p_stop; without it p_stop is scaled by size"});
     options.text(

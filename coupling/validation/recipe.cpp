@@ -182,12 +182,13 @@ private:
 
     /// A setting that would change nothing is worse than none.
     void refuse_what_profiles_lack() {
-        for (const char* key :
-             {"terrain.width_m", "terrain.channel_depth_m", "terrain.channel_half_width_m", "terrain.cell_m",
-              "terrain.relief_m", "terrain.relief_seed", "rockfall.lateral_slow_deg",
-              "rockfall.lateral_fast_deg", "rockfall.lateral_fast_mps", "rockfall.vertical_tolerance_m"}) {
+        std::vector<std::string> lacking = rockfall::sideways_settings();
+        lacking.insert(lacking.end(), {"terrain.width_m", "terrain.channel_depth_m",
+                                       "terrain.channel_half_width_m", "terrain.cell_m", "terrain.relief_m",
+                                       "terrain.relief_seed", "rockfall.vertical_tolerance_m"});
+        for (const std::string& key : lacking) {
             if (recipe_.options->was_set(key)) {
-                refuse(key, joined(std::string{key}, " on a profile"), "case.kind = slope for it");
+                refuse(key, joined(key, " on a profile"), "case.kind = slope for it");
             }
         }
     }
@@ -293,8 +294,7 @@ std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<st
     recipe->options->read(in, files.shown(recipe_file), overrides, "rockfall.preset");
     RecipeCheck{*recipe}.run();
     if (recipe->head.kind == CaseKind::profile) {
-        recipe->rockfall.written.lateral_slow_deg = 0.0;
-        recipe->rockfall.written.lateral_fast_deg = 0.0;
+        rockfall::stay_in_plane(recipe->rockfall);
     }
     rockfall::take_over(recipe->rockfall, *recipe->options);
     return recipe;

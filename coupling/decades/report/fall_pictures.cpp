@@ -9,6 +9,7 @@
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -64,20 +65,17 @@ std::vector<std::int32_t> shown_years(const CellsOfYears& sums) {
 struct Quantity {
     const char* stem;
     const char* name;
-    const char* meaning;
+    std::string meaning;
     const char* effect_unit;  ///< empty: no map of what the forest changes
 };
-constexpr std::array quantities{
+const std::array quantities{
     Quantity{"Reach_probability", "Reach probability",
              "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
              "powers of ten.",
              ""},
     Quantity{"E_mean", "Energy, mean",
-             "Of the largest kinetic energy (translation and rotation; pir3d, classical: translation alone) "
-             "of each "
-             "rock in a cell. For the "
-             "forest effect, "
-             "no rock counts as no energy.",
+             joined("Of the largest kinetic energy (", rockfall::what_energies_count(),
+                    ") of each rock in a cell. For the forest effect, no rock counts as no energy."),
              "kJ"},
     Quantity{"E_max", "Energy, largest", "Of any rock in a cell.", ""},
     Quantity{"Nr_passages", "Rocks that pass", "Each rock counts once in a cell; colours by powers of ten.",

@@ -11,6 +11,7 @@
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/rebin.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -201,10 +202,9 @@ std::string charts_along(const ProfileResults& results) {
             1.0,
             "Largest height of each rock in each stretch: of its underside, at right angles to the slope, "
             "so less than the vertical height of the key figures."),
-        envelope(results, "Kinetic energy", "Energy, kJ", rockfall::energy_bins, &StretchTally::energy_j,
-                 j_per_kj,
-                 "Largest energy of each rock in each stretch: translation and rotation (PiR3D: translation "
-                 "alone)."),
+        envelope(
+            results, "Kinetic energy", "Energy, kJ", rockfall::energy_bins, &StretchTally::energy_j, j_per_kj,
+            joined("Largest energy of each rock in each stretch (", rockfall::what_energies_count(), ").")),
         "</div>\n");
 }
 

@@ -9,6 +9,7 @@
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -248,10 +249,10 @@ std::string drawing(const ProfileResults& results) {
         place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"The profile at true vertical scale\">",
         axes_of(sheet), ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet),
         "</svg><p>",
-        (drawn == 0 ? std::string{"No paths were kept (output.sample_paths)."}
-                    : joined("Paths of the underside of ", report::grouped(drawn),
-                             " rocks, coloured by their kinetic energy (translation and rotation; PiR3D: "
-                             "translation alone).")),
+        (drawn == 0
+             ? std::string{"No paths were kept (output.sample_paths)."}
+             : joined("Paths of the underside of ", report::grouped(drawn),
+                      " rocks, coloured by their kinetic energy (", rockfall::what_energies_count(), ").")),
         "</p></figure>\n");
 }
 

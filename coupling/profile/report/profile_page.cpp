@@ -16,6 +16,7 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -84,13 +85,11 @@ std::string stations(const ProfileResults& results) {
         return "<h2>Stations</h2>\n<p>None given (profile.stations_m, profile.stations).</p>\n";
     }
     using namespace rockfall;
-    HtmlTable table{
-        "Energy is translation and rotation (pir3d, classical: translation alone); height is that of the "
-        "underside "
-        "above ground, vertical.",
-        {"Station", "at, m", "rocks that pass (95 % interval)", "energy, kJ: mean", "sd", "90 %", "95 %",
-         "99 %", "translation alone, kJ: mean", "speed, m/s: mean", "speed 95 %", "height, m: mean",
-         "height 95 %"}};
+    HtmlTable table{joined("Energy counts ", rockfall::what_energies_count(),
+                           "; height is that of the underside above ground, vertical."),
+                    {"Station", "at, m", "rocks that pass (95 % interval)", "energy, kJ: mean", "sd", "90 %",
+                     "95 %", "99 %", "translation alone, kJ: mean", "speed, m/s: mean", "speed 95 %",
+                     "height, m: mean", "height 95 %"}};
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const StationTally& tally = results.tally.stations[i];
         const auto energy_kj = [&](double share) {
@@ -162,6 +161,8 @@ figure.map .grid{stroke:#d5d9d4}figure.map .axis{stroke:#1d2528}
 
 void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
     const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
+    const std::vector<std::string> turns = rockfall::sideways_settings();
+    const std::set<std::string> set_to_none{turns.begin(), turns.end()};
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         << page_scripts::policy(scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
@@ -173,10 +174,9 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         << report::first_warnings(results.warnings) << opening(results) << drawing(results)
         << charts_along(results) << stations(results) << key_figures(results) << "<h2>Warnings</h2>\n"
         << report::list_of_warnings(results.warnings) << "<h2>Settings</h2>\n"
-        << report::table_of_settings(results.scenario,
-                                     [](const std::string& key) {
-                                         return !plays_no_part(key) || key.starts_with("rockfall.lateral");
-                                     })
+        << report::table_of_settings(
+               results.scenario,
+               [&](const std::string& key) { return !plays_no_part(key) || set_to_none.contains(key); })
         << "<h2>Data</h2>\n<section class=\"card\"><p>Input files, named as in the scenario; please credit "
            "their "
            "owners as their licences ask.</p>"

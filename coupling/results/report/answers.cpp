@@ -8,6 +8,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::report {
 namespace {
@@ -212,12 +213,9 @@ std::string answers(const RunResults& results, const Figures& figures) {
         html += "</section>\n";
     }
     return joined(
-        html, leaving(results, figures),
-        "<p class=\"soft\">Energy is translation and rotation (pir3d, classical: translation alone) of a "
-        "rock where it "
-        "first meets the target; "
-        "height is that of "
-        "its underside, vertically above the ground. Intervals cover the chance in the simulated rocks, "
+        html, leaving(results, figures), "<p class=\"soft\">Energy (", rockfall::what_energies_count(),
+        ") is that of a rock where it first meets the target; height is that of its underside, vertically "
+        "above the ground. Intervals cover the chance in the simulated rocks, "
         "not what the "
         "terrain model, the tree list or the rockfall model get wrong. How often rocks break off is not "
         "part of this "

@@ -143,25 +143,8 @@ std::string spread_of_directions(const Scenario& scenario) {
         scenario,
         joined("±", config::to_text(scenario.start_scatter_deg), "° around the fall line at the start"),
         {"release.start_scatter_deg"});
-    const rockfall::WrittenLaw& law = scenario.rockfall.written;
-    switch (scenario.rockfall.fall.motion.model) {
-        case rockfall::MotionModel::pir3d:
-            return joined(start, ", at impacts as the soils of PiR3D say",
-                          marked(scenario, "", {"pir3d.spread", "pir3d.uncertainty", "terrain.soils"}));
-        case rockfall::MotionModel::classical:
-            return joined(
-                start, ", ",
-                marked(scenario, joined("±", config::to_text(law.classical_lateral_deg), "° at impacts"),
-                       {"classical.lateral_deg"}));
-        case rockfall::MotionModel::picus:
-            break;
-    }
-    return joined(
-        start, ", ",
-        marked(scenario,
-               joined("at impacts ±", config::to_text(law.lateral_slow_deg), "° (slow) to ±",
-                      config::to_text(law.lateral_fast_deg), "° (fast rocks)"),
-               {"rockfall.lateral_slow_deg", "rockfall.lateral_fast_deg", "rockfall.lateral_fast_mps"}));
+    const rockfall::SidewaysTurn turn = rockfall::sideways_turn(scenario.rockfall);
+    return joined(start, ", ", marked(scenario, turn.words, turn.settings));
 }
 
 std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSource>& sources,

@@ -178,17 +178,8 @@ std::string rock_size(const Scenario& scenario) {
 }
 
 std::string motion_in_words(const Scenario& scenario) {
-    switch (scenario.rockfall.fall.motion.model) {
-        case rockfall::MotionModel::pir3d:
-            return "PiR3D: rocks slide and do not spin, energies are those of translation alone";
-        case rockfall::MotionModel::classical:
-            return "Classical, constant restitution: rocks are points that do not spin, energies are those "
-                   "of "
-                   "translation alone";
-        case rockfall::MotionModel::picus:
-            break;
-    }
-    return "PICUS Rock’n’Roll: rocks jump, roll and spin";
+    const rockfall::ModelDescription& model = rockfall::description_of(scenario.rockfall.fall.motion.model);
+    return joined(model.title, ": ", model.rocks);
 }
 
 std::string why_no_obstacles(const RunResults& results) {

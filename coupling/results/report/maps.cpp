@@ -7,6 +7,7 @@
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/sections.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::report {
 namespace {
@@ -25,7 +26,7 @@ public:
 
     void paths();
     /// A quantity on each slope in common colours, and what the forest changes.
-    void row(const char* stem, const char* name, const char* difference_unit, const char* meaning,
+    void row(const char* stem, const char* name, const char* difference_unit, const std::string& meaning,
              const char* about_effect);
     void rests_and_hits();
     [[nodiscard]] std::string about() const;
@@ -127,7 +128,7 @@ std::string MapPage::difference_map(const RasterKind& kind, const char* unit, co
         MapSize::third);
 }
 
-void MapPage::row(const char* stem, const char* name, const char* difference_unit, const char* meaning,
+void MapPage::row(const char* stem, const char* name, const char* difference_unit, const std::string& meaning,
                   const char* about_effect) {
     const RasterKind& kind = raster_kind(stem);
     if (kind.percentile && results_.histograms[index_of(Cover::bare)] == nullptr) {
@@ -195,10 +196,8 @@ std::string maps(const RunResults& results) {
              "powers of ten.",
              " For the forest effect both are shares of the same rocks.");
     page.row("E_95", "Energy, 95th percentile", "kJ",
-             "Of the largest kinetic energy (translation and rotation; pir3d, classical: translation alone) "
-             "of each "
-             "rock in a cell: one rock in "
-             "twenty has more.",
+             joined("Of the largest kinetic energy (", rockfall::what_energies_count(),
+                    ") of each rock in a cell: one rock in twenty has more."),
              " For the forest effect, no rock counts as no energy.");
     page.row("Nr_passages", "Rocks that pass", "rocks",
              "Each rock counts once in a cell; colours by powers of ten.", "");
