@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <tuple>
 
 #include "config/options/options.hpp"
 #include "rockfall/fall.hpp"
@@ -18,14 +18,17 @@ struct GroundLaw {
 
 /// Settings that users write in another form than the laws use them: angles in degrees, counts.
 struct WrittenLaw {
-    double jump_angle_coefficient_deg = 80.0;
-    double jump_angle_cap_deg = 60.0;
-    double lateral_slow_deg = 16.0;
-    double lateral_fast_deg = 11.0;
-    double rolling_edge_deg = 4.0;
-    double classical_lateral_deg = 11.0;
-    double classical_friction_deg = 30.0;
-    std::uint64_t most_impacts = 20'000;
+    SharedSettings shared;
+    EachModel<WrittenOf>::type of_models;
+
+    template <class Model>
+    [[nodiscard]] auto& of() {
+        return std::get<place_in_list<Model>>(of_models);
+    }
+    template <class Model>
+    [[nodiscard]] const auto& of() const {
+        return std::get<place_in_list<Model>>(of_models);
+    }
 };
 
 /// All rockfall settings that a user can change, with their defaults.
@@ -36,13 +39,20 @@ struct Parameters {
     WrittenLaw written;
 };
 
-/// Declares the settings [rockfall], [pir3d], [classical], [tree_impact] and [log_impact]; each carries its
-/// presets `strict`, `paper_rebound`, `paper_initial`. After reading, `take_over` brings the laws up to date.
+/// Declares the settings [rockfall], those of each motion model, [tree_impact] and [log_impact]; each
+/// carries its presets `strict`, `paper_rebound`, `paper_initial`. After reading, `take_over` brings the laws
+/// up to date.
 void declare(config::Options& options, Parameters& parameters);
 
 /// Turns what users wrote into what the laws use. Throws InputError (settings) where settings contradict each
 /// other.
 void take_over(Parameters& parameters, const config::Options& options);
+
+/// Makes rocks stay in their vertical plane under every motion model; to be called before `take_over`.
+void stay_in_plane(Parameters& parameters);
+
+/// How the chosen model turns rocks sideways at impacts.
+SidewaysTurn sideways_turn(const Parameters& parameters);
 
 /// The shipped deviation matrix (config/data/tree_deviation.csv).
 DeviationMatrix shipped_deviation_matrix();

@@ -18,4 +18,9 @@ struct Rock {
     }
 };
 
+/// Kinetic energy of translation and rotation.
+inline double kinetic_energy_j(const Rock& rock, double squared_speed, double spin_radps) {
+    return 0.5 * rock.mass_kg * squared_speed + 0.5 * rock.inertia_kgm2 * spin_radps * spin_radps;
+}
+
 }  // namespace rockfall

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "rockfall/motion/pir3d/soil.hpp"
 #include "rockfall/motion/restitution.hpp"
+#include "rockfall/motion/soil.hpp"
 #include "rockfall/motion/stopping.hpp"
 #include "rockfall/terrain/surface.hpp"
 #include "rockfall/terrain/terrain.hpp"
@@ -16,10 +16,10 @@ namespace rockfall {
 struct SurfaceType {
     int code = 0;  ///< in the user's surface grid
     std::string label;
-    Restitution restitution;          ///< published coefficients, below the reference speed
-    StopCurve stopping;               ///< probability that a ground impact stops a rock [-]
-    StopCurve rolling_stops_per_m;    ///< rate at which a rolling rock is caught [1/m]
-    std::optional<pir3d::Soil> soil;  ///< what PiR3D knows of it; that model needs it
+    Restitution restitution;        ///< published coefficients, below the reference speed
+    StopCurve stopping;             ///< probability that a ground impact stops a rock [-]
+    StopCurve rolling_stops_per_m;  ///< rate at which a rolling rock is caught [1/m]
+    std::optional<Soil> soil;       ///< for motion models that take the ground from soils
 };
 
 /// The ground that rocks fall on.

@@ -392,7 +392,8 @@ private:
 template <class Observer>
 FallEnd fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, const config::StreamKey& key,
              const RockStart& start, FallScratch& scratch, Observer& observer) {
-    return with_model(law.motion, [&]<class Motion>(std::type_identity<Motion>, const auto& settings) {
+    return with_model(law.motion, [&]<class Model>(std::type_identity<Model>, const auto& settings) {
+        using Motion = typename Model::Motion;
         return Fall<Motion, Observer>{slope, obstacles, law,     Motion{settings, key, start.rock},
                                       key,   start,     scratch, observer}
             .run();

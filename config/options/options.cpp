@@ -34,13 +34,20 @@ std::string list_of_words(const std::vector<std::string>& words, const std::stri
 
 }  // namespace
 
+std::string to_string(const Renaming& renaming) {
+    return to_string(
+        Problem{.place = renaming.place,
+                .found = std::string{renaming.formerly}.append(" is renamed to ").append(renaming.key),
+                .advice = "it works as before, but write the new name"});
+}
+
 Options::Options() = default;
 Options::~Options() = default;
 Options::Options(Options&&) noexcept = default;
 Options& Options::operator=(Options&&) noexcept = default;
 
 void Options::declare(Parameter parameter) {
-    assert(find(parameter.key) == nullptr);
+    assert(find(parameter.key) == nullptr && present_name(parameter.key) == parameter.key);
     parameter.default_text = parameter.get();
     assert(parameter.accepts(parameter.default_text));
     for ([[maybe_unused]] const Preset& preset : parameter.info.presets) {
@@ -133,6 +140,24 @@ const Options::Parameter* Options::find(const std::string& key) const {
     return found == parameters_.end() ? nullptr : &*found;
 }
 
+std::string Options::present_name(const std::string& key) const {
+    const auto found = std::find_if(parameters_.begin(), parameters_.end(), [&](const Parameter& parameter) {
+        return !parameter.info.formerly.empty() && parameter.info.formerly == key;
+    });
+    return found == parameters_.end() ? key : found->key;
+}
+
+void Options::rename(IniEntry& entry) {
+    const std::string formerly = entry.key();
+    const std::string key = present_name(formerly);
+    if (key != formerly) {
+        renamings_.push_back({entry.key_place, formerly, key});
+        const std::size_t dot = key.rfind('.');
+        entry.section = key.substr(0, dot);
+        entry.name = key.substr(dot + 1);
+    }
+}
+
 std::vector<std::string> Options::section_names() const {
     std::vector<std::string> sections;
     for (const Parameter& parameter : parameters_) {
@@ -151,12 +176,13 @@ std::string Options::legal_keys_near(const IniEntry& entry) const {
             return in_quotes(parameter.key);
         }
         keys.push_back(parameter.key);
+        keys.push_back(parameter.info.formerly.empty() ? parameter.key : parameter.info.formerly);
         if (parameter.section() == entry.section) {
             names_of_section.push_back(parameter.name());
         }
     }
     if (const std::string nearest = nearest_word(entry.key(), keys); !nearest.empty()) {
-        return in_quotes(nearest);
+        return in_quotes(present_name(nearest));
     }
     if (!names_of_section.empty()) {
         return std::string{"a key of ["}
@@ -218,6 +244,10 @@ void Options::read(std::istream& in, const std::string& file, const std::vector<
                    const std::string& preset_key) {
     Problems problems;
     std::vector<IniEntry> entries = read_ini(in, file, problems);
+    renamings_.clear();
+    for (IniEntry& entry : entries) {
+        rename(entry);
+    }
     std::map<std::string, std::size_t> lines;
     for (const IniEntry& entry : entries) {
         const auto [first, is_new] = lines.emplace(entry.key(), entry.key_place.line);
@@ -231,7 +261,10 @@ void Options::read(std::istream& in, const std::string& file, const std::vector<
         }
     }
     for (const std::string& text : overrides) {
-        const std::vector<IniEntry> entry = read_override(text, problems);
+        std::vector<IniEntry> entry = read_override(text, problems);
+        for (IniEntry& assignment : entry) {
+            rename(assignment);
+        }
         entries.insert(entries.end(), entry.begin(), entry.end());
     }
     const auto declared_end = std::stable_partition(

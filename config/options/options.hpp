@@ -29,6 +29,7 @@ struct ParameterInfo {
     std::string meaning{};
     std::string source{};           ///< paper and equation, or "choice"
     std::vector<Preset> presets{};  ///< values in named sets other than the default one
+    std::string formerly{};         ///< earlier name of the key, still read; empty: none
 };
 
 /// A declared parameter as text, for listings.
@@ -52,6 +53,16 @@ struct FreeEntry {
     std::string value;
     Place place;
 };
+
+/// An assignment by the earlier name of a key.
+struct Renaming {
+    Place place;
+    std::string formerly;
+    std::string key;
+};
+
+/// "scenario.ini:12:1: rockfall.rt_noise is renamed to picus.rt_noise; ...": what was found and what to do.
+std::string to_string(const Renaming& renaming);
 
 struct IniEntry;
 
@@ -113,6 +124,11 @@ public:
     /// What stood in the sections left free, in the order of the file.
     [[nodiscard]] const std::vector<FreeEntry>& free_entries() const { return free_entries_; }
 
+    /// What was set by an earlier name of its key. All else, messages too, knows the present names only.
+    [[nodiscard]] const std::vector<Renaming>& renamings() const { return renamings_; }
+    /// The present name of a key that may be an earlier one.
+    [[nodiscard]] std::string present_name(const std::string& key) const;
+
     /// Where a key was set (file and line, or the override), the file alone if it was left at its default.
     [[nodiscard]] Place place_of(const std::string& key) const;
     [[nodiscard]] bool was_set(const std::string& key) const;
@@ -134,6 +150,7 @@ private:
     void declare(Parameter parameter);
     [[nodiscard]] const Parameter* find(const std::string& key) const;
     [[nodiscard]] bool is_free(const std::string& section) const;
+    void rename(IniEntry& entry);
     [[nodiscard]] std::vector<std::string> section_names() const;
     [[nodiscard]] std::string legal_keys_near(const IniEntry& entry) const;
     void check(const IniEntry& entry, Problems& problems) const;
@@ -145,6 +162,7 @@ private:
     std::vector<Parameter> parameters_;
     std::vector<std::string> free_sections_;
     std::vector<FreeEntry> free_entries_;
+    std::vector<Renaming> renamings_;
     std::string file_;
 };
 

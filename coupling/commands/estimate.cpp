@@ -7,6 +7,7 @@
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/forest_site.hpp"
 #include "coupling/today/assess_today.hpp"
+#include "rockfall/motion/models.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
@@ -48,24 +49,10 @@ double mean_drop_m(const Site& site) {
     return found == 0 ? 0.0 : sum_m / static_cast<double>(found);
 }
 
-/// How much a path of net_paths.bin grows for each metre of drop. Measured on the shipped example and on an
-/// even slope of 40 degrees: picus 41 and 22, pir3d 40 and 220, classical 127 and 45.
-double path_bytes_per_m(rockfall::MotionModel model) {
-    switch (model) {
-        case rockfall::MotionModel::picus:
-            return 30.0;
-        case rockfall::MotionModel::pir3d:
-            return 90.0;
-        case rockfall::MotionModel::classical:
-            return 80.0;
-    }
-    return 0.0;
-}
-
 /// Of net_paths.bin: the terrain and a path of each rock on each slope.
 std::uint64_t path_bytes(const Scenario& scenario, const Site& site, std::uint64_t paths) {
     const double of_paths = static_cast<double>(paths) * mean_drop_m(site) *
-                            path_bytes_per_m(scenario.rockfall.fall.motion.model);
+                            rockfall::description_of(scenario.rockfall.fall.motion.model).path_bytes_per_m;
     return site.slope.terrain.vertices().size() * sizeof(rockfall::Vertex) +
            site.slope.terrain.triangles().size() * sizeof(rockfall::Triangle) +
            static_cast<std::uint64_t>(of_paths);

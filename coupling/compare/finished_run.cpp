@@ -17,6 +17,7 @@
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/path_checks.hpp"
+#include "coupling/inputs/scenario.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 
@@ -361,10 +362,21 @@ Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate) 
     return figure;
 }
 
+/// Runs of earlier versions call some settings otherwise.
+void use_present_names(SummaryOfRun& summary) {
+    Scenario scenario;
+    config::Options options;
+    declare(options, scenario);
+    for (auto& setting : summary.settings) {
+        setting.key = options.present_name(setting.key);
+    }
+}
+
 FinishedRun read_finished_run(const fs::path& folder) {
     refuse_unfinished(folder);
     const fs::path file = folder / "summary.json";
     FinishedRun run{folder, read_summary(open_file(file, {}, "a summary").text(), file.string()), {}};
+    use_present_names(run.summary);
     if (run.summary.kind == "hazard") {
         config::fail(config::ExitCode::settings, {folder.string()}, "a hazard map of several return periods",
                      "the folder of one of them, return_period_… beside it");

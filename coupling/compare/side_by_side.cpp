@@ -8,6 +8,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::compare {
 namespace {
@@ -35,6 +36,22 @@ std::string pair(const SideBySide& comparison, const Disagreement& d) {
     for (std::size_t i = 0; i < d.values.size(); ++i) {
         text +=
             joined(i == 0 ? "" : ", ", comparison.letters[i], " ", d.values[i].empty() ? none : d.values[i]);
+    }
+    return text;
+}
+
+/// "energies of A count translation and rotation, of B translation alone": what energies count under the
+/// motion models with these names, each once.
+std::string energies_of(std::vector<std::string> names) {
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::string text;
+    for (const rockfall::MotionModel model : rockfall::all_models()) {
+        const rockfall::ModelDescription& description = rockfall::description_of(model);
+        if (std::find(names.begin(), names.end(), description.name) != names.end()) {
+            text += joined(text.empty() ? "energies of " : ", of ", description.name,
+                           text.empty() ? " count " : " ", description.energy);
+        }
     }
     return text;
 }
@@ -95,9 +112,8 @@ void judge(SideBySide& comparison, std::span<const FinishedRun> runs) {
     }
     for (const Disagreement& d : comparison.settings) {
         if (d.what == "rockfall.motion") {
-            comparison.notes.push_back(joined("the motion models differ (", pair(comparison, d),
-                                              "): rocks of picus also spin, energies of the others "
-                                              "are those of translation alone"));
+            comparison.notes.push_back(
+                joined("the motion models differ (", pair(comparison, d), "): ", energies_of(d.values)));
         }
     }
     const auto differs = [&](auto value) {

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -32,9 +36,6 @@ constexpr std::array meaningless{
     Meaningless{"output.arrivals", "nothing: a profile has stations, whose rocks are in rocks.csv"},
     Meaningless{"output.tree_hit_table", "nothing: rocks meet no trees along a profile"},
     Meaningless{"rockfall.vertical_tolerance_m", "nothing: a profile is not thinned"},
-    Meaningless{"rockfall.lateral_slow_deg", "nothing: rocks are not turned sideways along a profile"},
-    Meaningless{"rockfall.lateral_fast_deg", "nothing: rocks are not turned sideways along a profile"},
-    Meaningless{"rockfall.lateral_fast_mps", "nothing: rocks are not turned sideways along a profile"},
     Meaningless{"tree_impact.", "nothing: rocks meet no trees along a profile"},
     Meaningless{"log_impact.", "nothing: rocks meet no logs along a profile"},
     Meaningless{"forest.", "nothing: no forest grows along a profile"},
@@ -43,7 +44,13 @@ constexpr std::array meaningless{
     Meaningless{"climate.", "nothing: no forest grows along a profile"},
 };
 
+const Meaningless turning{"", "nothing: rocks are not turned sideways along a profile"};
+
 const Meaningless* found_for(const std::string& key) {
+    static const std::vector<std::string> sideways = rockfall::sideways_settings();
+    if (std::find(sideways.begin(), sideways.end(), key) != sideways.end()) {
+        return &turning;
+    }
     const auto found = std::find_if(meaningless.begin(), meaningless.end(), [&](const Meaningless& entry) {
         return entry.key.ends_with('.') ? key.starts_with(entry.key) : key == entry.key;
     });
@@ -85,10 +92,7 @@ void check_settings(const Scenario& scenario, config::Problems& problems) {
 }
 
 void turn_deviation_off(Scenario& scenario) {
-    scenario.rockfall.written.lateral_slow_deg = 0.0;
-    scenario.rockfall.written.lateral_fast_deg = 0.0;
-    scenario.rockfall.written.classical_lateral_deg = 0.0;
-    scenario.rockfall.fall.motion.pir3d.turns_sideways = false;
+    rockfall::stay_in_plane(scenario.rockfall);
 }
 
 }  // namespace coupling::profile

@@ -24,6 +24,12 @@ void Reading::doubt(config::Place place, std::string found, std::string expected
     }
 }
 
+void Reading::note_renamed_settings() {
+    for (const config::Renaming& renaming : scenario_.options->renamings()) {
+        note(config::to_string(renaming));
+    }
+}
+
 FileBytes Reading::open_at(const config::Place& place, const std::string& role, const std::string& name,
                            std::string_view expected) {
     FileBytes bytes = open_file(scenario_.resolve(name), place, expected);

@@ -35,6 +35,9 @@ public:
     /// Worth knowing, never an error.
     void note(std::string sentence) { warnings_.add_note(std::move(sentence)); }
 
+    /// Notes the settings that were written with an earlier name.
+    void note_renamed_settings();
+
     /// Runs a step; what it throws joins the other problems, and nothing comes back.
     template <class Step>
     auto attempt(Step step) -> std::optional<decltype(step())> {

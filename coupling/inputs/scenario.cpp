@@ -6,6 +6,7 @@
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/profile_settings.hpp"
 #include "coupling/inputs/scenario_checks.hpp"
+#include "coupling/inputs/start_settings.hpp"
 
 namespace coupling {
 
@@ -53,9 +54,9 @@ void declare_terrain(config::Options& options, Scenario& s) {
                  {.meaning = "instead: CSV with code, wkt (POLYGON); later rows lie on top"});
     options.text("terrain.surface_types", s.surface_types,
                  {.meaning = "CSV with code, label, r_n, r_t, p_stop; or code, name of a shipped type"});
-    options.text(
-        "terrain.soils", s.soils,
-        {.meaning = "CSV of soils of your own for pir3d, as `bannwald info pir3d_soils` shows them"});
+    options.text("terrain.soils", s.soils,
+                 {.meaning = "CSV of soils of your own, as `bannwald info pir3d_soils` shows them; for "
+                             "models that use soils"});
     options.text("terrain.stopping", s.stopping,
                  {.meaning = "CSV with code, diameter_m, p_stop; without it p_stop is scaled by size"});
     options.text(
@@ -101,12 +102,7 @@ void declare_release(config::Options& options, Scenario& s) {
                    .high = 1e9,
                    .meaning = "rocks for each source cell, point or line piece, on average",
                    .source = "choice"});
-    options.number("release.density_kgpm3", s.density_kgpm3,
-                   {.unit = "kg/m3",
-                    .low = 1000.0,
-                    .high = 5000.0,
-                    .meaning = "density of the rock",
-                    .source = "Rammer et al. 2010"});
+    declare_density(options, "release", s.density_kgpm3);
     options.flag("release.random_place", s.random_place,
                  {.meaning = "rocks start anywhere in their source; no: at its centre", .source = "choice"});
 }
@@ -148,25 +144,8 @@ void declare_diameter(config::Options& options, Scenario& s) {
                     {.low = 0.0, .high = 1e9, .meaning = "how often each of them occurs, in any scale"});
 }
 
-void declare_start(config::Options& options, Scenario& s) {
-    options.number("release.start_height_m", s.start_height_m,
-                   {.unit = "m",
-                    .low = 0.0,
-                    .high = 1000.0,
-                    .meaning = "height of the rock's underside above ground; 0 starts rolling",
-                    .source = "Rammer et al. 2010 (Vaujany)"});
-    options.number("release.start_speed_mps", s.start_speed_mps,
-                   {.unit = "m/s",
-                    .low = 0.0,
-                    .high = 100.0,
-                    .meaning = "speed of the rock when it starts",
-                    .source = "Rammer et al. 2010 (Vaujany)"});
-    options.number("release.start_dip_deg", s.start_dip_deg,
-                   {.unit = "deg",
-                    .low = -90.0,
-                    .high = 90.0,
-                    .meaning = "its direction below the horizon",
-                    .source = "Rammer et al. 2010 (Vaujany)"});
+void declare_starts(config::Options& options, Scenario& s) {
+    declare_start(options, "release", {s.start_height_m, s.start_speed_mps, s.start_dip_deg});
     options.number("release.start_scatter_deg", s.start_scatter_deg,
                    {.unit = "deg",
                     .low = 0.0,
@@ -283,7 +262,7 @@ void declare(config::Options& options, Scenario& scenario) {
                  {.meaning = "x and y of trees.logs stand in each other's columns", .source = "choice"});
     declare_release(options, scenario);
     declare_diameter(options, scenario);
-    declare_start(options, scenario);
+    declare_starts(options, scenario);
     options.text("targets.file", scenario.targets,
                  {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});
     declare_nets(options, scenario.nets);

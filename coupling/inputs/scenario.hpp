@@ -43,7 +43,7 @@ struct Scenario {
     std::string surface;           ///< grid of surface codes, or
     std::string surface_polygons;  ///< CSV with WKT polygons and codes
     std::string surface_types;     ///< CSV: code, label, r_n, r_t, p_stop
-    std::string soils;             ///< CSV of soils of PiR3D beside the shipped ones; optional
+    std::string soils;             ///< CSV of soils beside the shipped ones; optional
     std::string stopping;          ///< CSV: code, diameter_m, p_stop; optional
     std::string ground;            ///< name of a shipped surface type for all the terrain; instead of a grid
     std::string profile;           ///< CSV: distance_m, height_m, surface; not empty: a two-dimensional run

@@ -105,36 +105,25 @@ void tell_idle_output(const Scenario& scenario, Reading& reading) {
 }
 
 /// Settings that the user made for another motion model than the chosen one.
-void tell_idle_motion(const Scenario& scenario, Reading& reading) {
-    using rockfall::MotionModel;
-    const MotionModel model = scenario.rockfall.fall.motion.model;
-    const std::set<std::string> of_all{
-        "rockfall.motion",          "rockfall.vertical_tolerance_m", "rockfall.contact_support_m",
-        "rockfall.contact_shift_m", "rockfall.most_impacts",         "rockfall.preset"};
-    const auto belongs_to = [&](const std::string& key, MotionModel to) {
-        switch (to) {
-            case MotionModel::pir3d:
-                return key.starts_with("pir3d.");
-            case MotionModel::classical:
-                return key.starts_with("classical.") || key == "rockfall.rolling_edge_deg";
-            case MotionModel::picus:
-                break;
-        }
-        return key.starts_with("rockfall.");
+void note_idle_motion(const Scenario& scenario, Reading& reading) {
+    const rockfall::MotionModel chosen = scenario.rockfall.fall.motion.model;
+    const auto uses = [](rockfall::MotionModel model, const std::string& key) {
+        const rockfall::ModelDescription& description = rockfall::description_of(model);
+        const auto& shared = description.shared_settings;
+        return key.starts_with(joined(description.name, ".")) ||
+               std::find(shared.begin(), shared.end(), key) != shared.end();
     };
     std::string names;
     for (const config::ParameterRow& row : scenario.options->rows()) {
-        bool of_any = false;
-        for (const MotionModel other : {MotionModel::picus, MotionModel::pir3d, MotionModel::classical}) {
-            of_any = of_any || belongs_to(row.key, other);
-        }
-        const bool of_other = of_any && !of_all.contains(row.key) && !belongs_to(row.key, model);
-        if (of_other && scenario.options->was_set(row.key)) {
+        const auto& models = rockfall::all_models();
+        const bool of_models =
+            std::any_of(models.begin(), models.end(), [&](auto m) { return uses(m, row.key); });
+        if (of_models && !uses(chosen, row.key) && scenario.options->was_set(row.key)) {
             names += (names.empty() ? "" : ", ") + row.key;
         }
     }
     if (!names.empty()) {
-        reading.note(joined("rockfall.motion is ", rockfall::name_of(model), ": ", names,
+        reading.note(joined("rockfall.motion is ", rockfall::description_of(chosen).name, ": ", names,
                             names.find(',') == std::string::npos ? " has" : " have", " no effect"));
     }
 }
@@ -151,7 +140,7 @@ Files read_files(Reading& reading) {
         tell_idle_output(scenario, reading);
     }
     if (has_rocks(scenario)) {
-        tell_idle_motion(scenario, reading);
+        note_idle_motion(scenario, reading);
         files.sources = read_sources(reading);
         files.types = read_surface_types(diameters_of(files.sources, scenario), reading);
         files.cover = read_ground_cover(reading);
@@ -213,6 +202,7 @@ std::vector<rockfall::Net> Site::standing_nets() const {
 
 Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     Reading reading{scenario, warnings};
+    reading.note_renamed_settings();
     Files files = read_files(reading);
     if (!files.heights) {
         reading.problems().throw_if_any();

@@ -6,14 +6,16 @@
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
-#include "coupling/inputs/pir3d_soils.hpp"
+#include "coupling/inputs/soils.hpp"
 #include "coupling/inputs/stopping_input.hpp"
 
 namespace coupling {
 
 namespace {
 
+using config::joined;
 using Knots = std::vector<std::pair<double, double>>;
 
 constexpr config::NumberRange restitution_range{.low = 0.0, .high = rockfall::largest_restitution};
@@ -29,13 +31,13 @@ config::Table shipped(const std::string& name) {
 /// Reads the table of ground types row by row.
 class TypeReader {
 public:
-    /// `needs_soils`: the motion model asks for the soil of each type.
     TypeReader(const config::Table& table, std::map<std::string, StoppingCurves> stopping,
-               std::vector<rockfall::pir3d::Soil> soils, bool needs_soils, config::Problems& problems)
+               std::vector<rockfall::Soil> soils, const rockfall::ModelDescription& model,
+               config::Problems& problems)
         : table_{table},
           stopping_{std::move(stopping)},
           soils_{std::move(soils)},
-          needs_soils_{needs_soils},
+          model_{model},
           shipped_{shipped_surfaces()},
           problems_{problems} {}
 
@@ -83,19 +85,18 @@ private:
     }
 
     /// The soil that the row names, else that of the shipped type.
-    std::optional<rockfall::pir3d::Soil> soil_of(std::size_t row, const ShippedSurface* like) {
+    std::optional<rockfall::Soil> soil_of(std::size_t row, const ShippedSurface* like) {
         if (has_value(table_, row, "soil")) {
             return named_soil(table_, row, "soil", soils_, problems_);
         }
         if (like != nullptr) {
             return like->type.soil;
         }
-        if (needs_soils_) {
-            refuse(
-                row, table_.has("soil") ? "soil" : "code",
-                "code " + table_.text(row, "code") + " without soil",
-                "for rockfall.motion = pir3d: a name of `bannwald info pir3d_soils` or of terrain.soils in a "
-                "column soil");
+        if (model_.needs_soils) {
+            refuse(row, table_.has("soil") ? "soil" : "code",
+                   "code " + table_.text(row, "code") + " without soil",
+                   joined("for rockfall.motion = ", model_.name,
+                          ": a name of `bannwald info pir3d_soils` or of terrain.soils in a column soil"));
         }
         return std::nullopt;
     }
@@ -161,8 +162,8 @@ private:
 
     const config::Table& table_;
     std::map<std::string, StoppingCurves> stopping_;
-    std::vector<rockfall::pir3d::Soil> soils_;
-    bool needs_soils_;
+    std::vector<rockfall::Soil> soils_;
+    const rockfall::ModelDescription& model_;
     std::vector<ShippedSurface> shipped_;
     config::Problems& problems_;
 };
@@ -201,8 +202,9 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     doubt_columns(table, {"code", "label", "r_n", "r_t", "p_stop", "rolling_stops_per_m", "like", "soil"},
                   reading);
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
-    const bool needs_soils = reading.scenario().rockfall.fall.motion.model == rockfall::MotionModel::pir3d;
-    TypeReader reader{table, std::move(stopping), read_pir3d_soils(reading), needs_soils, problems};
+    const rockfall::ModelDescription& model =
+        rockfall::description_of(reading.scenario().rockfall.fall.motion.model);
+    TypeReader reader{table, std::move(stopping), read_soils(reading), model, problems};
     std::vector<rockfall::SurfaceType> types = reader.all();
     if (types.empty() || types.size() >= most_types) {
         problems.add(config::ExitCode::data, {table.file()}, counted(types.size(), "ground type"),
@@ -244,7 +246,7 @@ std::vector<ShippedSurface> shipped_surfaces() {
     config::Problems problems;
     const config::Table table = shipped("surfaces.csv");
     const auto curves = read_stopping_curves(shipped("stopping.csv"), "name", problems);
-    const std::vector<rockfall::pir3d::Soil> soils = shipped_pir3d_soils();
+    const std::vector<rockfall::Soil> soils = shipped_soils();
     std::vector<ShippedSurface> surfaces;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         ShippedSurface surface;

@@ -28,7 +28,7 @@ rockfall::StopCurve stop_curve(double stop_probability);
 ///
 /// A row of terrain.surface_types takes r_n, r_t, p_stop from its own columns, else from the shipped type in
 /// its column `like`. Stopping comes from terrain.stopping where that has the code, else from p_stop, else
-/// from the curve of the shipped type. Its soil for PiR3D is named in its column `soil`, else that of the
+/// from the curve of the shipped type. Its soil is named in its column `soil`, else that of the
 /// shipped type; where rockfall.motion asks for soils, a row without one is refused. Stopping tables that do
 /// not reach over all sizes of `rocks` are doubtful.
 std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(const rockfall::DiameterRange& rocks,

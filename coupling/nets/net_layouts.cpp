@@ -4,6 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/figure_columns.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling {
 namespace {
@@ -91,8 +92,8 @@ TableLayout nets() {
     return {"nets.csv", "a net on one slope",
             together(first,
                      quantity_columns("energy", "kj", "kJ",
-                                      "the kinetic energy in front of the net (translation and rotation; "
-                                      "pir3d, classical: translation alone)"),
+                                      joined("the kinetic energy in front of the net (",
+                                             rockfall::what_energies_count(), ")")),
                      quantity_columns("height", "m", "m",
                                       "the height of the rock's centre above the ground, vertical"),
                      last)};
@@ -115,24 +116,22 @@ TableLayout net_needs() {
 }
 
 TableLayout net_crossings() {
-    return {
-        "net_crossings.csv",
-        "a rock that crossed the line of a net on one slope",
-        {{"rock", "-", "number of the rock; the same rock falls with forest and over the bare slope",
-          simulated},
-         cover_column(),
-         net_column(),
-         {"outcome", "text", "held, over, below or broke", simulated},
-         {"first", "text", "yes: the rock crossed this line for the first time", simulated},
-         {"along_m", "m", "place along the line of the net in plan, from its first corner", simulated},
-         {"height_m", "m", "height of the rock's centre above the ground, vertical", simulated},
-         {"x_m", "m", "easting of the crossing", simulated},
-         {"y_m", "m", "northing of the crossing", simulated},
-         {"energy_kj", "kJ",
-          "kinetic energy in front of the net, translation and rotation; pir3d, classical: translation alone",
-          simulated},
-         {"translational_kj", "kJ", "the translational part of it", simulated},
-         {"speed_mps", "m/s", "speed in front of the net", simulated}}};
+    return {"net_crossings.csv",
+            "a rock that crossed the line of a net on one slope",
+            {{"rock", "-", "number of the rock; the same rock falls with forest and over the bare slope",
+              simulated},
+             cover_column(),
+             net_column(),
+             {"outcome", "text", "held, over, below or broke", simulated},
+             {"first", "text", "yes: the rock crossed this line for the first time", simulated},
+             {"along_m", "m", "place along the line of the net in plan, from its first corner", simulated},
+             {"height_m", "m", "height of the rock's centre above the ground, vertical", simulated},
+             {"x_m", "m", "easting of the crossing", simulated},
+             {"y_m", "m", "northing of the crossing", simulated},
+             {"energy_kj", "kJ",
+              joined("kinetic energy in front of the net, ", rockfall::what_energies_count()), simulated},
+             {"translational_kj", "kJ", "the translational part of it", simulated},
+             {"speed_mps", "m/s", "speed in front of the net", simulated}}};
 }
 
 TableLayout net_inexact() {

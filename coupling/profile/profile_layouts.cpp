@@ -1,9 +1,13 @@
 #include "coupling/profile/profile_layouts.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/results/figure_columns.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
 namespace {
+
+using config::joined;
 
 constexpr const char* simulated = "simulated";
 constexpr const char* counted_rocks = "counted over the simulated rocks";
@@ -12,28 +16,27 @@ constexpr const char* from_wide_bins = "simulated; bins, at most 3.2 % from the 
 constexpr const char* exact_interval = "Clopper and Pearson 1934";
 
 TableLayout rocks() {
-    return {
-        "rocks.csv",
-        "a rock",
-        {{"rock", "-", "number of the rock", simulated},
-         {"diameter_m", "m", "diameter of the rock", "drawn as release.diameter_kind says"},
-         {"stop_reason", "text", "at_rest, caught (by the roughness of the ground), left_terrain or gave_up",
-          simulated},
-         {"start_distance_m", "m", "plan distance of the release along the profile", simulated},
-         {"start_height_m", "m", "height of the release above sea", simulated},
-         {"end_distance_m", "m", "plan distance of the end along the profile", simulated},
-         {"end_height_m", "m", "height of the end above sea", simulated},
-         {"run_out_m", "m", "plan distance from release to end", simulated},
-         {"path_m", "m", "length of the path in space", simulated},
-         {"time_s", "s", "time from release to end", simulated},
-         {"max_speed_mps", "m/s", "highest speed", simulated},
-         {"mean_speed_mps", "m/s", "path divided by time", simulated},
-         {"max_energy_kj", "kJ",
-          "highest kinetic energy, translation and rotation; pir3d, classical: translation alone", simulated},
-         {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
-         {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
-         {"jumps", "-", "jumps", simulated},
-         {"ground_impacts", "-", "impacts on the ground", simulated}}};
+    return {"rocks.csv",
+            "a rock",
+            {{"rock", "-", "number of the rock", simulated},
+             {"diameter_m", "m", "diameter of the rock", "drawn as release.diameter_kind says"},
+             {"stop_reason", "text",
+              "at_rest, caught (by the roughness of the ground), left_terrain or gave_up", simulated},
+             {"start_distance_m", "m", "plan distance of the release along the profile", simulated},
+             {"start_height_m", "m", "height of the release above sea", simulated},
+             {"end_distance_m", "m", "plan distance of the end along the profile", simulated},
+             {"end_height_m", "m", "height of the end above sea", simulated},
+             {"run_out_m", "m", "plan distance from release to end", simulated},
+             {"path_m", "m", "length of the path in space", simulated},
+             {"time_s", "s", "time from release to end", simulated},
+             {"max_speed_mps", "m/s", "highest speed", simulated},
+             {"mean_speed_mps", "m/s", "path divided by time", simulated},
+             {"max_energy_kj", "kJ", joined("highest kinetic energy, ", rockfall::what_energies_count()),
+              simulated},
+             {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
+             {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
+             {"jumps", "-", "jumps", simulated},
+             {"ground_impacts", "-", "impacts on the ground", simulated}}};
 }
 
 TableLayout jumps_by_segment() {
@@ -70,8 +73,7 @@ TableLayout stations() {
         {"reached_low_percent", "%", "lower end of its 95 % interval", exact_interval},
         {"reached_high_percent", "%", "upper end of its 95 % interval", exact_interval},
         {"energy_mean_kj", "kJ",
-         "mean kinetic energy (translation and rotation; pir3d, classical: translation alone) at the "
-         "first passage",
+         joined("mean kinetic energy (", rockfall::what_energies_count(), ") at the first passage"),
          simulated},
         {"energy_sd_kj", "kJ", "its standard deviation", simulated},
         {"energy_50_kj", "kJ", "its median", from_bins},
@@ -114,8 +116,7 @@ TableLayout paths() {
          {"point", "-", "number of the corner along the path, from 0", simulated},
          {"distance_m", "m", "plan distance along the profile", simulated},
          {"height_m", "m", "height of the rock's underside above sea", simulated},
-         {"energy_kj", "kJ", "kinetic energy, translation and rotation; pir3d, classical: translation alone",
-          simulated},
+         {"energy_kj", "kJ", joined("kinetic energy, ", rockfall::what_energies_count()), simulated},
          {"height_above_ground_m", "m", "height of the underside above the ground, vertical", simulated}}};
 }
 

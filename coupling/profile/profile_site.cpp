@@ -282,6 +282,7 @@ double ProfileSite::distance_at_m(double slope_length_m) const {
 
 ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
     Reading reading{scenario, warnings};
+    reading.note_renamed_settings();
     std::optional<Files> files = read_files(reading);
     if (!files) {
         reading.problems().throw_if_any();

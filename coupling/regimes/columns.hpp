@@ -26,16 +26,21 @@ using RegimeField =
                  std::vector<forest::SpeciesId>& (*)(Intervention&), Treatment& (*)(Intervention&),
                  Where& (*)(Intervention&)>;
 
-/// All that is said about a column of a regime, once: it feeds reader, check and listing.
-struct RegimeColumn {
-    std::string_view name;
-    RegimeField field;
-    std::string_view meaning;
+/// What a column asks for, and where it means something.
+struct ColumnRules {
     std::string_view source{};  ///< of usual values and of the default
     config::NumberRange range{};
     Uses treatments = 0;  ///< for which it means something; 0 = for all
     Uses places = 0;      ///< the same by `where`; 0 = everywhere
     bool needed = false;  ///< wherever it means something
+};
+
+/// All that is said about a column of a regime, once: it feeds reader, check and listing.
+struct RegimeColumn {
+    std::string_view name;
+    RegimeField field;
+    std::string_view meaning;
+    ColumnRules rules{};
 };
 
 /// All columns, in the order in which a table usually has them.

@@ -25,11 +25,11 @@ void write_regime_listing(std::ostream& out) {
         }
         if (const std::string value = default_text(column); !value.empty()) {
             about.append("; default ").append(value);
-        } else if (column.needed) {
+        } else if (column.rules.needed) {
             about.append("; needed");
         }
-        if (!column.source.empty()) {
-            about.append(" (").append(column.source).append(")");
+        if (!column.rules.source.empty()) {
+            about.append(" (").append(column.rules.source).append(")");
         }
         const auto lines = wrapped(about, screen_columns - name_width);
         out << std::left << std::setw(name_width) << column.name << lines.front() << '\n';

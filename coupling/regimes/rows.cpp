@@ -112,7 +112,7 @@ private:
             } else if (!empty) {
                 refuse(name, joined(name, " = ", config::in_quotes(table_.text(row_, name))),
                        joined("nothing: it has no meaning for ",
-                              column.places != 0 && column.treatments == 0
+                              column.rules.places != 0 && column.rules.treatments == 0
                                   ? joined("where = ", name_of(intervention.ground.where))
                                   : name_of(intervention.treatment),
                               " (but for ", users_text(column), ")"));
@@ -120,22 +120,24 @@ private:
             return;
         }
         if (empty) {
-            if (column.needed) {
-                refuse(table_.has(name) ? name : table_.columns().front(), joined("no ", name),
-                       joined("a value for ", name, ", which ",
-                              column.places != 0    ? joined("where = ", name_of(intervention.ground.where))
-                              : name == "treatment" ? std::string{"each row"}
+            if (column.rules.needed) {
+                refuse(
+                    table_.has(name) ? name : table_.columns().front(), joined("no ", name),
+                    joined("a value for ", name, ", which ",
+                           column.rules.places != 0 ? joined("where = ", name_of(intervention.ground.where))
+                           : name == "treatment"    ? std::string{"each row"}
                                                     : name_of(intervention.treatment),
-                              " needs"));
+                           " needs"));
             }
             return;
         }
-        std::visit([&](auto field) { read_into(field(intervention), name, column.range); }, column.field);
+        std::visit([&](auto field) { read_into(field(intervention), name, column.rules.range); },
+                   column.field);
     }
 
     static bool is_ground(const RegimeColumn& column) {
         return column.name == "where" || column.name == "stands" || column.name == "entries" ||
-               column.places != 0;
+               column.rules.places != 0;
     }
 
     template <class T>

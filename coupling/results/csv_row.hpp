@@ -42,6 +42,10 @@ public:
     }
     template <int decimals>
     CsvRow& number(double value) {
+        return number(value, decimals);
+    }
+    /// Requires 0 to 6 decimals.
+    CsvRow& number(double value, int decimals) {
         separate();
         if (!std::isfinite(value)) {
             return *this;

@@ -8,6 +8,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling {
 namespace {
@@ -28,16 +29,18 @@ struct Quantity {
     std::string meaning;
 };
 
-const Quantity arrival_energy{
-    "energy", "kj", "kJ",
-    "kinetic energy (translation and rotation; pir3d, classical: translation alone) at the first arrival"};
+Quantity arrival_energy() {
+    return {"energy", "kj", "kJ",
+            joined("kinetic energy (", rockfall::what_energies_count(), ") at the first arrival")};
+}
 const Quantity arrival_speed{"speed", "mps", "m/s", "speed at the first arrival"};
 const Quantity arrival_height{"height", "m", "m",
                               "height of the underside above the ground, vertical, at the first arrival"};
 const Quantity top_speed{"max_speed", "mps", "m/s", "each rock's highest speed"};
-const Quantity top_energy{
-    "max_energy", "kj", "kJ",
-    "each rock's highest kinetic energy (translation and rotation; pir3d, classical: translation alone)"};
+Quantity top_energy() {
+    return {"max_energy", "kj", "kJ",
+            joined("each rock's highest kinetic energy (", rockfall::what_energies_count(), ")")};
+}
 const Quantity top_height{"max_height", "m", "m", "each rock's largest height above the ground, vertical"};
 
 /// energy_mean_kj, energy_50_kj, ...: the columns of a distribution.
@@ -112,7 +115,7 @@ std::vector<Column> arrival_columns() {
         {"share_percent", "%", "share of the rocks that reached the target", counted},
         {"share_low_percent", "%", "lower end of its 95 % interval", exact_interval},
         {"share_high_percent", "%", "upper end of its 95 % interval", exact_interval}};
-    return together(shares, distribution_columns(arrival_energy), energy_rate_columns(),
+    return together(shares, distribution_columns(arrival_energy()), energy_rate_columns(),
                     distribution_columns(arrival_speed), distribution_columns(arrival_height));
 }
 
@@ -200,7 +203,7 @@ std::vector<Column> slope_columns() {
         {"log_hits_per_rock", "-", "hits on lying logs, mean over rocks", simulated},
         {"logs_broken_per_rock", "-", "hits that break a log, mean over rocks", simulated},
         {"log_energy_per_rock_kj", "kJ", "energy taken by logs, mean over rocks", simulated}};
-    return together(stops, run_out, distribution_columns(top_speed), distribution_columns(top_energy),
+    return together(stops, run_out, distribution_columns(top_speed), distribution_columns(top_energy()),
                     distribution_columns(top_height), means);
 }
 

@@ -1,55 +1,30 @@
 #include "coupling/today/grounds.hpp"
 
-#include <cmath>
 #include <cstddef>
 
 #include "coupling/results/csv_row.hpp"
+#include "coupling/results/ground_columns.hpp"
 #include "coupling/today/static_layouts.hpp"
-#include "rockfall/motion/classical/friction.hpp"
+#include "rockfall/motion/models.hpp"
 #include "rockfall/release/release.hpp"
 
 namespace coupling {
 namespace {
 
-using rockfall::MotionModel;
 using rockfall::SurfaceType;
 
-double degrees(double angle_rad) {
-    return config::Angle::from_radians(angle_rad).in_degrees();
-}
-
-void take_soil(const rockfall::pir3d::Soil& soil, GroundFigures& ground) {
-    ground.soil = soil.name;
-    ground.r_n = soil.restitution.normal;
-    ground.r_t = soil.restitution.tangential;
-    ground.friction = soil.friction;
-    ground.threshold_deg = degrees(std::atan(soil.threshold_tangent));
-    ground.dr_slow_percent = 100.0 * soil.restitution_share.slow;
-    ground.dr_fast_percent = 100.0 * soil.restitution_share.fast;
-    ground.dk_slow_percent = 100.0 * soil.friction_share.slow;
-    ground.dk_fast_percent = 100.0 * soil.friction_share.fast;
-    ground.angle_slow_deg = degrees(soil.angle_rad.slow);
-    ground.angle_fast_deg = degrees(soil.angle_rad.fast);
-    ground.limit_mps = soil.limit_mps;
-}
-
-GroundFigures figures_of(const SurfaceType& type, const rockfall::FallLaw& law, double diameter_m) {
-    GroundFigures ground;
-    ground.code = type.code;
-    ground.label = type.label;
-    if (law.motion.model == MotionModel::pir3d) {
-        if (type.soil) {
-            take_soil(*type.soil, ground);
+GroundFigures figures_of(const SurfaceType& type, const rockfall::MotionLaws& laws, double diameter_m) {
+    GroundFigures ground{.code = type.code, .label = type.label};
+    ground.figures.assign(ground_columns().size(), rockfall::no_figure);
+    const std::vector<rockfall::GroundColumnText> columns = rockfall::ground_columns_of(laws.model);
+    const std::vector<double> figures = rockfall::ground_figures(type, laws, diameter_m);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::size_t place = ground_column(columns[i].name);
+        const auto converted = ground_columns()[place].converted;
+        ground.figures[place] = converted == nullptr ? figures[i] : converted(figures[i]);
+        if (columns[i].name == soil_column && type.soil) {
+            ground.soil = type.soil->name;
         }
-        return ground;
-    }
-    ground.r_n = type.restitution.normal;
-    ground.r_t = type.restitution.tangential;
-    if (law.motion.model == MotionModel::classical) {
-        ground.friction = rockfall::classical::friction_of(type.restitution, law.motion.classical);
-    } else if (law.motion.picus.stopping.by_chance) {
-        ground.p_stop = type.stopping.at(diameter_m);
-        ground.rolling_stops_per_m = type.rolling_stops_per_m.at(diameter_m);
     }
     return ground;
 }
@@ -92,7 +67,7 @@ std::vector<GroundFigures> grounds_of(const RunResults& results) {
     for (std::size_t i = 0; i < found.cells.size(); ++i) {
         if (found.occurs[i]) {
             grounds.push_back(
-                figures_of(results.site.slope.types[i], results.scenario.rockfall.fall, diameter_m));
+                figures_of(results.site.slope.types[i], results.scenario.rockfall.fall.motion, diameter_m));
             grounds.back().area_share =
                 found.all == 0 ? 0.0 : static_cast<double>(found.cells[i]) / static_cast<double>(found.all);
         }
@@ -104,12 +79,11 @@ void write_grounds(std::ostream& out, const RunResults& results) {
     TableRows row{out, static_layouts(), "grounds.csv"};
     for (const GroundFigures& ground : grounds_of(results)) {
         row.whole(static_cast<unsigned>(ground.code)).text(ground.label).number<4>(ground.area_share);
-        row.text(ground.soil).number<3>(ground.r_n).number<3>(ground.r_t);
-        row.number<6>(ground.p_stop).number<6>(ground.rolling_stops_per_m);
-        row.number<3>(ground.friction).number<2>(ground.threshold_deg);
-        row.number<2>(ground.dr_slow_percent).number<2>(ground.dr_fast_percent);
-        row.number<2>(ground.dk_slow_percent).number<2>(ground.dk_fast_percent);
-        row.number<2>(ground.angle_slow_deg).number<2>(ground.angle_fast_deg).number<2>(ground.limit_mps);
+        const std::vector<GroundColumn>& columns = ground_columns();
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            columns[i].name == soil_column ? row.text(ground.soil)
+                                           : row.number(ground.figures[i], columns[i].decimals);
+        }
         row.end();
     }
 }

@@ -1,10 +1,15 @@
 #include "coupling/today/static_layouts.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/results/figure_columns.hpp"
+#include "coupling/results/ground_columns.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling {
 namespace {
+
+using config::joined;
 
 constexpr const char* simulated = "simulated";
 constexpr const char* counted = "counted over the simulated rocks";
@@ -107,31 +112,11 @@ TableLayout logs() {
 }
 
 TableLayout grounds() {
-    constexpr const char* types =
-        "terrain.surface_types, or the shipped type; pir3d: terrain.soils, or the shipped soil";
-    constexpr const char* soils = "terrain.soils, or the shipped soil";
-    return {"grounds.csv",
-            "a ground type that occurs",
-            {{"code", "-", "code of the ground type; 0 for that of terrain.ground", "input terrain"},
-             {"ground", "text", "name of the ground type", "input terrain"},
-             {"area_share", "-", "share of the cells of the maps with ground", "counted over the cells"},
-             {"soil", "text", "soil of the ground type; pir3d", types},
-             {"r_n", "-", "coefficient of normal restitution, of the soil for pir3d", types},
-             {"r_t", "-", "coefficient of tangential restitution, of the soil for pir3d", types},
-             {"p_stop", "-", "probability that an impact stops a rock of the mean diameter; picus",
-              "terrain.stopping, else terrain.surface_types, else the shipped type"},
-             {"rolling_stops_per_m", "1/m", "rate at which such a rock is caught while it rolls; picus",
-              "terrain.stopping, else terrain.surface_types, else the shipped type"},
-             {"friction", "-", "coefficient of sliding friction; pir3d, classical",
-              "pir3d: the soil; classical: (1 - r_t) / r_t, or classical.friction_angle_deg"},
-             {"threshold_deg", "deg", "angle to the ground below which a rock slides; pir3d", soils},
-             {"dr_slow_percent", "%", "width of r_n and r_t at rest, relative to them; pir3d", soils},
-             {"dr_fast_percent", "%", "the same from limit_mps on", soils},
-             {"dk_slow_percent", "%", "width of the friction at rest, relative to it; pir3d", soils},
-             {"dk_fast_percent", "%", "the same from limit_mps on", soils},
-             {"angle_slow_deg", "deg", "width of the turn of a rebound at rest; pir3d", soils},
-             {"angle_fast_deg", "deg", "the same from limit_mps on", soils},
-             {"limit_mps", "m/s", "speed from which on the widths are constant; pir3d", soils}}};
+    const std::vector<Column> first{
+        {"code", "-", "code of the ground type; 0 for that of terrain.ground", "input terrain"},
+        {"ground", "text", "name of the ground type", "input terrain"},
+        {"area_share", "-", "share of the cells of the maps with ground", "counted over the cells"}};
+    return {"grounds.csv", "a ground type that occurs", together(first, ground_table_columns())};
 }
 
 TableLayout rocks() {
@@ -151,8 +136,8 @@ TableLayout rocks() {
         {"time_s", "s", "time from release to end", simulated},
         {"max_speed_mps", "m/s", "highest speed", simulated},
         {"mean_speed_mps", "m/s", "path divided by time", simulated},
-        {"max_energy_kj", "kJ",
-         "highest kinetic energy, translation and rotation; pir3d, classical: translation alone", simulated},
+        {"max_energy_kj", "kJ", joined("highest kinetic energy, ", rockfall::what_energies_count()),
+         simulated},
         {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
         {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
         {"jumps", "-", "jumps", simulated},
@@ -176,8 +161,7 @@ TableLayout arrivals() {
          cover_column(),
          {"x_m", "m", "easting of the first arrival", simulated},
          {"y_m", "m", "northing of the first arrival", simulated},
-         {"energy_kj", "kJ",
-          "kinetic energy there, translation and rotation; pir3d, classical: translation alone", simulated},
+         {"energy_kj", "kJ", joined("kinetic energy there, ", rockfall::what_energies_count()), simulated},
          {"translational_kj", "kJ", "the translational part of it", simulated},
          {"speed_mps", "m/s", "speed there", simulated},
          {"height_m", "m", "height of the underside above the ground there, vertical", simulated}}};
@@ -213,8 +197,7 @@ TableLayout trajectories() {
                                     cover_column(),
                                     {"point", "-", "number of the corner along the path, from 0", simulated}};
     const std::vector<Column> rest{
-        {"energy_kj", "kJ", "kinetic energy, translation and rotation; pir3d, classical: translation alone",
-         simulated},
+        {"energy_kj", "kJ", joined("kinetic energy, ", rockfall::what_energies_count()), simulated},
         {"height_m", "m", "height of the underside above the ground, vertical", simulated}};
     return {"trajectories.csv", "a corner of a sampled path",
             together(first, place_columns("", "the rock's underside"), rest)};

@@ -70,7 +70,7 @@ private:
 
     void read_factor(const config::Table& table, std::size_t row) {
         Factor factor;
-        factor.setting = table.text(row, "setting");
+        factor.setting = recipe_.options->present_name(table.text(row, "setting"));
         const std::optional<double> base = value_in(recipe_, factor.setting);
         if (!base || plan_.place_of(factor.setting) < plan_.factors.size()) {
             refuse(table, row, "setting", "a setting of case.ini that is a number, once");
@@ -95,7 +95,8 @@ private:
     }
 
     void read_direction(const config::Table& table, std::size_t row) {
-        const Direction direction{table.text(row, "figure"), table.text(row, "setting"),
+        const Direction direction{table.text(row, "figure"),
+                                  recipe_.options->present_name(table.text(row, "setting")),
                                   table.text(row, "expected") == "rises", table.text(row, "source")};
         const std::vector<std::string>& figures = factor_figures();
         if (std::find(figures.begin(), figures.end(), direction.figure) == figures.end()) {

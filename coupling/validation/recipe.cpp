@@ -9,6 +9,7 @@
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/species_table.hpp"
+#include "coupling/inputs/start_settings.hpp"
 
 namespace coupling::validation {
 namespace {
@@ -32,17 +33,8 @@ const std::vector<std::pair<std::string, CaseKind>>& kinds() {
 void declare_rock(config::Options& options, Recipe& r) {
     options.number("rock.diameter_m", r.diameter_m,
                    {.unit = "m", .low = 0.01, .high = 20.0, .meaning = "diameter of every rock"});
-    options.number("rock.density_kgpm3", r.density_kgpm3,
-                   {.unit = "kg/m3", .low = 1000.0, .high = 5000.0, .meaning = "density of the rock"});
-    options.number("rock.start_height_m", r.start_height_m,
-                   {.unit = "m",
-                    .low = 0.0,
-                    .high = 1000.0,
-                    .meaning = "height of the rock's underside above ground; 0 starts rolling"});
-    options.number("rock.start_speed_mps", r.start_speed_mps,
-                   {.unit = "m/s", .low = 0.0, .high = 100.0, .meaning = "speed at the start"});
-    options.number("rock.start_dip_deg", r.start_dip_deg,
-                   {.unit = "deg", .low = -90.0, .high = 90.0, .meaning = "direction below the horizon"});
+    declare_density(options, "rock", r.density_kgpm3);
+    declare_start(options, "rock", {r.start_height_m, r.start_speed_mps, r.start_dip_deg});
 }
 
 void declare_series(config::Options& options, Recipe& r) {
@@ -182,12 +174,13 @@ private:
 
     /// A setting that would change nothing is worse than none.
     void refuse_what_profiles_lack() {
-        for (const char* key :
-             {"terrain.width_m", "terrain.channel_depth_m", "terrain.channel_half_width_m", "terrain.cell_m",
-              "terrain.relief_m", "terrain.relief_seed", "rockfall.lateral_slow_deg",
-              "rockfall.lateral_fast_deg", "rockfall.lateral_fast_mps", "rockfall.vertical_tolerance_m"}) {
+        std::vector<std::string> lacking = rockfall::sideways_settings();
+        lacking.insert(lacking.end(), {"terrain.width_m", "terrain.channel_depth_m",
+                                       "terrain.channel_half_width_m", "terrain.cell_m", "terrain.relief_m",
+                                       "terrain.relief_seed", "rockfall.vertical_tolerance_m"});
+        for (const std::string& key : lacking) {
             if (recipe_.options->was_set(key)) {
-                refuse(key, joined(std::string{key}, " on a profile"), "case.kind = slope for it");
+                refuse(key, joined(key, " on a profile"), "case.kind = slope for it");
             }
         }
     }
@@ -293,8 +286,7 @@ std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<st
     recipe->options->read(in, files.shown(recipe_file), overrides, "rockfall.preset");
     RecipeCheck{*recipe}.run();
     if (recipe->head.kind == CaseKind::profile) {
-        recipe->rockfall.written.lateral_slow_deg = 0.0;
-        recipe->rockfall.written.lateral_fast_deg = 0.0;
+        rockfall::stay_in_plane(recipe->rockfall);
     }
     rockfall::take_over(recipe->rockfall, *recipe->options);
     return recipe;

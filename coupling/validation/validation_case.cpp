@@ -300,7 +300,7 @@ std::vector<std::string> overrides_of_forest(ValidationCase& out) {
     const std::vector<config::ParameterRow> rows = known.rows();
     std::vector<std::string> own;
     for (const std::string& text : out.changes.overrides) {
-        const std::string key = text.substr(0, text.find('='));
+        const std::string key = known.present_name(text.substr(0, text.find('=')));
         const bool of_rocks = !key.starts_with("case.") &&
                               std::any_of(rows.begin(), rows.end(),
                                           [&](const config::ParameterRow& row) { return row.key == key; });
@@ -395,6 +395,9 @@ ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
         return out;
     }
     const std::unique_ptr<Recipe> recipe = out.recipe("default");
+    for (const config::Renaming& renaming : recipe->options->renamings()) {
+        out.notes.push_back(to_string(renaming));
+    }
     out.kind = recipe->head.kind;
     out.head = recipe->head;
     CaseReader{out}.read(*recipe);

@@ -108,10 +108,10 @@ public:
     virtual bool lift_off(const Rock& rock, const Vector3d& normal, Motion& motion) = 0;
 };
 
-/// Rammer et al. 2010, as rockfall/motion/picus.hpp has it.
+/// Rammer et al. 2010, as rockfall/motion/picus/ground_contact.hpp has it.
 class PicusRebound : public Rebound {
 public:
-    PicusRebound(const rockfall::PicusLaw& law, const rockfall::SurfaceType& ground)
+    PicusRebound(const rockfall::picus::Law& law, const rockfall::SurfaceType& ground)
         : law_{law}, ground_{ground} {}
 
     void meet_ground(const Rock& rock, const Vector3d& normal, Motion& motion, Chance& chance) override {
@@ -190,7 +190,7 @@ private:
         return (time_s * (velocity_mps - rising_mps * normal) + 0.5 * time_s * time_s * gravity_along).norm();
     }
 
-    rockfall::PicusLaw law_;
+    rockfall::picus::Law law_;
     rockfall::SurfaceType ground_;
 };
 
@@ -393,7 +393,7 @@ public:
         face_ = nullptr;
         while (motion_.state == Motion::State::flies || motion_.state == Motion::State::rolls) {
             motion_.state == Motion::State::flies ? fly() : roll();
-            if (record_.impacts >= law_.motion.picus.stopping.most_impacts) {
+            if (record_.impacts >= law_.motion.of<rockfall::picus::Model>().stopping.most_impacts) {
                 motion_.state = Motion::State::stopped;
             }
         }
@@ -457,7 +457,8 @@ private:
         const double off_mps = motion_.velocity_mps.dot(ground.normal);
         const double speed_mps = motion_.velocity_mps.norm();
         const Vector3d along_mps = motion_.velocity_mps - off_mps * ground.normal;
-        if (std::abs(off_mps) > law_.motion.picus.rolling.edge_angle_tangent * along_mps.norm()) {
+        if (std::abs(off_mps) >
+            law_.motion.of<rockfall::picus::Model>().rolling.edge_angle_tangent * along_mps.norm()) {
             if (off_mps > 0.0) {
                 motion_.state = Motion::State::flies;
             } else {
@@ -472,7 +473,7 @@ private:
     void roll_on(const Vector3d& normal) {
         const Vector3d gravity{0.0, 0.0, -g};
         const double speed_mps = motion_.velocity_mps.norm();
-        const double friction = law_.motion.picus.rolling.friction * g * normal.z();
+        const double friction = law_.motion.of<rockfall::picus::Model>().rolling.friction * g * normal.z();
         const Vector3d pull = gravity - gravity.dot(normal) * normal;
         const double slowing_mps = 5.0 / 7.0 * friction * step_s;
         Vector3d velocity_mps = motion_.velocity_mps + 5.0 / 7.0 * step_s * pull;
@@ -540,7 +541,7 @@ struct Program::World {
     World(std::span<const Vector3d> points, std::span<const rockfall::Stem> stems,
           const config::GridFrame& maps, const rockfall::FallLaw& law_in, const rockfall::SurfaceType& ground)
         : terrain{points},
-          rebound{law_in.motion.picus, ground},
+          rebound{law_in.motion.of<rockfall::picus::Model>(), ground},
           forest{stems, terrain, law_in.tree},
           statistics{maps},
           law{law_in} {}

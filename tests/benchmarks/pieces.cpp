@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
-#include "rockfall/motion/johnson_damping.hpp"
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/picus/ground_contact.hpp"
+#include "rockfall/motion/picus/johnson_damping.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 #include "rockfall/terrain/mesh.hpp"
 #include "tests/benchmarks/counters.hpp"
@@ -101,7 +101,7 @@ void mesh_load(State& state) {
 struct Arriving {
     Eigen::Vector3d velocity_mps;
     Eigen::Vector3d normal;
-    rockfall::ContactDraws draws;
+    rockfall::picus::ContactDraws draws;
 };
 
 std::vector<Arriving> arriving_rocks(std::size_t count) {
@@ -128,8 +128,9 @@ void impact_rebound(State& state) {
     const rockfall::Rock rock = rockfall::Rock::sphere(0.95, 2700.0);
     for (auto _ : state) {
         for (const Arriving& r : rocks) {
-            DoNotOptimize(rockfall::meet_ground(r.velocity_mps, 10.0, r.normal, {0.30, 0.75}, 0.0, rock,
-                                                law.motion.picus, r.draws));
+            DoNotOptimize(rockfall::picus::meet_ground(r.velocity_mps, 10.0, r.normal, {0.30, 0.75}, 0.0,
+                                                       rock, law.motion.of<rockfall::picus::Model>(),
+                                                       r.draws));
         }
     }
     per_item(state, "ns_per_impact", rocks.size());
@@ -157,9 +158,9 @@ void over_speeds(State& state, Law law) {
 }
 
 void jump_angle_ours(State& state) {
-    const rockfall::JumpAngleLaw law = compared_law().motion.picus.jump_angle;
+    const rockfall::picus::JumpAngleLaw law = compared_law().motion.of<rockfall::picus::Model>().jump_angle;
     over_speeds(state, [&](double squared_speed) {
-        return config::sin_cos_of(rockfall::jump_angle(squared_speed, law).in_radians());
+        return config::sin_cos_of(rockfall::picus::jump_angle(squared_speed, law).in_radians());
     });
 }
 
@@ -276,7 +277,9 @@ void register_pieces() {
     add("Math/JumpAngle/ours", jump_angle_ours);
     add("Math/JumpAngle/libm", [](State& s) { over_speeds(s, jump_angle_libm); });
     add("Math/Damping/ours", [](State& s) {
-        over_speeds(s, [](double squared) { return rockfall::at_impact_speed({0.30, 0.75}, squared); });
+        over_speeds(s, [](double squared) {
+            return rockfall::picus::at_impact_speed({0.30, 0.75}, squared);
+        });
     });
     add("Math/Damping/libm", [](State& s) { over_speeds(s, damping_libm); });
     add("Rng/Philox4x32", philox);

@@ -65,9 +65,9 @@ config::RandomStream chance(std::uint64_t id) {
 rockfall::FallLaw compared_law() {
     const auto degrees = [](double angle_deg) { return config::Angle::from_degrees(angle_deg); };
     rockfall::FallLaw law;
-    law.motion.picus.jump_angle.scatter = 0.0;
-    law.motion.picus.blend_steep_impacts = false;
-    law.motion.picus.lateral = {degrees(10.0), degrees(10.0), 10.0};
+    law.motion.of<rockfall::picus::Model>().jump_angle.scatter = 0.0;
+    law.motion.of<rockfall::picus::Model>().blend_steep_impacts = false;
+    law.motion.of<rockfall::picus::Model>().lateral = {degrees(10.0), degrees(10.0), 10.0};
     law.tree.taper = false;
     law.tree.height_effect = false;
     law.tree.deviation = rockfall::shipped_deviation_matrix();

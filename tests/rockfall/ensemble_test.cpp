@@ -47,7 +47,7 @@ TEST(Ensemble, CountsRocksOfDifferentSourcesTheSameForAnyWorkersAndOrder) {
     scene.sources[4].rocks = 3;
     scene.sources[11].rocks = 400;
     number_rocks(scene.sources);
-    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d}) {
+    for (const MotionModel model : {motion_model<picus::Model>, motion_model<pir3d::Model>}) {
         scene.assessment.law.motion.model = model;
         std::vector<Chunk> chunks = plan_chunks(scene.sources, 150);
         const EnsembleTally one = tally_of(scene, chunks, 1);

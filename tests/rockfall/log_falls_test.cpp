@@ -137,8 +137,8 @@ TEST(FallOverLogs, IsNotChangedByLogsThatItJumpsOverOrThatHaveRotted) {
 TEST(FallOverLogs, PassesBelowALogAndGoesOn) {
     const Slope slope = plane_slope(20.0, {0.30, 0.75});
     FallLaw law = deterministic_law();
-    law.motion.picus.rolling.friction = 0.3;  // rolls on at 20 degrees
-    law.motion.picus.rolling.launch_factor = 1e9;
+    law.motion.of<picus::Model>().rolling.friction = 0.3;  // rolls on at 20 degrees
+    law.motion.of<picus::Model>().rolling.launch_factor = 1e9;
     for (const double clearance_m : {0.4, 0.6}) {
         const LogIndex logs{std::vector<Log>{log_at(130.0, 50.0, 20.0, across, 50.0, clearance_m)},
                             slope.terrain, 0.25, 0.5};

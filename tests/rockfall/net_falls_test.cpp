@@ -72,8 +72,8 @@ TEST(FallPastANet, HoldsARollingRockWithTheEnergyOfConstantAcceleration) {
     const NetIndex nets{std::vector{across(slope, 106.0, 3.0)}};
     const RockStart start = start_at(slope, 105.0, 50.0, 0.0, start_mps * down);
     for (const FallLaw& law : {deterministic_law(), sliding_law()}) {
-        const bool rolls = law.motion.model == MotionModel::picus;
-        const double friction = rolls ? law.motion.picus.rolling.friction : 0.6;
+        const bool rolls = law.motion.model == motion_model<picus::Model>;
+        const double friction = rolls ? law.motion.of<picus::Model>().rolling.friction : 0.6;
         const double acceleration_mps2 =
             (rolls ? 5.0 / 7.0 : 1.0) * gravity_mps2 * (std::sin(slope_rad) - friction * std::cos(slope_rad));
         const double squared_speed = start_mps * start_mps + 2.0 * acceleration_mps2 * way_m;
@@ -91,7 +91,7 @@ TEST(FallPastANet, GoesOnBitForBitWhereTheRockPassesOverOrBelow) {
     const Slope slope = plane_slope(38.0, soft, 0.01);
     FallLaw picus;
     FallLaw pir3d = sliding_law();
-    pir3d.motion.pir3d.uncertainty = pir3d::Uncertainty::by_speed;
+    pir3d.motion.of<pir3d::Model>().uncertainty = pir3d::Uncertainty::by_speed;
     for (const FallLaw& law : {picus, pir3d}) {
         for (std::uint64_t seed = 0; seed < 40; ++seed) {
             const RockStart start = start_at(slope, 105.0, 50.0, seed % 2 == 0 ? 1.5 : 0.0, {3.0, 0.0, 0.0});

@@ -25,7 +25,7 @@ using testing::start_at;
 /// Chance at full strength, but nothing that turns a rock sideways.
 FallLaw lively_law() {
     FallLaw law;
-    law.motion.picus.lateral = {config::Angle{}, config::Angle{}};
+    law.motion.of<picus::Model>().lateral = {config::Angle{}, config::Angle{}};
     return law;
 }
 
@@ -189,8 +189,8 @@ TEST(FallAlongAProfile, RollsOverEveryDiagonalWithoutNoticing) {
     // Even ground of 20 deg with friction below its tangent: v^2 grows evenly, whatever the corners.
     const Slope slope = strip_slope(even_profile(20.0, 400.0), {ground({0.30, 0.80})});
     FallLaw law = deterministic_law();
-    law.motion.picus.rolling.friction = 0.3;
-    law.motion.picus.rolling.launch_factor = 1e9;
+    law.motion.of<picus::Model>().rolling.friction = 0.3;
+    law.motion.of<picus::Model>().rolling.launch_factor = 1e9;
     const RockStart start = on_profile(slope, 3.0, 0.0);
     const auto [end, log] = logged_fall(slope, law, start);
     EXPECT_EQ(end.reason, StopReason::left_terrain);
@@ -226,7 +226,7 @@ TEST(FallAlongAProfile, JumpsOffACliffAndLandsAtItsFoot) {
         {0.0, 110.0, 0}, {20.0, 100.0, 0}, {20.01, 80.0, 0}, {80.0, 50.005, 0}};
     const Slope strip = strip_slope(profile, {ground({0.30, 0.80})});
     FallLaw law = deterministic_law();
-    law.motion.picus.rolling.launch_factor = 1e9;
+    law.motion.of<picus::Model>().rolling.launch_factor = 1e9;
     for (const double ahead_m : {15.0, 1.0, 0.02, 0.008, 0.001, 1e-6}) {
         RockStart start =
             start_at(strip, 20.0 - ahead_m, 0.0, 0.0, 3.0 * Eigen::Vector3d{1.0, 0.0, slope}.normalized());

@@ -28,7 +28,7 @@ inline config::Raster<double> heights_of(const config::GridFrame& frame,
 }
 
 /// A soil of PiR3D with round numbers: widths, then threshold 5 degrees.
-inline pir3d::Soil test_soil(double friction = 0.6, Restitution restitution = {0.35, 0.85}) {
+inline Soil test_soil(double friction = 0.6, Restitution restitution = {0.35, 0.85}) {
     const auto radians = [](double degrees) { return config::Angle::from_degrees(degrees).in_radians(); };
     return {"test soil",  restitution,           friction,
             {0.10, 0.06}, {0.15, 0.10},          {radians(20.0), radians(15.0)},
@@ -60,11 +60,11 @@ inline Slope plane_slope(double slope_deg, Restitution restitution, double stop_
 /// Law of exactly what the paper states, without any chance.
 inline FallLaw deterministic_law() {
     FallLaw law;
-    law.motion.picus.noise = NoiseScope::off;
-    law.motion.picus.jump_angle.scatter = 0.0;
-    law.motion.picus.lateral.at_rest = config::Angle{};
-    law.motion.picus.lateral.when_fast = config::Angle{};
-    law.motion.picus.blend_steep_impacts = false;
+    law.motion.of<picus::Model>().noise = picus::NoiseScope::off;
+    law.motion.of<picus::Model>().jump_angle.scatter = 0.0;
+    law.motion.of<picus::Model>().lateral.at_rest = config::Angle{};
+    law.motion.of<picus::Model>().lateral.when_fast = config::Angle{};
+    law.motion.of<picus::Model>().blend_steep_impacts = false;
     law.tree.taper = false;
     law.tree.height_effect = false;
     const auto degrees = [](double d) { return config::Angle::from_degrees(d); };
@@ -76,8 +76,8 @@ inline FallLaw deterministic_law() {
 /// The motion model of PiR3D without any chance.
 inline FallLaw sliding_law() {
     FallLaw law = deterministic_law();
-    law.motion.model = MotionModel::pir3d;
-    law.motion.pir3d.uncertainty = pir3d::Uncertainty::off;
+    law.motion.model = motion_model<pir3d::Model>;
+    law.motion.of<pir3d::Model>().uncertainty = pir3d::Uncertainty::off;
     return law;
 }
 

@@ -20,7 +20,7 @@ using testing::slope_over;
 using testing::start_at;
 
 /// Everything random at full strength.
-FallLaw lively_law(MotionModel model = MotionModel::picus) {
+FallLaw lively_law(MotionModel model = motion_model<picus::Model>) {
     FallLaw law;
     law.motion.model = model;
     law.tree.deviation = deterministic_law().tree.deviation;
@@ -29,7 +29,7 @@ FallLaw lively_law(MotionModel model = MotionModel::picus) {
 
 /// Rules that hold for falls hold under every motion model.
 rc::Gen<MotionModel> any_model() {
-    return rc::gen::element(MotionModel::picus, MotionModel::pir3d, MotionModel::classical);
+    return rc::gen::elementOf(all_models());
 }
 
 /// A rough slope: a plane with waves, steps and noise, different for each seed.
@@ -163,7 +163,7 @@ TEST(Fall, RestsInAPitWithSteepWalls) {
     const Slope pit =
         slope_over(heights_of(frame, [](double x, double y) { return 1.2 * std::hypot(x - 50.0, y - 50.0); }),
                    {0.35, 0.85});
-    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d, MotionModel::classical}) {
+    for (const MotionModel model : all_models()) {
         const auto [end, log] =
             logged_fall(pit, lively_law(model), start_at(pit, 30.0, 40.0, 1.5, {3.0, 0.0, -1.0}));
         EXPECT_EQ(end.reason, StopReason::at_rest);
@@ -178,9 +178,9 @@ TEST(Fall, FollowsAGullyDownhill) {
     const Slope gully = slope_over(
         heights_of(frame, [](double x, double y) { return 400.0 - 0.8 * x + 1.0 * std::abs(y - 47.5); }),
         {0.30, 0.65});
-    for (const MotionModel model : {MotionModel::picus, MotionModel::pir3d, MotionModel::classical}) {
+    for (const MotionModel model : all_models()) {
         FallLaw law = lively_law(model);
-        law.motion.picus.stopping.by_chance = false;
+        law.motion.of<picus::Model>().stopping.by_chance = false;
         int left = 0;
         constexpr int rocks = 100;
         for (std::uint64_t rock = 0; rock < rocks; ++rock) {
@@ -204,7 +204,7 @@ TEST(Fall, LeavesTheTerrainAsAnOutcome) {
 TEST(Fall, EndsAfterTheLargestNumberOfImpacts) {
     const Slope slope = plane_slope(38.0, {0.30, 0.75}, 0.0, 1000.0);
     FallLaw law = lively_law();
-    law.motion.picus.stopping.most_impacts = 10;
+    law.motion.of<picus::Model>().stopping.most_impacts = 10;
     const auto [end, log] = logged_fall(slope, law, start_at(slope, 20.0, 50.0, 1.5, {2.6, 0.0, -1.5}));
     EXPECT_EQ(end.reason, StopReason::gave_up);
     EXPECT_EQ(end.ground_impacts, 10U);
@@ -248,8 +248,8 @@ TEST(Fall, HitsTreesWhileRolling) {
     const RockStart start =
         start_at(slope, 100.0, 50.0, 0.0, 1.5 * Eigen::Vector3d{std::cos(b), 0.0, -std::sin(b)});
     FallLaw law = deterministic_law();
-    law.motion.picus.rolling.friction = 0.3;  // rolls on at 20 degrees
-    law.motion.picus.rolling.launch_factor = 1e9;
+    law.motion.of<picus::Model>().rolling.friction = 0.3;  // rolls on at 20 degrees
+    law.motion.of<picus::Model>().rolling.launch_factor = 1e9;
     const auto [end, log] = logged_fall(slope, law, start, &stems);
     ASSERT_EQ(log.hits.size(), 1U);
     EXPECT_EQ(end.reason, StopReason::tree);

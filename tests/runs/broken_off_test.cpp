@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/runs/motion_models.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::broken_off_test {
@@ -52,7 +53,7 @@ TEST(Interruption, LeavesNoResults) {
 }
 
 class InterruptionUnderModel : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Motion, InterruptionUnderModel, ::testing::Values("picus", "pir3d", "classical"),
+INSTANTIATE_TEST_SUITE_P(Motion, InterruptionUnderModel, ::testing::ValuesIn(motion_model_names()),
                          [](const auto& model) { return model.param; });
 
 TEST_P(InterruptionUnderModel, KeepsFinishedPartsForTheSameSettingsOnly) {

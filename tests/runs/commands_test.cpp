@@ -35,8 +35,42 @@ TEST(Program, PrintsSettingsWithDefaultsAndSources) {
     const Outcome outcome = call(project, "check scenario.ini --print-settings --set rockfall.preset=strict");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("* release.diameter_m"), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.out.find("* rockfall.jump_angle_scatter"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("* picus.jump_angle_scatter"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("Rammer et al. 2010"), std::string::npos);
+}
+
+TEST(Program, TakesEarlierNamesOfSettingsWithANote) {
+    const SampleProject project;
+    project.replace("scenario.ini", "[targets]", "[rockfall]\njump_angle_scatter = 0.1\n[targets]");
+    const Outcome earlier = call(project,
+                                 "run scenario.ini --set release.rocks=300 --set "
+                                 "rockfall.lateral_slow_deg=5 --out earlier");
+    EXPECT_EQ(earlier.code, 0) << earlier.err;
+    const std::string note =
+        "rockfall.jump_angle_scatter is renamed to picus.jump_angle_scatter; it works as "
+        "before, but write the new name";
+    EXPECT_NE(earlier.err.find(note), std::string::npos) << earlier.err;
+    EXPECT_NE(earlier.err.find("--set rockfall.lateral_slow_deg=5: rockfall.lateral_slow_deg is renamed to "
+                               "picus.lateral_slow_deg"),
+              std::string::npos)
+        << earlier.err;
+
+    project.replace("scenario.ini", "[rockfall]\njump_angle", "[picus]\njump_angle");
+    const Outcome now =
+        shell(project,
+              "\"$bannwald\" run scenario.ini --set release.rocks=300 --set "
+              "picus.lateral_slow_deg=5 --out now && diff -r earlier/tables now/tables && diff "
+              "-r earlier/rasters now/rasters");
+    EXPECT_EQ(now.code, 0) << now.out << now.err;
+    EXPECT_EQ(now.err.find("renamed"), std::string::npos) << now.err;
+
+    const Outcome compared = call(project, "compare earlier now");
+    EXPECT_EQ(compared.code, 0) << compared.err;
+    EXPECT_EQ(compared.out.find("jump_angle_scatter"), std::string::npos) << compared.out;
+
+    const Outcome wrong = call(project, "check scenario.ini --set rockfall.lateral_slow_deg=-5");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.err.find("found picus.lateral_slow_deg = '-5'"), std::string::npos) << wrong.err;
 }
 
 TEST(Program, HelpsWithEverything) {

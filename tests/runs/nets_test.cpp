@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/runs/motion_models.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling::nets_test {
@@ -21,7 +22,7 @@ class NetsUnderModel : public ::testing::TestWithParam<std::string> {
 protected:
     [[nodiscard]] static std::string motion() { return "--set rockfall.motion=" + GetParam() + " "; }
 };
-INSTANTIATE_TEST_SUITE_P(Motion, NetsUnderModel, ::testing::Values("picus", "pir3d", "classical"),
+INSTANTIATE_TEST_SUITE_P(Motion, NetsUnderModel, ::testing::ValuesIn(motion_model_names()),
                          [](const auto& model) { return model.param; });
 
 TEST_P(NetsUnderModel, GiveTheSameBytesOnAnyNumberOfThreads) {

@@ -206,8 +206,8 @@ const BadProfile bad_profiles[] = {
      "bannwald: scenario.ini:2:7: found terrain.dem beside terrain.profile"},
     {"TreesBeside", [](SampleProject&) {}, 2, "found trees.file beside terrain.profile",
      "--set trees.file=t.csv"},
-    {"DeviationBeside", [](SampleProject&) {}, 2, "found rockfall.lateral_slow_deg beside terrain.profile",
-     "--set rockfall.lateral_slow_deg=5"},
+    {"DeviationBeside", [](SampleProject&) {}, 2, "found picus.lateral_slow_deg beside terrain.profile",
+     "--set picus.lateral_slow_deg=5"},
     {"SegmentOfNoLength", [](SampleProject&) {}, 2, "profile.segment_m = '0'", "--set profile.segment_m=0"},
 };
 

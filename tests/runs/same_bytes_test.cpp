@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/runs/motion_models.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::same_bytes_test {
@@ -21,7 +22,7 @@ class ResultsOfModel : public ::testing::TestWithParam<std::string> {
 protected:
     [[nodiscard]] static std::string motion() { return "--set rockfall.motion=" + GetParam() + " "; }
 };
-INSTANTIATE_TEST_SUITE_P(Motion, ResultsOfModel, ::testing::Values("picus", "pir3d", "classical"),
+INSTANTIATE_TEST_SUITE_P(Motion, ResultsOfModel, ::testing::ValuesIn(motion_model_names()),
                          [](const auto& model) { return model.param; });
 
 TEST_P(ResultsOfModel, AreTheSameBytesOnAnyNumberOfThreads) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/runs/motion_models.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling::years_rocks_test {
@@ -54,8 +55,7 @@ std::string dense_list(bool with_thin_trees) {
 }
 
 class FirstRocksOfYearsUnderModel : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Motion, FirstRocksOfYearsUnderModel,
-                         ::testing::Values("picus", "pir3d", "classical"),
+INSTANTIATE_TEST_SUITE_P(Motion, FirstRocksOfYearsUnderModel, ::testing::ValuesIn(motion_model_names()),
                          [](const auto& model) { return model.param; });
 
 TEST_P(FirstRocksOfYearsUnderModel, AreThoseOfToday) {

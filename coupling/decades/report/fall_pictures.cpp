@@ -10,6 +10,7 @@
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -66,17 +67,24 @@ struct Quantity {
     const char* stem;
     const char* name;
     const char* meaning;
-    const char* effect_unit;  ///< empty: no map of what the forest changes
+    const char* effect_unit;      ///< empty: no map of what the forest changes
+    bool names_energies = false;  ///< the meaning says what energies count
 };
 constexpr std::array quantities{
     Quantity{"Reach_probability", "common.reach_probability", "common.rocks_that_pass_a_cell_in", ""},
     Quantity{"E_mean", "decades.fall_pictures.energy_mean",
-             "decades.fall_pictures.of_the_largest_kinetic_energy", "kJ"},
+             "decades.fall_pictures.of_the_largest_kinetic_energy", "kJ", true},
     Quantity{"E_max", "decades.fall_pictures.energy_largest", "common.of_any_rock_in_a_cell", ""},
     Quantity{"Nr_passages", "common.rocks_that_pass", "common.each_rock_counts_once_in_a_cell", "rocks"},
     Quantity{"Nr_tree_impacts", "common.hits_on_trees",
              "decades.fall_pictures.of_the_rocks_of_all_replicates", ""},
 };
+
+std::string meaning_of(const Quantity& quantity) {
+    return quantity.names_energies
+               ? report::page_text(quantity.meaning, {{"energies", rockfall::what_energies_count()}})
+               : report::page_text(quantity.meaning);
+}
 
 class FallPictures {
 public:
@@ -194,8 +202,7 @@ std::string FallPictures::block(const Quantity& quantity) {
         }
     }
     return joined("<details><summary>", report::page_text(quantity.name), "</summary><p class=\"soft\">",
-                  report::page_text(quantity.meaning), "</p>\n<div class=\"thirds\">", figures,
-                  "</div></details>\n");
+                  meaning_of(quantity), "</p>\n<div class=\"thirds\">", figures, "</div></details>\n");
 }
 
 std::string FallPictures::html() {

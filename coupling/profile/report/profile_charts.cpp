@@ -12,6 +12,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/rebin.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -207,7 +208,9 @@ std::string charts_along(const ProfileResults& results) {
                  report::page_text("profile_charts.largest_height_of_each_rock_in")),
         envelope(results, report::page_text("profile_charts.kinetic_energy"),
                  report::page_text("common.energy_kj"), rockfall::energy_bins, &StretchTally::energy_j,
-                 j_per_kj, report::page_text("profile_charts.largest_energy_of_each_rock_in")),
+                 j_per_kj,
+                 report::page_text("profile_charts.largest_energy_of_each_rock_in",
+                                   {{"energies", rockfall::what_energies_count()}})),
         "</div>\n");
 }
 

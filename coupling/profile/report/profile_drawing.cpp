@@ -10,6 +10,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -255,7 +256,8 @@ std::string drawing(const ProfileResults& results) {
                   "</svg><p>",
                   (drawn == 0 ? std::string{report::page_text("profile_drawing.no_paths_were_kept_output")}
                               : report::page_text("profile_drawing.paths_of_the_underside_of_rocks",
-                                                  {{"drawn", report::grouped(drawn)}})),
+                                                  {{"drawn", report::grouped(drawn)},
+                                                   {"energies", rockfall::what_energies_count()}})),
                   "</p></figure>\n");
 }
 

@@ -17,6 +17,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -96,7 +97,8 @@ std::string stations(const ProfileResults& results) {
     }
     using namespace rockfall;
     HtmlTable table{
-        report::page_text("profile_page.energy_is_translation_and"),
+        report::page_text("profile_page.energy_is_translation_and",
+                          {{"energies", rockfall::what_energies_count()}}),
         {report::page_text("profile_page.station"), report::page_text("profile_page.at_m_2"),
          report::page_text("profile_page.rocks_that_pass_95_interval"),
          report::page_text("profile_page.energy_kj_mean"), report::page_text("profile_page.sd"), "90 %",
@@ -178,6 +180,8 @@ figure.map .grid{stroke:#d5d9d4}figure.map .axis{stroke:#1d2528}
 
 void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
     const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
+    const std::vector<std::string> turns = rockfall::sideways_settings();
+    const std::set<std::string> set_to_none{turns.begin(), turns.end()};
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         << page_scripts::policy(scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
@@ -191,10 +195,9 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
         << joined("<h2>", report::page_text("common.settings"), "</h2>\n")
-        << report::table_of_settings(results.scenario,
-                                     [](const std::string& key) {
-                                         return !plays_no_part(key) || key.starts_with("rockfall.lateral");
-                                     })
+        << report::table_of_settings(
+               results.scenario,
+               [&](const std::string& key) { return !plays_no_part(key) || set_to_none.contains(key); })
         << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\"><p>",
                   report::page_text("common.input_files_named_as_in_the"), "</p>")
         << report::table_of_inputs(results.site.inputs)

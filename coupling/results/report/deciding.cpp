@@ -155,30 +155,8 @@ std::string spread_of_directions(const Scenario& scenario) {
                page_text("deciding.around_the_fall_line_at_the",
                          {{"start_scatter_deg", config::to_text(scenario.start_scatter_deg)}}),
                {"release.start_scatter_deg"});
-    const rockfall::WrittenLaw& law = scenario.rockfall.written;
-    switch (scenario.rockfall.fall.motion.model) {
-        case rockfall::MotionModel::pir3d:
-            return page_text(
-                "deciding.at_impacts_as_the_soils_of",
-                {{"start", start},
-                 {"marked", marked(scenario, "", {"pir3d.spread", "pir3d.uncertainty", "terrain.soils"})}});
-        case rockfall::MotionModel::classical:
-            return joined(
-                start, ", ",
-                marked(scenario,
-                       page_text("deciding.at_impacts",
-                                 {{"law_classical_lateral_deg", config::to_text(law.classical_lateral_deg)}}),
-                       {"classical.lateral_deg"}));
-        case rockfall::MotionModel::picus:
-            break;
-    }
-    return joined(
-        start, ", ",
-        marked(scenario,
-               page_text("deciding.at_impacts_slow_to_fast_rocks",
-                         {{"law_lateral_slow_deg", config::to_text(law.lateral_slow_deg)},
-                          {"law_lateral_fast_deg", config::to_text(law.lateral_fast_deg)}}),
-               {"rockfall.lateral_slow_deg", "rockfall.lateral_fast_deg", "rockfall.lateral_fast_mps"}));
+    const rockfall::SidewaysTurn turn = rockfall::sideways_turn(scenario.rockfall);
+    return joined(start, ", ", marked(scenario, turn.words, turn.settings));
 }
 
 std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSource>& sources,

@@ -46,15 +46,8 @@ std::string rock_size(const Scenario& scenario) {
 }
 
 std::string motion_in_words(const Scenario& scenario) {
-    switch (scenario.rockfall.fall.motion.model) {
-        case rockfall::MotionModel::pir3d:
-            return page_text("listings.pir3d_rocks_slide_and_do_not");
-        case rockfall::MotionModel::classical:
-            return page_text("listings.classical_constant_restitution");
-        case rockfall::MotionModel::picus:
-            break;
-    }
-    return page_text("listings.picus_rock_n_roll_rocks_jump");
+    const rockfall::ModelDescription& model = rockfall::description_of(scenario.rockfall.fall.motion.model);
+    return joined(model.title, ": ", model.rocks);
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {

@@ -9,6 +9,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::report {
 namespace {
@@ -242,8 +243,10 @@ std::string answers(const RunResults& results, const Figures& figures) {
                              rates_at(target, covers), figures_at(target, covers));
         html += "</section>\n";
     }
-    return joined(html, leaving(results, figures), "<p class=\"soft\">",
-                  page_text("today.answers.energy_is_translation_and"), "</p>\n");
+    return joined(
+        html, leaving(results, figures), "<p class=\"soft\">",
+        page_text("today.answers.energy_is_translation_and", {{"energies", rockfall::what_energies_count()}}),
+        "</p>\n");
 }
 
 }  // namespace coupling::report

@@ -8,6 +8,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::report {
 namespace {
@@ -202,7 +203,8 @@ std::string maps(const RunResults& results) {
              page_text("common.rocks_that_pass_a_cell_in"),
              page_text("today.maps.for_the_forest_effect_both_are"));
     page.row("E_95", page_text("common.energy_95th_percentile"), "kJ",
-             page_text("today.maps.of_the_largest_kinetic_energy"),
+             page_text("today.maps.of_the_largest_kinetic_energy",
+                       {{"energies", rockfall::what_energies_count()}}),
              page_text("today.maps.for_the_forest_effect_no_rock"));
     page.row("Nr_passages", page_text("common.rocks_that_pass"), "rocks",
              page_text("common.each_rock_counts_once_in_a_cell"), "");

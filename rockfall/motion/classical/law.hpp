@@ -25,4 +25,10 @@ struct Law {
     std::uint32_t most_impacts = 20'000;
 };
 
+/// Settings that users write in another form than the law uses them: angles in degrees.
+struct Written {
+    double lateral_deg = 11.0;
+    double friction_angle_deg = 30.0;
+};
+
 }  // namespace rockfall::classical

@@ -6,7 +6,7 @@
 #include "config/random/distributions.hpp"
 #include "rockfall/motion/classical/friction.hpp"
 #include "rockfall/motion/ground_deviation.hpp"
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/hop.hpp"
 #include "rockfall/motion/rebound.hpp"
 
 namespace rockfall::classical {

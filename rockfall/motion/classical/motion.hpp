@@ -14,7 +14,8 @@
 namespace rockfall::classical {
 
 /// One rock under the classical model: a point without spin, restitution that knows no speed, sliding with
-/// one angle of friction. What a model must offer stands in models.hpp.
+/// one angle of friction. What a model must offer is in
+/// models.hpp.
 class Motion {
 public:
     static constexpr bool slides = true;

@@ -4,7 +4,7 @@
 
 #include "config/random/stream.hpp"
 #include "rockfall/motion/pir3d/law.hpp"
-#include "rockfall/motion/pir3d/soil.hpp"
+#include "rockfall/motion/soil.hpp"
 
 namespace rockfall::pir3d {
 

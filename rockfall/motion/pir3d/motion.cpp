@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/hop.hpp"
 
 namespace rockfall::pir3d {
 

@@ -14,7 +14,7 @@
 
 namespace rockfall::pir3d {
 
-/// One rock under the motion model of PiR3D: a point without spin. What a model must offer stands in
+/// One rock under the motion model of PiR3D: a point without spin. What a model must offer is in
 /// models.hpp. Every ground type needs a soil.
 class Motion {
 public:

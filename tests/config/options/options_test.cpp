@@ -98,6 +98,59 @@ TEST(Options, KnowWhereAKeyWasSet) {
     EXPECT_EQ(options.place_of("run.years").line, 0U);
 }
 
+/// Settings of which one had another name before.
+Options with_renamed(Settings& settings) {
+    Options options;
+    options.number("picus.rolling_friction", settings.friction,
+                   {.low = 0.0, .high = 2.0, .meaning = "friction", .formerly = "rockfall.friction"});
+    return options;
+}
+
+TEST(Options, ReadEarlierNamesOfKeysAndSayWhichOnesWereUsed) {
+    Settings settings;
+    Options options = with_renamed(settings);
+    read(options, "[rockfall]\n\nfriction = 0.7\n");
+    EXPECT_EQ(settings.friction, 0.7);
+    EXPECT_TRUE(options.was_set("picus.rolling_friction"));
+    EXPECT_EQ(options.place_of("picus.rolling_friction").line, 3U);
+    ASSERT_EQ(options.renamings().size(), 1U);
+    EXPECT_EQ(to_string(options.renamings().front()),
+              "run.ini:3:1: rockfall.friction is renamed to picus.rolling_friction; it works as before, but "
+              "write the new name");
+
+    read(options, "", {"rockfall.friction=0.6"});
+    EXPECT_EQ(settings.friction, 0.6);
+    ASSERT_EQ(options.renamings().size(), 1U);
+    EXPECT_EQ(options.renamings().front().place.file, "--set rockfall.friction=0.6");
+
+    read(options, "[picus]\nrolling_friction = 0.5\n");
+    EXPECT_TRUE(options.renamings().empty());
+    std::ostringstream written;
+    options.write_ini(written, false);
+    EXPECT_EQ(written.str(), "[picus]\nrolling_friction = 0.5\n");
+}
+
+TEST(Options, NameTheNewKeyInMessagesAboutAnEarlierOne) {
+    const auto message = [](const std::string& text) {
+        Settings settings;
+        Options options = with_renamed(settings);
+        try {
+            read(options, text);
+        } catch (const InputError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    EXPECT_EQ(message("[rockfall]\nfriction = 5\n"),
+              "run.ini:2:12: found picus.rolling_friction = '5', expected a number in [0, 2]");
+    EXPECT_EQ(message("[rockfall]\nfrictoin = 1\n"),
+              "run.ini:2:1: found key 'rockfall.frictoin', expected 'picus.rolling_friction'");
+    EXPECT_EQ(
+        message("[rockfall]\nfriction = 1\n[picus]\nrolling_friction = 1\n"),
+        "run.ini:4:1: found 'picus.rolling_friction' a second time (first on line 2), expected each key "
+        "once");
+}
+
 TEST(Options, SuggestTheNearestKey) {
     EXPECT_EQ(message_of("[run]\nsede = 1\n"), "run.ini:2:1: found key 'run.sede', expected 'run.seed'");
     EXPECT_EQ(message_of("[run]\nrolling_friction = 1\n"),

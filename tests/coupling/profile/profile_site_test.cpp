@@ -66,8 +66,12 @@ TEST(OpenProfile, TurnsDeviationOffInEverySet) {
     for (const std::string preset : {"default", "strict", "paper_rebound", "paper_initial"}) {
         const OpenedProfile opened = open_profile_of(project, {"rockfall.preset=" + preset});
         ASSERT_TRUE(opened.scenario) << opened.errors;
-        EXPECT_EQ(opened.scenario->rockfall.fall.motion.picus.lateral.at_rest.in_radians(), 0.0);
-        EXPECT_EQ(opened.scenario->rockfall.fall.motion.picus.lateral.when_fast.in_radians(), 0.0);
+        EXPECT_EQ(
+            opened.scenario->rockfall.fall.motion.of<rockfall::picus::Model>().lateral.at_rest.in_radians(),
+            0.0);
+        EXPECT_EQ(
+            opened.scenario->rockfall.fall.motion.of<rockfall::picus::Model>().lateral.when_fast.in_radians(),
+            0.0);
     }
 }
 
@@ -103,8 +107,8 @@ TEST(ProfileSettings, RefuseEachKeyWithoutMeaning) {
           "terrain.surface_polygons=s.csv", "trees.file=trees.csv", "release.source=source.asc",
           "release.source_shapes=s.csv", "release.rocks_per_source=10", "release.random_place=yes",
           "release.start_scatter_deg=5", "targets.file=targets.csv", "output.cell_size_m=5",
-          "output.percentiles=no", "output.tree_hit_table=no", "rockfall.lateral_slow_deg=16",
-          "rockfall.lateral_fast_deg=11", "rockfall.lateral_fast_mps=10", "rockfall.vertical_tolerance_m=0.1",
+          "output.percentiles=no", "output.tree_hit_table=no", "picus.lateral_slow_deg=16",
+          "picus.lateral_fast_deg=11", "picus.lateral_fast_mps=10", "rockfall.vertical_tolerance_m=0.1",
           "tree_impact.taper=no"}) {
         const std::string key = setting.substr(0, setting.find('='));
         const OpenedProfile opened = open_profile_of(project, {setting});

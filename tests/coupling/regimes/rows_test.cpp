@@ -145,7 +145,7 @@ TEST(RegimeColumns, AreAllInTheTheoryChapter) {
     for (const RegimeColumn& column : regime_columns()) {
         const std::string row = "| `" + std::string{column.name} + "` | " + users_text(column) + " | " +
                                 default_text(column) + " | " + std::string{column.meaning} + " | " +
-                                std::string{column.source} + " |\n";
+                                std::string{column.rules.source} + " |\n";
         EXPECT_NE(text.find(row), std::string::npos) << row;
     }
     for (std::size_t i = 0; i < treatment_count; ++i) {

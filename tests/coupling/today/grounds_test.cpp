@@ -24,14 +24,14 @@ SmallRun on_scree() {
     scree.restitution = {0.3, 0.75};
     scree.stopping = rockfall::StopCurve{{{1.0, 0.02}}};
     scree.rolling_stops_per_m = rockfall::StopCurve{{{1.0, 0.004}}};
-    scree.soil = rockfall::pir3d::Soil{.name = "scree_step_1",
-                                       .restitution = {0.35, 0.8},
-                                       .friction = 0.6,
-                                       .restitution_share = {0.2, 0.1},
-                                       .friction_share = {0.3, 0.15},
-                                       .angle_rad = {0.5, 0.25},
-                                       .limit_mps = 8.0,
-                                       .threshold_tangent = 0.1};
+    scree.soil = rockfall::Soil{.name = "scree_step_1",
+                                .restitution = {0.35, 0.8},
+                                .friction = 0.6,
+                                .restitution_share = {0.2, 0.1},
+                                .friction_share = {0.3, 0.15},
+                                .angle_rad = {0.5, 0.25},
+                                .limit_mps = 8.0,
+                                .threshold_tangent = 0.1};
     run.site.slope.types = {rock, scree};
     run.site.surface = config::Raster<std::uint8_t>{run.site.map_frame, 1};
     return run;
@@ -59,7 +59,7 @@ TEST(Grounds, TellWhatPicusHeedsOfThoseThatOccur) {
 
 TEST(Grounds, TellTheSoilThatPir3dHeeds) {
     SmallRun run = on_scree();
-    run.scenario->rockfall.fall.motion.model = rockfall::MotionModel::pir3d;
+    run.scenario->rockfall.fall.motion.model = rockfall::motion_model<rockfall::pir3d::Model>;
     const config::Table table = grounds_table(run);
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.text(0, "soil"), "scree_step_1");
@@ -78,7 +78,7 @@ TEST(Grounds, TellTheSoilThatPir3dHeeds) {
 
 TEST(Grounds, TellTheFrictionOfTheClassicalModel) {
     SmallRun run = on_scree();
-    run.scenario->rockfall.fall.motion.model = rockfall::MotionModel::classical;
+    run.scenario->rockfall.fall.motion.model = rockfall::motion_model<rockfall::classical::Model>;
     const config::Table table = grounds_table(run);
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.text(0, "friction"), "0.333");

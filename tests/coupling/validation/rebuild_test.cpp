@@ -68,7 +68,7 @@ TEST(Rebuild, PutsSurfacesWhereTheProfileHasThem) {
 TEST(ProfileMode, FindsTheFixedPointOfJumps) {
     const ValidationCase of = read_case(even_slope("profile"));
     const auto recipe = of.recipe(
-        "strict", {"rockfall.rt_noise=0", "surfaces.p_stop_factor=0", "series.rocks=3", "series.series=0"});
+        "strict", {"picus.rt_noise=0", "surfaces.p_stop_factor=0", "series.rocks=3", "series.series=0"});
     const RebuiltSlope slope = rebuild(*recipe, of.profile(*recipe));
     const Ensembles falls = let_fall(*recipe, slope, {});
     const JumpSums& late = falls.large.segments.at(30);

@@ -63,8 +63,8 @@ TEST(Fall, SlidesOnInAGullyWhoseWallsItStrikesInTurn) {
                             [](double x, double y) { return 400.0 - 0.8 * x + 0.5 * std::abs(y - 47.5); }),
         {0.35, 0.85});
     FallLaw law = testing::deterministic_law();
-    law.motion.model = MotionModel::classical;
-    law.motion.classical.lateral = config::Angle::from_degrees(20.0);
+    law.motion.model = motion_model<classical::Model>;
+    law.motion.of<classical::Model>().lateral = config::Angle::from_degrees(20.0);
     for (std::uint64_t rock = 0; rock < 200; ++rock) {
         const auto [end, log] = testing::logged_fall(
             gully, law, testing::start_at(gully, 20.0, 60.0, 1.0, {1.0, -1.0, 0.0}, 0.8, rock));
@@ -158,8 +158,8 @@ double speed_below_gully_mps(double wall, MotionModel model) {
         {0.35, 0.85});
     FallLaw law = testing::sliding_law();
     law.motion.model = model;
-    law.motion.classical.lateral = config::Angle{};
-    law.motion.classical.restitution_deviation = 0.0;
+    law.motion.of<classical::Model>().lateral = config::Angle{};
+    law.motion.of<classical::Model>().restitution_deviation = 0.0;
     const RockStart start =
         testing::start_at(gully, 15.0, 105.5, 0.0, 8.0 * Eigen::Vector3d{1.0, 0.0, -fall}.normalized());
     const auto [end, log] = testing::logged_fall(gully, law, start);
@@ -175,7 +175,7 @@ double speed_below_gully_mps(double wall, MotionModel model) {
 /// Whether the walls meet more or less steeply than the faces that rocks run over a little (gradients that
 /// differ by 3) must not show.
 TEST(Fall, SlidesThroughSteepGulliesWithoutAStop) {
-    for (const MotionModel model : {MotionModel::pir3d, MotionModel::classical}) {
+    for (const MotionModel model : {motion_model<pir3d::Model>, motion_model<classical::Model>}) {
         const double gentle_mps = speed_below_gully_mps(1.45, model);
         const double steep_mps = speed_below_gully_mps(1.55, model);
         EXPECT_GT(gentle_mps, 30.0);

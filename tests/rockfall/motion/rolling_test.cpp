@@ -27,7 +27,7 @@ Eigen::Vector3d down_the_fall_line(double slope_deg, double speed_mps) {
 /// A law under which a rolling rock never lifts off.
 FallLaw only_rolling() {
     FallLaw law = deterministic_law();
-    law.motion.picus.rolling.launch_factor = 1e9;
+    law.motion.of<picus::Model>().rolling.launch_factor = 1e9;
     return law;
 }
 

@@ -7,7 +7,7 @@
 
 #include "config/random/stream.hpp"
 #include "config/units/constants.hpp"
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/picus/ground_contact.hpp"
 #include "rockfall/obstacles/stem.hpp"
 
 namespace rockfall::log_impact_test {

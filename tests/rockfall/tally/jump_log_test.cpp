@@ -55,7 +55,7 @@ TEST(JumpLog, KnowsTheHighestPointAboveBrokenGround) {
     ground.restitution = {0.35, 0.85};
     const Slope slope = strip_slope(profile, {ground});
     FallLaw law = deterministic_law();
-    law.motion.picus.jump_angle.scatter = 0.3;
+    law.motion.of<picus::Model>().jump_angle.scatter = 0.3;
     for (std::uint64_t rock = 0; rock < 30; ++rock) {
         const Watched fall{slope, law, start_at(slope, 3.0, 0.0, 1.5, {3.0, 0.0, -1.5}, 0.95, rock)};
         for (std::size_t i = 0; i < fall.events.jumps.size(); ++i) {

@@ -20,10 +20,10 @@ constexpr Restitution ground{0.35, 0.85};
 /// The classical model without any chance.
 FallLaw plain_law() {
     FallLaw law = deterministic_law();
-    law.motion.model = MotionModel::classical;
-    law.motion.classical.restitution_deviation = 0.0;
-    law.motion.classical.lateral = config::Angle{};
-    law.motion.classical.friction = Friction::angle;
+    law.motion.model = motion_model<classical::Model>;
+    law.motion.of<classical::Model>().restitution_deviation = 0.0;
+    law.motion.of<classical::Model>().lateral = config::Angle{};
+    law.motion.of<classical::Model>().friction = Friction::angle;
     return law;
 }
 
@@ -38,7 +38,7 @@ SurfaceType surface_of(Restitution restitution) {
 }
 
 TEST(ClassicalImpact, TakesTheSameShareAtEverySpeed) {
-    const Law law = plain_law().motion.classical;
+    const Law law = plain_law().motion.of<classical::Model>();
     const Motion motion{law, {}, Rock::sphere(1.0, 2700.0)};
     const Eigen::Vector3d normal = Eigen::Vector3d{0.3, 0.1, 1.0}.normalized();
     for (const double speed_mps : {2.0, 10.0, 40.0}) {
@@ -115,7 +115,7 @@ TEST(ClassicalFall, TakesItsFrictionFromTheGround) {
     const double b = radians(8.0);
     const Slope slope = plane_slope(8.0, ground);
     FallLaw law = plain_law();
-    law.motion.classical.friction = Friction::from_rt;
+    law.motion.of<classical::Model>().friction = Friction::from_rt;
     const auto [end, log] = logged_fall(
         slope, law, start_at(slope, 100.0, 50.0, 0.0, 3.0 * Eigen::Vector3d{std::cos(b), 0.0, -std::sin(b)}));
     const double braking_mps2 = gravity_mps2 * (0.15 / 0.85 * std::cos(b) - std::sin(b));

@@ -123,7 +123,7 @@ TEST(SlidingRock, KeepsOneFrictionOnEachStretch) {
     const Slope slope = plane_slope(40.0, {0.35, 0.85});
     const double b = config::Angle::from_degrees(40.0).in_radians();
     FallLaw law = sliding_law();
-    law.motion.pir3d.uncertainty = Uncertainty::constant;
+    law.motion.of<pir3d::Model>().uncertainty = Uncertainty::constant;
     std::vector<double> frictions;
     for (std::uint64_t rock = 0; rock < 500; ++rock) {
         const auto [end, log] =
@@ -164,8 +164,8 @@ TEST(SlidingRock, HasTheFrictionOfTheSpeedWithWhichAStretchBegins) {
 TEST(SlidingRock, StaysInThePlaneOfAProfile) {
     const Slope slope = plane_slope(40.0, {0.35, 0.85});
     FallLaw law = sliding_law();
-    law.motion.pir3d.uncertainty = Uncertainty::by_speed;
-    law.motion.pir3d.turns_sideways = false;
+    law.motion.of<pir3d::Model>().uncertainty = Uncertainty::by_speed;
+    law.motion.of<pir3d::Model>().turns_sideways = false;
     for (std::uint64_t rock = 0; rock < 50; ++rock) {
         const auto [end, log] =
             logged_fall(slope, law, start_at(slope, 100.0, 50.0, 1.5, {3.0, 0.0, -1.5}, 0.6, rock));
@@ -176,12 +176,12 @@ TEST(SlidingRock, StaysInThePlaneOfAProfile) {
 TEST(SlidingRock, JumpsStraightUpOnLevelGround) {
     // A jump that leads nowhere is one as long as it is higher than the least hop: h R_N^2, h R_N^4 ...
     const Slope flat = plane_slope(0.0, {0.5, 0.9});
-    for (const MotionModel model : {MotionModel::pir3d, MotionModel::classical}) {
+    for (const MotionModel model : {motion_model<pir3d::Model>, motion_model<classical::Model>}) {
         FallLaw law = sliding_law();
         law.motion.model = model;
-        law.motion.pir3d.least_hop = law.motion.classical.least_hop = 0.1;
-        law.motion.classical.restitution_deviation = 0.0;
-        law.motion.classical.lateral = config::Angle{};
+        law.motion.of<pir3d::Model>().least_hop = law.motion.of<classical::Model>().least_hop = 0.1;
+        law.motion.of<classical::Model>().restitution_deviation = 0.0;
+        law.motion.of<classical::Model>().lateral = config::Angle{};
         Slope ground = flat;
         ground.types[0].soil = rockfall::testing::test_soil(0.6, {0.5, 0.9});
         const auto [end, log] =
@@ -195,7 +195,7 @@ TEST(SlidingRock, JumpsStraightUpOnLevelGround) {
 TEST(SlidingRock, ComesToRestOnFlatGround) {
     const Slope flat = plane_slope(0.0, {0.50, 0.90});
     FallLaw law = sliding_law();
-    law.motion.pir3d.uncertainty = Uncertainty::by_speed;
+    law.motion.of<pir3d::Model>().uncertainty = Uncertainty::by_speed;
     for (std::uint64_t rock = 0; rock < 50; ++rock) {
         const auto [end, log] =
             logged_fall(flat, law, start_at(flat, 100.0, 50.0, 10.0, {5.0, 0.0, 0.0}, 0.95, rock));

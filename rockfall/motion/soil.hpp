@@ -5,7 +5,7 @@
 #include "config/units/angle.hpp"
 #include "rockfall/motion/restitution.hpp"
 
-namespace rockfall::pir3d {
+namespace rockfall {
 
 /// A half width (uniform) or standard deviation (normal) that falls with speed, straight to the limit speed
 /// and then constant (Cottaz et al. 2010, Eqs. 6-9).
@@ -14,7 +14,7 @@ struct Width {
     double fast = 0.0;  ///< at and above the limit speed
 };
 
-/// What sets one ground apart (Cottaz et al. 2010, Tables 1-3).
+/// What sets one ground apart for motion models that take it from soils (Cottaz et al. 2010, Tables 1-3).
 struct Soil {
     std::string name;
     Restitution restitution;
@@ -27,4 +27,4 @@ struct Soil {
         0.0;  ///< tan of beta_lim, the angle to the ground that parts sliding from flight
 };
 
-}  // namespace rockfall::pir3d
+}  // namespace rockfall

@@ -1,4 +1,4 @@
-#include "coupling/inputs/pir3d_soils.hpp"
+#include "coupling/inputs/soils.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "coupling/inputs/surface_types.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling::pir3d_soils_test {
+namespace coupling::soils_test {
 namespace {
 
 using config::ExitCode;
@@ -15,7 +15,7 @@ using config::ExitCode;
 const std::vector<std::string> with_pir3d{"rockfall.motion=pir3d"};
 
 TEST(Pir3dSoils, AreTheSixOfTheJuraBeforeAndAfterTheFit) {
-    const auto soils = shipped_pir3d_soils();
+    const auto soils = shipped_soils();
     ASSERT_EQ(soils.size(), 12U);
     const auto& scree = soils[8];
     EXPECT_EQ(scree.name, "scree_step_1");
@@ -105,14 +105,14 @@ TEST(Pir3dSoils, MayBeTheUsersOwn) {
 
 TEST(MotionModel, TellsOfSettingsOfTheOther) {
     const SampleProject project;
-    const Opened slides = open(project, {"rockfall.motion=pir3d", "rockfall.rolling_friction=0.4"});
+    const Opened slides = open(project, {"rockfall.motion=pir3d", "picus.rolling_friction=0.4"});
     ASSERT_TRUE(slides.site) << slides.errors;
     EXPECT_EQ(slides.warnings,
-              std::vector<std::string>{"rockfall.motion is pir3d: rockfall.rolling_friction has no effect"});
+              std::vector<std::string>{"rockfall.motion is pir3d: picus.rolling_friction has no effect"});
     const Opened rolls = open(project, {"pir3d.least_hop=0.2", "pir3d.spread=normal"});
     EXPECT_EQ(rolls.warnings, std::vector<std::string>{
                                   "rockfall.motion is picus: pir3d.spread, pir3d.least_hop have no effect"});
 }
 
 }  // namespace
-}  // namespace coupling::pir3d_soils_test
+}  // namespace coupling::soils_test

@@ -1,4 +1,4 @@
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/picus/ground_contact.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "tests/rockfall/slopes.hpp"
 
-namespace rockfall::picus_test {
+namespace rockfall::picus::ground_contact_test {
 namespace {
 
 using testing::deterministic_law;
@@ -76,8 +76,8 @@ TEST(PicusVariants, InitialModelKeepsItsCoefficientsAtAnySpeed) {
     // gives the normal speed back, so it falls by r_n at each impact while the speed along the slope gains 2
     // tan(b) v_n.
     FallLaw law = deterministic_law();
-    law.motion.picus.angle = ReboundAngle::geometric;
-    law.motion.picus.restitution.damping = false;
+    law.motion.of<picus::Model>().angle = ReboundAngle::geometric;
+    law.motion.of<picus::Model>().restitution.damping = false;
     const double b = config::Angle::from_degrees(45.0).in_radians();
     const Slope slope = plane_slope(45.0, {0.60, 0.90}, 0.0, 6000.0);
     const auto [end, log] = logged_fall(slope, law, start_at(slope, 20.0, 50.0, 30.0, {30.0, 0.0, -4.0}));
@@ -96,7 +96,7 @@ TEST(PicusVariants, InitialModelKeepsItsCoefficientsAtAnySpeed) {
 
 TEST(MeetGround, StopsByChanceOnlyBelowTheProbability) {
     const Rock rock = Rock::sphere(0.95, 2700.0);
-    const PicusLaw law = deterministic_law().motion.picus;
+    const Law law = deterministic_law().motion.of<picus::Model>();
     ContactDraws draws;
     draws.stop = 0.0149;
     EXPECT_EQ(
@@ -112,7 +112,7 @@ TEST(MeetGround, StopsByChanceOnlyBelowTheProbability) {
 
 TEST(MeetGround, TurnsAVerticalImpactAtACliffFootByTheCoefficients) {
     const Rock rock = Rock::sphere(0.95, 2700.0);
-    PicusLaw law = deterministic_law().motion.picus;
+    Law law = deterministic_law().motion.of<picus::Model>();
     const double b = config::Angle::from_degrees(3.0).in_radians();
     const Eigen::Vector3d normal{std::sin(b), 0.0, std::cos(b)};
     law.blend_steep_impacts = true;
@@ -139,7 +139,7 @@ RC_GTEST_PROP(MeetGround, NeverGainsEnergyAndNeverPointsIntoTheGround, ()) {
     RC_PRE(velocity.dot(normal) < -1e-6);
     const Rock rock = Rock::sphere(number(0.1, 4.0), number(2000.0, 3200.0));
     const double spin = number(0.0, 1.0) * velocity.norm() / rock.radius_m;
-    PicusLaw law;
+    Law law;
     law.angle = *rc::gen::element(ReboundAngle::jump_angle_law, ReboundAngle::geometric);
     law.restitution.damping = *rc::gen::arbitrary<bool>();
     const ContactDraws draws{number(-1.0, 1.0), number(-1.0, 1.0), 1.0, number(-2.0, 2.0)};
@@ -154,4 +154,4 @@ RC_GTEST_PROP(MeetGround, NeverGainsEnergyAndNeverPointsIntoTheGround, ()) {
 }
 
 }  // namespace
-}  // namespace rockfall::picus_test
+}  // namespace rockfall::picus::ground_contact_test

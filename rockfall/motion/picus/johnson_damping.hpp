@@ -4,7 +4,7 @@
 
 #include "rockfall/motion/restitution.hpp"
 
-namespace rockfall {
+namespace rockfall::picus {
 
 /// Published restitution coefficients come from drops of about this speed.
 inline constexpr double restitution_reference_speed_mps = 10.0;
@@ -23,4 +23,4 @@ inline Restitution at_impact_speed(Restitution published, double squared_speed_m
     return {published.normal * factor, published.tangential * factor};
 }
 
-}  // namespace rockfall
+}  // namespace rockfall::picus

@@ -1,8 +1,8 @@
-#include "rockfall/motion/johnson_damping.hpp"
+#include "rockfall/motion/picus/johnson_damping.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rockfall::johnson_damping_test {
+namespace rockfall::picus::johnson_damping_test {
 namespace {
 
 constexpr Restitution fine_debris{0.30, 0.75};
@@ -36,4 +36,4 @@ TEST(AtImpactSpeed, FallsWithSpeedInBothComponentsAlike) {
 }
 
 }  // namespace
-}  // namespace rockfall::johnson_damping_test
+}  // namespace rockfall::picus::johnson_damping_test

@@ -1,11 +1,11 @@
-#include "rockfall/motion/steep_impact.hpp"
+#include "rockfall/motion/picus/steep_impact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace rockfall::steep_impact_test {
+namespace rockfall::picus::steep_impact_test {
 namespace {
 
 /// An impact at an angle to the plane.
@@ -64,4 +64,4 @@ TEST(BlendedDirection, KeepsTheAngleOfTheLawWhereNothingIsLeftOfTheSpeed) {
 }
 
 }  // namespace
-}  // namespace rockfall::steep_impact_test
+}  // namespace rockfall::picus::steep_impact_test

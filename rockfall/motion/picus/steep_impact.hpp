@@ -8,7 +8,7 @@
 #include "config/units/angle.hpp"
 #include "rockfall/motion/rebound.hpp"
 
-namespace rockfall {
+namespace rockfall::picus {
 
 /// Share of the geometric rebound in the rebound direction, by the impact's angle to the plane [-].
 ///
@@ -39,4 +39,4 @@ inline Eigen::Vector2d blended_direction(config::Angle law_angle, const Impact& 
     return blend / std::sqrt(blend.x() * blend.x() + blend.y() * blend.y());
 }
 
-}  // namespace rockfall
+}  // namespace rockfall::picus

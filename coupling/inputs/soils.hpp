@@ -6,22 +6,21 @@
 
 #include "config/table/table.hpp"
 #include "coupling/inputs/reading.hpp"
-#include "rockfall/motion/pir3d/soil.hpp"
+#include "rockfall/motion/soil.hpp"
 
 namespace coupling {
 
 /// The soils of config/data/pir3d_soils.csv.
-std::vector<rockfall::pir3d::Soil> shipped_pir3d_soils();
+std::vector<rockfall::Soil> shipped_soils();
 
 /// The shipped soils and those of terrain.soils; one of the same name takes the place of the shipped one.
 ///
 /// A row takes what its columns do not give from the soil in its column `like`. Throws InputError (data).
-std::vector<rockfall::pir3d::Soil> read_pir3d_soils(Reading& reading);
+std::vector<rockfall::Soil> read_soils(Reading& reading);
 
 /// The soil that a field names; nothing, and a problem with the nearest name, for an unknown one.
-std::optional<rockfall::pir3d::Soil> named_soil(const config::Table& table, std::size_t row,
-                                                const std::string& column,
-                                                const std::vector<rockfall::pir3d::Soil>& soils,
-                                                config::Problems& problems);
+std::optional<rockfall::Soil> named_soil(const config::Table& table, std::size_t row,
+                                         const std::string& column, const std::vector<rockfall::Soil>& soils,
+                                         config::Problems& problems);
 
 }  // namespace coupling

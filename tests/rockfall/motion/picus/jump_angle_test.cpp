@@ -1,10 +1,10 @@
-#include "rockfall/motion/jump_angle.hpp"
+#include "rockfall/motion/picus/jump_angle.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace rockfall::jump_angle_test {
+namespace rockfall::picus::jump_angle_test {
 namespace {
 
 JumpAngleLaw fitted() {
@@ -38,4 +38,4 @@ TEST(JumpAngle, ScattersByItsLogarithm) {
 }
 
 }  // namespace
-}  // namespace rockfall::jump_angle_test
+}  // namespace rockfall::picus::jump_angle_test

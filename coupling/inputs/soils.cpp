@@ -1,4 +1,4 @@
-#include "coupling/inputs/pir3d_soils.hpp"
+#include "coupling/inputs/soils.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -11,7 +11,7 @@
 namespace coupling {
 namespace {
 
-using rockfall::pir3d::Soil;
+using rockfall::Soil;
 
 double radians(double angle_deg) {
     return config::Angle::from_degrees(angle_deg).in_radians();
@@ -136,11 +136,11 @@ std::vector<Soil> soils_of(const std::vector<NamedRow>& rows) {
 
 }  // namespace
 
-std::vector<Soil> shipped_pir3d_soils() {
+std::vector<Soil> shipped_soils() {
     return soils_of(shipped_rows());
 }
 
-std::vector<Soil> read_pir3d_soils(Reading& reading) {
+std::vector<Soil> read_soils(Reading& reading) {
     std::vector<NamedRow> rows = shipped_rows();
     if (const std::string& file = reading.scenario().soils; !file.empty()) {
         const config::Table table = reading.table("terrain.soils", "soils", file);

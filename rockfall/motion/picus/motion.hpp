@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -8,19 +9,22 @@
 #include "config/random/stream.hpp"
 #include "rockfall/motion/contact.hpp"
 #include "rockfall/motion/groove.hpp"
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/hop.hpp"
+#include "rockfall/motion/picus/ground_contact.hpp"
+#include "rockfall/motion/picus/law.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/slope.hpp"
 #include "rockfall/surface_stops.hpp"
 
-namespace rockfall {
+namespace rockfall::picus {
 
-/// One rock under the motion model of PICUS Rock'n'Roll; what a model must offer stands in models.hpp.
-class PicusMotion {
+/// One rock under the motion model of PICUS Rock'n'Roll; what a model must offer is in
+/// models.hpp.
+class Motion {
 public:
     static constexpr bool slides = false;
 
-    PicusMotion(const PicusLaw& law, const config::StreamKey& key, const Rock& rock)
+    Motion(const Law& law, const config::StreamKey& key, const Rock& rock)
         : law_{law},
           rock_{rock},
           ground_draws_{key, config::Purpose::ground_impact},
@@ -61,7 +65,7 @@ public:
             law_.angle == ReboundAngle::geometric) {
             return std::nullopt;
         }
-        const Eigen::Vector3d leaving_mps = rockfall::lift_off(velocity_mps, normal, law_, next_draws());
+        const Eigen::Vector3d leaving_mps = picus::lift_off(velocity_mps, normal, law_, next_draws());
         return hops_far(leaving_mps, normal, rock_.radius_m) ? std::optional{leaving_mps} : std::nullopt;
     }
 
@@ -108,7 +112,7 @@ private:
         return law_.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
     }
 
-    const PicusLaw& law_;
+    const Law& law_;
     Rock rock_;
     config::RandomStream ground_draws_;
     config::RandomStream rolling_draws_;
@@ -119,4 +123,4 @@ private:
     double rolling_until_caught_ = 0.0;
 };
 
-}  // namespace rockfall
+}  // namespace rockfall::picus

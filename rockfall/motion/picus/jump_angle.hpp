@@ -6,7 +6,7 @@
 #include "config/math/elementary.hpp"
 #include "config/units/angle.hpp"
 
-namespace rockfall {
+namespace rockfall::picus {
 
 /// The angle between slope and path just after a rebound falls with the speed after it.
 ///
@@ -29,4 +29,4 @@ inline config::Angle jump_angle(double squared_speed_m2ps2, const JumpAngleLaw& 
     return config::Angle::from_radians(std::min(angle_rad, law.cap.in_radians()));
 }
 
-}  // namespace rockfall
+}  // namespace rockfall::picus

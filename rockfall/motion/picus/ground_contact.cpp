@@ -1,4 +1,4 @@
-#include "rockfall/motion/picus.hpp"
+#include "rockfall/motion/picus/ground_contact.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -7,10 +7,11 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/units/constants.hpp"
-#include "rockfall/motion/johnson_damping.hpp"
-#include "rockfall/motion/steep_impact.hpp"
+#include "rockfall/motion/hop.hpp"
+#include "rockfall/motion/picus/johnson_damping.hpp"
+#include "rockfall/motion/picus/steep_impact.hpp"
 
-namespace rockfall {
+namespace rockfall::picus {
 namespace {
 
 /// Spin after a contact: that of rolling along the ground, as far as energy allows.
@@ -40,7 +41,7 @@ Contact begin_rolling(const Impact& impact, const Eigen::Vector3d& direction, do
 
 Eigen::Vector3d velocity_off_ground(const Impact& impact, Restitution restitution, double speed_mps,
                                     const Eigen::Vector3d& direction, const Eigen::Vector3d& normal,
-                                    const PicusLaw& law, double angle_draw) {
+                                    const Law& law, double angle_draw) {
     if (law.angle == ReboundAngle::geometric) {
         return restitution.tangential * impact.along_slope_mps * direction +
                restitution.normal * impact.into_ground_mps * normal;
@@ -56,7 +57,7 @@ Eigen::Vector3d velocity_off_ground(const Impact& impact, Restitution restitutio
 
 }  // namespace
 
-ContactDraws contact_draws(const config::FourUniforms& uniforms, const PicusLaw& law) {
+ContactDraws contact_draws(const config::FourUniforms& uniforms, const Law& law) {
     static const config::TruncatedNormal within_two_deviations{2.0};
     const double angle = law.jump_angle.scatter > 0.0 ? within_two_deviations(uniforms[3]) : 0.0;
     return {2.0 * uniforms[0] - 1.0, 2.0 * uniforms[1] - 1.0, uniforms[2], angle};
@@ -66,25 +67,8 @@ double rolling_speed_scale_mps(double normal_z, double radius_m) {
     return std::sqrt(config::gravity_mps2 * radius_m * normal_z);
 }
 
-bool hops_far(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, double least_m) {
-    // On a plane that goes on for ever the jump takes t = 2 v_n / (g n_z) and leads to t v_t + t^2 g_t / 2.
-    // As v_t lies in the plane, v_t . g_t = -g v_t.z.
-    const double rising_mps = velocity_mps.dot(normal);
-    const double highest_m = 0.5 * rising_mps * rising_mps / (config::gravity_mps2 * normal.z());
-    if (highest_m >= least_m) {
-        return true;  // straight up and down is a jump too, though it leads nowhere
-    }
-    const double time_s = 2.0 * rising_mps / (config::gravity_mps2 * normal.z());
-    const double squared_along = velocity_mps.squaredNorm() - rising_mps * rising_mps;
-    const double falling_mps = rising_mps * normal.z() - velocity_mps.z();
-    const double half_fall_mps = 0.5 * config::gravity_mps2 * time_s;
-    const double squared_pace = squared_along + 2.0 * half_fall_mps * falling_mps +
-                                half_fall_mps * half_fall_mps * (1.0 - normal.z() * normal.z());
-    return time_s * time_s * squared_pace >= least_m * least_m;
-}
-
 Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
-                    Restitution published, double stop_probability, const Rock& rock, const PicusLaw& law,
+                    Restitution published, double stop_probability, const Rock& rock, const Law& law,
                     const ContactDraws& draws) {
     if (law.stopping.by_chance && draws.stop < stop_probability) {
         return {Onward::caught, Eigen::Vector3d::Zero(), 0.0};
@@ -116,11 +100,11 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
                        restitution.tangential * impact.along_slope_mps)};
 }
 
-Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,
-                         const PicusLaw& law, const ContactDraws& draws) {
+Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, const Law& law,
+                         const ContactDraws& draws) {
     const double speed_mps = velocity_mps.norm();
     return rebound(speed_mps, jump_angle(speed_mps * speed_mps, law.jump_angle, draws.angle),
                    velocity_mps / speed_mps, normal);
 }
 
-}  // namespace rockfall
+}  // namespace rockfall::picus

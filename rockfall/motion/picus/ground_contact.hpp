@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "config/random/stream.hpp"
+#include "rockfall/motion/contact.hpp"
+#include "rockfall/motion/picus/law.hpp"
+#include "rockfall/motion/restitution.hpp"
+#include "rockfall/rock.hpp"
+
+namespace rockfall::picus {
+
+/// What is drawn at one ground contact.
+struct ContactDraws {
+    double noise = 0.0;    ///< on [-1, 1)
+    double lateral = 0.0;  ///< on [-1, 1)
+    double stop = 1.0;     ///< on [0, 1)
+    double angle = 0.0;    ///< standard normal, cut at two deviations
+};
+
+/// The draws of a contact from four uniforms. The normal deviate takes longer than all others: it is made
+/// only for a law with scatter.
+ContactDraws contact_draws(const config::FourUniforms& uniforms, const Law& law);
+
+/// Meets the ground with a velocity into it: restitution, jump angle, deviation, chance to stop, change to
+/// rolling.
+///
+/// Kinetic energy never rises; the spin takes what the speed leaves of it, at most that of rolling.
+/// Requires velocity . normal < 0 and a unit normal.
+Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
+                    Restitution published, double stop_probability, const Rock& rock, const Law& law,
+                    const ContactDraws& draws);
+
+/// Velocity of a rolling rock that lifts off by itself, at the angle of the jump-angle law.
+Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, const Law& law,
+                         const ContactDraws& draws);
+
+/// Speeds at which a rock begins to roll and to jump on a plane: factor * sqrt(g R cos b).
+double rolling_speed_scale_mps(double normal_z, double radius_m);
+
+}  // namespace rockfall::picus

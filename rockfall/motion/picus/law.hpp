@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "rockfall/motion/ground_deviation.hpp"
+#include "rockfall/motion/picus/jump_angle.hpp"
+#include "rockfall/motion/rebound.hpp"
+#include "rockfall/motion/restitution.hpp"
+#include "rockfall/motion/rolling.hpp"
+#include "rockfall/motion/stopping.hpp"
+
+namespace rockfall::picus {
+
+/// How often the noise on the tangential coefficient is drawn again.
+enum class NoiseScope : std::uint8_t { off, impact, rock };
+
+/// The ground contact of PICUS Rock'n'Roll (Rammer et al. 2010) with its settings.
+struct Law {
+    RestitutionLaw restitution;
+    NoiseScope noise = NoiseScope::impact;
+    ReboundAngle angle = ReboundAngle::jump_angle_law;
+    JumpAngleLaw jump_angle;
+    bool blend_steep_impacts = true;
+    LateralDeviation lateral;
+    RollingLaw rolling;
+    StoppingLaw stopping;
+};
+
+/// Settings that users write in another form than the law uses them: angles in degrees.
+struct Written {
+    double jump_angle_coefficient_deg = 80.0;
+    double jump_angle_cap_deg = 60.0;
+    double lateral_slow_deg = 16.0;
+    double lateral_fast_deg = 11.0;
+};
+
+}  // namespace rockfall::picus

@@ -1,0 +1,63 @@
+#include "rockfall/motion/picus/model.hpp"
+
+#include <array>
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+
+namespace rockfall::picus {
+namespace {
+
+constexpr std::string_view types = "terrain.surface_types, or the shipped type";
+constexpr std::string_view stops = "terrain.stopping, else terrain.surface_types, else the shipped type";
+
+/// A figure of stopping, which the law may leave out.
+template <StopCurve SurfaceType::*curve>
+double if_by_chance(const SurfaceType& type, const Law& law, double diameter_m) {
+    return law.stopping.by_chance ? (type.*curve).at(diameter_m) : no_figure;
+}
+
+constexpr std::array columns{
+    GroundColumn<Law>{
+        .name = "r_n",
+        .from = types,
+        .value = [](const SurfaceType& type, const Law&, double) { return type.restitution.normal; }},
+    GroundColumn<Law>{
+        .name = "r_t",
+        .from = types,
+        .value = [](const SurfaceType& type, const Law&, double) { return type.restitution.tangential; }},
+    GroundColumn<Law>{.name = "p_stop", .from = stops, .value = if_by_chance<&SurfaceType::stopping>},
+    GroundColumn<Law>{.name = "rolling_stops_per_m",
+                      .from = stops,
+                      .value = if_by_chance<&SurfaceType::rolling_stops_per_m>},
+};
+
+}  // namespace
+
+const ModelDescription& Model::description() {
+    // Measured on the first example and on an even slope of 40 degrees: 41 and 22 bytes.
+    static const ModelDescription description{
+        .name = "picus",
+        .title = "PICUS Rock’n’Roll",
+        .rocks = "rocks jump, roll and spin",
+        .law = "jump-angle law and rolling",
+        .source = "Rammer et al. 2010",
+        .energy = "translation and rotation",
+        .spins = true,
+        .path_bytes_per_m = 30.0,
+        .shared_settings = {"rockfall.rolling_edge_deg"},
+        .sideways_settings = {"picus.lateral_slow_deg", "picus.lateral_fast_deg", "picus.lateral_fast_mps"}};
+    return description;
+}
+
+std::span<const GroundColumn<Law>> Model::ground_columns() {
+    return columns;
+}
+
+SidewaysTurn Model::sideways_turn(const Written& written) {
+    return {config::joined("at impacts ±", config::to_text(written.lateral_slow_deg), "° (slow) to ±",
+                           config::to_text(written.lateral_fast_deg), "° (fast rocks)"),
+            description().sideways_settings};
+}
+
+}  // namespace rockfall::picus
