@@ -18,9 +18,9 @@ inline constexpr std::uint64_t most_unpacked_bytes = std::uint64_t{512} << 20U;
 /// shorter one).
 using UnpackedBound = std::function<std::uint64_t(std::string_view beginning)>;
 
-/// The unpacked bytes of a gzip file, all its members one after the other. Takes no more memory than twice
-/// the bound. Throws InputError: (file) for a file that is cut off, broken or not gzip, (data) for one that
-/// holds more than the bound.
+/// The unpacked bytes of a gzip file, all its members one after the other. Takes no more memory than the
+/// bound and 64 KiB. Throws InputError: (file) for a file that is cut off, broken or not gzip, (data) for one
+/// that holds more than the bound.
 std::string gunzip(
     std::string_view bytes, const std::string& file,
     const UnpackedBound& most_bytes = [](std::string_view) { return most_unpacked_bytes; });
