@@ -28,7 +28,7 @@ double elevation_of(const forest::ClimateSeries& series, const ClimateAsked& ask
         config::fail(ExitCode::settings, asked.place_of("climate.file"),
                      joined("neither climate.elevation_m nor a column elev_m in ",
                             reading.shown(asked.settings.climate)),
-                     "the height of the place that the series is of");
+                     "the height of the place that the series is of", "set climate.elevation_m");
     }
     if (was_set && series.elevation_m && *series.elevation_m != set_m) {
         config::fail(ExitCode::settings, asked.place_of("climate.elevation_m"),
@@ -60,7 +60,8 @@ forest::ClimateSeries cut(forest::ClimateSeries series, const ClimateAsked& aske
     if (problems.empty() && last < first) {
         problems.add(ExitCode::settings, asked.place_of("climate.window_last_year"),
                      joined(asked.prefix(), "climate.window_last_year ", std::to_string(last)),
-                     joined("no year before climate.window_first_year ", std::to_string(first)));
+                     joined("no year before climate.window_first_year ", std::to_string(first)),
+                     "exchange the two years");
     }
     problems.throw_if_any();
     std::vector<forest::ClimateYear> kept;
@@ -111,7 +112,8 @@ forest::ClimateChange read_change(const ClimateAsked& asked, Reading& reading) {
         const auto m = static_cast<std::size_t>(*month - 1);
         if (given[m]) {
             problems.add(ExitCode::data, table.place(row, "month"),
-                         joined("month ", std::to_string(*month), " a second time"), "each month once");
+                         joined("month ", std::to_string(*month), " a second time"), "each month once",
+                         "delete or renumber one of the rows");
         }
         given[m] = true;
         change.temperature_k[m] = *temperature_k;
@@ -120,7 +122,7 @@ forest::ClimateChange read_change(const ClimateAsked& asked, Reading& reading) {
     for (std::size_t m = 0; m < given.size() && table.rows() < given.size(); ++m) {
         if (!given[m]) {
             problems.add(ExitCode::data, {table.file()}, joined("no month ", std::to_string(m + 1)),
-                         "all twelve");
+                         "all twelve", "add a row for it; a change of 0 is allowed");
         }
     }
     problems.throw_if_any();

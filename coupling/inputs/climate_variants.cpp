@@ -32,7 +32,8 @@ public:
             check(row, climates);
         }
         if (table_.rows() == 0) {
-            problems_.add(ExitCode::data, {table_.file()}, "no climate", "a row for each climate");
+            problems_.add(ExitCode::data, {table_.file()}, "no climate", "a row for each climate",
+                          "add rows, or leave climate.variants out");
         }
         problems_.throw_if_any();
         return climates;
@@ -79,7 +80,8 @@ private:
             has_value(table_, row, "temperature_change_k") || has_value(table_, row, "precipitation_change");
         if (table_given && numbers_given) {
             problems_.add(ExitCode::data, table_.place(row, "change"),
-                          "change beside temperature_change_k or precipitation_change", "only one of them");
+                          "change beside temperature_change_k or precipitation_change", "only one of them",
+                          "leave one of the fields empty");
         }
         if (table_given) {
             s.temperature_change_k = 0.0;
@@ -104,16 +106,17 @@ private:
                                        [&](const ClimateAsked& other) { return other.name == asked.name; });
         if (same != climates.begin() + static_cast<std::ptrdiff_t>(row)) {
             problems_.add(ExitCode::data, place, joined("name '", asked.name, "' a second time"),
-                          "climates of different names");
+                          "climates of different names", "rename one of them");
         }
         if (asked.settings.climate.empty()) {
             problems_.add(ExitCode::data, place,
                           joined(asked.prefix(), "neither a file in its row nor climate.file"),
-                          "a table of monthly climate");
+                          "a table of monthly climate", "name one in the column file or set climate.file");
         }
         if (asked.given.contains("climate.co2_ppm") && !asked.settings.parameters.processes.co2_response) {
             problems_.add(ExitCode::data, asked.place_of("climate.co2_ppm"),
-                          "co2_ppm without forest.co2_response", "forest.co2_response = yes");
+                          "co2_ppm without forest.co2_response", "forest.co2_response = yes",
+                          "set it, or leave co2_ppm empty");
         }
     }
 

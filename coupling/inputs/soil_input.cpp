@@ -40,7 +40,8 @@ std::map<double, forest::Soil> read_types(Reading& reading) {
                                 .ph = *ph};
         if (!types.emplace(static_cast<double>(*code), soil).second) {
             problems.add(config::ExitCode::data, table.place(row, "code"),
-                         joined("code ", std::to_string(*code), " a second time"), "each code once");
+                         joined("code ", std::to_string(*code), " a second time"), "each code once",
+                         "delete one of the rows, or give it a code of its own");
         }
     }
     config::Problems shown;
@@ -67,7 +68,8 @@ std::optional<forest::Soil> shipped_soil(Reading& reading) {
         known += (known.empty() ? "" : ", ") + type.name;
     }
     config::fail(config::ExitCode::settings, reading.scenario().options->place_of("soil.type"),
-                 joined("soil.type ", config::in_quotes(name)), joined("one of ", known));
+                 joined("soil.type ", config::in_quotes(name)), joined("one of ", known),
+                 "or describe the soil yourself with soil.map and soil.types");
 }
 
 void check_codes(const SoilCover& cover, Reading& reading) {
@@ -85,11 +87,11 @@ void check_codes(const SoilCover& cover, Reading& reading) {
         known += (known.empty() ? "" : ", ") + config::to_text(code);
     }
     for (const auto& [code, cells] : unknown) {
-        reading.refuse(
-            {cover.file},
-            joined("soil code ", config::to_text(code), " in ", counted(cells, "cell"), ", the first in ",
-                   cell_in_words(cover.map->frame, first.at(code))),
-            joined("a code of ", reading.shown(reading.scenario().forest.soil_types), ": ", known));
+        reading.refuse({cover.file},
+                       joined("soil code ", config::to_text(code), " in ", counted(cells, "cell"),
+                              ", the first in ", cell_in_words(cover.map->frame, first.at(code))),
+                       joined("a code of ", reading.shown(reading.scenario().forest.soil_types), ": ", known),
+                       "add a row for this code, or correct the map");
     }
 }
 

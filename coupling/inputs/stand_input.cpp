@@ -33,7 +33,8 @@ void check_numbers(const config::Raster<double>& map, const std::string& file) {
             config::fail(
                 ExitCode::data, {file},
                 joined("stand number ", config::to_text(number), " in ", cell_in_words(map.frame, cell)),
-                "whole numbers, 0 where there is no forest");
+                "whole numbers, 0 where there is no forest",
+                "correct the map, such as by rounding it (gdal_calc, raster calculator)");
         }
     }
 }
@@ -180,7 +181,8 @@ private:
         if (found == structures.end() && !word.empty()) {
             problems_.add(ExitCode::data, table_.place(row, "structure"),
                           joined("structure ", config::in_quotes(word)),
-                          "even_aged, two_layered, plenter or groups");
+                          "even_aged, two_layered, plenter or groups",
+                          "write one of them, or leave the field empty for even_aged");
         }
         return found == structures.end() ? Structure::even_aged : found->second;
     }
@@ -189,10 +191,11 @@ private:
         const std::string missing = forest::missing_in(record);
         const std::string contradiction = contradiction_in(record);
         if (!missing.empty() || !contradiction.empty()) {
-            problems_.add(ExitCode::data, table_.place(row, "stand"),
-                          missing.empty() ? contradiction : missing,
-                          missing.empty() ? "two of the three, or three that agree within 10 %"
-                                          : "two of stems_pha, basal_area_m2pha and mean_dbh_cm");
+            problems_.add(
+                ExitCode::data, table_.place(row, "stand"), missing.empty() ? contradiction : missing,
+                missing.empty() ? "two of the three, or three that agree within 10 %"
+                                : "two of stems_pha, basal_area_m2pha and mean_dbh_cm",
+                missing.empty() ? "correct one of them, or leave it empty" : "add what was measured");
             return false;
         }
         const forest::Species& kind = species_.table[record.species];
@@ -205,7 +208,7 @@ private:
             problems_.add(ExitCode::data, table_.place(row, "stand"),
                           joined("stems and mean diameter that make ",
                                  config::to_text(std::round(basal_area_m2pha)), " m2/ha"),
-                          "at most 200 m2/ha");
+                          "at most 200 m2/ha", "check the units: stems per hectare, diameters in cm");
             return false;
         }
         if (has_trees && (dbh_cm < forest::smallest_tree_cm || dbh_cm >= kind.height_growth.max_dbh_cm)) {
@@ -213,14 +216,16 @@ private:
                 ExitCode::data, table_.place(row, "stand"),
                 joined("a mean diameter of ", config::to_text(std::round(10.0 * dbh_cm) / 10.0), " cm"),
                 joined("at least 1 cm and less than the greatest of ", kind.latin_name, ", ",
-                       config::to_text(kind.height_growth.max_dbh_cm), " cm"));
+                       config::to_text(kind.height_growth.max_dbh_cm), " cm"),
+                "check the unit (cm) and the species");
             return false;
         }
         if (record.mean_height_m.value_or(0.0) > kind.height_growth.max_height_m) {
             problems_.add(ExitCode::data, table_.place(row, "mean_height_m"),
                           joined("mean_height_m ", config::to_text(*record.mean_height_m)),
                           joined("at most the greatest height of ", kind.latin_name, ", ",
-                                 config::to_text(kind.height_growth.max_height_m), " m"));
+                                 config::to_text(kind.height_growth.max_height_m), " m"),
+                          "check the unit (m) and the species");
             return false;
         }
         return true;
@@ -236,7 +241,7 @@ private:
             problems_.add(
                 ExitCode::data, table_.place(row, "structure"),
                 joined("another structure of stand ", std::to_string(number), " than in its first row"),
-                "one structure for each stand");
+                "one structure for each stand", "write the same in all rows of the stand");
         }
         stand->second.species.push_back(record);
     }

@@ -178,7 +178,8 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
     for (const auto& [code, faults] : unknown) {
         reading.refuse(
             {file}, "surface code " + config::to_text(code) + " in " + in_words(faults, codes.frame),
-            "a code of " + reading.shown(reading.scenario().surface_types) + ": " + codes_in_words(types));
+            "a code of " + reading.shown(reading.scenario().surface_types) + ": " + codes_in_words(types),
+            "add a row for this code, or correct the map");
     }
     if (without.count > 0) {
         reading.refuse({file}, "no surface code in " + in_words(without, codes.frame),

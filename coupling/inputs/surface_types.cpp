@@ -47,7 +47,8 @@ public:
             const rockfall::SurfaceType type = read(row);
             if (type.code >= 0 &&
                 std::any_of(types.begin(), types.end(), [&](const auto& t) { return t.code == type.code; })) {
-                refuse(row, "code", "code " + table_.text(row, "code") + " a second time", "each code once");
+                refuse(row, "code", "code " + table_.text(row, "code") + " a second time", "each code once",
+                       "delete one of the rows, or give it a code of its own");
             }
             types.push_back(type);
         }
@@ -95,8 +96,8 @@ private:
         if (model_.needs_soils) {
             refuse(row, table_.has("soil") ? "soil" : "code",
                    "code " + table_.text(row, "code") + " without soil",
-                   joined("for rockfall.motion = ", model_.name,
-                          ": a name of `bannwald info pir3d_soils` or of terrain.soils in a column soil"));
+                   joined("a soil in a column soil, as rockfall.motion = ", model_.name, " needs it"),
+                   "write a name of `bannwald info pir3d_soils` or of the table terrain.soils");
         }
         return std::nullopt;
     }
@@ -137,7 +138,8 @@ private:
         }
         const std::string nearest = config::nearest_word(name, names);
         refuse(row, "like", config::in_quotes(name),
-               "a shipped ground type" + (nearest.empty() ? "" : " (" + nearest + "?)"));
+               "a shipped ground type" + (nearest.empty() ? "" : " (" + nearest + "?)"),
+               "`bannwald info surfaces` prints them");
         return nullptr;
     }
 
@@ -149,15 +151,17 @@ private:
         }
         if (!table_.has(column)) {
             refuse(row, "code", "code " + table_.text(row, "code") + " without " + column,
-                   "a column " + column + ", or a shipped ground type in a column like");
+                   "a column " + column,
+                   "add it, or name a shipped ground type in a column like (`bannwald info surfaces`)");
             return 0.0;
         }
         return table_.number(row, column, range, problems_).value_or(0.0);
     }
 
-    void refuse(std::size_t row, const std::string& column, std::string found, std::string expected) {
+    void refuse(std::size_t row, const std::string& column, std::string found, std::string expected,
+                std::string advice) {
         problems_.add(config::ExitCode::data, table_.place(row, column), std::move(found),
-                      std::move(expected));
+                      std::move(expected), std::move(advice));
     }
 
     const config::Table& table_;
@@ -207,8 +211,8 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     TypeReader reader{table, std::move(stopping), read_soils(reading), model, problems};
     std::vector<rockfall::SurfaceType> types = reader.all();
     if (types.empty() || types.size() >= most_types) {
-        problems.add(config::ExitCode::data, {table.file()}, counted(types.size(), "ground type"),
-                     "1 to 254");
+        problems.add(config::ExitCode::data, {table.file()}, counted(types.size(), "ground type"), "1 to 254",
+                     "give each ground of the map a row, and similar grounds one code");
     }
     config::Problems shown;
     add_first(shown, problems, table.file());

@@ -30,6 +30,17 @@ std::optional<double> optional_number(const config::Table& table, std::size_t ro
                                                                  : std::nullopt;
 }
 
+/// The height, none where it is unknown. Surveys often write 0 for a height that nobody measured.
+std::optional<double> height_of(const config::Table& table, std::size_t row, config::Problems& problems) {
+    if (table.has("height_m") && config::parse_number(table.text(row, "height_m")) == 0.0) {
+        problems.add(config::ExitCode::data, table.place(row, "height_m"),
+                     joined("height_m ", config::in_quotes(table.text(row, "height_m"))),
+                     "a number in (0, 150]", "leave the field empty where the height is unknown");
+        return std::nullopt;
+    }
+    return optional_number(table, row, "height_m", height_range_m, problems);
+}
+
 /// What stands: a living tree, or a snag or stump where those may be.
 void take_state(const config::Table& table, std::size_t row, bool may_be_dead, ListedRow& tree,
                 config::Problems& problems) {
@@ -63,7 +74,7 @@ std::optional<ListedRow> row_of(const config::Table& table, std::size_t row, Spe
     const auto x_m = table.number(row, "x_m", {}, problems);
     const auto y_m = table.number(row, "y_m", {}, problems);
     const auto dbh_cm = table.number(row, "dbh_cm", dbh_range_cm, problems);
-    tree.height_m = optional_number(table, row, "height_m", height_range_m, problems);
+    tree.height_m = height_of(table, row, problems);
     tree.age_years = optional_number(table, row, "age_years", {.low = 0.0, .high = 2000.0}, problems);
     take_state(table, row, may_be_dead, tree, problems);
     const auto species = column.find(row);

@@ -70,7 +70,8 @@ TEST(Climate, NeedsTheHeightOfItsPlaceOnce) {
     project.replace("scenario.ini", "elevation_m = 500\n", "");
     EXPECT_EQ(errors_of(project),
               "scenario.ini:23:8: found neither climate.elevation_m nor a column elev_m in "
-              "climate.csv, expected the height of the place that the series is of");
+              "climate.csv, expected the height of the place that the series is of; "
+              "set climate.elevation_m");
     std::string text = project.read("climate.csv");
     for (std::size_t end = text.find('\n'), line = 0; end != std::string::npos; ++line) {
         text.insert(end, line == 0 ? ",elev_m" : ",900");
@@ -120,11 +121,13 @@ TEST(Climate, MayChangeByMonth) {
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_NEAR(july_degc(weather_of(opened, 2001)), 15.0 + 7.0, 1e-12);
     project.write("change.csv", rows.substr(0, rows.find("12,")));
-    EXPECT_EQ(errors_of(project, {"climate.change=change.csv"}),
-              "change.csv: found no month 12, expected all twelve");
+    EXPECT_EQ(
+        errors_of(project, {"climate.change=change.csv"}),
+        "change.csv: found no month 12, expected all twelve; add a row for it; a change of 0 is allowed");
     project.write("change.csv", rows.replace(rows.find("12,"), 2, "11"));
     EXPECT_EQ(errors_of(project, {"climate.change=change.csv"}),
-              "change.csv:13:1: found month 11 a second time, expected each month once");
+              "change.csv:13:1: found month 11 a second time, expected each month once; delete or "
+              "renumber one of the rows");
 }
 
 TEST(Climate, TakesItsCarbonDioxideFromTheRecordOrTheUser) {

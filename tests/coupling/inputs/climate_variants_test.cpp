@@ -130,7 +130,7 @@ TEST(ClimateVariants, ReplaceAChangeByMonthAsAWhole) {
     EXPECT_NEAR(july_degc(opened, 2, 2001), 18.0, 1e-12);
     EXPECT_EQ(errors_of(project, "name,temperature_change_k,change\nboth,2,change.csv\n"),
               "climates.csv:2:8: found change beside temperature_change_k or precipitation_change, expected "
-              "only one of them");
+              "only one of them; leave one of the fields empty");
 }
 
 struct BadTable {

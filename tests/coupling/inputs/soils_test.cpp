@@ -53,12 +53,13 @@ TEST(Pir3dSoils, OfASurfaceThatHasNoneAreAskedForByThatModelOnly) {
     EXPECT_TRUE(open(project).site);
     const Opened opened = open(project, with_pir3d);
     EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(
-        opened.errors,
-        "surface_types.csv:2:1: found code 1 without soil, expected for rockfall.motion = pir3d: a name of "
-        "`bannwald info pir3d_soils` or of terrain.soils in a column soil\n"
-        "surface_types.csv:3:1: found code 3 without soil, expected for rockfall.motion = pir3d: a name of "
-        "`bannwald info pir3d_soils` or of terrain.soils in a column soil");
+    EXPECT_EQ(opened.errors,
+              "surface_types.csv:2:1: found code 1 without soil, expected a soil in a column soil, as "
+              "rockfall.motion = pir3d needs it; write a name of `bannwald info pir3d_soils` or of the table "
+              "terrain.soils\n"
+              "surface_types.csv:3:1: found code 3 without soil, expected a soil in a column soil, as "
+              "rockfall.motion = pir3d needs it; write a name of `bannwald info pir3d_soils` or of the table "
+              "terrain.soils");
 }
 
 TEST(Pir3dSoils, OfAnUnknownNameAreRefusedWithTheNearest) {

@@ -39,10 +39,10 @@ TEST(SurfaceGrid, WithCodesThatTheTableLacksIsRefused) {
     EXPECT_EQ(opened.errors,
               "surface.asc: found surface code 7 in 9 cells, the first in row 2, column 1 (x 1005, y 2085), "
               "expected a "
-              "code of surface_types.csv: 1, 3\n"
+              "code of surface_types.csv: 1, 3; add a row for this code, or correct the map\n"
               "surface.asc: found surface code 9 in 12 cells, the first in row 1, column 1 (x 1005, y 2095), "
               "expected "
-              "a code of surface_types.csv: 1, 3");
+              "a code of surface_types.csv: 1, 3; add a row for this code, or correct the map");
 }
 
 TEST(SurfaceGrid, WithGapsNeedsAGroundForTheRest) {
@@ -78,7 +78,8 @@ TEST(SurfaceTypes, TellEveryFaultOfTheirTable) {
         "surface_types.csv:2:8: found r_n '1.4', expected a number in [0, 0.99]\n"
         "surface_types.csv:3:12: found r_t '0,8', expected a number in [0, 0.99], with a decimal point\n"
         "surface_types.csv:3:18: found p_stop '2', expected a number in [0, 1]\n"
-        "surface_types.csv:3:1: found code 1 a second time, expected each code once");
+        "surface_types.csv:3:1: found code 1 a second time, expected each code once; delete one of the "
+        "rows, or give it a code of its own");
 }
 
 TEST(SurfaceTypes, MayBeThoseThatAreShipped) {

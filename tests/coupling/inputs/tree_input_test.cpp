@@ -93,6 +93,14 @@ TEST(Trees, WithoutHeightGetThatOfTheCurveThroughTheOthers) {
                                         "measured trees of all species (standard error 0.0 m)"}));
 }
 
+TEST(Trees, OfHeightZeroAreRefusedWithWhatToWriteInstead) {
+    const Opened opened = with_trees("1,1060,2050,ABAL,30,0.0\n2,1061,2050,ABAL,30,25\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "trees.csv:2:21: found height_m '0.0', expected a number in (0, 150]; leave the field empty "
+              "where the height is unknown");
+}
+
 TEST(Trees, WithoutHeightAreRefusedWhereTooFewWereMeasured) {
     const Opened opened = with_trees(measured(4) + "5,1060,2050,ABAL,30,\n6,1061,2050,ABAL,31,\n");
     EXPECT_EQ(opened.code, ExitCode::data);
