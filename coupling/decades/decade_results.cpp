@@ -44,7 +44,7 @@ std::string climates_in_words(const ForestSite& forest) {
     const ClimateSource& first = forest.climates.front().source;
     const char* order = first.order == ClimateOrder::once     ? "in their order"
                         : first.order == ClimateOrder::repeat ? "over and over"
-                                                              : "drawn anew for each replicate";
+                                                              : "drawn for each replicate";
     if (forest.climates.size() == 1) {
         return joined(years_in_words(first), first.order == ClimateOrder::once ? " " : ", ", order,
                       first.changes() ? ", with a change of climate" : "");

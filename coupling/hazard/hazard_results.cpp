@@ -30,7 +30,7 @@ config::Raster<float> raster_of(const FinishedPeriod& period, Cover cover, const
     config::Raster<float> raster = read_raster(file);
     if (!config::same_place(raster.frame, frame)) {
         config::fail(config::ExitCode::data, {file.string()}, "a raster on another frame",
-                     "that of this scenario: --overwrite lets the rocks fall anew");
+                     "that of this scenario: --overwrite simulates all of them again");
     }
     raster.frame = frame;  // as exact as the site has it
     return raster;

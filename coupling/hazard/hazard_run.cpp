@@ -126,7 +126,7 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
         if (!request.overwrite && state == FolderState::other_settings) {
             config::fail(config::ExitCode::settings, {period.folder.string()},
                          "finished results of other settings or inputs",
-                         "another folder by --out, or --overwrite to let the rocks fall anew");
+                         "another folder by --out, or --overwrite to simulate it again");
         }
         if (!request.overwrite && state == FolderState::incomplete) {
             config::fail(

@@ -212,7 +212,7 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
     try {
         fall_and_write(request, scenario, site, warnings, folder);
     } catch (const Interrupted&) {
-        std::fprintf(stderr, "bannwald: interrupted; run the same command again to begin anew\n");
+        std::fprintf(stderr, "bannwald: interrupted; nothing is kept; run the same command again\n");
         return static_cast<int>(config::ExitCode::interrupted);
     }
     repeat_warnings(warnings, request.verbose);

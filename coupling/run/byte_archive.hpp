@@ -62,7 +62,8 @@ void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
                       const std::filesystem::path& file);
 
 /// What a message advises where a part of a run's own folder cannot be used.
-inline constexpr const char* own_part_remedy = "delete it, or run with --overwrite to begin anew";
+inline constexpr const char* own_part_remedy =
+    "delete it, or run with --overwrite to start from the beginning";
 
 /// Reads back what ByteWriter wrote. Anything missing or changed throws config::InputError (file); its
 /// message ends with `remedy`: what the user may do about this file.

@@ -151,7 +151,7 @@ std::optional<std::string> checkpoint_hash(const std::filesystem::path& file) {
     ByteReader in{file};
     if (in.value<std::uint64_t>() != magic) {
         config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version",
-                     "run with --overwrite to begin anew");
+                     "run with --overwrite to start from the beginning");
     }
     in.check_whole();
     return in.text();

@@ -173,10 +173,10 @@ void OutputFolder::refuse_results_and_other_parts(const std::string& settings_ha
     }
     const auto hash = checkpoint_hash(checkpoint());
     if (hash && *hash != settings_hash) {
-        config::fail(
-            config::ExitCode::settings, {folder_.string()},
-            "the output folder holds parts of a run with other settings or inputs",
-            "the same settings to go on with it, another folder by --out, or --overwrite to begin anew");
+        config::fail(config::ExitCode::settings, {folder_.string()},
+                     "the output folder holds parts of a run with other settings or inputs",
+                     "the same settings to go on with it, another folder by --out, or --overwrite to start "
+                     "from the beginning");
     }
     has_parts_ = hash.has_value();
 }

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 enum Which : std::size_t { rocks_table, arrivals_table, hits_table, log_hits_table };
 
 constexpr const char* kept_table_remedy =
-    "the table of that part; restore it, or run with --overwrite to begin anew";
+    "the table of that part; restore it, or run with --overwrite to start from the beginning";
 
 /// Of the first bytes of a file; nothing if it has fewer.
 std::optional<std::uint64_t> sum_of_first(const fs::path& file, std::uint64_t bytes) {

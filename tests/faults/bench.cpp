@@ -31,7 +31,7 @@ std::string last_words(const Ending& ending) {
     return text.substr(text.rfind('\n') + 1);
 }
 
-std::string told(const Ending& ending) {
+std::string ended_with(const Ending& ending) {
     return (ending.signal != 0 ? "signal " + std::to_string(ending.signal)
                                : "exit " + std::to_string(ending.code)) +
            ", " + last_words(ending);
@@ -46,7 +46,7 @@ Bench::Bench(const fs::path& program, const fs::path& library, const Run& run)
       program_{program, library, project_->folder(), scratch_->folder()} {
     const Ending whole = start({});
     if (whole.code != 0) {
-        throw std::runtime_error{run.name + " fails without any fault: " + told(whole)};
+        throw std::runtime_error{run.name + " fails without any fault: " + ended_with(whole)};
     }
     operations_ = whole.operations;
     fs::rename(out(), reference());
@@ -73,9 +73,9 @@ void Bench::look_at_end(const Ending& ending, const Fault& fault) {
     } else if (dies                   ? ending.signal != 9
                : fault.mode == "term" ? ending.code != 75 && ending.code != 0
                                       : ending.code != 3 && ending.code != 0) {
-        found(unclear, "the fault was answered with " + told(ending));
+        found(unclear, "the fault was answered with " + ended_with(ending));
     } else if (ending.code == 3 && !has(ending.messages, "out")) {
-        found(unclear, "no file was named: " + told(ending));
+        found(unclear, "no file was named: " + ended_with(ending));
     }
 }
 
@@ -87,7 +87,7 @@ void Bench::go_on(const Ending& first) {
     } else if (second.code == 2 && has(second.messages, "finished results")) {
         compare("results that count as finished");
     } else if (second.code != 0) {
-        found(lost, "the same command ended with " + told(second));
+        found(lost, "the same command ended with " + ended_with(second));
         overwrite(second);
     } else {
         const long parts = finished_parts(operations_, run_.parts);
@@ -104,14 +104,14 @@ void Bench::go_on(const Ending& first) {
 /// What the message advises.
 void Bench::overwrite(const Ending& second) {
     if (!has(second.messages, "--overwrite")) {
-        found(unclear, "no way out was shown: " + told(second));
+        found(unclear, "no way out was shown: " + ended_with(second));
         return;
     }
     std::vector<std::string> words = run_.arguments;
     words.emplace_back("--overwrite");
     const Ending third = faults::run(program_, words, {});
     if (third.code != 0) {
-        found(unclear, "--overwrite ended with " + told(third));
+        found(unclear, "--overwrite ended with " + ended_with(third));
     } else {
         compare("--overwrite");
     }
