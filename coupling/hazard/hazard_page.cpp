@@ -59,7 +59,7 @@ std::string levels_in_words(const TargetHazard& target) {
                                        {"levels_level", report::percent(target.levels[level])}});
         }
     }
-    return text.empty() ? "none" : text;
+    return text.empty() ? report::page_text("common.none") : text;
 }
 
 /// Share of a target at a level or above.
@@ -257,8 +257,8 @@ std::string rocks_table(const HazardResults& results) {
     }
     std::vector<std::string> links{report::page_text("hazard_page.page_of_these_rocks")};
     for (const FinishedPeriod& period : results.periods) {
-        links.push_back(
-            joined("<a href=\"../", escaped(period.folder.filename().string()), "/report.html\">report</a>"));
+        links.push_back(joined("<a href=\"../", escaped(period.folder.filename().string()), "/report.html\">",
+                               report::page_text("hazard_page.report"), "</a>"));
     }
     table.row(links);
     return joined("<h2>", report::page_text("common.rocks"),

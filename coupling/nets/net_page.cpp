@@ -183,8 +183,10 @@ std::string key_figures_of(const RunResults& results, const std::vector<NetFigur
     for (const auto& [name, quantity] :
          {std::pair{page_text("nets.net_page.energy_kj"), &NetFigures::energy_kj},
           std::pair{page_text("nets.net_page.height_of_the_centre_m"), &NetFigures::height_m}}) {
-        row(joined(name, "mean"), [&](const NetFigures& of) { return number((of.*quantity).mean); });
-        row(joined(name, "median"), [&](const NetFigures& of) { return number((of.*quantity).p50); });
+        row(joined(name, page_text("common.mean")),
+            [&](const NetFigures& of) { return number((of.*quantity).mean); });
+        row(joined(name, page_text("nets.net_page.median")),
+            [&](const NetFigures& of) { return number((of.*quantity).p50); });
         row(joined(name, "90 %"), [&](const NetFigures& of) { return number((of.*quantity).p90); });
         row(joined(name, "95 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p95); });
         row(joined(name, "99 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p99); });

@@ -39,7 +39,7 @@ std::string missed_in(const CaseResult& result, const Side& side) {
             names += joined((names.empty() ? "" : "; "), escaped(direction_name(row)));
         }
     }
-    return names.empty() ? "none" : names;
+    return names.empty() ? report::page_text("common.none") : names;
 }
 
 std::string overview(std::span<const CaseResult> cases) {

@@ -57,9 +57,11 @@ Score score_of(const CaseResult& result, const Side& side) {
 std::string badge(Verdict verdict) {
     switch (verdict) {
         case Verdict::inside:
-            return "<span class=\"badge\">met</span>";
+            return config::joined("<span class=\"badge\">", report::page_text("validation.page_shared.met"),
+                                  "</span>");
         case Verdict::missed:
-            return "<span class=\"badge missed\">missed</span>";
+            return config::joined("<span class=\"badge missed\">",
+                                  report::page_text("validation.page_shared.missed"), "</span>");
         case Verdict::no_criterion:
             break;
     }

@@ -234,10 +234,10 @@ std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
         return "";
     }
     const auto& [quantity, target, course] = key;
-    Chart chart{
-        joined(report::page_text(shown.title), ": ", target.empty() ? "forest" : target, ", ", course),
-        Axis::from_zero(report::page_text("common.years_since_the_start"), last_year),
-        axis_of(shown, lowest, highest)};
+    Chart chart{joined(report::page_text(shown.title), ": ",
+                       target.empty() ? report::page_text("compare.forest") : target, ", ", course),
+                Axis::from_zero(report::page_text("common.years_since_the_start"), last_year),
+                axis_of(shown, lowest, highest)};
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto found = bands[i].find(key);
         if (found == bands[i].end()) {

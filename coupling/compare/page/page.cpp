@@ -141,7 +141,8 @@ std::string in_words(const std::optional<Difference>& difference) {
 }
 
 std::string title_of(const FigureKey& key) {
-    return escaped(joined(key.target.empty() ? "forest" : key.target, key.regime.empty() ? "" : ", regime ",
+    return escaped(joined(key.target.empty() ? report::page_text("compare.forest") : key.target,
+                          key.regime.empty() ? "" : report::page_text("compare.page.of_regime"),
                           course_name(key.regime, key.climate)));
 }
 

@@ -96,7 +96,7 @@ void add_rows(HtmlTable& table, const RunView& run, const std::string& name, con
 
 std::string year_name(const RunView& run, std::size_t year) {
     const std::int32_t calendar_year = run.regimes[0].replicates[0][year].row->calendar_year;
-    return joined(year == 0 ? "start"
+    return joined(year == 0 ? report::page_text("decades.start")
                   : year == run.years
                       ? report::page_text("decades.answers.end_year", {{"year", std::to_string(year)}})
                       : report::page_text("common.year", {{"year", std::to_string(year)}}),

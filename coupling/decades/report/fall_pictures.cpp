@@ -149,7 +149,8 @@ std::string FallPictures::title(std::size_t slope, std::int32_t year) const {
     const std::string name = regime == run_.regimes.end() ? report::page_text("common.bare_slope")
                              : run_.regimes.size() > 1    ? regime->title()
                                                           : report::page_text("common.with_forest");
-    return joined(year == 0 ? "start" : report::page_text("common.year", {{"year", std::to_string(year)}}),
+    return joined(year == 0 ? report::page_text("decades.start")
+                            : report::page_text("common.year", {{"year", std::to_string(year)}}),
                   ", ", name);
 }
 

@@ -37,7 +37,8 @@ bool same_trees(const DrawnTrees& a, const DrawnTrees& b) {
 }
 
 std::string year_title(std::int32_t year) {
-    return year == 0 ? "start" : report::page_text("common.year", {{"year", std::to_string(year)}});
+    return year == 0 ? report::page_text("decades.start")
+                     : report::page_text("common.year", {{"year", std::to_string(year)}});
 }
 
 /// First and last year with a list of trees. What all regimes begin with is shown once.

@@ -226,14 +226,15 @@ std::string table_of(const Names& names, const Series& protection, const Series&
              {"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)},
              {"part", one ? report::page_text("common.one_replicate_no_intervals")
                           : report::page_text("decades.protection.in_brackets_the_5th_and_95th")},
-             {"part_2", !one && (compares || has_climates)
-                            ? report::page_text("decades.protection.differences_are_paired_by",
-                                                {{"part", compares ? "regimes" : ""},
-                                                 {"part_2", compares && has_climates
-                                                                ? report::page_text("decades.protection.or")
-                                                                : ""},
-                                                 {"part_3", has_climates ? "climates" : ""}})
-                            : ""}}),
+             {"part_2",
+              !one && (compares || has_climates)
+                  ? report::page_text(
+                        "decades.protection.differences_are_paired_by",
+                        {{"part", compares ? report::page_text("decades.protection.regimes") : ""},
+                         {"part_2",
+                          compares && has_climates ? report::page_text("decades.protection.or") : ""},
+                         {"part_3", has_climates ? report::page_text("decades.protection.climates") : ""}})
+                  : ""}}),
         head};
     for (std::size_t course = 0; course < names.courses(); ++course) {
         const auto worst = worst_year(protection, course);

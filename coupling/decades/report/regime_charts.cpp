@@ -46,11 +46,12 @@ std::vector<Stretch> stretches_of(const RegimeChart& wanted, std::size_t years) 
 }
 
 RegimeCurve curve_of(const RunView& run, const RegimeView& regime, const RegimeChart& wanted) {
-    RegimeCurve curve{
-        .line = regime.look.line,
-        .climate = regime.climate,
-        .name = run.regimes.size() == 1 && run.replicates() > 1 ? "mean" : regime.look.title_in_chart(),
-        .letter = regime.look.letter};
+    RegimeCurve curve{.line = regime.look.line,
+                      .climate = regime.climate,
+                      .name = run.regimes.size() == 1 && run.replicates() > 1
+                                  ? report::page_text("common.mean")
+                                  : regime.look.title_in_chart(),
+                      .letter = regime.look.letter};
     for (const Stretch& stretch : stretches_of(wanted, run.years)) {
         const double x = 0.5 * static_cast<double>(stretch.first + stretch.last);
         const Band band = regime.mean_band(stretch.first, stretch.last, wanted.figure);

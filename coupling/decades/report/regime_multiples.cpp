@@ -208,7 +208,7 @@ struct ShownYear {
 };
 
 std::vector<ShownYear> shown_years(std::size_t years) {
-    std::vector<ShownYear> shown{{"most", "start", 0}};
+    std::vector<ShownYear> shown{{"most", report::page_text("decades.start"), 0}};
     if (years > 1) {
         shown.push_back(
             {"bare", report::page_text("common.year_2", {{"years", std::to_string(years / 2)}}), years / 2});

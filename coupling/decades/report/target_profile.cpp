@@ -54,7 +54,7 @@ std::string where_met(const Series& met, std::size_t course, std::int32_t year) 
     if (percent >= 99.95) {
         return report::page_text("decades.target_profile.on_the_whole_area");
     }
-    return percent < 0.05 ? "nowhere"
+    return percent < 0.05 ? report::page_text("decades.target_profile.nowhere")
                           : report::page_text("decades.target_profile.on_of_the_area",
                                               {{"part", fixed(percent, percent < 10.0 ? 1 : 0)}});
 }

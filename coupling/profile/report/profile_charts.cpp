@@ -178,7 +178,7 @@ std::string energy_histogram(const ProfileResults& results, std::size_t station)
                 Axis::from_zero(report::page_text("common.of_all_rocks"),
                                 *std::max_element(heights.begin(), heights.end()))};
     chart.add_steps("forest", edges, heights);
-    chart.add_mark(mean_kj, apart ? "mean" : "");
+    chart.add_mark(mean_kj, apart ? report::page_text("common.mean") : "");
     if (is_known) {
         chart.add_mark(p95_kj, apart ? "95 %" : report::page_text("profile_charts.mean_95"));
     }

@@ -120,9 +120,9 @@ std::string marked(const Scenario& scenario, const std::string& value, const std
         return value;
     }
     const config::Options& options = *scenario.options;
-    return joined(value, was_set(options, keys)     ? mark("set", false)
-                         : is_preset(options, keys) ? mark("preset", false)
-                                                    : mark("default", true));
+    return joined(value, was_set(options, keys)     ? mark(page_text("deciding.set"), false)
+                         : is_preset(options, keys) ? mark(page_text("deciding.preset"), false)
+                                                    : mark(page_text("common.default"), true));
 }
 
 std::string start_of_rocks(const Scenario& scenario) {

@@ -24,7 +24,7 @@ std::string energy_rates_table(const std::string& first_head, std::span<const En
     }
     std::vector<std::string> head{first_head};
     for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
-        head.push_back(joined("above ", kj_text(i), "\u00a0kJ"));
+        head.push_back(page_text("energy_rates.above", {{"energy_kj", kj_text(i)}}));
     }
     HtmlTable table{page_text("energy_rates.rocks_above_an_energy_per_1000"), head};
     for (const EnergyRates& row : rows) {

@@ -189,8 +189,8 @@ std::string MapPage::about() const {
     return text;
 }
 
-std::string switch_for(const char* what) {
-    return joined("<label><input type=\"checkbox\" id=\"show-", what, "\" checked=\"checked\"/> ", what,
+std::string switch_for(const char* what, const std::string& label) {
+    return joined("<label><input type=\"checkbox\" id=\"show-", what, "\" checked=\"checked\"/> ", label,
                   "</label>");
 }
 
@@ -199,21 +199,22 @@ std::string switch_for(const char* what) {
 std::string maps(const RunResults& results) {
     MapPage page{results};
     page.paths();
-    page.row("Reach_probability", page_text("common.reach_probability"), "points",
+    page.row("Reach_probability", page_text("common.reach_probability"), page_text("today.maps.points"),
              page_text("common.rocks_that_pass_a_cell_in"),
              page_text("today.maps.for_the_forest_effect_both_are"));
     page.row("E_95", page_text("common.energy_95th_percentile"), "kJ",
              page_text("today.maps.of_the_largest_kinetic_energy",
                        {{"energies", rockfall::what_energies_count()}}),
              page_text("today.maps.for_the_forest_effect_no_rock"));
-    page.row("Nr_passages", page_text("common.rocks_that_pass"), "rocks",
+    page.row("Nr_passages", page_text("common.rocks_that_pass"), page_text("common.rocks_unit"),
              page_text("common.each_rock_counts_once_in_a_cell"), "");
     page.rests_and_hits();
     return joined("<h2>", page_text("common.maps"), "</h2>\n<p class=\"soft\">", page.about(),
                   "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n<fieldset "
                   "class=\"switches\">",
-                  switch_for("hillshade"), switch_for("sources"), switch_for("targets"), "</fieldset>\n",
-                  page.html());
+                  switch_for("hillshade", page_text("today.maps.hillshade")),
+                  switch_for("sources", page_text("today.maps.sources")),
+                  switch_for("targets", page_text("today.maps.targets")), "</fieldset>\n", page.html());
 }
 
 }  // namespace coupling::report
