@@ -404,8 +404,8 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(results.version)
         << joined("\"/>\n<title>", report::page_text("hazard_page.rockfall_hazard_map_2"))
-        << escaped(results.scenario.file.stem().string()) << "</title>\n<style>" << report::style()
-        << "</style>\n</head>\n<body>\n<main>\n"
+        << escaped(results.scenario.file.stem().string()) << "</title>\n<style>\n"
+        << report::style() << "</style>\n</head>\n<body>\n<main>\n"
         << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
         << maps(results) << about_the_map(results) << rocks_table(results)
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")

@@ -1,22 +1,11 @@
 #include "coupling/page_scripts/page_scripts.hpp"
 
 #include "config/text/base64.hpp"
+#include "config/text/embedded.hpp"
 #include "config/text/joined.hpp"
 
-// The bundles with a pair of symbols around their bytes. Their hashes come from coupling/CMakeLists.txt, so
-// that another bundle is another source for compiler caches too.
-#define BUNDLE(name)                                                                          \
-    asm(".pushsection .rodata\n"                                                              \
-        ".hidden bannwald_script_" #name "_begin\n.globl bannwald_script_" #name              \
-        "_begin\nbannwald_script_" #name "_begin:\n.incbin \"" BANNWALD_SCRIPTS_DIR "/" #name \
-        ".js\"\n"                                                                             \
-        ".hidden bannwald_script_" #name "_end\n.globl bannwald_script_" #name                \
-        "_end\nbannwald_script_" #name "_end:\n.byte 0\n.popsection\n");                      \
-    extern "C" const char bannwald_script_##name##_begin[];                                   \
-    extern "C" const char bannwald_script_##name##_end[];
-BUNDLE(charts)
-BUNDLE(slope)
-#undef BUNDLE
+BANNWALD_EMBED(charts_js, BANNWALD_SCRIPTS_DIR "/charts.js")
+BANNWALD_EMBED(slope_js, BANNWALD_SCRIPTS_DIR "/slope.js")
 
 namespace coupling::page_scripts {
 namespace {
@@ -38,11 +27,11 @@ std::string bytes_of(std::string_view hexadecimal) {
 }  // namespace
 
 Script charts() {
-    return {{bannwald_script_charts_begin, bannwald_script_charts_end}, BANNWALD_CHARTS_SHA256};
+    return {BANNWALD_EMBEDDED(charts_js), BANNWALD_CHARTS_SHA256};
 }
 
 Script slope() {
-    return {{bannwald_script_slope_begin, bannwald_script_slope_end}, BANNWALD_SLOPE_SHA256};
+    return {BANNWALD_EMBEDDED(slope_js), BANNWALD_SLOPE_SHA256};
 }
 
 std::string policy(const std::vector<Script>& scripts) {

@@ -59,7 +59,7 @@ void write_validation_page(std::ostream& out, std::span<const CaseResult> cases)
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(version())
         << joined("\"/>\n<title>", report::page_text("common.bannwald_against_the_published"),
-                  "</title>\n<style>")
+                  "</title>\n<style>\n")
         << report::style() << page_style() << "</style>\n</head>\n<body>\n<main>\n"
         << page_opening(cases);
     for (const CaseResult& result : cases) {

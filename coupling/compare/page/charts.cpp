@@ -274,31 +274,13 @@ std::string look_of(std::size_t run) {
     return joined("run", std::to_string(run % looks));
 }
 
-std::string_view run_style() {
-    // Colours of Tol's bright scheme that hold on light and dark, each with dashes of its own.
-    return R"css(
-.run0,.run1,.run2,.run3,.run4,.run5,.run6,.run7{fill:none;stroke-width:2.2}
-.run0{stroke:#4477aa}.run1{stroke:#ee6677;stroke-dasharray:7 3}.run2{stroke:#228833;stroke-dasharray:2 3}
-.run3{stroke:#aa3377;stroke-dasharray:9 3 2 3}.run4{stroke:#b8860b;stroke-dasharray:12 4}.run5{stroke:#2aa5b8;stroke-dasharray:4 2 1 2}
-.run6{stroke:#888;stroke-dasharray:6 2 2 2 2 2}.run7{stroke:#cc5500;stroke-dasharray:1 2}
-.band.run0{fill:#4477aa}.band.run1{fill:#ee6677}.band.run2{fill:#228833}.band.run3{fill:#aa3377}.band.run4{fill:#b8860b}
-.band.run5{fill:#2aa5b8}.band.run6{fill:#888}.band.run7{fill:#cc5500}
-.band.run0,.band.run1,.band.run2,.band.run3,.band.run4,.band.run5,.band.run6,.band.run7{fill-opacity:.14;stroke-width:.6;stroke-dasharray:none}
-.dot.run0{fill:#4477aa}.dot.run1{fill:#ee6677}.dot.run2{fill:#228833}.dot.run3{fill:#aa3377}.dot.run4{fill:#b8860b}
-.dot.run5{fill:#2aa5b8}.dot.run6{fill:#888}.dot.run7{fill:#cc5500}
-svg .whisker,svg .dot{stroke-dasharray:none}
-p.warning{background:var(--note);border-left:4px solid #b04a00;padding:8px 12px}
-)css";
-}
-
 std::string interval_charts(const SideBySide& comparison) {
     std::string html;
     for (const ShownFigure& shown : shown_figures) {
         std::vector<std::string> targets;
         std::map<std::string, Lines> of_target;
         for (const Line& line : comparison.lines) {
-            if (line.key.quantity == shown.quantity &&
-                line.key.when != report::page_text("compare.charts.worst_year")) {
+            if (line.key.quantity == shown.quantity && line.key.when != "worst year") {
                 Lines& lines = of_target[line.key.target];
                 if (lines.empty()) {
                     targets.push_back(line.key.target);

@@ -190,7 +190,7 @@ void write_page(std::ostream& out, std::span<const FinishedRun> runs, const Side
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(version())
-        << joined("\"/>\n<title>", report::page_text("compare.page.runs_side_by_side"), "</title>\n<style>")
+        << joined("\"/>\n<title>", report::page_text("compare.page.runs_side_by_side"), "</title>\n<style>\n")
         << report::style() << run_style() << "</style>\n</head>\n<body>\n<main>\n"
         << warnings_of(runs, comparison) << opening(runs, comparison) << disagreements(comparison)
         << interval_charts(comparison) << over_years(runs, comparison) << distributions(runs, comparison)

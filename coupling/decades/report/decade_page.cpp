@@ -56,8 +56,8 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(content.version)
         << joined("\"/>\n<title>", report::page_text("decades.decade_page.a_forest_over_years"))
-        << escaped(content.scenario.file.stem().string()) << "</title>\n<style>" << report::style()
-        << page_style() << "</style>\n</head>\n<body>\n"
+        << escaped(content.scenario.file.stem().string()) << "</title>\n<style>\n"
+        << report::style() << page_style() << "</style>\n</head>\n<body>\n"
         << fill_definitions() << "<main>\n"
         << report::first_warnings(content.warnings) << page_opening(content, run);
     for (const Section& section : sections_of(content, run)) {

@@ -121,42 +121,7 @@ std::string line_of_regime(std::size_t place) {
 }
 
 std::string page_style() {
-    return joined(rules("species", species_fills), rules("cause", cause_fills), R"css(
-:root{--blue:#2458ad;--violet:#7c3aa6;--grey:#5c6468;--rose:#a8205f;--sand:#7d6200}
-@media (prefers-color-scheme:dark){:root{--blue:#86b4ff;--violet:#d09df2;--grey:#b4bcb9;--rose:#ff8fbf;--sand:#e0c25a}}
-.line,.most{fill:none}
-.regime0{stroke:var(--forest);stroke-width:2.4}
-.regime1{stroke:var(--bare);stroke-width:2;stroke-dasharray:7 4}
-.regime2{stroke:var(--blue);stroke-width:2;stroke-dasharray:1.5 3.5}
-.regime3{stroke:var(--violet);stroke-width:2;stroke-dasharray:9 3 2 3}
-.regime4{stroke:var(--grey);stroke-width:1.8;stroke-dasharray:14 5}
-.regime5{stroke:var(--rose);stroke-width:1.8;stroke-dasharray:9 3 2 3 2 3}
-.regime6{stroke:var(--sand);stroke-width:1.8;stroke-dasharray:4 2}
-.regime7{stroke:var(--ink);stroke-width:1.2}
-.band.regime0{fill:var(--forest)}.band.regime1{fill:var(--bare)}.band.regime2{fill:var(--blue)}.band.regime3{fill:var(--violet)}
-.band.regime0,.band.regime1,.band.regime2,.band.regime3{fill-opacity:.15;stroke-width:.6;stroke-dasharray:none;stroke-opacity:.7}
-.increment{stroke:var(--ink);stroke-width:2}
-.dot.increment{fill:var(--paper);stroke:var(--ink);stroke-width:1.8}
-.most{stroke:var(--soft);stroke-width:1.8;stroke-dasharray:2 3}
-.area.most{fill:none}
-table small{color:var(--soft);white-space:nowrap}
-.stand svg text{font-size:13px}
-.stand{--ink:#1d2528;--paper:#fff;--soft:#566166}
-.forest-ground{fill:#f1efe6;stroke:#8d8877;stroke-width:.6}
-.forest-cells{fill:#f1efe6;stroke:#f1efe6;stroke-width:.6}
-.forest-rim{fill:none;stroke:#555;stroke-width:1}
-.contour{fill:none;stroke:#a59d86;stroke-width:.8}
-.stand .crown{fill-opacity:.85;stroke:#1d2528;stroke-width:.5}
-.stand .stem{fill:#5b4a3a;stroke:#1d2528;stroke-width:.3}
-.stand .strip{fill:none;stroke:#000;stroke-width:1.6;stroke-dasharray:6 3}
-.stand .halo{fill:none;stroke:#fff;stroke-width:4}
-.stand .frame{fill:none;stroke:#333;stroke-width:1}
-.stand .window{fill:none;stroke:#000;stroke-width:1.6}
-.stand .points{fill:none;stroke-linecap:round}
-.stand .axis{stroke:#1d2528;stroke-width:1;fill:none}
-.stand .grid{stroke:#d5d9d4;stroke-width:1;fill:none}
-.stand text.letter{font-weight:700;stroke:#fff;stroke-width:4;stroke-linejoin:round;paint-order:stroke}
-)css");
+    return joined(rules("species", species_fills), rules("cause", cause_fills), "\n", shared_style());
 }
 
 }  // namespace coupling::decades

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "coupling/decades/report/decade_page.hpp"
 #include "coupling/decades/report/series.hpp"
@@ -26,8 +27,9 @@ std::string view_of_years(const PageContent& content, const RunView& run);
 /// without such.
 std::string maps_of_falls(const PageContent& content, const RunView& run);
 
-/// What the page adds to the style of all reports.
+/// What the page adds to the style of all reports: the fills, and years.css.
 std::string page_style();
+std::string_view shared_style();
 
 // Colours with patterns, so that areas differ without colour too.
 

@@ -164,20 +164,6 @@ std::string key_figures(const ProfileResults& results) {
 
 }  // namespace
 
-std::string_view style_of_profile() {
-    return R"css(
-.most{stroke:var(--soft);stroke-width:1.6;stroke-dasharray:2 3;fill:none}
-.band.forest{fill:var(--forest-fill);stroke:none}
-figure.map .grid{stroke:#d5d9d4}figure.map .axis{stroke:#1d2528}
-.profile .body{fill:#efede6;stroke:none}
-.profile .ground{fill:none;stroke-width:4;stroke-linejoin:round}
-.profile .type0{stroke:#8c6d31}.profile .type1{stroke:#525252}.profile .type2{stroke:#2a7f62}.profile .type3{stroke:#7b4173}
-.profile .type4{stroke:#3a6ea5}.profile .type5{stroke:#a0522d}.profile .type6{stroke:#b5a42e}.profile .type7{stroke:#000}
-.profile path.pole{stroke:#1d2528;stroke-width:1.2}
-.profile text.pole{font-weight:600;stroke:#fff;stroke-width:3.5;stroke-linejoin:round;paint-order:stroke}
-)css";
-}
-
 void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
     const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
     const std::vector<std::string> turns = rockfall::sideways_settings();
@@ -188,8 +174,8 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
            "<meta name=\"generator\" content=\"Bannwald "
         << escaped(results.version)
         << joined("\"/>\n<title>", report::page_text("profile_page.rockfall_along_a_profile_2"))
-        << escaped(results.scenario.file.stem().string()) << "</title>\n<style>" << report::style()
-        << style_of_profile() << "</style>\n</head>\n<body>\n<main>\n"
+        << escaped(results.scenario.file.stem().string()) << "</title>\n<style>\n"
+        << report::style() << style_of_profile() << "</style>\n</head>\n<body>\n<main>\n"
         << report::first_warnings(results.warnings) << opening(results) << drawing(results)
         << charts_along(results) << stations(results) << key_figures(results)
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")

@@ -4,16 +4,10 @@
 #include <map>
 #include <stdexcept>
 
+#include "config/text/embedded.hpp"
 #include "config/text/joined.hpp"
 
-// The table is built in. Its hash comes from coupling/CMakeLists.txt, so that another table is another source
-// for compiler caches too.
-asm(".pushsection .rodata\n"
-    ".hidden bannwald_texts_begin\n.globl bannwald_texts_begin\nbannwald_texts_begin:\n"
-    ".incbin \"" BANNWALD_TEXTS_FILE
-    "\"\n.hidden bannwald_texts_end\n.globl bannwald_texts_end\nbannwald_texts_end:\n.byte 0\n.popsection\n");
-extern "C" const char bannwald_texts_begin[];
-extern "C" const char bannwald_texts_end[];
+BANNWALD_EMBED(texts_en, BANNWALD_EMBEDDED_FILE)
 
 namespace coupling::report {
 namespace {
@@ -65,7 +59,7 @@ Texts read_texts(std::string_view table) {
 }
 
 const Texts& texts() {
-    static const Texts all = read_texts({bannwald_texts_begin, bannwald_texts_end});
+    static const Texts all = read_texts(BANNWALD_EMBEDDED(texts_en));
     return all;
 }
 

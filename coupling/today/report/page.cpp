@@ -18,9 +18,9 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
         << page_scripts::policy(scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(results.version)
-        << "\"/>\n<title>" << page_text("today.page.rockfall_with_and_without") << name
-        << "</title>\n<style>" << style() << "</style>\n</head>\n<body>\n<main>\n"
+        << escaped(results.version) << "\"/>\n<title>" << page_text("today.page.rockfall_with_and_without")
+        << name << "</title>\n<style>\n"
+        << style() << "</style>\n</head>\n<body>\n<main>\n"
         << first_warnings(results.warnings) << opening(results, figures) << answers(results, figures)
         << nets(results) << slope_view(results) << maps(results) << charts(results, figures)
         << along_paths(results) << key_figures(results, figures) << grounds(results) << warnings(results)
