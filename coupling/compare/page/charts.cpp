@@ -87,16 +87,6 @@ std::string list_of_courses(const Lines& lines) {
     return list;
 }
 
-/// "Run: 1 A, 2 B": axes have numbers only.
-std::string list_of_runs(const SideBySide& comparison) {
-    std::string list;
-    for (std::size_t i = 0; i < comparison.letters.size(); ++i) {
-        list += joined(i > 0 ? ", " : report::page_text("compare.charts.run"), std::to_string(i + 1), " ",
-                       comparison.letters[i]);
-    }
-    return list;
-}
-
 /// Where the dot of a run stands: runs side by side around their course, or one after the other.
 double place_of(std::size_t course, std::size_t run, const Lines& lines) {
     if (lines.size() == 1) {
@@ -154,11 +144,12 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
     Chart chart{joined(report::page_text(shown.title), ": ", first.key.target,
                        alone && !first.key.regime.empty() ? ", " : "",
                        alone ? course_name(first.key.regime, first.key.climate) : std::string{}),
-                Axis{.title = alone ? list_of_runs(comparison)
-                                    : report::page_text("compare.charts.regime_by_its_number_below"),
+                Axis{.title = report::page_text(alone ? "compare.charts.run"
+                                                      : "compare.charts.regime_by_its_number_below"),
                      .low = 0.5,
                      .high = places + 0.5,
-                     .whole_numbers = true},
+                     .whole_numbers = true,
+                     .names = alone ? comparison.letters : std::vector<std::string>{}},
                 axis_of(shown, lowest, highest)};
     each_figure(lines, [&](const Figure& figure, std::size_t course, std::size_t run) {
         const double x = place_of(course, run, lines);

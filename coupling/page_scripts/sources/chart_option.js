@@ -1,7 +1,7 @@
 // The numbers of a chart as an option of ECharts. Every series is drawn by a shape of our own in the style that the page
 // gives its class, so that bands, patterns and dashes are those of the printed drawing.
 
-import { rows, tickText } from "./numbers.js";
+import { labelAt, rows } from "./numbers.js";
 import { pageColour, styleOf } from "./style.js";
 
 const margin = { left: 68, right: 30, top: 12, bottom: 54 };
@@ -18,7 +18,7 @@ function axisOption(axis, isX) {
         nameTextStyle: { color: ink, fontSize: 13 },
         axisLine: { show: isX, onZero: false, lineStyle: { color: ink } },
         axisTick: { show: isX, customValues: axis.ticks },
-        axisLabel: { color: ink, fontSize: 12, customValues: axis.ticks, formatter: tickText, hideOverlap: true },
+        axisLabel: { color: ink, fontSize: 12, customValues: axis.ticks, formatter: (tick) => labelAt(axis, tick), hideOverlap: true },
         splitLine: { show: !isX, lineStyle: { color: pageColour("--line") } },
         minorTick: { show: false },
         axisPointer: { label: { show: false }, lineStyle: { color: pageColour("--soft") } },

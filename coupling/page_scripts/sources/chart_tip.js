@@ -1,6 +1,6 @@
 // What a chart says at a place along its x axis.
 
-import { rows, threeDigits, tickText } from "./numbers.js";
+import { labelAt, rows, threeDigits, tickText } from "./numbers.js";
 import { sampleOf } from "./style.js";
 
 function nearest(all, x) {
@@ -45,7 +45,7 @@ function placeText(chart, x) {
     }
     return bin
         ? `${chart.x.title}: ${threeDigits(bin[0])} to ${threeDigits(bin[1])}`
-        : `${chart.x.title}: ${tickText(x)}`;
+        : `${chart.x.title}: ${labelAt(chart.x, x)}`;
 }
 
 /** Lines of the tip: sample, name, value. */

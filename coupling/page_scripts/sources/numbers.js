@@ -33,3 +33,8 @@ export function rows(numbers, width) {
     }
     return all;
 }
+
+/** What stands at a place of an axis: the name of its tick, or the number. */
+export function labelAt(axis, value) {
+    return axis.names ? (axis.names[axis.ticks.indexOf(value)] ?? "") : tickText(value);
+}

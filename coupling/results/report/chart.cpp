@@ -45,13 +45,20 @@ std::vector<double> numbers_of(std::span<const ChartRange> ranges) {
 }
 
 std::string json_of(const Axis& axis) {
-    return page_scripts::JsonObject{}
-        .text("title", axis.title)
+    page_scripts::JsonObject json;
+    json.text("title", axis.title)
         .number("low", axis.low)
         .number("high", axis.high)
         .flag("logarithmic", axis.logarithmic)
-        .add("ticks", page_scripts::json_numbers(axis.ticks()))
-        .json();
+        .add("ticks", page_scripts::json_numbers(axis.ticks()));
+    if (!axis.names.empty()) {
+        std::string names;
+        for (const double tick : axis.ticks()) {
+            names += joined(names.empty() ? "" : ",", page_scripts::json_string(axis.label(tick)));
+        }
+        json.add("names", joined("[", names, "]"));
+    }
+    return json.json();
 }
 
 }  // namespace
@@ -88,6 +95,14 @@ std::vector<double> Axis::ticks() const {
         values.push_back(first + i * step);
     }
     return values;
+}
+
+std::string Axis::label(double tick) const {
+    if (names.empty()) {
+        return tick_text(tick);
+    }
+    const auto number = static_cast<std::size_t>(std::max(0L, std::lround(tick)));
+    return number >= 1 && number <= names.size() ? names[number - 1] : "";
 }
 
 Chart::Chart(std::string title, Axis x, Axis y)
@@ -246,7 +261,7 @@ std::string Chart::axes() const {
         const std::string x = place(x_of(tick));
         grid += joined("M", x, " ", place(bottom), "v5");
         labels += joined("<text text-anchor=\"middle\" x=\"", x, "\" y=\"", place(bottom + 19.0), "\">",
-                         tick_text(tick), "</text>");
+                         escaped(x_.label(tick)), "</text>");
     }
     std::string lines;
     for (const double tick : y_.ticks()) {

@@ -13,7 +13,8 @@ struct Axis {
     double low = 0.0;
     double high = 1.0;
     bool logarithmic = false;
-    bool whole_numbers = false;  ///< ticks at whole numbers only
+    bool whole_numbers = false;           ///< ticks at whole numbers only
+    std::vector<std::string> names = {};  ///< shown at 1, 2, ... instead of the numbers
 
     /// From 0 to a round number not below `high`.
     static Axis from_zero(std::string title, double high);
@@ -22,6 +23,8 @@ struct Axis {
 
     [[nodiscard]] double share_of(double value) const;  ///< place along the axis, 0 to 1, not cut off
     [[nodiscard]] std::vector<double> ticks() const;
+    /// What stands at a tick: its name, or the number.
+    [[nodiscard]] std::string label(double tick) const;
 };
 
 struct ChartPoint {
