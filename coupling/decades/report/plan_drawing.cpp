@@ -49,8 +49,8 @@ std::uint64_t lot_of(const TreeRow& tree) {
     return x ^ (x >> 31U);
 }
 
-/// As many trees as may be drawn, by lot: every part of the forest and every size keeps its share, and a tree
-/// that is drawn in one year is drawn in others too.
+/// As many trees as may be drawn, a random sample: every part of the forest and every size keeps its share,
+/// and a tree that is drawn in one year is drawn in others too.
 Chosen by_lot(const DrawnTrees& trees, std::size_t most) {
     Chosen chosen{trees, 0};
     if (trees.size() > most) {
@@ -65,9 +65,10 @@ Chosen by_lot(const DrawnTrees& trees, std::size_t most) {
 std::string one_in_text(const Chosen& chosen) {
     const double ratio = static_cast<double>(chosen.trees.size() + chosen.left_out) /
                          static_cast<double>(std::max<std::size_t>(1, chosen.trees.size()));
-    return chosen.left_out == 0 ? ""
-                                : report::page_text("decades.plan_drawing.one_tree_in_is_drawn_by_lot",
-                                                    {{"part", report::fixed(ratio, ratio < 9.95 ? 1 : 0)}});
+    return chosen.left_out == 0
+               ? ""
+               : report::page_text("decades.plan_drawing.one_tree_in_is_drawn",
+                                   {{"trees_a_point", report::fixed(ratio, ratio < 9.95 ? 1 : 0)}});
 }
 
 std::string left_out_text(const Chosen& chosen, const std::string& which) {

@@ -175,8 +175,7 @@ std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSo
     html += fact(page_text("deciding.spread_of_directions"), spread_of_directions(scenario));
     html +=
         fact(page_text("deciding.motion"), marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
-    html +=
-        fact(page_text("common.settings"), marked(scenario, escaped(scenario.preset), {"rockfall.preset"}));
+    html += fact(page_text("deciding.laws"), escaped(scenario.preset));
     return joined(html, fact(page_text("common.random_seed"),
                              marked(scenario, std::to_string(scenario.seed), {"run.seed"})));
 }

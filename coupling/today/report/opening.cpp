@@ -39,20 +39,23 @@ std::string opening(const RunResults& results, const Figures&) {
     const Scenario& scenario = results.scenario;
     const Site& site = results.site;
     const config::GridFrame& frame = site.map_frame;
-    std::string html =
-        joined("<h1>",
-               results.with_forest ? page_text("today.opening.rockfall_with_and_without")
-                                   : page_text("today.opening.rockfall_over_the_bare_slope"),
-               "</h1>\n<p class=\"lead\">",
-               page_text("today.opening.scenario_rocks_were_released",
-                         {{"file", escaped(scenario.file.filename().string())},
-                          {"rocks", grouped(results.rocks)},
-                          {"sources", grouped(site.sources.size())},
-                          {"part", (results.with_forest
-                                        ? std::string{page_text("today.opening.each_falling_twice_with_the")}
-                                        : page_text("today.opening.and_fell_over_the_bare_slope",
-                                                    {{"why_no_obstacles", why_no_obstacles(results)}}))}}),
-               "</p>\n<dl class=\"facts\">");
+    std::string html = joined(
+        "<h1>",
+        results.with_forest ? page_text("today.opening.rockfall_with_and_without")
+                            : page_text("today.opening.rockfall_over_the_bare_slope"),
+        "</h1>\n<p class=\"lead\">",
+        page_text(
+            "today.opening.scenario_rocks_were_released",
+            {{"file", escaped(scenario.file.filename().string())},
+             {"rocks", grouped(results.rocks)},
+             {"sources", grouped(site.sources.size())},
+             {"part",
+              (results.with_forest
+                   ? page_text("today.opening.each_falling_twice_with_the",
+                               {{"logs", site.logs.empty() ? "" : page_text("today.opening.and_its_logs")}})
+                   : page_text("today.opening.and_fell_over_the_bare_slope",
+                               {{"why_no_obstacles", why_no_obstacles(results)}}))}}),
+        "</p>\n<dl class=\"facts\">");
     html += fact(page_text("today.opening.terrain"),
                  page_text("today.opening.m_cells_of_m",
                            {{"frame_x_west_m", three_digits(frame.x_east_m() - frame.x_west_m)},

@@ -25,7 +25,7 @@ NetRecord lower() {
 
 TEST(NeedInWords, NamesClassAndHeightOrWhyThereIsNone) {
     EXPECT_EQ(need_in_words(held(100, 2.0F), 0.95), "class 0 (100 kJ), 2.0 m high");
-    EXPECT_EQ(need_in_words(held(19, 2.0F), 0.95), "too few rocks reach it to tell: 19 of at least 20");
+    EXPECT_EQ(need_in_words(held(19, 2.0F), 0.95), "too few rocks reach it for an estimate: 19 of at least 20");
     EXPECT_EQ(need_in_words(held(0, 2.0F), 0.95), "–");
     EXPECT_NE(need_in_words(held(100, 20.0F), 0.95).find("no usual net is that high"), std::string::npos);
 }
@@ -35,8 +35,8 @@ TEST(NetInWords, TellsOfRocksThatAreNotKnown) {
     EXPECT_EQ(in_words(lower(), figures, 0.95), "lower, bare slope: 0 of 1000 rocks reach it");
     figures.inexact = 800;
     EXPECT_EQ(in_words(lower(), figures, 0.95),
-              "lower, bare slope: at least 0 of 1000 rocks reach it (not known of 800 that break through "
-              "another net and would reach it where none stands)");
+              "lower, bare slope: at least 0 of 1000 rocks reach it (800 rocks that break through "
+              "another net are not counted here: run the scenario to include them)");
     EXPECT_NE(in_words(lower(), held(5, 1.0F), 0.95).find("5 of 1000 rocks reach it, it holds 100.0"),
               std::string::npos);
 }

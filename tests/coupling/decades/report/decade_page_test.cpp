@@ -209,7 +209,7 @@ TEST(WriteDecadePage, StaysOfModerateSize) {
     }
     const std::string page = some.page();
     EXPECT_LT(page.size(), 3'000'000U);
-    EXPECT_NE(page.find("One tree in 3.3 is drawn, by lot"), std::string::npos);
+    EXPECT_NE(page.find("One tree in 3.3 is drawn, a random sample"), std::string::npos);
 }
 
 }  // namespace
