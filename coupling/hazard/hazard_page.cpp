@@ -7,7 +7,6 @@
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
 #include "coupling/hazard/hazard_results.hpp"
-#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/first_warnings.hpp"
@@ -15,8 +14,8 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
-#include "coupling/results/report/style.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -397,16 +396,14 @@ std::string maps(const HazardResults& results) {
 }  // namespace
 
 void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
-    const std::vector<page_scripts::Script> scripts{};
-    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        << page_scripts::policy(scripts)
-        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(results.version)
-        << joined("\"/>\n<title>", report::page_text("hazard_page.rockfall_hazard_map_2"))
-        << escaped(results.scenario.file.stem().string()) << "</title>\n<style>\n"
-        << report::style() << "</style>\n</head>\n<body>\n<main>\n"
-        << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
+    const report::PageFrame frame{.title = joined(report::page_text("hazard_page.rockfall_hazard_map_2"),
+                                                  escaped(results.scenario.file.stem().string())),
+                                  .version = results.version,
+                                  .scripts = {},
+                                  .style = {},
+                                  .before_main = {}};
+    report::begin_page(out, frame);
+    out << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
         << maps(results) << about_the_map(results) << rocks_table(results)
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
@@ -418,7 +415,8 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
                   "</h2>\n<section class=\"card\">")
         << report::table_of_files(report::page_text("common.grids_have_their_projection_prj"), files)
         << "</section>\n"
-        << report::citation(results.version, results.scenario) << "</main>\n</body>\n</html>\n";
+        << report::citation(results.version, results.scenario);
+    report::end_page(out, frame);
 }
 
 }  // namespace coupling::hazard

@@ -1,10 +1,9 @@
 #include "coupling/validation/page.hpp"
 
 #include "config/text/joined.hpp"
-#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
-#include "coupling/results/report/style.hpp"
 #include "coupling/validation/page_parts.hpp"
 #include "coupling/version.hpp"
 
@@ -52,20 +51,18 @@ std::string case_part(const CaseResult& result) {
 }  // namespace
 
 void write_validation_page(std::ostream& out, std::span<const CaseResult> cases) {
-    const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
-    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        << page_scripts::policy(scripts)
-        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(version())
-        << joined("\"/>\n<title>", report::page_text("common.bannwald_against_the_published"),
-                  "</title>\n<style>\n")
-        << report::style() << page_style() << "</style>\n</head>\n<body>\n<main>\n"
-        << page_opening(cases);
+    const report::PageFrame frame{.title = report::page_text("common.bannwald_against_the_published"),
+                                  .version = version(),
+                                  .scripts = {page_scripts::charts()},
+                                  .style = std::string{page_style()},
+                                  .before_main = {}};
+    report::begin_page(out, frame);
+    out << page_opening(cases);
     for (const CaseResult& result : cases) {
         out << case_part(result);
     }
-    out << "</main>\n" << page_scripts::elements(scripts) << "</body>\n</html>\n";
+    out;
+    report::end_page(out, frame);
 }
 
 }  // namespace coupling::validation

@@ -7,12 +7,11 @@
 #include "config/text/joined.hpp"
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
-#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
-#include "coupling/results/report/style.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::compare {
@@ -184,19 +183,17 @@ std::string figures(const SideBySide& comparison, bool over_years, bool one_repl
 }  // namespace
 
 void write_page(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
-    const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
-    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        << page_scripts::policy(scripts)
-        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(version())
-        << joined("\"/>\n<title>", report::page_text("compare.page.runs_side_by_side"), "</title>\n<style>\n")
-        << report::style() << run_style() << "</style>\n</head>\n<body>\n<main>\n"
-        << warnings_of(runs, comparison) << opening(runs, comparison) << disagreements(comparison)
+    const report::PageFrame frame{.title = report::page_text("compare.page.runs_side_by_side"),
+                                  .version = version(),
+                                  .scripts = {page_scripts::charts()},
+                                  .style = std::string{run_style()},
+                                  .before_main = {}};
+    report::begin_page(out, frame);
+    out << warnings_of(runs, comparison) << opening(runs, comparison) << disagreements(comparison)
         << interval_charts(comparison) << over_years(runs, comparison) << distributions(runs, comparison)
         << maps(runs, comparison)
-        << figures(comparison, runs.front().summary.years > 0, all_of_one_replicate(runs)) << "</main>\n"
-        << page_scripts::elements(scripts) << "</body>\n</html>\n";
+        << figures(comparison, runs.front().summary.years > 0, all_of_one_replicate(runs));
+    report::end_page(out, frame);
 }
 
 }  // namespace coupling::compare

@@ -4,12 +4,11 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
-#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
-#include "coupling/results/report/style.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -49,17 +48,15 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
 
 void write_decade_page(std::ostream& out, const PageContent& content) {
     const RunView run = view_of(content.names, content.members);
-    const std::vector<page_scripts::Script> scripts{page_scripts::charts(), page_scripts::slope()};
-    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        << page_scripts::policy(scripts)
-        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(content.version)
-        << joined("\"/>\n<title>", report::page_text("decades.decade_page.a_forest_over_years"))
-        << escaped(content.scenario.file.stem().string()) << "</title>\n<style>\n"
-        << report::style() << page_style() << "</style>\n</head>\n<body>\n"
-        << fill_definitions() << "<main>\n"
-        << report::first_warnings(content.warnings) << page_opening(content, run);
+    const report::PageFrame frame{
+        .title = joined(report::page_text("decades.decade_page.a_forest_over_years"),
+                        escaped(content.scenario.file.stem().string())),
+        .version = content.version,
+        .scripts = {page_scripts::charts(), page_scripts::slope()},
+        .style = page_style(),
+        .before_main = fill_definitions()};
+    report::begin_page(out, frame);
+    out << report::first_warnings(content.warnings) << page_opening(content, run);
     for (const Section& section : sections_of(content, run)) {
         if (section.html.empty()) {
             continue;
@@ -69,8 +66,8 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
         }
         out << section.html;
     }
-    out << report::citation(content.version, content.scenario) << "</main>\n"
-        << page_scripts::elements(scripts) << "</body>\n</html>\n";
+    out << report::citation(content.version, content.scenario);
+    report::end_page(out, frame);
 }
 
 }  // namespace coupling::decades

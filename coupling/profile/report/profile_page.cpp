@@ -7,7 +7,6 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/inputs/profile_settings.hpp"
-#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/energy_rates.hpp"
@@ -15,8 +14,8 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
-#include "coupling/results/report/style.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
@@ -165,18 +164,17 @@ std::string key_figures(const ProfileResults& results) {
 }  // namespace
 
 void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
-    const std::vector<page_scripts::Script> scripts{page_scripts::charts()};
     const std::vector<std::string> turns = rockfall::sideways_settings();
     const std::set<std::string> set_to_none{turns.begin(), turns.end()};
-    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        << page_scripts::policy(scripts)
-        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(results.version)
-        << joined("\"/>\n<title>", report::page_text("profile_page.rockfall_along_a_profile_2"))
-        << escaped(results.scenario.file.stem().string()) << "</title>\n<style>\n"
-        << report::style() << style_of_profile() << "</style>\n</head>\n<body>\n<main>\n"
-        << report::first_warnings(results.warnings) << opening(results) << drawing(results)
+    const report::PageFrame frame{
+        .title = joined(report::page_text("profile_page.rockfall_along_a_profile_2"),
+                        escaped(results.scenario.file.stem().string())),
+        .version = results.version,
+        .scripts = {page_scripts::charts()},
+        .style = std::string{style_of_profile()},
+        .before_main = {}};
+    report::begin_page(out, frame);
+    out << report::first_warnings(results.warnings) << opening(results) << drawing(results)
         << charts_along(results) << stations(results) << key_figures(results)
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
@@ -190,8 +188,8 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         << joined("</section>\n<h2>", report::page_text("common.files_of_this_run"),
                   "</h2>\n<section class=\"card\">")
         << report::table_of_files("", files) << "</section>\n"
-        << report::citation(results.version, results.scenario) << "</main>\n"
-        << page_scripts::elements(scripts) << "</body>\n</html>\n";
+        << report::citation(results.version, results.scenario);
+    report::end_page(out, frame);
 }
 
 }  // namespace coupling::profile

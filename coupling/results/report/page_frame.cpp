@@ -1,0 +1,22 @@
+#include "coupling/results/report/page_frame.hpp"
+
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/style.hpp"
+
+namespace coupling::report {
+
+void begin_page(std::ostream& out, const PageFrame& frame) {
+    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        << page_scripts::policy(frame.scripts)
+        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+           "<meta name=\"generator\" content=\"Bannwald "
+        << escaped(frame.version) << "\"/>\n<title>" << frame.title << "</title>\n<style>" << style()
+        << frame.style << "</style>\n</head>\n<body>\n"
+        << frame.before_main << "<main>\n";
+}
+
+void end_page(std::ostream& out, const PageFrame& frame) {
+    out << "</main>\n" << page_scripts::elements(frame.scripts) << "</body>\n</html>\n";
+}
+
+}  // namespace coupling::report
