@@ -79,7 +79,7 @@ std::string to_mm(double value_m) {
 }
 
 void describe_falls(const Scenario& scenario, const Site& site, std::ostream& out) {
-    say(out, "motion", rockfall::description_of(scenario.rockfall.fall.motion.model).name);
+    say(out, "motion", std::string{rockfall::description_of(scenario.rockfall.fall.motion.model).name});
     say(out, "ground", ground_in_words(site));
     const auto own = static_cast<std::size_t>(
         std::count_if(site.sources.begin(), site.sources.end(),

@@ -8,7 +8,7 @@
 #include "config/data/shipped_tables.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
-#include "coupling/inputs/soils.hpp"
+#include "coupling/inputs/ground_soils.hpp"
 #include "coupling/inputs/stopping_input.hpp"
 
 namespace coupling {
@@ -208,7 +208,7 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const rockfall::ModelDescription& model =
         rockfall::description_of(reading.scenario().rockfall.fall.motion.model);
-    TypeReader reader{table, std::move(stopping), read_soils(reading), model, problems};
+    TypeReader reader{table, std::move(stopping), read_ground_soils(reading), model, problems};
     std::vector<rockfall::SurfaceType> types = reader.all();
     if (types.empty() || types.size() >= most_types) {
         problems.add(config::ExitCode::data, {table.file()}, counted(types.size(), "ground type"), "1 to 254",
@@ -250,7 +250,7 @@ std::vector<ShippedSurface> shipped_surfaces() {
     config::Problems problems;
     const config::Table table = shipped("surfaces.csv");
     const auto curves = read_stopping_curves(shipped("stopping.csv"), "name", problems);
-    const std::vector<rockfall::Soil> soils = shipped_soils();
+    const std::vector<rockfall::Soil> soils = shipped_ground_soils();
     std::vector<ShippedSurface> surfaces;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         ShippedSurface surface;

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "coupling/results/csv_row.hpp"
-#include "coupling/results/ground_columns.hpp"
+#include "coupling/today/ground_columns.hpp"
 #include "coupling/today/static_layouts.hpp"
 #include "rockfall/motion/models.hpp"
 #include "rockfall/release/release.hpp"

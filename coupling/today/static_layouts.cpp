@@ -3,7 +3,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/results/figure_columns.hpp"
-#include "coupling/results/ground_columns.hpp"
+#include "coupling/today/ground_columns.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling {

@@ -15,7 +15,7 @@ inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 /// A figure of the ground types that a motion model uses: a column of the table of ground types.
 template <class Law>
 struct GroundColumn {
-    std::string_view name;  ///< of the column; coupling/results/ground_columns.cpp has its unit and meaning
+    std::string_view name;  ///< of the column; coupling/today/ground_columns.cpp has its unit and meaning
     std::string_view from;  ///< where the figure comes from, for the data dictionary
     std::string_view remark = {};  ///< what it is under this model, where that differs: "of the soil"
     /// The figure for a rock of this diameter [m], in the unit of the column; of a limiting angle its

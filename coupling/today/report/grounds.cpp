@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
-#include "coupling/results/ground_columns.hpp"
+#include "coupling/today/ground_columns.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"

@@ -1,4 +1,4 @@
-#include "coupling/results/ground_columns.hpp"
+#include "coupling/today/ground_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coupling/inputs/soils.hpp"
+#include "coupling/inputs/ground_soils.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -22,40 +22,40 @@ double tangent(double angle_deg) {
 }
 
 /// A row of the table on its way to a soil: what its columns say, in their units.
-struct Row {
+struct SoilRow {
     double r_n, r_t, dr_slow, dr_fast, friction, dk_slow, dk_fast, angle_slow, angle_fast, limit, threshold;
 };
 
-constexpr config::NumberRange restitution{.low = 0.0, .high = rockfall::largest_restitution};
-constexpr config::NumberRange percent{.low = 0.0, .high = 100.0};
-constexpr config::NumberRange angle{.low = 0.0, .high = 90.0};
+constexpr config::NumberRange restitution_bounds{.low = 0.0, .high = rockfall::largest_restitution};
+constexpr config::NumberRange percent_bounds{.low = 0.0, .high = 100.0};
+constexpr config::NumberRange angle_bounds{.low = 0.0, .high = 90.0};
 
-struct RowColumn {
+struct SoilColumn {
     const char* name;
-    double Row::*value;
+    double SoilRow::*value;
     config::NumberRange range;
 };
-constexpr RowColumn columns[] = {
-    {"r_n", &Row::r_n, restitution},
-    {"r_t", &Row::r_t, restitution},
-    {"dr_slow_percent", &Row::dr_slow, percent},
-    {"dr_fast_percent", &Row::dr_fast, percent},
-    {"friction", &Row::friction, {.low = 0.0, .high = 5.0}},
-    {"dk_slow_percent", &Row::dk_slow, percent},
-    {"dk_fast_percent", &Row::dk_fast, percent},
-    {"angle_slow_deg", &Row::angle_slow, angle},
-    {"angle_fast_deg", &Row::angle_fast, angle},
-    {"limit_mps", &Row::limit, {.low = 0.1, .high = 100.0}},
-    {"threshold_deg", &Row::threshold, {.low = 0.0, .high = 45.0}},
+constexpr SoilColumn soil_columns[] = {
+    {"r_n", &SoilRow::r_n, restitution_bounds},
+    {"r_t", &SoilRow::r_t, restitution_bounds},
+    {"dr_slow_percent", &SoilRow::dr_slow, percent_bounds},
+    {"dr_fast_percent", &SoilRow::dr_fast, percent_bounds},
+    {"friction", &SoilRow::friction, {.low = 0.0, .high = 5.0}},
+    {"dk_slow_percent", &SoilRow::dk_slow, percent_bounds},
+    {"dk_fast_percent", &SoilRow::dk_fast, percent_bounds},
+    {"angle_slow_deg", &SoilRow::angle_slow, angle_bounds},
+    {"angle_fast_deg", &SoilRow::angle_fast, angle_bounds},
+    {"limit_mps", &SoilRow::limit, {.low = 0.1, .high = 100.0}},
+    {"threshold_deg", &SoilRow::threshold, {.low = 0.0, .high = 45.0}},
 };
 
-struct NamedRow {
+struct NamedSoilRow {
     std::string name;
-    Row row;
+    SoilRow row;
 };
 
-Soil soil_of(const NamedRow& named) {
-    const Row& row = named.row;
+Soil soil_of(const NamedSoilRow& named) {
+    const SoilRow& row = named.row;
     return {named.name,
             {row.r_n, row.r_t},
             row.friction,
@@ -66,9 +66,9 @@ Soil soil_of(const NamedRow& named) {
             tangent(row.threshold)};
 }
 
-const NamedRow* find(const std::vector<NamedRow>& rows, const std::string& name) {
+const NamedSoilRow* find_soil(const std::vector<NamedSoilRow>& rows, const std::string& name) {
     const auto found =
-        std::find_if(rows.begin(), rows.end(), [&](const NamedRow& r) { return r.name == name; });
+        std::find_if(rows.begin(), rows.end(), [&](const NamedSoilRow& r) { return r.name == name; });
     return found == rows.end() ? nullptr : &*found;
 }
 
@@ -79,23 +79,23 @@ std::string nearest_of(const std::string& name, const std::vector<std::string>& 
 }
 
 /// Reads a table of soils. `known`: those that its column `like` may name.
-std::vector<NamedRow> read_rows(const config::Table& table, const std::vector<NamedRow>& known,
-                                config::Problems& problems) {
-    std::vector<NamedRow> rows;
+std::vector<NamedSoilRow> read_soil_rows(const config::Table& table, const std::vector<NamedSoilRow>& known,
+                                         config::Problems& problems) {
+    std::vector<NamedSoilRow> rows;
     for (std::size_t i = 0; i < table.rows(); ++i) {
-        NamedRow row{table.text(i, "name"), {}};
-        if (row.name.empty() || find(rows, row.name) != nullptr) {
+        NamedSoilRow row{table.text(i, "name"), {}};
+        if (row.name.empty() || find_soil(rows, row.name) != nullptr) {
             problems.add(
                 config::ExitCode::data, table.place(i, "name"),
                 row.name.empty() ? "no name" : "soil " + config::in_quotes(row.name) + " a second time",
                 "each soil once, by name");
         }
-        const NamedRow* like = nullptr;
+        const NamedSoilRow* like = nullptr;
         if (has_value(table, i, "like")) {
-            like = find(known, table.text(i, "like"));
+            like = find_soil(known, table.text(i, "like"));
             if (like == nullptr) {
                 std::vector<std::string> names;
-                for (const NamedRow& k : known) {
+                for (const NamedSoilRow& k : known) {
                     names.push_back(k.name);
                 }
                 problems.add(config::ExitCode::data, table.place(i, "like"),
@@ -104,7 +104,7 @@ std::vector<NamedRow> read_rows(const config::Table& table, const std::vector<Na
                 continue;
             }
         }
-        for (const RowColumn& column : columns) {
+        for (const SoilColumn& column : soil_columns) {
             if (like != nullptr && !has_value(table, i, column.name)) {
                 row.row.*column.value = like->row.*column.value;
             } else if (table.has(column.name)) {
@@ -120,15 +120,15 @@ std::vector<NamedRow> read_rows(const config::Table& table, const std::vector<Na
     return rows;
 }
 
-std::vector<NamedRow> shipped_rows() {
+std::vector<NamedSoilRow> shipped_soil_rows() {
     std::istringstream in{std::string{config::shipped_table("pir3d_soils.csv")}};
     config::Problems problems;
-    std::vector<NamedRow> rows = read_rows(config::Table::read(in, "pir3d_soils.csv"), {}, problems);
+    std::vector<NamedSoilRow> rows = read_soil_rows(config::Table::read(in, "pir3d_soils.csv"), {}, problems);
     problems.throw_if_any();
     return rows;
 }
 
-std::vector<Soil> soils_of(const std::vector<NamedRow>& rows) {
+std::vector<Soil> soils_of(const std::vector<NamedSoilRow>& rows) {
     std::vector<Soil> soils;
     std::transform(rows.begin(), rows.end(), std::back_inserter(soils), soil_of);
     return soils;
@@ -136,35 +136,35 @@ std::vector<Soil> soils_of(const std::vector<NamedRow>& rows) {
 
 }  // namespace
 
-std::vector<Soil> shipped_soils() {
-    return soils_of(shipped_rows());
+std::vector<Soil> shipped_ground_soils() {
+    return soils_of(shipped_soil_rows());
 }
 
-std::vector<Soil> read_soils(Reading& reading) {
-    std::vector<NamedRow> rows = shipped_rows();
+std::vector<Soil> read_ground_soils(Reading& reading) {
+    std::vector<NamedSoilRow> rows = shipped_soil_rows();
     if (const std::string& file = reading.scenario().soils; !file.empty()) {
         const config::Table table = reading.table("terrain.soils", "soils", file);
         config::Problems problems;
         table.require({"name"}, problems);
         problems.throw_if_any();
         std::vector<std::string> known{"name", "like"};
-        for (const RowColumn& column : columns) {
+        for (const SoilColumn& column : soil_columns) {
             known.emplace_back(column.name);
         }
         doubt_columns(table, known, reading);
-        std::vector<NamedRow> own = read_rows(table, rows, problems);
+        std::vector<NamedSoilRow> own = read_soil_rows(table, rows, problems);
         config::Problems shown;
         add_first(shown, problems, table.file());
         shown.throw_if_any();
         for (std::size_t i = 0; i < own.size(); ++i) {
-            if (find(rows, own[i].name) != nullptr) {
+            if (find_soil(rows, own[i].name) != nullptr) {
                 reading.note(
                     config::to_string(config::Problem{.place = table.place(i, "name"),
                                                       .found = "soil " + config::in_quotes(own[i].name) +
                                                                " replaces the shipped soil of that name"}));
             }
         }
-        std::erase_if(rows, [&](const NamedRow& row) { return find(own, row.name) != nullptr; });
+        std::erase_if(rows, [&](const NamedSoilRow& row) { return find_soil(own, row.name) != nullptr; });
         rows.insert(rows.begin(), own.begin(), own.end());
     }
     return soils_of(rows);

@@ -11,12 +11,12 @@
 namespace coupling {
 
 /// The soils of config/data/pir3d_soils.csv.
-std::vector<rockfall::Soil> shipped_soils();
+std::vector<rockfall::Soil> shipped_ground_soils();
 
 /// The shipped soils and those of terrain.soils; one of the same name takes the place of the shipped one.
 ///
 /// A row takes what its columns do not give from the soil in its column `like`. Throws InputError (data).
-std::vector<rockfall::Soil> read_soils(Reading& reading);
+std::vector<rockfall::Soil> read_ground_soils(Reading& reading);
 
 /// The soil that a field names; nothing, and a problem with the nearest name, for an unknown one.
 std::optional<rockfall::Soil> named_soil(const config::Table& table, std::size_t row,

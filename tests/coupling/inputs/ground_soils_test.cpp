@@ -1,4 +1,4 @@
-#include "coupling/inputs/soils.hpp"
+#include "coupling/inputs/ground_soils.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "coupling/inputs/surface_types.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
-namespace coupling::soils_test {
+namespace coupling::ground_soils_test {
 namespace {
 
 using config::ExitCode;
@@ -15,7 +15,7 @@ using config::ExitCode;
 const std::vector<std::string> with_pir3d{"rockfall.motion=pir3d"};
 
 TEST(Pir3dSoils, AreTheSixOfTheJuraBeforeAndAfterTheFit) {
-    const auto soils = shipped_soils();
+    const auto soils = shipped_ground_soils();
     ASSERT_EQ(soils.size(), 12U);
     const auto& scree = soils[8];
     EXPECT_EQ(scree.name, "scree_step_1");
@@ -116,4 +116,4 @@ TEST(MotionModel, TellsOfSettingsOfTheOther) {
 }
 
 }  // namespace
-}  // namespace coupling::soils_test
+}  // namespace coupling::ground_soils_test
