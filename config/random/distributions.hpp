@@ -10,9 +10,8 @@ namespace config {
 /// The same u gives the same value everywhere, which the distributions of the standard library do not
 /// promise.
 
-/// Standard normal quantile [-], relative error below 1e-13 (Wichura 1988, AS 241, PPND16, with the logarithm of
-/// config/math, which is the same on every machine).
-/// Minus and plus infinity at u = 0 and u = 1.
+/// Standard normal quantile [-], relative error below 1e-13 (Wichura 1988, AS 241, PPND16, with the logarithm
+/// of config/math, which is the same on every machine). Minus and plus infinity at u = 0 and u = 1.
 double normal_quantile(double u);
 
 /// Normal value; finite for every u, as 0 counts as 2^-33, half a step of a 32-bit uniform.

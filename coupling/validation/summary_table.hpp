@@ -18,8 +18,7 @@ inline constexpr std::string_view summary_ends = "<!-- end of summary.md -->";
 void write_summary(std::ostream& out, std::span<const CaseResult> cases);
 
 /// One row a case: how many criteria it meets. The root README shows this text between these lines.
-inline constexpr std::string_view overview_begins =
-    "<!-- written by bannwald validate all: overview.md -->";
+inline constexpr std::string_view overview_begins = "<!-- written by bannwald validate all: overview.md -->";
 inline constexpr std::string_view overview_ends = "<!-- end of overview.md -->";
 
 void write_overview(std::ostream& out, std::span<const CaseResult> cases);

@@ -30,9 +30,8 @@ std::vector<readme_fs::path> documents() {
 
 /// Characters of a line in UTF-8.
 std::size_t characters(const std::string& line) {
-    return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-    }));
+    return static_cast<std::size_t>(std::count_if(
+        line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 /// Lines of prose that are too wide: no tables, pictures, code, nor what the program writes.

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
-#include "coupling/today/ground_columns.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/today/ground_columns.hpp"
 #include "coupling/today/report/sections.hpp"
 #include "rockfall/motion/models.hpp"
 

@@ -25,7 +25,8 @@ NetRecord lower() {
 
 TEST(NeedInWords, NamesClassAndHeightOrWhyThereIsNone) {
     EXPECT_EQ(need_in_words(held(100, 2.0F), 0.95), "class 0 (100 kJ), 2.0 m high");
-    EXPECT_EQ(need_in_words(held(19, 2.0F), 0.95), "too few rocks reach it for an estimate: 19 of at least 20");
+    EXPECT_EQ(need_in_words(held(19, 2.0F), 0.95),
+              "too few rocks reach it for an estimate: 19 of at least 20");
     EXPECT_EQ(need_in_words(held(0, 2.0F), 0.95), "–");
     EXPECT_NE(need_in_words(held(100, 20.0F), 0.95).find("no usual net is that high"), std::string::npos);
 }

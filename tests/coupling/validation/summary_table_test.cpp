@@ -77,14 +77,12 @@ TEST(Overview, OfTheRootReadmeSaysWhatTheWholeTableSays) {
         const std::string criteria = line.substr(std::min(line.size(), line.rfind(" of ")));
         const std::size_t row = overview.find("| [" + files.name + "](validation/");
         ASSERT_NE(row, std::string::npos) << files.name;
-        const std::vector<std::string> cells =
-            cells_of(overview.substr(row, overview.find('\n', row) - row));
+        const std::vector<std::string> cells = cells_of(overview.substr(row, overview.find('\n', row) - row));
         ASSERT_EQ(cells.size(), 4U) << files.name;
         const std::string of = criteria.substr(0, criteria.find('.'));
         EXPECT_EQ(cells[3], number_before(line, criteria) + of) << files.name;
-        EXPECT_EQ(cells[2], line.find("strict ") == std::string::npos
-                                ? ""
-                                : number_before(line, ", default ") + of)
+        EXPECT_EQ(cells[2],
+                  line.find("strict ") == std::string::npos ? "" : number_before(line, ", default ") + of)
             << files.name;
     }
 }
