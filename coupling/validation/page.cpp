@@ -61,7 +61,6 @@ void write_validation_page(std::ostream& out, std::span<const CaseResult> cases)
     for (const CaseResult& result : cases) {
         out << case_part(result);
     }
-    out;
     report::end_page(out, frame);
 }
 
