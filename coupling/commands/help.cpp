@@ -20,15 +20,15 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
 
   bannwald init DIR [--example NAME]   writes an example project, ready to run: tyrol, profile, forest,
                                        regimes-small, regimes
-  bannwald check SCENARIO              reads everything, tells size, memory and time; writes nothing
-  bannwald run SCENARIO                lets the rocks fall and writes maps, tables and a report
+  bannwald check SCENARIO              reads everything, prints size, memory and time; writes nothing
+  bannwald run SCENARIO                simulates rockfall and writes maps, tables and a report
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
-  bannwald compare DIR DIR...          puts finished runs side by side and tells what is more than chance
-  bannwald net try DIR --nets FILE     looks at other nets without letting rocks fall again
+  bannwald compare DIR DIR...          puts finished runs side by side, with which differences are significant
+  bannwald net try DIR --nets FILE     evaluates other nets without another simulation
   bannwald net place DIR --nets FILE   looks for the place of a net upslope of a line
   bannwald validate [CASE...|all]      holds the model against published experiments and tables
   bannwald stopping-table [RECIPE]     makes stopping probabilities from virtual surfaces
-  bannwald info FILE                   tells what a grid or a table holds; `info tables`: what results hold
+  bannwald info FILE                   prints what a grid or a table holds; `info tables`: what results hold
   bannwald completion bash             prints what lets the Tab key complete commands, options and settings
 
 Everywhere
@@ -51,7 +51,7 @@ constexpr std::string_view exit_codes = R"(Exit codes
   3   a file is missing, unreadable or cannot be written
   4   the data are not plausible
   5   a validation case lies outside its bounds
-  75  interrupted: run again to go on
+  75  interrupted: run again to continue
 )";
 
 constexpr std::string_view init_help = R"(bannwald init DIR [--example NAME | --from-rockyfor3d FOLDER]
@@ -74,16 +74,16 @@ constexpr std::string_view scenario_options = R"(  --set section.key=value   cha
 
 constexpr std::string_view check_help = R"(bannwald check SCENARIO [options]
 
-Reads all files of a scenario and lists every problem; tells how large the run is. Writes nothing.
+Reads all files of a scenario and lists every problem; prints how large the run is. Writes nothing.
   --print-settings          every setting with value, unit, default and source
 )";
 
 constexpr std::string_view run_help = R"(bannwald run SCENARIO [options]
 
-Lets rocks fall over the slope with its forest and over the bare slope, and writes the results.
+Simulates rockfall over the slope with its forest and over the bare slope, and writes the results.
 With terrain.profile = FILE they fall along a profile in two dimensions instead. With run.years above 0 a forest
 grows, is managed, and the rocks fall again year after year.
-Interrupted by Ctrl-C it keeps finished parts; the same call goes on from there.
+Interrupted by Ctrl-C it keeps finished parts; the same call continues from there.
   --out DIR                 folder of the results (default: out beside the scenario)
   --overwrite               replaces results or parts that the folder holds
   --shard i/n               of a run over years: simulates only each n-th member (regime and replicate), from the i-th on,
@@ -168,7 +168,7 @@ may reach a net.
 bannwald net place DIR --nets FILE [--distances 0,10,20] [--azimuth 270]
 
 Takes each line of the table as what is to be protected, such as a road, and its height and capacity as those
-of a net; moves the net as a whole towards where the rocks come from, and tells for each place which rocks it
+of a net; moves the net as a whole towards where the rocks come from, and lists for each place which rocks it
 would keep from the line, their energies and heights, and the class and height needed. Writes net_places.csv,
 and nets.csv with the best place of each, ready for nets.file.
   --distances 0,10,20   in plan, m (default: 10 to 150 in steps of 10)

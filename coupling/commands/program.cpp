@@ -22,8 +22,8 @@
 #include "coupling/compare/compare.hpp"
 #include "coupling/nets/net_place.hpp"
 #include "coupling/nets/net_try.hpp"
+#include "coupling/run/messages.hpp"
 #include "coupling/run/ranks.hpp"
-#include "coupling/run/telling.hpp"
 #include "coupling/stopping/stopping_table.hpp"
 
 namespace coupling {
@@ -56,14 +56,14 @@ int init(const CommandLine& line) {
 
 int check(const CommandLine& line) {
     config::Warnings warnings;
-    const auto tell = [&] { tell_warnings(warnings, line.verbose); };
+    const auto print = [&] { print_warnings(warnings, line.verbose); };
     try {
         check_scenario(line, warnings, std::cout);
     } catch (...) {
-        tell();
+        print();
         throw;
     }
-    tell();
+    print();
     return code(ExitCode::done);
 }
 
@@ -165,7 +165,7 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
 }
 
 /// Of many problems of a kind the first three and their number, all of them with --verbose.
-void tell_problems(const config::InputError& error, const std::vector<std::string>& arguments) {
+void print_problems(const config::InputError& error, const std::vector<std::string>& arguments) {
     const bool verbose = std::any_of(arguments.begin(), arguments.end(), [](const std::string& word) {
         return word == "-v" || word == "--verbose";
     });
@@ -184,7 +184,7 @@ void tell_problems(const config::InputError& error, const std::vector<std::strin
 
 int run_program(const std::vector<std::string>& arguments) {
     std::optional<RankGroup> ranks;
-    // Of several ranks that fail one tells why; then all leave together.
+    // Of several ranks that fail one prints why; then all leave together.
     const auto speaks = [&] { return !ranks || ranks->fail(true); };
     int result = code(ExitCode::done);
     try {
@@ -199,7 +199,7 @@ int run_program(const std::vector<std::string>& arguments) {
         ranks->fail(false);
     } catch (const config::InputError& error) {
         if (speaks()) {
-            tell_problems(error, arguments);
+            print_problems(error, arguments);
             result = code(error.code());
         }
     } catch (const std::filesystem::filesystem_error& error) {
@@ -214,7 +214,7 @@ int run_program(const std::vector<std::string>& arguments) {
     } catch (const std::exception& error) {
         if (speaks()) {
             const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-            std::cerr << (memory ? "bannwald: not enough memory; `bannwald check` tells how much a run takes"
+            std::cerr << (memory ? "bannwald: not enough memory; `bannwald check` prints how much a run takes"
                                  : joined("bannwald: a fault of the program: ", error.what()))
                       << '\n';
             result = code(ExitCode::internal);

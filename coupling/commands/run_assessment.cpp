@@ -9,7 +9,7 @@
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/profile/profile_run.hpp"
-#include "coupling/run/telling.hpp"
+#include "coupling/run/messages.hpp"
 #include "coupling/today/assess_today.hpp"
 
 namespace coupling {
@@ -38,7 +38,7 @@ int run_assessment(const RunRequest& request, RankGroup& ranks) {
     Site site = open_site(*scenario, warnings);
     plausible::warn_of_rocks(*scenario, site, warnings);
     if (!request.quiet) {
-        tell_warnings(warnings, request.verbose);
+        print_warnings(warnings, request.verbose);
     }
     const int code =
         site.forest ? decades::run_decades(request, *scenario, site, warnings, ranks)

@@ -345,7 +345,7 @@ Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate) 
             squares += (value - mean) * (value - mean);
         }
         const double error = std::sqrt(squares / (n - 1.0) / n);
-        // Equal values (no rock arrives, say) tell nothing of chance: no interval rather than one of no
+        // Equal values (no rock arrives, say) say nothing about chance: no interval rather than one of no
         // width.
         if (error > 1e-9 * std::abs(mean) && error > 0.0) {
             const double half = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975) * error;

@@ -7,7 +7,7 @@
 #include "coupling/inputs/reading.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/run/telling.hpp"
+#include "coupling/run/messages.hpp"
 
 namespace coupling::decades {
 namespace {

@@ -230,8 +230,8 @@ std::optional<PairedDifference> difference(const Series& series, std::size_t cou
             squares += (d - mean) * (d - mean);
         }
         const double error = std::sqrt(squares / (n - 1.0) / n);
-        // Equal differences (no rock arrives, say) tell nothing of chance: no interval rather than one of no
-        // width.
+        // Equal differences (no rock arrives, say) say nothing about chance: no interval rather than one of
+        // no width.
         if (error > 1e-9 * std::abs(mean) && error > 0.0) {
             const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
             found.low = mean - t * error;

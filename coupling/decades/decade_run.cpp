@@ -164,8 +164,8 @@ std::vector<MemberYears> read_all(std::span<const Member> members, const Parts& 
 }
 
 /// As the static assessment does.
-void tell_rocks_not_started(std::span<const MemberYears> members, std::uint64_t rocks,
-                            config::Warnings& warnings) {
+void warn_of_rocks_not_started(std::span<const MemberYears> members, std::uint64_t rocks,
+                               config::Warnings& warnings) {
     std::uint64_t missing = 0;
     for (const MemberYears& member : members) {
         for (const SlopeRow& slope : member.slopes) {
@@ -303,7 +303,7 @@ private:
         const std::vector<MemberYears> years = read_all(members_, parts_);
         const DecadeResults results{scenario_, site_,    names_, years, rocks_ ? rocks_->rocks() : 0,
                                     warnings_, version()};
-        tell_rocks_not_started(years, results.rocks, warnings_);
+        warn_of_rocks_not_started(years, results.rocks, warnings_);
         make_folder(folder.staging());
         const std::vector<WrittenFile> files = write_watched(results, folder.staging());
         folder.publish();

@@ -66,7 +66,7 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
 }
 
 /// With fewer areas than turns some turns find nothing, and the rotation of what there is becomes shorter.
-void tell_short_turns(const Regime& regime, Reading& reading) {
+void warn_of_short_turns(const Regime& regime, Reading& reading) {
     for (std::size_t i = 0; i < regime.interventions().size(); ++i) {
         const Intervention& row = regime.interventions()[i];
         const bool in_turns = row.ground.where == Where::strips || row.ground.where == Where::slits;
@@ -117,7 +117,7 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
         if (!names.insert(regime->name()).second) {
             refuse_entry(entry, "regimes of different names, none of them 'bare'", reading);
         }
-        tell_short_turns(*regime, reading);
+        warn_of_short_turns(*regime, reading);
         management.regimes.push_back(std::move(*regime));
     }
     const std::string& prices = scenario.forest.timber_prices;

@@ -133,8 +133,8 @@ void record_losses(const forest::Stand& stand, const forest::SpeciesTable& speci
         }
     }
     for (const auto& [tree, cause] : stand.deaths()) {
-        const bool told = list_all || cause == forest::Cause::rock || cause == forest::Cause::wound;
-        if (told && tree.dbh_cm >= forest::least_dead_wood_cm) {
+        const bool is_listed = list_all || cause == forest::Cause::rock || cause == forest::Cause::wound;
+        if (is_listed && tree.dbh_cm >= forest::least_dead_wood_cm) {
             kept.removed.push_back({.year = year,
                                     .species = static_cast<std::uint32_t>(forest::index_of(tree.species)),
                                     .tree = forest::number_of(tree.id),

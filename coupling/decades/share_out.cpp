@@ -13,13 +13,13 @@ namespace coupling::decades {
 void share_out(const Crew& crew, const Pieces& pieces, const DoPiece& work) {
     Progress progress{pieces.doing, pieces.steps, 0, crew.quiet};
     std::mutex progress_mutex;
-    const auto told = [&](std::uint64_t steps) {
+    const auto report = [&](std::uint64_t steps) {
         const std::uint64_t all_steps = crew.ranks.tell(steps);
         const std::lock_guard lock{progress_mutex};
         progress.add(all_steps);
     };
     const auto step_done = [&] {
-        told(1);
+        report(1);
         if (InterruptGuard::requested()) {
             throw exchange::Interrupted{};
         }
@@ -43,7 +43,7 @@ void share_out(const Crew& crew, const Pieces& pieces, const DoPiece& work) {
         });
     }
     error.rethrow();
-    crew.ranks.meet([&] { told(0); });
+    crew.ranks.meet([&] { report(0); });
     progress.finish();
 }
 

@@ -19,9 +19,9 @@
 #include "coupling/inputs/zone_blocks.hpp"
 #include "coupling/results/disk.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "coupling/run/messages.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/settings_hash.hpp"
-#include "coupling/run/telling.hpp"
 #include "coupling/run/writing_progress.hpp"
 #include "coupling/today/assess_today.hpp"
 #include "coupling/version.hpp"
@@ -108,7 +108,7 @@ void refuse_other_than_folder(const fs::path& out) {
 }
 
 /// Before any rock falls: what would be found wrong after the falls, and older results that must not lie
-/// beside new ones. True if all rocks are to fall anew: with --overwrite return periods that are finished
+/// beside new ones. True if all rocks are simulated again: with --overwrite return periods that are finished
 /// stay where others are not.
 bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs::path& out) {
     OutputFolder::refuse_foreign(out / map_folder);
@@ -225,17 +225,18 @@ void add_rocks(const Period& period, std::vector<ZoneRocks>& list) {
     }
 }
 
-int tell_interruption() {
-    std::fprintf(stderr,
-                 "bannwald: interrupted; return periods that are finished are kept, the same command goes on "
-                 "after them\n");
+int report_interruption() {
+    std::fprintf(
+        stderr,
+        "bannwald: interrupted; return periods that are finished are kept, the same command continues "
+        "after them\n");
     return static_cast<int>(config::ExitCode::interrupted);
 }
 
 /// Falls of a return period, unless they are finished. Returns the exit code.
-int fall(const RunRequest& request, Period& period, bool anew, config::Warnings& warnings) {
+int fall(const RunRequest& request, Period& period, bool again, config::Warnings& warnings) {
     const std::string years = config::to_text(period.return_period_years);
-    if (!anew && state_of(period) == FolderState::finished) {
+    if (!again && state_of(period) == FolderState::finished) {
         if (!request.quiet) {
             std::printf("return period of %s years: finished before\n", years.c_str());
         }
@@ -244,11 +245,11 @@ int fall(const RunRequest& request, Period& period, bool anew, config::Warnings&
     if (!request.quiet) {
         std::printf("return period of %s years\n", years.c_str());
         std::fflush(stdout);
-        tell_warnings(warnings, request.verbose);
+        print_warnings(warnings, request.verbose);
     }
     const int code = assess_today(request, *period.scenario, period.site, warnings, period.folder);
     if (code == static_cast<int>(config::ExitCode::interrupted)) {
-        return tell_interruption();
+        return report_interruption();
     }
     return code;
 }
@@ -293,7 +294,7 @@ void print_summary(const HazardResults& results) {
 }  // namespace
 
 HazardPlan read_plan(const Scenario& scenario) {
-    config::Warnings ignored;  // the sites of the return periods tell them
+    config::Warnings ignored;  // the sites of the return periods print them
     Reading reading{scenario, ignored};
     HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}};
     reading.problems().throw_if_any();
@@ -322,7 +323,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
                           ": a return period that hazard.blocks no longer has; it is "
                           "left as it is and not part of the map"));
     }
-    tell_warnings(of_map, request.verbose);
+    print_warnings(of_map, request.verbose);
 
     std::optional<Period> longest;
     std::vector<FinishedPeriod> periods;
@@ -334,7 +335,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         Period period = open_period(request, each, out, warnings);
         plausible::warn_of_rocks(*period.scenario, period.site, warnings);
         if (InterruptGuard::requested()) {
-            return tell_interruption();
+            return report_interruption();
         }
         if (const int code = fall(request, period, all_anew, warnings); code != 0) {
             return code;
@@ -379,7 +380,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         WritingProgress progress{request.quiet};
         written = write_map(results, out, progress.watch());
     } catch (const WritingInterrupted&) {
-        return tell_interruption();
+        return report_interruption();
     }
     if (!request.quiet) {
         print_summary(results);

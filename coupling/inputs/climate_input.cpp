@@ -136,9 +136,9 @@ using SeriesOfFiles = std::map<std::string, std::optional<forest::ClimateSeries>
 forest::ClimateSeries read_file(const ClimateAsked& asked, Reading& reading) {
     const config::Table table = reading.table_at(
         asked.place_of("climate.file"), asked.role("climate.file", "climate"), asked.settings.climate);
-    config::Warnings told;
-    forest::ClimateSeries series = forest::read_climate_of_one_place(table, told);
-    for (const std::string& sentence : told.sentences()) {
+    config::Warnings found;
+    forest::ClimateSeries series = forest::read_climate_of_one_place(table, found);
+    for (const std::string& sentence : found.sentences()) {
         reading.note(sentence);
     }
     return series;

@@ -185,7 +185,7 @@ bool applies(const ClimateAsked& asked, std::string_view key) {
 
 /// A row with a file of its own takes what it does not give from [climate], where it may be meant for another
 /// place.
-void tell_taken_over(const std::vector<ClimateAsked>& climates, Reading& reading) {
+void warn_of_values_taken_over(const std::vector<ClimateAsked>& climates, Reading& reading) {
     for (const ClimateAsked& asked : climates) {
         if (!asked.given.contains("climate.file")) {
             continue;
@@ -216,7 +216,7 @@ std::vector<ClimateAsked> asked_climates(Reading& reading) {
     }
     const config::Table table = reading.table("climate.variants", "climates", file);
     std::vector<ClimateAsked> climates = VariantRows{table, scenario}.all();
-    tell_taken_over(climates, reading);
+    warn_of_values_taken_over(climates, reading);
     return climates;
 }
 

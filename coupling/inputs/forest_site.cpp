@@ -36,7 +36,7 @@ std::vector<ListedRow> read_rows(const ForestSpecies& species, Reading& reading)
     const SpeciesLookup lookup = species.lookup();
     SpeciesColumn column{table, lookup};
     std::vector<ListedRow> rows = read_listed_rows(table, column, reading);
-    tell_stand_ins(column, species, table.file(), reading);
+    warn_of_stand_ins(column, species, table.file(), reading);
     return rows;
 }
 
@@ -84,7 +84,7 @@ std::optional<ForestGround> lay_ground(const config::Raster<double>& heights_m,
                        "a code wherever there is forest, or soil.type for the rest");
     }
     if (ground) {
-        tell_stands_without_patch(stands, ground->grid, reading);
+        warn_of_stands_without_patch(stands, ground->grid, reading);
     }
     return ground;
 }
@@ -120,7 +120,7 @@ std::vector<forest::PatchId> all_patches(const forest::PatchGrid& grid) {
     return patches;
 }
 
-/// The user's own numbers where they are different whole numbers, else those of the rows, which is told.
+/// The user's own numbers where they are different whole numbers, else those of the rows, with a warning.
 std::vector<std::uint64_t> numbers_of(const std::vector<ListedRow>& rows, const std::string& file,
                                       Reading& reading) {
     std::vector<std::uint64_t> numbers;
@@ -161,9 +161,9 @@ void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& readin
     }
     const double degree_days =
         site.climates.front().source.degree_days(mean_elevation_m(site.grid, all_patches(site.grid)));
-    config::Warnings told;
-    forest::StartingTrees start = forest::trees_from_list(list, site.grid, table, degree_days, told);
-    for (const std::string& sentence : told.sentences()) {
+    config::Warnings found;
+    forest::StartingTrees start = forest::trees_from_list(list, site.grid, table, degree_days, found);
+    for (const std::string& sentence : found.sentences()) {
         reading.note(joined(file, ": ", sentence));
     }
     site.listed = std::move(start.trees);

@@ -102,8 +102,8 @@ std::optional<forest::Parameters> read_forest_parameters(const ForestSpecies& sp
     return is_complete ? std::optional{std::move(parameters)} : std::nullopt;
 }
 
-void tell_stand_ins(const SpeciesColumn& column, const ForestSpecies& species, const std::string& file,
-                    Reading& reading) {
+void warn_of_stand_ins(const SpeciesColumn& column, const ForestSpecies& species, const std::string& file,
+                       Reading& reading) {
     const SpeciesLookup lookup = species.lookup();
     for (const auto& [name, count] : column.counts_by_name()) {
         if (!species.table.find(name)) {

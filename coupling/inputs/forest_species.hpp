@@ -31,7 +31,7 @@ std::optional<ForestSpecies> read_forest_species(Reading& reading);
 std::optional<forest::Parameters> read_forest_parameters(const ForestSpecies& species, Reading& reading);
 
 /// Tells which names of a column grow as another species.
-void tell_stand_ins(const SpeciesColumn& column, const ForestSpecies& species, const std::string& file,
-                    Reading& reading);
+void warn_of_stand_ins(const SpeciesColumn& column, const ForestSpecies& species, const std::string& file,
+                       Reading& reading);
 
 }  // namespace coupling

@@ -109,7 +109,7 @@ private:
     bool one_diameter_;
 };
 
-void tell_doubled_ids(const std::vector<LogRecord>& logs, const std::string& file, Reading& reading) {
+void warn_of_doubled_ids(const std::vector<LogRecord>& logs, const std::string& file, Reading& reading) {
     std::set<std::string> seen;
     std::set<std::string> doubled;
     for (const LogRecord& log : logs) {
@@ -153,7 +153,7 @@ std::vector<LogRecord> read_log_table(Reading& reading) {
     if (logs.empty()) {
         reading.doubt({table.file()}, "no logs", "at least one, or no trees.logs");
     }
-    tell_doubled_ids(logs, table.file(), reading);
+    warn_of_doubled_ids(logs, table.file(), reading);
     return logs;
 }
 

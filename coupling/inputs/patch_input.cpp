@@ -114,7 +114,7 @@ void fill(config::Raster<double>& raster) {
     }
 }
 
-void tell(const Faults& faults, const std::string& file, Reading& reading) {
+void warn_of(const Faults& faults, const std::string& file, Reading& reading) {
     if (faults.without_ground > 0) {
         reading.note(joined(file, ": ", counted(faults.without_ground, "forest cell"),
                             " of 10 m without ground everywhere; left out"));
@@ -185,7 +185,7 @@ ForestGround make_ground(const config::Raster<double>& heights_m, const std::str
             }
         }
     }
-    tell(faults, file, reading);
+    warn_of(faults, file, reading);
     if (patches.empty()) {
         config::fail(config::ExitCode::data, {file}, "no forest cell of 10 m with ground", "at least one");
     }

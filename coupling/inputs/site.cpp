@@ -68,7 +68,7 @@ struct Files {
 };
 
 /// Sections that only a run over years reads.
-void tell_idle_settings(const Scenario& scenario, Reading& reading) {
+void warn_of_idle_settings(const Scenario& scenario, Reading& reading) {
     std::set<std::string> sections;
     for (const config::ParameterRow& row : scenario.options->rows()) {
         const std::string section = row.key.substr(0, row.key.find('.'));
@@ -88,8 +88,8 @@ void tell_idle_settings(const Scenario& scenario, Reading& reading) {
     }
 }
 
-/// Settings of the output that only an assessment of today heeds.
-void tell_idle_output(const Scenario& scenario, Reading& reading) {
+/// Settings of the output that only an assessment of today uses.
+void warn_of_idle_output(const Scenario& scenario, Reading& reading) {
     std::string names;
     for (const char* key :
          {"output.percentiles", "output.rock_table", "output.arrivals", "output.tree_hit_table",
@@ -135,9 +135,9 @@ Files read_files(Reading& reading) {
     files.trees.emplace();
     if (scenario.years == 0) {
         files.trees = read_trees(reading);
-        tell_idle_settings(scenario, reading);
+        warn_of_idle_settings(scenario, reading);
     } else {
-        tell_idle_output(scenario, reading);
+        warn_of_idle_output(scenario, reading);
     }
     if (has_rocks(scenario)) {
         note_idle_motion(scenario, reading);

@@ -147,7 +147,7 @@ public:
         column_.refuse_unknown(shown);
         add_first(shown, problems_, table_.file());
         shown.throw_if_any();
-        tell_stand_ins(column_, species_, table_.file(), reading);
+        warn_of_stand_ins(column_, species_, table_.file(), reading);
         return std::move(stands_);
     }
 
@@ -321,7 +321,7 @@ std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, Inventori
     return placed;
 }
 
-void tell_stands_without_patch(const StandCover& cover, const forest::PatchGrid& grid, Reading& reading) {
+void warn_of_stands_without_patch(const StandCover& cover, const forest::PatchGrid& grid, Reading& reading) {
     std::set<std::uint32_t> without = numbers_of(cover);
     for (const forest::Patch& patch : grid.patches()) {
         without.erase(patch.management_unit);

@@ -46,6 +46,6 @@ std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, Inventori
                                                Reading& reading);
 
 /// Tells of stands on the map that have no patch.
-void tell_stands_without_patch(const StandCover& cover, const forest::PatchGrid& grid, Reading& reading);
+void warn_of_stands_without_patch(const StandCover& cover, const forest::PatchGrid& grid, Reading& reading);
 
 }  // namespace coupling

@@ -88,7 +88,7 @@ std::optional<ListedRow> row_of(const config::Table& table, std::size_t row, Spe
     return tree;
 }
 
-void tell_doubled_ids(const std::vector<ListedRow>& trees, const std::string& file, Reading& reading) {
+void warn_of_doubled_ids(const std::vector<ListedRow>& trees, const std::string& file, Reading& reading) {
     std::set<std::string> seen;
     std::set<std::string> doubled;
     for (const ListedRow& tree : trees) {
@@ -104,7 +104,7 @@ void tell_doubled_ids(const std::vector<ListedRow>& trees, const std::string& fi
     }
 }
 
-/// Fills heights from a curve through the measured ones of the species, else of all species, and tells it.
+/// Fills heights from a curve through the measured ones of the species, else of all species, with a warning.
 std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const SpeciesTable& species,
                                      const config::Table& table, Reading& reading) {
     std::map<std::size_t, std::vector<forest::MeasuredHeight>> measured;
@@ -160,8 +160,8 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
     return trees;
 }
 
-void tell_borrowers(const SpeciesColumn& column, const SpeciesTable& known, const std::string& file,
-                    Reading& reading) {
+void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, const std::string& file,
+                       Reading& reading) {
     std::map<std::string, std::string> sentences;
     for (const auto& [place, count] : column.counts()) {
         const Species& species = known.all()[place];
@@ -178,7 +178,7 @@ void tell_borrowers(const SpeciesColumn& column, const SpeciesTable& known, cons
     }
 }
 
-void tell_doubled_places(const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
+void warn_of_doubled_places(const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
     std::set<std::pair<double, double>> places;
     for (const ListedRow& row : rows) {
         places.emplace(row.x_m, row.y_m);
@@ -195,8 +195,8 @@ std::vector<TreeRecord> read_tree_table(Reading& reading) {
     const SpeciesLookup lookup = lookup_in(known);
     SpeciesColumn column{table, lookup};
     const std::vector<ListedRow> rows = read_listed_rows(table, column, reading, true);
-    tell_borrowers(column, known, table.file(), reading);
-    tell_doubled_places(rows, table.file(), reading);
+    warn_of_borrowers(column, known, table.file(), reading);
+    warn_of_doubled_places(rows, table.file(), reading);
     return with_heights(rows, known, table, reading);
 }
 
@@ -227,7 +227,7 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
     if (rows.empty()) {
         reading.doubt({table.file()}, "no trees", "at least one, or no trees.file for a bare slope");
     }
-    tell_doubled_ids(rows, table.file(), reading);
+    warn_of_doubled_ids(rows, table.file(), reading);
     return rows;
 }
 

@@ -77,7 +77,7 @@ void refuse_rocks_of_shapes(const SourceInput& input) {
     shown.throw_if_any();
 }
 
-/// The fields of a row that rocks hang on, in an order of their own: columns may change places.
+/// The fields of a row that rocks depend on, in an order of their own: columns may change places.
 std::string fields_of(const config::Table& table, std::size_t row) {
     std::string text;
     for (const std::string& column : start_columns()) {
@@ -115,7 +115,7 @@ std::set<std::uint32_t> zones_of(const SourceInput& input) {
 }
 
 /// Zones of which only the sources or only hazard.blocks know.
-void tell_zones(const SourceInput& input, Reading& reading) {
+void warn_of_zones(const SourceInput& input, Reading& reading) {
     const std::string years = config::to_text(reading.scenario().hazard.return_period_years);
     const std::set<std::uint32_t> zones = zones_of(input);
     std::vector<std::uint32_t> without;
@@ -229,7 +229,7 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
     }
     reading.heed_part("blocks", joined("rows of ", config::to_text(wanted), " years"),
                       hash_of_rows(std::move(heeded)));
-    tell_zones(input, reading);
+    warn_of_zones(input, reading);
     for (const char* key : {"release.diameter_kind", "release.diameter_m", "release.diameter_classes_m"}) {
         if (reading.scenario().options->was_set(key)) {
             reading.note(std::string{key} + " has no effect: hazard.blocks says how large the rocks are");

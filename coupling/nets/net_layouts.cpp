@@ -78,7 +78,8 @@ TableLayout nets() {
         {"wanted_percent", "%", "share of the rocks that reach the net which it should hold",
          "input nets.wanted_share"},
         {"class_needed", "text",
-         "energy class needed for it; empty: too few rocks reach the net to tell (below 1 / (1 - wanted))",
+         "energy class needed for it; empty: too few rocks reach the net for an estimate (below 1 / (1 - "
+         "wanted))",
          how_needed},
         {"energy_needed_kj", "kJ", "energy that half of what may pass does exceed at most", how_needed},
         {"height_needed_m", "m",
@@ -102,7 +103,7 @@ TableLayout nets() {
 TableLayout net_needs() {
     return {
         "net_needs.csv",
-        "an energy class at a net on one slope; none where too few rocks reach it to tell",
+        "an energy class at a net on one slope; none where too few rocks reach it for an estimate",
         {net_column(),
          cover_column(),
          {"class", "text", "energy class", "net_classes.csv"},

@@ -84,11 +84,11 @@ bool is_same(const std::string& setting, const std::string& in_summary) {
 /// A setting in which stored paths are of another run than the summary; nothing where they agree.
 std::optional<std::string> other_setting(const PathsHead& head, const SummaryOfRun& summary) {
     for (const auto& [key, value] : head.settings) {
-        const auto told = std::find_if(summary.settings.begin(), summary.settings.end(),
-                                       [&](const auto& setting) { return setting.key == key; });
-        if (told == summary.settings.end() || !is_same(value, told->value)) {
+        const auto found = std::find_if(summary.settings.begin(), summary.settings.end(),
+                                        [&](const auto& setting) { return setting.key == key; });
+        if (found == summary.settings.end() || !is_same(value, found->value)) {
             return joined(key, " = ", value, ", where summary.json beside it has ",
-                          told == summary.settings.end() ? "none" : told->value);
+                          found == summary.settings.end() ? "none" : found->value);
         }
     }
     return std::nullopt;
@@ -127,8 +127,8 @@ void write_inexact(std::ostream& out, std::span<const NetRecord> nets, std::span
     }
 }
 
-void tell(const std::vector<NetRecord>& nets, const std::vector<NetFigures>& figures, const TriedNets& tried,
-          double wanted_share, std::ostream& out) {
+void print(const std::vector<NetRecord>& nets, const std::vector<NetFigures>& figures, const TriedNets& tried,
+           double wanted_share, std::ostream& out) {
     for (const NetFigures& of : figures) {
         out << in_words(nets[of.net], of, wanted_share) << '\n';
     }
@@ -259,7 +259,7 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
         for (const std::string& remark : remarks) {
             out << remark << '\n';
         }
-        tell(nets, figures, tried, head.wanted_share, out);
+        print(nets, figures, tried, head.wanted_share, out);
         out << folder.string() << '\n';
     }
 }

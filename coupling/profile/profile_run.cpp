@@ -14,10 +14,10 @@
 #include "coupling/profile/profile_results.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "coupling/run/messages.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
-#include "coupling/run/telling.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::profile {
@@ -68,7 +68,7 @@ public:
     /// Throws Interrupted.
     void fall(int threads, Progress& progress, std::ostream* rock_rows) {
         const bool in_flight = assessment_.start.height_m > 0.0;
-        std::uint64_t told = 0;
+        std::uint64_t done = 0;
         const auto keep = [&](const WatchedFall& fall) {
             if (fall.started) {
                 tally_.add(site_, fall, in_flight);
@@ -77,15 +77,15 @@ public:
                 }
             }
             constexpr std::uint64_t rocks_at_once = 256;
-            if (++told == rocks_at_once) {
-                progress.add(told);
-                told = 0;
+            if (++done == rocks_at_once) {
+                progress.add(done);
+                done = 0;
             }
         };
         if (watch_falls(assessment_, rockfall::Cover::bare, threads, keep) == Ended::interrupted) {
             throw Interrupted{};
         }
-        progress.add(told);
+        progress.add(done);
     }
 
 private:
@@ -198,7 +198,7 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
     const ProfileSite site = open_profile(scenario, warnings);
     plausible::warn_of_few_rocks(rocks_of(scenario), warnings);
     if (!request.quiet) {
-        tell_warnings(warnings, request.verbose);
+        print_warnings(warnings, request.verbose);
     }
     const InterruptGuard guard;
     OutputFolder folder{output_folder_of(request, scenario), settings_hash(scenario, site.inputs),

@@ -204,7 +204,7 @@ void doubt_narrow_steps(const std::vector<rockfall::ProfilePoint>& corners, Read
             reading.note(
                 "profile: the ground type at " + name_of_distance(corners[k].distance_m) + " reaches over " +
                 config::to_text(std::round(1e4 * width_m) / 1e4) +
-                " m only; rocks may meet that of its neighbours there (types are told apart to 0.05 m)");
+                " m only; rocks may meet that of its neighbours there (types are resolved to 0.05 m)");
         }
     }
 }

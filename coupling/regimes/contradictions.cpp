@@ -108,17 +108,17 @@ void find_contradictions(const Regime& regime, config::Problems& problems) {
     find_followers_too_late(regime, problems);
     Calendar calendar{regime};
     const std::vector<Intervention>& rows = regime.interventions();
-    std::set<std::pair<std::size_t, std::size_t>> told;
+    std::set<std::pair<std::size_t, std::size_t>> found;
     for (int year = 0; year < years_looked_at; ++year) {
         for (std::size_t b = 0; b < rows.size(); ++b) {
             const std::optional<int> turn_b = calendar.turn(b, year);
             for (std::size_t a = 0; turn_b && a < b; ++a) {
                 const std::optional<int> turn_a = calendar.turn(a, year);
-                if (!turn_a || told.contains({a, b}) || !contradict(rows[a], rows[b]) ||
+                if (!turn_a || found.contains({a, b}) || !contradict(rows[a], rows[b]) ||
                     !share_any(calendar.patches(a, *turn_a), calendar.patches(b, *turn_b))) {
                     continue;
                 }
-                told.insert({a, b});
+                found.insert({a, b});
                 problems.add(config::ExitCode::data, rows[b].place,
                              joined(rows[a].name, " (line ", std::to_string(rows[a].place.line), ") and ",
                                     rows[b].name, " on the same ground in year ", std::to_string(year)),

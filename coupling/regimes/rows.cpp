@@ -250,7 +250,7 @@ private:
             names.push_back(earlier.name);
         }
         if (std::find(refused_.begin(), refused_.end(), intervention.after) != refused_.end()) {
-            fine_ = false;  // its problems are told already
+            fine_ = false;  // its problems are reported already
             return;
         }
         const std::string nearest = config::nearest_word(intervention.after, names);

@@ -31,7 +31,7 @@ public:
     }
     ~Buffer() override {
         if (descriptor_ >= 0) {
-            write_waiting();  // what is not closed is unfinished anyway: nobody is told of an error here
+            write_waiting();  // what is not closed is unfinished anyway: no error is reported here
             ::close(descriptor_);
         }
     }

@@ -16,7 +16,7 @@ using config::joined;
 /// The raw blocks behind the markup, each with its length before it, least byte first.
 class Blocks {
 public:
-    /// The element that tells of the next block; `fill` adds its values.
+    /// The element that describes the next block; `fill` adds its values.
     template <class Fill>
     std::string array(std::string_view type, std::string_view attributes, const Fill& fill) {
         const std::string offset = std::to_string(bytes_.size());

@@ -84,9 +84,9 @@ std::string scenario(const Blocks& blocks, const Forest& forest) {
                           : joined("diameter_kind = classes\ndiameter_classes_m = ", list(sizes),
                                    "\ndiameter_shares = ", list(shares), "   ; source cells of each size\n");
     return joined(
-        "# Made from a Rockyfor3D folder by `bannwald init --from-rockyfor3d`; README.md tells what became "
+        "# Made from a Rockyfor3D folder by `bannwald init --from-rockyfor3d`; README.md says what became "
         "of each file.\n"
-        "#   bannwald check scenario.ini     reads everything and tells what the run will take\n"
+        "#   bannwald check scenario.ini     reads everything and prints what the run will take\n"
         "#   bannwald run scenario.ini       writes maps, tables and report.html into the folder out\n"
         "# `bannwald --help-all` lists every setting with unit, range and source.\n\n"
         "[run]\nseed = 1\n\n"
@@ -166,7 +166,7 @@ void remark_forest(const Folder& folder, const Forest& forest, std::vector<std::
                    " drawn once from nrtrees (taken as stems per hectare), dbhmean and dbhstd (gamma "
                    "distribution), with seed ",
                    std::to_string(forest_seed),
-                   "; Rockyfor3D draws them anew in each run. Places and diameters are artificial."));
+                   "; Rockyfor3D draws others in each run. Places and diameters are artificial."));
     } else {
         remarks.push_back(joined(
             "Trees: ", std::to_string(forest.trees.size()), " from treefile.txt",

@@ -19,7 +19,7 @@ void remember(int signal) {
 }
 
 /// Calls only what a signal handler may call. SIGTERM comes from a launcher, which sends it to all processes
-/// of a run where one of them has already told why it ends.
+/// of a run where one of them has already printed why it ends.
 void end(int signal) {
     if (signal == SIGINT) {
         constexpr std::string_view sentence = "bannwald: interrupted\n";

@@ -224,7 +224,7 @@ RankGroup::RankGroup() {
     if (const long long processes = launched_processes(); processes > 1) {
         config::fail(config::ExitCode::settings, {},
                      joined(std::to_string(processes), " processes started to share a run"),
-                     "a program built with MPI (`bannwald --version` tells), or one process");
+                     "a program built with MPI (see `bannwald --version`), or one process");
     }
 }
 

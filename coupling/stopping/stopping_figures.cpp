@@ -13,7 +13,7 @@ namespace coupling {
 
 namespace {
 
-/// A rolled rock is watched over tens of metres, which tells more than one throw.
+/// A rolled rock is watched over tens of metres, which shows more than one throw.
 constexpr std::uint32_t throws_for_a_roll = 10;
 
 /// What came of one surface, by diameter.

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* shipped_recipe = "stopping_recipe.csv";
 
-/// A recipe and what tells its version.
+/// A recipe and the hash of its version.
 struct Recipe {
     std::string name;
     std::string hash;

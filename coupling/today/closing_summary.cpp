@@ -9,7 +9,7 @@
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/run/telling.hpp"
+#include "coupling/run/messages.hpp"
 
 namespace coupling {
 namespace {

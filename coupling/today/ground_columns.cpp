@@ -58,15 +58,15 @@ std::string meaning_of(const GroundColumn& column, const std::vector<ColumnUse>&
 
 /// Where models take a figure from: said once where all agree; what the default model does needs no name.
 std::string source_of(const std::vector<ColumnUse>& uses) {
-    std::vector<std::string_view> told;
+    std::vector<std::string_view> sources;
     std::string text;
     const std::string_view by_default = rockfall::description_of(rockfall::all_models().front()).name;
     const bool agree = std::all_of(uses.begin(), uses.end(), [&](const ColumnUse& use) {
         return use.column.from == uses.front().column.from;
     });
     for (const ColumnUse& use : uses) {
-        if (std::find(told.begin(), told.end(), use.column.from) == told.end()) {
-            told.push_back(use.column.from);
+        if (std::find(sources.begin(), sources.end(), use.column.from) == sources.end()) {
+            sources.push_back(use.column.from);
             text += joined(text.empty() ? "" : "; ",
                            agree || use.model == by_default ? "" : joined(use.model, ": "), use.column.from);
         }

@@ -163,7 +163,7 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
           [&](std::ostream& out) { write_runs(out, figures, covers); });
     write("run_out.csv", "Rocks by run-out (plan distance from release to end) in bins of 10 m.",
           [&](std::ostream& out) { write_run_out(out, results); });
-    write("grounds.csv", "The ground types that occur, with what the motion model heeds of them.",
+    write("grounds.csv", "The ground types that occur, with the parameters that the motion model uses.",
           [&](std::ostream& out) { write_grounds(out, results); });
     if (results.with_forest && !results.site.logs.empty()) {
         write("logs.csv",

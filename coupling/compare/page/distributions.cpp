@@ -29,7 +29,7 @@ struct Key {
     friend auto operator<=>(const Key&, const Key&) = default;
 };
 
-/// What a run tells of its distributions, and how many rocks it let fall over each slope.
+/// The distributions of a run, and how many rocks it simulated over each slope.
 struct Distributions {
     std::map<Key, Bins> of;
     std::map<std::string, double> rocks;  ///< by cover

@@ -24,7 +24,7 @@ struct Fill {
     const char* stroke_colour;
 };
 
-/// What tells species apart beside their colour.
+/// What distinguishes species beside their colour.
 struct Strokes {
     const char* strokes;
     const char* colour;

@@ -60,7 +60,7 @@ FaultWords words_of(TinFault fault) {
         case TinFault::parts:
             break;
     }
-    return {"part without connection", "parts without connection", "faces that hang together"};
+    return {"part without connection", "parts without connection", "faces that are connected"};
 }
 
 std::string found_in_words(const rockfall::TinFinding& finding) {

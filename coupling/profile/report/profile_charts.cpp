@@ -30,7 +30,7 @@ Axis distance_axis(const ProfileResults& results) {
     return {report::page_text("common.distance_in_plan_m"), results.site.first_m(), results.site.last_m()};
 }
 
-/// Stations as numbers, for names would cover each other; `caption_of_marks` tells which is which.
+/// Stations as numbers, for names would cover each other; `caption_of_marks` names them.
 void mark_stations(const ProfileResults& results, Chart& chart) {
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         chart.add_mark(results.site.stations[i].distance_m, std::to_string(i + 1));

@@ -59,7 +59,7 @@ void Database::close() {
 }
 
 void Database::fail(int code) const {
-    // A full disk is told by the system, not by SQLite's words alone.
+    // A full disk is reported by the system, not by SQLite's words alone.
     const std::string reason =
         (code & 0xFF) == SQLITE_FULL ? "No space left on the disk" : sqlite3_errmsg(handle_);
     config::fail(config::ExitCode::file, {.file = file_.string()},

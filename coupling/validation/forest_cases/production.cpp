@@ -223,7 +223,7 @@ PlotGroup plots_of(const ReferenceRun& run, const RunOutcome& outcome, std::size
         add_curve(stocks, run, outcome, curve, species, twice_a_year);
     }
     stocks.caption = "Lines: Bannwald. Of the reference every sixth month is drawn.";
-    // Our second implementation tells the gross production alone.
+    // Our second implementation has the gross production alone.
     const bool has_npp = run.table.has("npp");
     Plot flux = empty_plot(run, has_npp ? "Net primary production" : "Gross primary production",
                            has_npp ? "NPP, t/ha in the month" : "GPP, t/ha in the month");

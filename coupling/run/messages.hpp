@@ -9,7 +9,7 @@
 namespace coupling {
 
 /// Warnings to stderr; of many of a kind the first three and their number, all of them if `verbose`.
-void tell_warnings(const config::Warnings& warnings, bool verbose);
+void print_warnings(const config::Warnings& warnings, bool verbose);
 
 /// The same as the closing lines of a run, which even a quiet one prints.
 void repeat_warnings(const config::Warnings& warnings, bool verbose);

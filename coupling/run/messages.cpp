@@ -1,4 +1,4 @@
-#include "coupling/run/telling.hpp"
+#include "coupling/run/messages.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 12> worth_opening{"report.html",
 
 }  // namespace
 
-void tell_warnings(const config::Warnings& warnings, bool verbose) {
+void print_warnings(const config::Warnings& warnings, bool verbose) {
     for (const std::string& sentence : verbose ? warnings.sentences() : config::brief(warnings.sentences())) {
         std::fprintf(stderr, "bannwald: warning: %s\n", sentence.c_str());
     }
@@ -39,23 +39,23 @@ void repeat_warnings(const config::Warnings& warnings, bool verbose) {
     }
     std::fflush(stdout);
     std::fprintf(stderr, "bannwald: done, with %zu %s:\n", count, count == 1 ? "warning" : "warnings");
-    tell_warnings(warnings, verbose);
+    print_warnings(warnings, verbose);
 }
 
 void print_files(const std::filesystem::path& folder, std::span<const WrittenFile> files, bool verbose) {
     std::printf("Results in %s\n", folder.string().c_str());
-    std::size_t told = 0;
+    std::size_t shown = 0;
     for (const WrittenFile& file : files) {
         const bool wanted = verbose || std::find(worth_opening.begin(), worth_opening.end(), file.path) !=
                                            worth_opening.end();
         if (wanted) {
             std::printf("  %-32s %s\n", file.path.c_str(), file.sentence.c_str());
-            ++told;
+            ++shown;
         }
     }
-    if (told < files.size()) {
+    if (shown < files.size()) {
         std::printf("  and %zu more files; --verbose lists all, report.html links them\n",
-                    files.size() - told);
+                    files.size() - shown);
     }
 }
 
