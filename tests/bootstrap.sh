@@ -68,8 +68,23 @@ build() {
 }
 
 # run_tests PRESET [OPTION OF CTEST...]
+# Runs make sure that their files are on the disk (fsync). Tests that only look at the files wait for nothing in memory.
 run_tests() {
     local preset=$1
     shift
-    (cd "$root" && ctest --preset "$preset" -j "$(job_count)" "$@")
+    local folder
+    folder=$(test_folder)
+    (cd "$root" && TMPDIR=$folder ctest --preset "$preset" -j "$(job_count)" "$@") || { rm -rf "$folder"; return 1; }
+    rm -rf "$folder"
+}
+
+# A new folder for the files of tests: in memory where there is room, else where TMPDIR says.
+test_folder() {
+    local room_kb
+    room_kb=$(df --output=avail /dev/shm 2>/dev/null | tail -n 1)
+    if [ -z "${TMPDIR:-}" ] && [ -w /dev/shm ] && [ "${room_kb:-0}" -gt 4000000 ]; then
+        mktemp -d /dev/shm/bannwald-tests-XXXXXX
+    else
+        mktemp -d
+    fi
 }
