@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/iostreams/device/mapped_file.hpp>
 #include <cerrno>
 #include <cstring>
 #include <exception>
@@ -53,12 +54,8 @@ std::uint64_t fnv1a(std::string_view bytes) {
     return hash;
 }
 
-std::string_view FileBytes::stored() const {
-    return map_.is_open() ? std::string_view{map_.data(), map_.size()} : std::string_view{};
-}
-
 std::string FileBytes::hash() const {
-    return hash_text(stored());
+    return hash_text(stored_);
 }
 
 std::string hash_text(std::string_view bytes) {
@@ -81,16 +78,18 @@ FileBytes open_file(const std::filesystem::path& path, const config::Place& aske
     FileBytes bytes;
     try {
         if (std::filesystem::file_size(path) > 0) {
-            bytes.map_.open(path.string());
+            const auto map = std::make_shared<const boost::iostreams::mapped_file_source>(path.string());
+            bytes.stored_ = {map->data(), map->size()};
+            bytes.map_ = map;
         }
     } catch (const std::exception& error) {
         config::fail(config::ExitCode::file, asked_at,
                      config::in_quotes(path.string()) + ", which cannot be read: " + error.what(),
                      std::string{expected});
     }
-    bytes.is_packed_ = config::is_gzip(bytes.stored());
+    bytes.is_packed_ = config::is_gzip(bytes.stored_);
     if (bytes.is_packed_) {
-        bytes.unpacked_ = config::gunzip(bytes.stored(), path.string(), unpacked_bound);
+        bytes.unpacked_ = config::gunzip(bytes.stored_, path.string(), unpacked_bound);
     }
     return bytes;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <boost/iostreams/device/mapped_file.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,17 +15,17 @@ namespace coupling {
 class FileBytes {
 public:
     /// The content, unpacked. Lives as long as this object.
-    [[nodiscard]] std::string_view text() const { return is_packed_ ? unpacked_ : stored(); }
-    [[nodiscard]] std::uint64_t stored_bytes() const { return stored().size(); }
+    [[nodiscard]] std::string_view text() const { return is_packed_ ? unpacked_ : stored_; }
+    [[nodiscard]] std::uint64_t stored_bytes() const { return stored_.size(); }
     /// 16 hexadecimal digits over the bytes as stored: tells versions of a file apart, no protection against
     /// malice.
     [[nodiscard]] std::string hash() const;
 
 private:
     friend FileBytes open_file(const std::filesystem::path&, const config::Place&, std::string_view);
-    [[nodiscard]] std::string_view stored() const;
 
-    boost::iostreams::mapped_file_source map_;  ///< not open for an empty file
+    std::shared_ptr<const void> map_;  ///< keeps `stored_` in memory; none for an empty file
+    std::string_view stored_;
     std::string unpacked_;
     bool is_packed_ = false;
 };
