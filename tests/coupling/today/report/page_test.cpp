@@ -112,8 +112,8 @@ TEST(WritePage, MarksOnItsFirstScreenWhatTheScenarioSetAndWhatIsADefault) {
               std::string::npos)
         << fact("Rock density");
     EXPECT_NE(fact("Random seed").find("<span class=\"mark\">default</span>"), std::string::npos);
-    for (const char* name :
-         {"Rocks", "Rock diameter", "Start", "Spread of directions", "Motion", "Settings"}) {
+    for (const char* name : {"Rocks", "Rock diameter", "Start", "Spread of directions", "Motion",
+                             "Preset of the rockfall laws"}) {
         EXPECT_NE(fact(name).find("default"), std::string::npos) << name;
         EXPECT_EQ(fact(name).find(">set<"), std::string::npos) << name;
     }
