@@ -42,8 +42,12 @@ std::string cell_of(const Series& series, std::size_t course, std::int32_t year,
 
 /// The first, the middle and the last of some years.
 std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years) {
-    std::vector<std::int32_t> chosen{years.front(), years[years.size() / 2], years.back()};
-    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    std::vector<std::int32_t> chosen;
+    for (const std::int32_t year : {years.front(), years[years.size() / 2], years.back()}) {
+        if (chosen.empty() || chosen.back() != year) {
+            chosen.push_back(year);
+        }
+    }
     return chosen;
 }
 
