@@ -10,6 +10,7 @@ import { knownPlaces, optionOf } from "./chart_option.js";
 import { tipFor } from "./chart_tip.js";
 import { addMapViewers } from "./maps.js";
 import { sampleOf, whenThemeChanges } from "./style.js";
+import { text } from "./texts.js";
 
 echarts.use([CustomChart, LineChart, GridComponent, TooltipComponent, SVGRenderer]);
 
@@ -29,7 +30,7 @@ class LiveChart {
         this.area.className = "drawn";
         this.area.tabIndex = 0;
         this.area.setAttribute("role", "img");
-        this.area.setAttribute("aria-label", `${chart.title}: ${chart.y.title} over ${chart.x.title}. Arrow keys read values.`);
+        this.area.setAttribute("aria-label", text("script.charts.label", { title: chart.title, y: chart.y.title, x: chart.x.title }));
         this.box.append(this.buttons(), this.area);
         figure.querySelector(":scope > svg").after(this.box);
         figure.classList.add("is-live");

@@ -1,6 +1,7 @@
 // Small parts of the page around the view: switches, lists, legends.
 
 import { mapLayers } from "./layers.js";
+import { text } from "./texts.js";
 
 export function element(tag, attributes = {}, ...children) {
     const made = document.createElement(tag);
@@ -15,23 +16,23 @@ export function element(tag, attributes = {}, ...children) {
     return made;
 }
 
-export function checkbox(text, checked, changed) {
+export function checkbox(words, checked, changed) {
     const box = element("input", { type: "checkbox", checked, onchange: () => changed(box.checked) });
-    return element("label", {}, box, ` ${text}`);
+    return element("label", {}, box, ` ${words}`);
 }
 
 /** A list to choose from; `groups`: Map of a heading (empty for none) to [value, text] pairs. */
-export function choice(text, groups, changed) {
+export function choice(label, groups, changed) {
     const select = element("select", { onchange: () => changed(select.value) });
     for (const [heading, options] of groups) {
         const items = options.map(([value, words]) => element("option", { value }, words));
         select.append(...(heading ? [element("optgroup", { label: heading }, ...items)] : items));
     }
-    return element("label", {}, `${text} `, select);
+    return element("label", {}, `${label} `, select);
 }
 
-export function button(text, pressed) {
-    return element("button", { type: "button", onclick: pressed }, text);
+export function button(words, pressed) {
+    return element("button", { type: "button", onclick: pressed }, words);
 }
 
 /** Maps that can be laid over the ground. */
@@ -40,17 +41,17 @@ export function layerChoice(changed) {
     if (layers.length === 0) {
         return null;
     }
-    const groups = new Map([["", [["", "none"]]]]);
+    const groups = new Map([["", [["", text("script.map.none")]]]]);
     layers.forEach((layer, i) => {
         groups.set(layer.group, [...(groups.get(layer.group) ?? []), [String(i), `${layer.group}: ${layer.name}`]]);
     });
-    return choice("Map on the ground", groups, (value) => changed(value === "" ? null : layers[Number(value)]));
+    return choice(text("script.map.on_the_ground"), groups, (value) => changed(value === "" ? null : layers[Number(value)]));
 }
 
 const hex = (colour) => (typeof colour === "string" ? colour : `#${colour.toString(16).padStart(6, "0")}`);
 
 /** A legend entry: "line", "cone", "round", "stem" or "dot". */
-export function sample(kind, colour, text, width = 2) {
+export function sample(kind, colour, words, width = 2) {
     const shapes = {
         line: `<path d="M1 7h28" stroke="${hex(colour)}" stroke-width="${width}"/>`,
         cone: `<path d="M7 13.5L15 .5L23 13.5z" fill="${hex(colour)}" stroke="#222" stroke-width=".5"/>`,
@@ -61,5 +62,5 @@ export function sample(kind, colour, text, width = 2) {
     };
     const picture = element("span");
     picture.innerHTML = `<svg viewBox="0 0 30 14" aria-hidden="true" fill="none">${shapes[kind]}</svg>`;
-    return element("li", {}, picture.firstChild, text);
+    return element("li", {}, picture.firstChild, words);
 }

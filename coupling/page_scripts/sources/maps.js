@@ -2,6 +2,7 @@
 
 import { choice, element } from "./controls.js";
 import { mapLayers } from "./layers.js";
+import { text } from "./texts.js";
 
 /** Choices that the layers of a viewer differ in. */
 function addViewer(place) {
@@ -21,12 +22,12 @@ function addViewer(place) {
     };
     const showGroup = () => {
         const here = layers.filter((layer) => layer.group === group);
-        names.replaceChildren(choice("Layer", new Map([["", here.map(({ name }, i) => [String(i), name])]]), (i) => show(here[Number(i)])));
+        names.replaceChildren(choice(text("script.map.layer"), new Map([["", here.map(({ name }, i) => [String(i), name])]]), (i) => show(here[Number(i)])));
         show(here[0]);
     };
     place.append(
         element("div", { class: "switches" },
-            choice("Map of", new Map([["", groups.map((name) => [name, name])]]), (name) => {
+            choice(text("script.map.of"), new Map([["", groups.map((name) => [name, name])]]), (name) => {
                 group = name;
                 showGroup();
             }),

@@ -6,14 +6,15 @@ import { Eye } from "./camera.js";
 import { button, checkbox, choice, element, layerChoice, sample } from "./controls.js";
 import { Ground } from "./ground.js";
 import { classLooks, drop, logColour, logsOf, pathsOf, restColour, targetColour, targetsOf } from "./lines.js";
+import { counted, text } from "./texts.js";
 import { fell, grow } from "./trees.js";
 
 /** What is left out of a stand, as a sentence; empty if nothing. */
-function drawnOf(drawn, all, what, which) {
-    return drawn < all ? `${drawn.toLocaleString("en")} of ${all.toLocaleString("en")} ${what} are drawn, ${which}.` : "";
+function drawnOf(drawn, all, key) {
+    return drawn < all ? text(key, { drawn: counted(drawn), all: counted(all) }) : "";
 }
 
-const coverNames = { forest: "Paths with forest", bare: "Paths over the bare slope" };
+const coverNames = { forest: "script.slope.paths_with_forest", bare: "script.slope.paths_bare" };
 
 class SlopeView {
     constructor(figure, numbers, renderer) {
@@ -46,13 +47,13 @@ class SlopeView {
     build(figure) {
         this.canvas.tabIndex = 0;
         this.canvas.setAttribute("role", "img");
-        this.canvas.setAttribute("aria-label", "The slope in three dimensions. Arrow keys turn, shift and arrow keys move, plus and minus zoom, Home resets.");
+        this.canvas.setAttribute("aria-label", text("script.slope.label"));
         this.compass = element("div", { class: "compass", "aria-hidden": "true" });
-        this.compass.innerHTML = '<svg viewBox="-20 -20 40 40"><path d="M0-15L6 12 0 7-6 12z" fill="#1d2528"/></svg><b>N</b>';
+        this.compass.innerHTML = '<svg viewBox="-20 -20 40 40"><path d="M0-15L6 12 0 7-6 12z" fill="#1d2528"/></svg><b>' + text("script.slope.north") + '</b>';
         this.scale = element("div", { class: "scale" });
         const stage = element("div", { class: "stage" }, this.canvas, this.compass, this.scale);
         const view = element("div", { class: "live" }, this.switches(), stage, this.legend, this.mapLegend, this.note,
-            element("p", { class: "soft" }, "Drag to turn, with the right button (or two fingers) to move; click, then turn the wheel to zoom. Keys: arrows turn, shift and arrows move, + and − zoom, Home resets. Heights are not exaggerated; stems are drawn twice as thick as they are."));
+            element("p", { class: "soft" }, text("script.slope.how_to_move")));
         figure.querySelector(".instead").replaceWith(view);
         figure.classList.add("is-live");
         new ResizeObserver(() => this.resize(stage.clientWidth)).observe(stage);
@@ -70,7 +71,7 @@ class SlopeView {
                 this.paths[cover] = lines;
                 this.scene.add(lines, rests);
                 lines.visible = rests.visible = shown;
-                bar.append(checkbox(coverNames[cover], shown, (on) => {
+                bar.append(checkbox(text(coverNames[cover]), shown, (on) => {
                     lines.visible = rests.visible = on;
                     this.ask();
                 }));
@@ -79,12 +80,12 @@ class SlopeView {
         if (this.numbers.targets.length > 0) {
             const targets = targetsOf(this.numbers, this.ground);
             this.scene.add(targets);
-            bar.append(checkbox("Targets", true, (on) => {
+            bar.append(checkbox(text("script.slope.targets"), true, (on) => {
                 targets.visible = on;
                 this.ask();
             }));
         }
-        bar.append(button("Reset view", () => this.eye.reset()), button("From above", () => this.eye.fromAbove()));
+        bar.append(button(text("script.slope.reset"), () => this.eye.reset()), button(text("script.slope.from_above"), () => this.eye.fromAbove()));
         return bar;
     }
 
@@ -97,38 +98,38 @@ class SlopeView {
         const regimes = [...new Set(stands.map((stand) => stand.regime))];
         const years = [...new Set(stands.map((stand) => stand.year))].sort((a, b) => a - b);
         let [regime, year] = [regimes[0], 0];
-        const word = element("output", {}, `year ${years[0]}`);
+        const word = element("output", {}, text("script.slope.year", { year: years[0] }));
         const plant = () => {
-            word.textContent = years[year] === 0 ? "start" : `year ${years[year]}`;
+            word.textContent = years[year] === 0 ? text("script.slope.start") : text("script.slope.year", { year: years[year] });
             this.plant(stands.findIndex((stand) => stand.regime === regime && stand.year === years[year]));
         };
-        const parts = [checkbox("Trees", true, (on) => {
+        const parts = [checkbox(text("script.slope.trees"), true, (on) => {
             this.treesHidden = !on;
             this.trees && (this.trees.visible = on);
             this.logs.forEach((part) => (part.visible = on));
             this.ask();
         })];
         if (regimes.length > 1) {
-            parts.push(choice("Regime", new Map([["", regimes.map((name) => [name, name])]]), (name) => {
+            parts.push(choice(text("script.slope.regime"), new Map([["", regimes.map((name) => [name, name])]]), (name) => {
                 regime = name;
                 plant();
             }));
         }
         if (stands.some((stand) => stand.paths?.length > 0)) {
-            parts.push(checkbox("Paths of the year", true, (on) => {
+            parts.push(checkbox(text("script.slope.paths_of_the_year"), true, (on) => {
                 this.pathsHidden = !on;
                 this.ofYear.forEach((part) => (part.visible = on));
                 this.ask();
             }));
         }
         if (years.length > 1) {
-            const slider = element("input", { type: "range", min: 0, max: years.length - 1, step: 1, value: 0, "aria-label": "year",
+            const slider = element("input", { type: "range", min: 0, max: years.length - 1, step: 1, value: 0, "aria-label": text("script.slope.year_label"),
                 oninput: () => {
                     year = Number(slider.value);
                     plant();
                 } });
-            word.textContent = "start";
-            parts.push(element("label", { class: "years" }, "Trees of ", word, " ", slider));
+            word.textContent = text("script.slope.start");
+            parts.push(element("label", { class: "years" }, text("script.slope.trees_of"), " ", word, " ", slider));
         }
         return parts;
     }
@@ -166,11 +167,11 @@ class SlopeView {
             [...this.ofYear, ...this.logs].forEach((part) => this.scene.add(part));
             this.note.textContent = [
                 stand.left_out > 0
-                    ? `${stand.trees.toLocaleString("en")} trees are drawn; ${stand.left_out.toLocaleString("en")} thinner ones are left out.`
-                    : `${stand.trees.toLocaleString("en")} trees (a group of equal young trees is one).`,
-                drawnOf(stand.drawn_logs, stand.all_logs, "lying stems", "the longest"),
-                drawnOf(stand.paths.length, stand.all_paths, "paths", "evenly chosen"),
-            ].filter((text) => text !== "").join(" ");
+                    ? text("script.slope.trees_drawn", { drawn: counted(stand.trees), left_out: counted(stand.left_out) })
+                    : text("script.slope.all_trees_drawn", { drawn: counted(stand.trees) }),
+                drawnOf(stand.drawn_logs, stand.all_logs, "script.slope.logs_drawn"),
+                drawnOf(stand.paths.length, stand.all_paths, "script.slope.paths_drawn"),
+            ].filter((sentence) => sentence !== "").join(" ");
         }
         this.explain(seen);
         this.ask();
@@ -182,18 +183,18 @@ class SlopeView {
             return sample(species.conifer ? "cone" : "round", species.colour, species.name);
         });
         if (seen.dead) {
-            entries.push(sample("stem", 0x8c8c8c, "dead tree"));
+            entries.push(sample("stem", 0x8c8c8c, text("script.slope.dead_tree")));
         }
         if (seen.broken) {
-            entries.push(sample("end", 0xf2e2b8, "broken tree"));
+            entries.push(sample("end", 0xf2e2b8, text("script.slope.broken_tree")));
         }
         if (seen.logs) {
-            entries.push(sample("line", logColour, "lying stem", 2.2));
+            entries.push(sample("line", logColour, text("script.slope.lying_stem"), 2.2));
         }
         if (seen.paths || this.numbers.paths.length > 0) {
             this.numbers.classes.forEach((name, k) =>
-                entries.push(sample("line", classLooks[k].colour, `path, ${name}`, 1.4 * classLooks[k].width)));
-            entries.push(sample("dot", restColour, "where a path ends"));
+                entries.push(sample("line", classLooks[k].colour, text("script.slope.path", { energy: name }), 1.4 * classLooks[k].width)));
+            entries.push(sample("dot", restColour, text("script.slope.path_end")));
         }
         this.numbers.targets.forEach(({ name }) => entries.push(sample("line", targetColour, name, 4)));
         this.legend.replaceChildren(...entries);
@@ -258,7 +259,7 @@ function hasWebGl() {
 function show(figure) {
     const renderer = hasWebGl() ? rendererOrNull() : null;
     if (renderer === null) {
-        figure.querySelector(".instead").prepend("Your browser offers no WebGL. ");
+        figure.querySelector(".instead").prepend(text("script.slope.no_webgl"), " ");
         document.documentElement.dataset.slope = "no WebGL";
         return;
     }

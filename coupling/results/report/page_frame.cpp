@@ -1,9 +1,25 @@
 #include "coupling/results/report/page_frame.hpp"
 
+#include "coupling/page_scripts/json_text.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
 
 namespace coupling::report {
+namespace {
+
+/// The texts that scripts write, by key, as JSON.
+std::string texts_of_scripts() {
+    page_scripts::JsonObject texts;
+    for (const auto& [key, text] : all_page_texts()) {
+        if (key.starts_with("script.")) {
+            texts.text(key, text);
+        }
+    }
+    return texts.json();
+}
+
+}  // namespace
 
 void begin_page(std::ostream& out, const PageFrame& frame) {
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
@@ -16,7 +32,12 @@ void begin_page(std::ostream& out, const PageFrame& frame) {
 }
 
 void end_page(std::ostream& out, const PageFrame& frame) {
-    out << "</main>\n" << page_scripts::elements(frame.scripts) << "</body>\n</html>\n";
+    out << "</main>\n";
+    if (!frame.scripts.empty()) {
+        out << page_scripts::data("page-texts", texts_of_scripts()) << '\n'
+            << page_scripts::elements(frame.scripts);
+    }
+    out << "</body>\n</html>\n";
 }
 
 }  // namespace coupling::report
