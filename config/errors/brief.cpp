@@ -29,12 +29,12 @@ std::vector<std::string> shortened(const std::vector<std::string>& lines,
     for (const std::string& kind : kinds) {
         ++count[kind];
     }
-    std::map<std::string, std::size_t> told;
+    std::map<std::string, std::size_t> printed;
     std::vector<std::string> kept;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::size_t number = ++told[kinds[i]];
+        const std::size_t number = ++printed[kinds[i]];
         const std::size_t all = count[kinds[i]];
-        // One line more than the limit is told in full: counting it would take a line as well.
+        // One line more than the limit is printed in full: counting it would take a line as well.
         if (number <= told_of_a_kind || all == told_of_a_kind + 1) {
             kept.push_back(lines[i]);
         } else if (number == told_of_a_kind + 1) {

@@ -8,7 +8,7 @@
 
 namespace config {
 
-/// Problems of one kind that are told before the rest is only counted.
+/// Problems of one kind that are printed before the rest is only counted.
 inline constexpr std::size_t told_of_a_kind = 3;
 
 /// Problems as a screen shows them, one line each: of those that speak of the same file and differ only in

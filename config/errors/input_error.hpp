@@ -10,7 +10,7 @@
 
 namespace config {
 
-/// What the program's exit code tells a script.
+/// What the program's exit code means to a script.
 enum class ExitCode : int {
     done = 0,
     internal = 1,      ///< a fault of ours

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] const std::vector<std::optional<double>>& heights() const { return heights_; }
 
 private:
-    /// The type in capitals, without the Z and M that tell of further coordinates.
+    /// The type in capitals, without the Z and M that announce further coordinates.
     std::string read_type() {
         skip_blanks();
         const std::size_t start = at_;

@@ -172,7 +172,7 @@ public:
         return place;
     }
 
-    /// What stands for "no value here": -9999 if the header does not tell, as ESRI defines the format.
+    /// What stands for "no value here": -9999 if the header does not say, as ESRI defines the format.
     double nodata() {
         const std::optional<std::string_view> text = value_of(entries_, "nodata_value");
         if (!text) {

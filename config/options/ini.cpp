@@ -56,7 +56,7 @@ std::optional<std::string> unquoted(std::string_view text) {
     return std::nullopt;
 }
 
-/// Program_options on one line, which tells it apart from the others: its own messages know no lines.
+/// Program_options on one line, which distinguishes it from the others: its own messages know no lines.
 std::optional<std::pair<std::string, std::string>> parse_assignment(std::string line) {
     namespace po = boost::program_options;
     std::replace(line.begin(), line.end(), '#', hash_stand_in);
@@ -107,7 +107,7 @@ std::vector<IniEntry> read_ini(std::istream& in, const std::string& file, Proble
     std::string section;
     std::istringstream lines{std::move(text)};
     std::string whole_line;
-    // A file of another kind is wrong on every line: after so many problems the rest tells nothing new.
+    // A file of another kind is wrong on every line: after so many problems the rest says nothing new.
     for (std::size_t number = 1;
          problems.list().size() < most_ini_problems && std::getline(lines, whole_line); ++number) {
         const std::string_view line = trimmed(without_comment(whole_line));

@@ -154,7 +154,7 @@ private:
         }
     }
 
-    /// What makes all that follows meaningless: told alone, before it fills the memory.
+    /// What makes all that follows meaningless: reported alone, before it fills the memory.
     [[noreturn]] static void refuse_at_once(const Place& place, std::string found, std::string expected) {
         fail(ExitCode::data, place, std::move(found), std::move(expected));
     }

@@ -7,7 +7,7 @@
 
 namespace coupling {
 
-/// What a run takes, told before it starts.
+/// What a run takes, estimated before it starts.
 struct Estimate {
     std::uint64_t rocks = 0;
     int covers = 1;                      ///< 2: with forest and bare

@@ -102,7 +102,7 @@ The scenario and its settings have to be those of the shards.
 constexpr std::string_view compare_help = R"(bannwald compare DIR DIR... [options]
 
 Puts two or more finished runs side by side: today's protection with today's, or years with years. Shows for each
-target the share of rocks that the forest keeps away, how many arrive and with which energy, with intervals; for runs
+target the share of rocks that the forest stops, how many arrive and with which energy, with intervals; for runs
 over years the means over the years and the worst year of each regime. Tells which settings and inputs differ,
 whether a difference to the first run is more than chance, and when runs cannot be compared because their terrain,
 targets or rocks differ.

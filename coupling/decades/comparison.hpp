@@ -22,7 +22,7 @@ namespace coupling::decades {
 struct Series {
     std::string quantity;    ///< with its unit, such as "protection_percent"
     std::string target;      ///< id, empty for figures of the forest
-    bool low_is_bad = true;  ///< which extreme over the years is told
+    bool low_is_bad = true;  ///< which extreme over the years is shown
     bool has_worst = false;  ///< whether its extreme means anything
     std::vector<std::vector<std::map<std::int32_t, double>>> values;  ///< [course][replicate][year]
 };

@@ -14,7 +14,7 @@ void share_out(const Crew& crew, const Pieces& pieces, const DoPiece& work) {
     Progress progress{pieces.doing, pieces.steps, 0, crew.quiet};
     std::mutex progress_mutex;
     const auto report = [&](std::uint64_t steps) {
-        const std::uint64_t all_steps = crew.ranks.tell(steps);
+        const std::uint64_t all_steps = crew.ranks.report(steps);
         const std::lock_guard lock{progress_mutex};
         progress.add(all_steps);
     };

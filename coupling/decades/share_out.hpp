@@ -11,7 +11,7 @@ namespace coupling::decades {
 struct Crew {
     RankGroup& ranks;
     int threads = 1;
-    bool quiet = false;  ///< no progress is told
+    bool quiet = false;  ///< no progress is shown
 };
 
 /// Work that comes in pieces.

@@ -17,8 +17,8 @@ public:
     /// The content, unpacked. Lives as long as this object.
     [[nodiscard]] std::string_view text() const { return is_packed_ ? unpacked_ : stored_; }
     [[nodiscard]] std::uint64_t stored_bytes() const { return stored_.size(); }
-    /// 16 hexadecimal digits over the bytes as stored: tells versions of a file apart, no protection against
-    /// malice.
+    /// 16 hexadecimal digits over the bytes as stored: distinguishes versions of a file, no protection
+    /// against malice.
     [[nodiscard]] std::string hash() const;
 
 private:

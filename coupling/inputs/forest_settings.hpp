@@ -67,14 +67,14 @@ struct ForestSettings {
     // [output]
     std::vector<double> tree_list_years;  ///< years of simulation, 0 = the start
     std::vector<double> map_years;
-    bool list_all_removed = false;  ///< removed_trees.csv tells of all causes
+    bool list_all_removed = false;  ///< removed_trees.csv lists all causes
 };
 
 /// Declares all of them. The options keep references into the settings.
 void declare(config::Options& options, ForestSettings& settings);
 
 /// What contradicts itself or misses for a simulation of `years` (0: nothing is asked for). `listed_trees`
-/// tells whether the scenario names a tree list.
+/// says whether the scenario names a tree list.
 void check(const ForestSettings& settings, std::uint64_t years, bool listed_trees,
            const config::Options& options, config::Problems& problems);
 

@@ -16,7 +16,7 @@ namespace coupling {
 /// strength (1), anchored (no).
 std::optional<std::vector<LogRecord>> read_logs(Reading& reading);
 
-/// Drops logs of which an end does not lie on the terrain and tells how many.
+/// Drops logs of which an end does not lie on the terrain and says how many.
 std::vector<LogRecord> on_terrain(std::vector<LogRecord> logs, const rockfall::Terrain& terrain,
                                   Reading& reading);
 

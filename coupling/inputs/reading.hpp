@@ -61,7 +61,7 @@ public:
     /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
     config::Table table_at(const config::Place& place, const std::string& role, const std::string& name);
     config::Raster<double> grid(const std::string& key, const std::string& role, const std::string& name);
-    /// Names the part of a recorded file that the run heeds and the hash of that part: what else stands in
+    /// Names the part of a recorded file that the run uses and the hash of that part: what else stands in
     /// the file may change without making the run another one.
     void heed_part(const std::string& role, const std::string& part, const std::string& hash);
     /// A file that may be missing: its text, or "".

@@ -18,7 +18,7 @@ struct SpeciesLookup {
     std::function<std::string(const std::string& name)> nearest;
     std::string codes;  ///< all that are known: "ABAL, ACPS, ..."
 
-    /// What a wrong name is told: the nearest one, or all codes.
+    /// What the message of a wrong name suggests: the nearest one, or all codes.
     [[nodiscard]] std::string expected(const std::string& name) const;
 };
 

@@ -23,7 +23,7 @@ struct HeightInput {
     std::string file;                            ///< name in messages
     std::string projection;                      ///< text of the .prj beside it
 
-    /// Where codes and sources of the ground are told apart: the frame of the grid; for points that of the
+    /// Where codes and sources of the ground are distinguished: the frame of the grid; for points that of the
     /// maps.
     [[nodiscard]] const config::GridFrame& frame() const { return grid ? grid->frame : map_frame; }
     config::GridFrame map_frame;  ///< of the results

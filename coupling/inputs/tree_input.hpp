@@ -37,7 +37,8 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
 /// Reads and checks the tree list of the scenario; an empty list without one.
 ///
 /// Missing heights come from a curve through the measured ones (forest/start/height_curve.hpp), which is
-/// told; where there are too few of them the list is refused. Species that borrow parameters are told.
+/// reported; where there are too few of them the list is refused. Species that borrow parameters are
+/// reported.
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading);
 
 /// What to do about exchanged axes of the tree list.

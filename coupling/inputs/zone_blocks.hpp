@@ -31,7 +31,7 @@ std::vector<double> return_periods_of(const std::vector<ZoneBlocks>& blocks);
 
 /// Gives the sources the rocks of hazard.return_period_years, zone by zone. Throws config::InputError for a
 /// return period that the table lacks (settings) and for shapes with rocks of their own (data); doubts zones
-/// of which only the sources or only the table know. The run then heeds the rows of that return period alone.
+/// of which only the sources or only the table know. The run then uses the rows of that return period alone.
 void take_zone_blocks(SourceInput& input, Reading& reading);
 
 /// Which of the starts of the input holds for a zone; `own` without hazard.blocks, nothing for a zone that

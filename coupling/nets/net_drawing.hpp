@@ -23,7 +23,7 @@ std::vector<const NetRow*> evenly_spaced(const std::vector<const NetRow*>& rows,
 double drawn_height_m(const rockfall::Net& net, const std::vector<const NetRow*>& rows);
 
 /// The developed view of a net with some of the rocks that crossed it, up to a height: along the net to the
-/// right, height above the ground upwards. Shapes tell what became of a rock, size and colour its energy
+/// right, height above the ground upwards. Shapes show what became of a rock, size and colour its energy
 /// class, so that it reads in black and white too. Looked at from uphill or downhill as the line was drawn.
 std::string developed_view(const NetRecord& net, const std::vector<const NetRow*>& drawn, double highest_m,
                            const std::string& title, const std::string& caption);

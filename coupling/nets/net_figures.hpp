@@ -54,7 +54,7 @@ double length_m(const rockfall::Net& net);
 /// interval lies between two order statistics. Requires values in order, not empty.
 QuantileEstimate quantile_of(std::span<const double> sorted, double share);
 
-/// So many rocks must reach a net before it can be told what holds a share of them: one that may pass.
+/// So many rocks must reach a net before it can be said what holds a share of them: one that may pass.
 std::uint64_t rocks_to_tell(double wanted_share);
 
 /// The lowest height at which each class holds the wanted share of the rocks, and what class and height to

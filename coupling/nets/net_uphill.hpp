@@ -35,7 +35,7 @@ Uphill uphill_along(double azimuth_deg);
 /// nothing on level ground.
 std::optional<Eigen::Vector2d> uphill_across(const rockfall::Net& net, const rockfall::Terrain& terrain);
 
-/// Nets on lines so low that every rock passes over: they only tell who crosses.
+/// Nets on lines so low that every rock passes over: they only show who crosses.
 rockfall::NetIndex lines_alone(std::span<const NetRecord> lines);
 
 /// From where rocks come to lines: the mean of their directions as they first cross each.

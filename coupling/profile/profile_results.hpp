@@ -23,7 +23,7 @@ struct ProfileResults {
 void write_rock_header(std::ostream& out);
 void write_rock(std::ostream& out, const rockfall::RockRecord& record);
 
-// One row an observation, the unit in the name of each column; empty fields: no rock, or too few to tell.
+// One row an observation, the unit in the name of each column; empty fields: no rock, or too few to know.
 // README.md of this room describes every column.
 
 void write_jumps_by_segment(std::ostream& out, const ProfileResults& results);

@@ -15,7 +15,7 @@ int run_profile(const RunRequest& request, const Scenario& scenario);
 /// How many rocks a scenario with terrain.profile lets fall.
 std::uint64_t rocks_of(const Scenario& scenario);
 
-/// What `bannwald check` tells of such a scenario.
+/// What `bannwald check` says of such a scenario.
 void describe(const Scenario& scenario, const ProfileSite& site, std::ostream& out);
 
 }  // namespace coupling::profile

@@ -22,7 +22,7 @@ public:
     ///
     /// Contradictions are looked for where the calendar alone decides, over 500 years, by the patches that
     /// areas share: two cuts (a thinning may go with a cut of target diameters), a thinning and planting, one
-    /// treatment twice. What conditions bring together is told by the report of the year as nothing to cut.
+    /// treatment twice. What conditions bring together stands in the report of the year as nothing to cut.
     static Regime read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
                        const forest::PatchGrid& grid, const PolygonsOf& polygons_of);
 

@@ -64,7 +64,7 @@ std::optional<ProtectionEffect> protection_effect(const PairedCounts& counts);
 /// A quantile and its interval.
 struct QuantileEstimate {
     double value = std::numeric_limits<double>::quiet_NaN();
-    /// Low is 0 and high infinite where the sample is too small to tell (a 95th percentile needs 72 rocks).
+    /// Low is 0 and high infinite where the sample is too small to know (a 95th percentile needs 72 rocks).
     Interval interval{0.0, std::numeric_limits<double>::infinity()};
 };
 

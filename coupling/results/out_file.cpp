@@ -24,7 +24,7 @@ class OutFile::Buffer : public std::streambuf {
 public:
     Buffer(const std::filesystem::path& file, Begin begin)
         : waiting_{std::make_unique_for_overwrite<char[]>(out_buffer_bytes)} {
-        const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (begin == Begin::anew ? O_TRUNC : O_APPEND);
+        const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (begin == Begin::empty ? O_TRUNC : O_APPEND);
         descriptor_ = ::open(file.c_str(), flags, 0666);
         remember_error(descriptor_);
         setp(waiting_.get(), waiting_.get() + out_buffer_bytes);

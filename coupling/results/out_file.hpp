@@ -24,8 +24,8 @@ struct WrittenFile {
 /// file counts as unfinished. `sync` reports whether they have reached the disk.
 class OutFile {
 public:
-    enum class Begin { anew, at_end };  ///< at_end: goes on with a file that is there
-    explicit OutFile(std::filesystem::path file, Begin begin = Begin::anew);
+    enum class Begin { empty, at_end };  ///< at_end: goes on with a file that is there
+    explicit OutFile(std::filesystem::path file, Begin begin = Begin::empty);
     ~OutFile();
     OutFile(const OutFile&) = delete;
     OutFile& operator=(const OutFile&) = delete;

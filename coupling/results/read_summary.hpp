@@ -7,7 +7,7 @@
 
 namespace coupling {
 
-/// What a finished run tells of itself in summary.json.
+/// What a finished run says of itself in summary.json.
 struct SummaryOfRun {
     struct Setting {
         std::string key;

@@ -92,7 +92,7 @@ public:
         return taken;
     }
 
-    std::uint64_t tell(std::uint64_t steps) {
+    std::uint64_t report(std::uint64_t steps) {
         const std::lock_guard lock{mutex_};
         if (!first() && steps > 0) {
             world_.send(0, progress_tag, steps);
@@ -144,7 +144,7 @@ public:
         if (!failed_ && !met({})) {
             code = 0;
         }
-        tell(0);  // takes messages that nobody waited for
+        report(0);  // takes messages that nobody waited for
         return -least(-code, {});
     }
 
@@ -212,7 +212,7 @@ public:
     [[nodiscard]] static bool first() { return true; }
     [[nodiscard]] static int on_machine() { return 1; }
     static std::uint64_t next(Work) { return 0; }
-    static std::uint64_t tell(std::uint64_t steps) { return steps; }
+    static std::uint64_t report(std::uint64_t steps) { return steps; }
     [[nodiscard]] static bool stopped() { return false; }
     static bool met(const std::function<void()>&) { return true; }
     static std::vector<std::uint64_t> from_first(std::vector<std::uint64_t> list) { return list; }
@@ -257,8 +257,8 @@ std::uint64_t RankGroup::next(Work work) {
     return joined_ ? joined_->next(work) : next_[static_cast<std::size_t>(work)]++;
 }
 
-std::uint64_t RankGroup::tell(std::uint64_t steps) {
-    return joined_ ? joined_->tell(steps) : steps;
+std::uint64_t RankGroup::report(std::uint64_t steps) {
+    return joined_ ? joined_->report(steps) : steps;
 }
 
 bool RankGroup::stopped() const {

@@ -10,7 +10,7 @@
 
 namespace coupling {
 
-/// Another rank ended the run and tells why: this one has nothing to say.
+/// Another rank ended the run and says why: this one has nothing to say.
 struct FailedElsewhere {};
 
 /// The processes that a launcher (mpirun, srun) started to share one run; without a launcher this one alone.
@@ -41,9 +41,9 @@ public:
     /// Number of the next piece that no rank has taken, from 0. From any thread.
     std::uint64_t next(Work work);
     /// Tells the first rank how many steps of progress were made. On the first rank: returns these and what
-    /// others told since the last call. From any thread.
-    std::uint64_t tell(std::uint64_t steps);
-    /// Whether another rank has failed, as far as `tell` has heard.
+    /// others reported since the last call. From any thread.
+    std::uint64_t report(std::uint64_t steps);
+    /// Whether another rank has failed, as far as `report` has heard.
     [[nodiscard]] bool stopped() const;
 
     /// Waits until all ranks are here, calling `meanwhile` again and again. Throws FailedElsewhere if one of

@@ -10,7 +10,7 @@
 namespace coupling {
 
 // One row an observation, the unit in the name of each column, UTF-8, comma, decimal point. Empty fields: not
-// known, or too few rocks to tell. README.md of this room describes every column.
+// known, or too few rocks to know. README.md of this room describes every column.
 
 void write_targets(std::ostream& out, const Figures& figures, const std::vector<Cover>& covers);
 void write_protection(std::ostream& out, const Figures& figures);

@@ -39,7 +39,7 @@ struct JumpSums {
     void add(const JumpSums& other);
 };
 
-/// Stretches of slope length by which jumps are told apart (Rammer et al. 2010, section 2.4.2).
+/// Stretches of slope length by which jumps are distinguished (Rammer et al. 2010, section 2.4.2).
 inline constexpr double jump_segment_m = 10.0;
 
 /// Rocks that fell, in rock order.
@@ -70,7 +70,7 @@ struct FallRequest {
     bool open_too = false;  ///< also over the bare slope; for recipes with a stand
     int threads = 1;
     std::function<void(std::uint64_t)>
-        fallen;  ///< told of rocks as they come; from any thread, one at a time
+        fallen;  ///< called with rocks as they come; from any thread, one at a time
 };
 
 /// How many rocks a recipe lets fall, in the large ensemble and the series.

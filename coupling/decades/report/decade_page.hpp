@@ -22,12 +22,12 @@ struct Section {
     std::string html;
 };
 
-/// What the page of a run over years tells. Everything referred to must live as long as it is written.
+/// What the page of a run over years shows. Everything referred to must live as long as it is written.
 struct PageContent {
     const Scenario& scenario;
     Names names;
     const forest::PatchGrid& grid;
-    /// Those that ran, in any order; of a regime without members nothing is told. All have the same years.
+    /// Those that ran, in any order; of a regime without members nothing is shown. All have the same years.
     std::span<const MemberYears> members;
     const config::Warnings& warnings;
     const std::vector<InputFile>& inputs;

@@ -5,7 +5,7 @@
 
 namespace coupling::decades {
 
-/// The ground under a forest as its patches tell it: straight between their centres in both directions. Half
+/// The ground under a forest as its patches give it: straight between their centres in both directions. Half
 /// a patch beyond the rim it goes on as the patches there slope.
 class ForestGround {
 public:
@@ -20,7 +20,7 @@ private:
     config::Raster<double> heights_;
 };
 
-/// Cells of a forest that a picture shows at a scale at which crowns can be told apart.
+/// Cells of a forest that a picture shows at a scale at which crowns can be distinguished.
 struct StandWindow {
     config::GridFrame frame;
     bool whole = true;  ///< all patches lie in it

@@ -26,7 +26,7 @@ struct MeshFile {
 /// Largest ground code of a face.
 inline constexpr std::uint32_t largest_code = 1'000'000;
 
-/// The formats that a file may have, told by its first bytes and its name.
+/// The formats that a file may have, recognised by its first bytes and its name.
 enum class MeshFormat : std::uint8_t { ply, stl, dxf, contours, points };
 MeshFormat format_of(std::string_view bytes, const std::string& name);
 

@@ -21,10 +21,10 @@ double shared_length_m(const PlanLine& line, const PlanLine& other, double withi
 
 /// The length over which two nets stand in one place, 0 where they do not.
 ///
-/// A rock meets them there at once, and where it breaks one of them it starts anew on the line of the other,
+/// A rock meets them there at once, and where it breaks one of them it starts again on the line of the other,
 /// on neither side of it. Nets that cross or touch in a point do stand apart: no rock meets a point.
 /// One place is what lies within a micrometre for more than a millimetre, or within a centimetre for more
-/// than ten: nets are found on chords, beside which a sliding rock may start anew by about that much
+/// than ten: nets are found on chords, beside which a sliding rock may start again by about that much
 /// [choice].
 double length_in_one_place_m(const PlanLine& line, const PlanLine& other);
 

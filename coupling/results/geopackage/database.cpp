@@ -13,11 +13,11 @@ namespace coupling::geopackage {
 using config::joined;
 
 Database::Database(std::filesystem::path file, Open open) : file_{std::move(file)} {
-    if (open == Open::anew) {
+    if (open == Open::empty) {
         delete_entry(file_);
     }
-    const int flags = SQLITE_OPEN_NOMUTEX | (open == Open::anew ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
-                                                                : SQLITE_OPEN_READONLY);
+    const int flags = SQLITE_OPEN_NOMUTEX | (open == Open::empty ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
+                                                                 : SQLITE_OPEN_READONLY);
     const int code = sqlite3_open_v2(file_.c_str(), &handle_, flags, nullptr);
     if (code != SQLITE_OK) {
         const std::string reason = sqlite3_errstr(code);
@@ -25,7 +25,7 @@ Database::Database(std::filesystem::path file, Open open) : file_{std::move(file
         config::fail(config::ExitCode::file, {.file = file_.string()},
                      joined("cannot be opened as a database: ", reason));
     }
-    if (open == Open::anew) {
+    if (open == Open::empty) {
         // One writer, and a file that is thrown away unless it becomes whole: nothing to roll back, nothing
         // to wait for.
         execute(

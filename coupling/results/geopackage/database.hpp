@@ -19,8 +19,8 @@ class Statement;
 /// naming the file and SQLite's own reason.
 class Database {
 public:
-    enum class Open { anew, to_read };
-    /// anew: an empty file, without journal and without waiting for the disk. It is no results file until it
+    enum class Open { empty, to_read };
+    /// empty: an empty file, without journal and without waiting for the disk. It is no results file until it
     /// is closed.
     Database(std::filesystem::path file, Open open);
     ~Database();

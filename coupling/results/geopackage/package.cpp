@@ -48,7 +48,7 @@ std::string insert_statement(const Plan& plan) {
 }  // namespace
 
 GeoPackage::GeoPackage(const std::filesystem::path& file, SpatialReference reference)
-    : reference_{std::move(reference)}, database_{file, Database::Open::anew} {
+    : reference_{std::move(reference)}, database_{file, Database::Open::empty} {
     database_.execute("BEGIN");
     create_metadata(database_, reference_);
 }

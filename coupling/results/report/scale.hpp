@@ -9,7 +9,7 @@
 
 namespace coupling::report {
 
-/// How the values of a map become colours, and the legend that tells so.
+/// How the values of a map become colours, and their legend.
 class ColourScale {
 public:
     /// Classes of energy: below 30, 30 to 300, above 300 kJ.

@@ -25,7 +25,7 @@ std::string charts(const RunResults& results, const Figures& figures);
 std::string along_paths(const RunResults& results);
 /// All rocks on both slopes, and the trees by diameter.
 std::string key_figures(const RunResults& results, const Figures& figures);
-/// The ground types that occur, with what the motion model heeds of them.
+/// The ground types that occur, with what the motion model uses of them.
 std::string grounds(const RunResults& results);
 std::string warnings(const RunResults& results);
 std::string settings(const RunResults& results);

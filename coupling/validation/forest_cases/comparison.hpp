@@ -34,7 +34,7 @@ struct Reference {
 /// How a case is worked through; none of it changes the outcome.
 struct Work {
     int threads = 1;
-    std::function<void(std::uint64_t)> done;  ///< told of pieces as they come; one at a time
+    std::function<void(std::uint64_t)> done;  ///< called with pieces as they come; one at a time
 };
 
 /// What a comparison has found.
@@ -49,7 +49,7 @@ struct Comparison {
     std::string extent;           ///< what is compared, such as "333 trees on 3 slopes"
     std::vector<Figure> figures;  ///< all that run() gives
     std::map<std::string, Reference> references;
-    std::uint64_t pieces = 0;  ///< of work that Work::done will be told of
+    std::uint64_t pieces = 0;  ///< of work that Work::done will be called with
     std::function<Outcome(const Work&)> run;
 
     /// Empty for a name that there is not.

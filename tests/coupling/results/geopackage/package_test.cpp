@@ -101,7 +101,7 @@ TEST(GeoPackage, NamesTheFileThatCannotBeMade) {
 
 TEST(Database, TellsOfAFullDisk) {
     const TestFolder folder;
-    Database database{folder.path() / "full.gpkg", Database::Open::anew};
+    Database database{folder.path() / "full.gpkg", Database::Open::empty};
     database.execute(
         "CREATE TABLE stones (mass REAL); PRAGMA max_page_count = 3;");  // as if the disk ended there
     try {
