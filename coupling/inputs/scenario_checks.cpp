@@ -16,9 +16,9 @@ using config::ExitCode;
 using config::joined;
 
 /// Adds problems at the line where a setting stands.
-class Checker {
+class SettingsChecker {
 public:
-    explicit Checker(const Scenario& scenario) : options_{*scenario.options} {}
+    explicit SettingsChecker(const Scenario& scenario) : options_{*scenario.options} {}
 
     void refuse(const std::string& key, std::string found, std::string expected, std::string advice = "") {
         problems_.add(ExitCode::settings, options_.place_of(key), std::move(found), std::move(expected),
@@ -46,7 +46,7 @@ private:
 };
 
 /// Its codes mean nothing without the table of ground types; a setting without effect is worse than none.
-void check_stopping(const Scenario& s, Checker& checker) {
+void check_stopping(const Scenario& s, SettingsChecker& checker) {
     if (!s.stopping.empty() && s.surface_types.empty()) {
         checker.refuse("terrain.stopping", "terrain.stopping without terrain.surface_types",
                        "a table of what its codes mean");
@@ -57,7 +57,7 @@ void check_stopping(const Scenario& s, Checker& checker) {
     }
 }
 
-void check_terrain(const Scenario& s, Checker& checker) {
+void check_terrain(const Scenario& s, SettingsChecker& checker) {
     checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
     const bool has_codes = !s.surface.empty() || !s.surface_polygons.empty();
     if (!has_codes && s.ground.empty() && s.mesh.empty()) {  // faces of a mesh may carry codes
@@ -76,7 +76,7 @@ void check_terrain(const Scenario& s, Checker& checker) {
     }
 }
 
-void check_release(const Scenario& s, Checker& checker) {
+void check_release(const Scenario& s, SettingsChecker& checker) {
     checker.one_of("release.source", s.source, "release.source_shapes", s.source_shapes);
     if (!s.source.empty() && s.dem.empty() && !s.points.empty()) {
         checker.refuse("release.source", "a source grid beside terrain.points",
@@ -89,7 +89,7 @@ void check_release(const Scenario& s, Checker& checker) {
 }
 
 /// The forest stands still while rocks fall, so the setting would have no effect.
-void check_trees_over_years(const Scenario& s, Checker& checker) {
+void check_trees_over_years(const Scenario& s, SettingsChecker& checker) {
     if (s.years != 0 && s.rockfall.fall.tree.remove_broken) {
         checker.refuse("tree_impact.remove_broken",
                        "tree_impact.remove_broken beside run.years " + std::to_string(s.years),
@@ -98,7 +98,7 @@ void check_trees_over_years(const Scenario& s, Checker& checker) {
 }
 
 /// Settings that would have no effect, or that the hazard map cannot do without.
-void check_hazard(const Scenario& s, Checker& checker) {
+void check_hazard(const Scenario& s, SettingsChecker& checker) {
     if (s.hazard.blocks.empty()) {
         for (const char* key :
              {"hazard.return_period_years", "hazard.energy", "hazard.least_reach_percent", "hazard.matrix"}) {
@@ -124,7 +124,7 @@ void check_hazard(const Scenario& s, Checker& checker) {
     }
 }
 
-void check_range(const Scenario& s, Checker& checker) {
+void check_range(const Scenario& s, SettingsChecker& checker) {
     if (!(s.diameter_low_m > 0.0)) {
         checker.refuse("release.diameter_low_m",
                        "release.diameter_low_m " + config::to_text(s.diameter_low_m), "a diameter > 0 m");
@@ -136,7 +136,7 @@ void check_range(const Scenario& s, Checker& checker) {
     }
 }
 
-void check_classes(const Scenario& s, Checker& checker) {
+void check_classes(const Scenario& s, SettingsChecker& checker) {
     if (s.diameter_classes_m.empty()) {
         checker.refuse("release.diameter_classes_m", "no release.diameter_classes_m",
                        "at least one diameter for diameter_kind = classes");
@@ -150,7 +150,7 @@ void check_classes(const Scenario& s, Checker& checker) {
     }
 }
 
-void check_diameter(const Scenario& s, Checker& checker) {
+void check_diameter(const Scenario& s, SettingsChecker& checker) {
     switch (s.diameter_kind) {
         case DiameterKind::fixed:
             break;
@@ -173,7 +173,7 @@ void check_diameter(const Scenario& s, Checker& checker) {
 }  // namespace
 
 void check(const Scenario& scenario) {
-    Checker checker{scenario};
+    SettingsChecker checker{scenario};
     if (scenario.years != 0 && !scenario.profile.empty()) {
         checker.refuse("run.years", "run.years " + std::to_string(scenario.years) + " beside terrain.profile",
                        "0: no forest grows along a profile");

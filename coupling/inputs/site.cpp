@@ -56,7 +56,7 @@ config::Raster<std::uint8_t> on_frame(const config::Raster<std::uint8_t>& ids,
 }
 
 /// Everything as read from the files; what could not be read is missing.
-struct Files {
+struct SiteFiles {
     std::optional<HeightInput> heights;
     std::optional<std::vector<rockfall::SurfaceType>> types;
     std::optional<GroundCover> cover;
@@ -128,9 +128,9 @@ void note_idle_motion(const Scenario& scenario, Reading& reading) {
     }
 }
 
-Files read_files(Reading& reading) {
+SiteFiles read_site_files(Reading& reading) {
     const Scenario& scenario = reading.scenario();
-    Files files;
+    SiteFiles files;
     files.heights = read_heights(reading);
     files.trees.emplace();
     if (scenario.years == 0) {
@@ -203,7 +203,7 @@ std::vector<rockfall::Net> Site::standing_nets() const {
 Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     Reading reading{scenario, warnings};
     reading.note_renamed_settings();
-    Files files = read_files(reading);
+    SiteFiles files = read_site_files(reading);
     if (!files.heights) {
         reading.problems().throw_if_any();
     }

@@ -212,7 +212,7 @@ private:
         for (const std::string& entry : between_commas(recipe_.species_text)) {
             const std::size_t colon = std::min(entry.find(':'), entry.size());
             const std::string code{config::trimmed(entry.substr(0, colon))};
-            const auto percent = config::parse_number(
+            const auto share_percent = config::parse_number(
                 config::trimmed(std::string_view{entry}.substr(std::min(colon + 1, entry.size()))));
             const Species* species = known.find(code);
             if (species == nullptr) {
@@ -220,12 +220,12 @@ private:
                 refuse("stand.species", joined("species ", config::in_quotes(code)),
                        joined("a code of the species table", nearest.empty() ? "" : " (", nearest,
                               nearest.empty() ? "" : "?)"));
-            } else if (!percent || *percent <= 0.0 || *percent > 100.0) {
+            } else if (!share_percent || *share_percent <= 0.0 || *share_percent > 100.0) {
                 refuse("stand.species", config::in_quotes(entry),
                        "a species and its share in percent, such as ABAL:72");
             } else {
-                recipe_.species.push_back({species->code, *percent, species->fracture_energy});
-                sum += *percent;
+                recipe_.species.push_back({species->code, *share_percent, species->fracture_energy});
+                sum += *share_percent;
             }
         }
         if (sum <= 0.0) {

@@ -14,7 +14,7 @@ using config::joined;
 using report::escaped;
 
 /// The trees of one member in one year.
-struct Scene {
+struct DrawnYear {
     std::string title;
     DrawnTrees trees;
 };
@@ -42,14 +42,14 @@ std::string year_title(std::int32_t year) {
 }
 
 /// First and last year with a list of trees. What all regimes begin with is shown once.
-std::vector<Scene> scenes_of(const RunView& run) {
+std::vector<DrawnYear> scenes_of(const RunView& run) {
     std::set<std::int32_t> years;
     for (const RegimeView& regime : run.regimes) {
         for (const TreeRow& tree : regime.first->trees) {
             years.insert(tree.year);
         }
     }
-    std::vector<Scene> scenes;
+    std::vector<DrawnYear> scenes;
     if (years.empty()) {
         return scenes;
     }
@@ -76,9 +76,9 @@ std::vector<Scene> scenes_of(const RunView& run) {
 }
 
 /// Species that stand in any scene, each with its fill and its silhouette.
-std::string legend(const PageContent& content, const std::vector<Scene>& scenes) {
+std::string legend(const PageContent& content, const std::vector<DrawnYear>& scenes) {
     std::set<std::uint32_t> seen;
-    for (const Scene& scene : scenes) {
+    for (const DrawnYear& scene : scenes) {
         for (const TreeRow* tree : scene.trees) {
             seen.insert(tree->species);
         }
@@ -114,7 +114,7 @@ std::string contour_words(const PlanDrawing& plan) {
 }  // namespace
 
 std::string pictures(const PageContent& content, const RunView& run) {
-    const std::vector<Scene> scenes = scenes_of(run);
+    const std::vector<DrawnYear> scenes = scenes_of(run);
     if (scenes.empty() || content.grid.size() == 0) {
         return "";
     }
@@ -125,13 +125,13 @@ std::string pictures(const PageContent& content, const RunView& run) {
     const PlanDrawing near{content.grid, ground, window.frame, "window-ground"};
 
     double top_m = -INFINITY;
-    for (const Scene& scene : scenes) {
+    for (const DrawnYear& scene : scenes) {
         top_m = std::max(top_m, top_of(trees_in_strip(scene.trees, strip), ground, strip));
     }
     std::string points;
     std::string crowns;
     std::string sides;
-    for (const Scene& scene : scenes) {
+    for (const DrawnYear& scene : scenes) {
         points += window.whole ? "" : figure(scene.title, whole.points(scene.trees, window.frame));
         crowns += figure(scene.title, near.crowns(scene.trees, strip));
         sides += figure(scene.title, side_view(trees_in_strip(scene.trees, strip), content.names.species,

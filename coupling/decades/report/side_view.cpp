@@ -16,8 +16,8 @@ using report::place;
 constexpr double left_edge = 84.0;
 constexpr double widest_strip = 322.0;
 /// Beside the strip, for crowns that reach over its ends.
-constexpr double beside = 24.0;
-constexpr double highest = 420.0;
+constexpr double beside_strip = 24.0;
+constexpr double highest_strip = 420.0;
 constexpr double top = 20.0;
 constexpr double below = 44.0;
 constexpr double ground_step_m = 2.0;
@@ -48,9 +48,9 @@ std::string axes_of(const Frame& frame, const Transect& strip) {
     std::string strokes;
     std::string labels;
     for (const double tick : ticks_between(frame.low_m, frame.high_m, report::nice_step(least_step_m))) {
-        grid += joined("M", place(left_edge - beside + 4.0), " ", place(frame.y_of(tick)), "H",
-                       place(right + beside));
-        labels += joined("<text text-anchor=\"end\" x=\"", place(left_edge - beside), "\" y=\"",
+        grid += joined("M", place(left_edge - beside_strip + 4.0), " ", place(frame.y_of(tick)), "H",
+                       place(right + beside_strip));
+        labels += joined("<text text-anchor=\"end\" x=\"", place(left_edge - beside_strip), "\" y=\"",
                          place(frame.y_of(tick) + 4.5), "\">", report::fixed(tick, 0), "</text>");
     }
     for (const double tick : ticks_between(0.0, strip.length_m, report::nice_step(least_step_m))) {
@@ -149,8 +149,9 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
     }
     low_m -= 3.0;
     const double high_m = std::max(top_of(in_strip, ground, strip), top_m) + 1.0;
-    const Frame frame{low_m, high_m,
-                      std::min(widest_strip / std::max(strip.length_m, 1.0), highest / (high_m - low_m))};
+    const Frame frame{
+        low_m, high_m,
+        std::min(widest_strip / std::max(strip.length_m, 1.0), highest_strip / (high_m - low_m))};
     DrawnTrees drawn = in_strip;
     std::string left_out;
     if (drawn.size() > most_trees) {
@@ -169,9 +170,9 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
     for (const TreeRow* tree : drawn) {
         trees += silhouette(*tree, species.all()[tree->species], frame, ground, strip);
     }
-    const double drawn_width = frame.x_of(strip.length_m) + beside;
-    const double x = 0.5 * (drawn_width - (left_edge + widest_strip + beside));
-    return {joined("<svg viewBox=\"", place(x), " 0 ", place(left_edge + widest_strip + beside), " ",
+    const double drawn_width = frame.x_of(strip.length_m) + beside_strip;
+    const double x = 0.5 * (drawn_width - (left_edge + widest_strip + beside_strip));
+    return {joined("<svg viewBox=\"", place(x), " 0 ", place(left_edge + widest_strip + beside_strip), " ",
                    place(frame.y_of(low_m) + below), "\" role=\"img\" aria-label=\"",
                    report::page_text("decades.side_view.trees_seen_from_the_side"), "\">",
                    axes_of(frame, strip), ground_of(frame, ground, strip), trees, "</svg>"),

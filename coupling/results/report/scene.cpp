@@ -44,7 +44,7 @@ private:
 };
 
 /// Coordinates count from the south-western corner of the ground, heights from its lowest place.
-struct Box {
+struct SceneBox {
     config::GridFrame frame;
     double low_m;
     Steps x;
@@ -52,7 +52,7 @@ struct Box {
     Steps z;
 };
 
-Box box_of(const config::Raster<double>& heights) {
+SceneBox box_of(const config::Raster<double>& heights) {
     double low = INFINITY;
     double high = -INFINITY;
     for (const double height : heights.values) {
@@ -69,7 +69,7 @@ Box box_of(const config::Raster<double>& heights) {
 }
 
 /// The height in the middle of each block of cells.
-std::string ground_json(const config::Raster<double>& heights, const Box& box) {
+std::string ground_json(const config::Raster<double>& heights, const SceneBox& box) {
     const config::GridFrame& frame = heights.frame;
     const int block = (std::max(frame.columns, frame.rows) + most_heights_a_side - 1) / most_heights_a_side;
     const int columns = (frame.columns + block - 1) / block;
@@ -132,7 +132,7 @@ std::vector<const ScenePath*> even_choice(const std::vector<ScenePath>& paths, s
 }
 
 /// Both ends of each log, thick one first.
-std::vector<std::uint16_t> log_ends(const std::vector<SceneLog>& logs, const Box& box) {
+std::vector<std::uint16_t> log_ends(const std::vector<SceneLog>& logs, const SceneBox& box) {
     std::vector<std::uint16_t> ends;
     for (const SceneLog& log : logs) {
         for (const double along_m : {0.0, log.length_m}) {
@@ -144,7 +144,7 @@ std::vector<std::uint16_t> log_ends(const std::vector<SceneLog>& logs, const Box
 }
 
 /// Corners and the energy class at each.
-JsonObject path_object(std::span<const rockfall::PathPoint> path, const Box& box,
+JsonObject path_object(std::span<const rockfall::PathPoint> path, const SceneBox& box,
                        const Eigen::Vector2d& origin_m) {
     std::vector<std::uint16_t> points;
     std::vector<std::uint8_t> classes;
@@ -161,7 +161,7 @@ JsonObject path_object(std::span<const rockfall::PathPoint> path, const Box& box
 }
 
 /// `stands`: how many share what may be drawn.
-std::string stand_json(const SceneStand& stand, const Box& box, const Eigen::Vector2d& origin_m,
+std::string stand_json(const SceneStand& stand, const SceneBox& box, const Eigen::Vector2d& origin_m,
                        std::size_t stands) {
     if (stand.same_as) {
         return JsonObject{}
@@ -226,7 +226,8 @@ std::string stand_json(const SceneStand& stand, const Box& box, const Eigen::Vec
         .json();
 }
 
-std::string target_json(const rockfall::Target& target, const Box& box, const Eigen::Vector2d& origin_m) {
+std::string target_json(const rockfall::Target& target, const SceneBox& box,
+                        const Eigen::Vector2d& origin_m) {
     std::vector<std::string> parts;
     for (const std::vector<Eigen::Vector2d>& part : target.parts) {
         std::vector<double> numbers;
@@ -244,7 +245,7 @@ std::string target_json(const rockfall::Target& target, const Box& box, const Ei
 }
 
 std::string json_of(const Scene& scene) {
-    const Box box = box_of(scene.heights);
+    const SceneBox box = box_of(scene.heights);
     const auto different = std::count_if(scene.stands.begin(), scene.stands.end(),
                                          [](const SceneStand& stand) { return !stand.same_as; });
     const auto stands = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, different));
