@@ -45,9 +45,10 @@ Options declared(Settings& settings) {
     return options;
 }
 
-void read(Options& options, const std::string& text, const std::vector<std::string>& overrides = {}) {
+void read(Options& options, const std::string& text, const std::vector<std::string>& overrides = {},
+          const std::string& preset_key = "rockfall.preset") {
     std::istringstream in{text};
-    options.read(in, "run.ini", overrides, "rockfall.preset");
+    options.read(in, "run.ini", overrides, preset_key);
 }
 
 std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -98,6 +99,11 @@ TEST(Options, KnowWhereAKeyWasSet) {
     EXPECT_EQ(options.place_of("run.years").line, 0U);
 }
 
+/// Reads settings that have no presets.
+void read_plain(Options& options, const std::string& text, const std::vector<std::string>& overrides = {}) {
+    read(options, text, overrides, "");
+}
+
 /// Settings of which one had another name before.
 Options with_renamed(Settings& settings) {
     Options options;
@@ -109,7 +115,7 @@ Options with_renamed(Settings& settings) {
 TEST(Options, ReadEarlierNamesOfKeysAndSayWhichOnesWereUsed) {
     Settings settings;
     Options options = with_renamed(settings);
-    read(options, "[rockfall]\n\nfriction = 0.7\n");
+    read_plain(options, "[rockfall]\n\nfriction = 0.7\n");
     EXPECT_EQ(settings.friction, 0.7);
     EXPECT_TRUE(options.was_set("picus.rolling_friction"));
     EXPECT_EQ(options.place_of("picus.rolling_friction").line, 3U);
@@ -118,12 +124,12 @@ TEST(Options, ReadEarlierNamesOfKeysAndSayWhichOnesWereUsed) {
               "run.ini:3:1: rockfall.friction is renamed to picus.rolling_friction; it works as before, but "
               "write the new name");
 
-    read(options, "", {"rockfall.friction=0.6"});
+    read_plain(options, "", {"rockfall.friction=0.6"});
     EXPECT_EQ(settings.friction, 0.6);
     ASSERT_EQ(options.renamings().size(), 1U);
     EXPECT_EQ(options.renamings().front().place.file, "--set rockfall.friction=0.6");
 
-    read(options, "[picus]\nrolling_friction = 0.5\n");
+    read_plain(options, "[picus]\nrolling_friction = 0.5\n");
     EXPECT_TRUE(options.renamings().empty());
     std::ostringstream written;
     options.write_ini(written, false);
@@ -135,7 +141,7 @@ TEST(Options, NameTheNewKeyInMessagesAboutAnEarlierOne) {
         Settings settings;
         Options options = with_renamed(settings);
         try {
-            read(options, text);
+            read_plain(options, text);
         } catch (const InputError& error) {
             return std::string{error.what()};
         }
