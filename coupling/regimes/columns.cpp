@@ -33,7 +33,7 @@ constexpr config::NumberRange years{.low = 0.0, .high = 10'000.0};
 constexpr config::NumberRange pause{.low = 1.0, .high = 10'000.0};
 constexpr config::NumberRange share{.low = 0.0, .high = 1.0};
 constexpr config::NumberRange some_share{.low = 0.0, .high = 1.0, .low_excluded = true};
-constexpr config::NumberRange some_m{.low = 0.0, .high = 1000.0, .low_excluded = true};
+constexpr config::NumberRange some_m{.low = 1.0, .high = 1000.0};
 
 constexpr std::string_view practice = "practice [lit*]";
 constexpr std::string_view choice = "[choice]";

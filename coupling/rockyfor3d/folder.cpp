@@ -208,6 +208,29 @@ void check_cells(const Folder& folder, Reader& reader) {
     }
 }
 
+/// Diameters scatter around their mean by less than a multiple of it: a smaller mean cannot be meant.
+void check_diameters(const Folder& folder, Reader& reader) {
+    constexpr double most_of_mean = 5.0;
+    const std::vector<double>& means_cm = folder.mean_dbh_cm->values;
+    std::size_t faults = 0;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < means_cm.size(); ++i) {
+        if (means_cm[i] > 0.0 && folder.dbh_deviation_cm->values[i] > most_of_mean * means_cm[i]) {
+            first = faults++ == 0 ? i : first;
+        }
+    }
+    if (faults > 0) {
+        const config::Cell cell = folder.mean_dbh_cm->frame.cell_of(first);
+        reader.problems().add(
+            ExitCode::data, {.file = reader.path_of("dbhstd.asc").string()},
+            joined(std::to_string(faults), " cells with a deviation above five times the mean, such as ",
+                   config::to_text(folder.dbh_deviation_cm->values[first]), " cm around ",
+                   config::to_text(means_cm[first]), " cm in row ", std::to_string(cell.row + 1), ", column ",
+                   std::to_string(cell.column + 1)),
+            "diameters of trees in cm in both rasters", "check whether dbhmean and dbhstd were swapped");
+    }
+}
+
 void read_forest(Folder& folder, Reader& reader) {
     if (reader.has("treefile.txt")) {
         folder.trees = reader.tree_file("treefile.txt");
@@ -220,6 +243,7 @@ void read_forest(Folder& folder, Reader& reader) {
         folder.stems_pha = reader.on(folder.dem, "nrtrees.asc", {.low = 0.0, .high = 10'000.0});
         folder.mean_dbh_cm = reader.on(folder.dem, "dbhmean.asc", {.low = 0.0, .high = 250.0});
         folder.dbh_deviation_cm = reader.on(folder.dem, "dbhstd.asc", {.low = 0.0, .high = 250.0});
+        check_diameters(folder, reader);
     }
     if (reader.has("conif_percent.asc")) {
         folder.conifer_percent = reader.on(folder.dem, "conif_percent.asc", {.low = 0.0, .high = 100.0});

@@ -69,7 +69,8 @@ void plant_listed(const Folder& folder, Planter& planter) {
 }
 
 double gamma_dbh_cm(double u, double mean_cm, double deviation_cm) {
-    if (deviation_cm <= 0.0) {
+    constexpr double nothing = 1e-3;  // of the mean; the shape of so narrow a distribution may overflow
+    if (deviation_cm <= nothing * mean_cm) {
         return mean_cm;
     }
     const double shape = (mean_cm / deviation_cm) * (mean_cm / deviation_cm);

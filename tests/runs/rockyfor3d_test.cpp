@@ -239,6 +239,22 @@ TEST(FromRockyfor3d, RefusesRastersThatDoNotLieOnTheDem) {
     EXPECT_FALSE(std::filesystem::exists(project.file("made")));
 }
 
+/// Found by changed inputs: such figures gave the gamma distribution a shape of nothing or without end.
+TEST(FromRockyfor3d, RefusesDiametersThatScatterByMoreThanTheyAre) {
+    const RockyFolder project;
+    project.add_forest_rasters();
+    project.save("dbhmean.asc", Raster<double>{project.frame(), 5e-324});
+    const Outcome made = call(project, "init made --from-rockyfor3d rocky");
+    EXPECT_EQ(made.code, 4);
+    EXPECT_NE(made.err.find("dbhstd.asc: found 4900 cells with a deviation above five times the mean"),
+              std::string::npos)
+        << made.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("made")));
+    project.save("dbhmean.asc", Raster<double>{project.frame(), 30.0});
+    project.save("dbhstd.asc", Raster<double>{project.frame(), 5e-324});
+    EXPECT_EQ(call(project, "init made --from-rockyfor3d rocky --quiet").code, 0);
+}
+
 TEST(FromRockyfor3d, TellsEveryFileThatIsMissingAndEveryValueOutOfRange) {
     const RockyFolder project;
     project.remove("rocky/rg10.asc");

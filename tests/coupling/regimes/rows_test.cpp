@@ -75,16 +75,17 @@ TEST(ReadInterventions, GivesFollowersTheGroundOfTheirRow) {
 TEST(ReadInterventions, NamesEveryProblemWithItsLine) {
     const std::string text = problems_in(
         "treatment,share,where,width_m,angle_deg,target_density,species,plants_pha,colour\n"
-        "thin_bellow,0.2,,,,,,,\n"         // line 2
-        "thin_below,1.2,,,,,,,\n"          // 3
-        "thin_below,,,,,,,,\n"             // 4
-        "thin_density,0.3,,,,0.6,,,\n"     // 5
-        "clear_cut,,strips,,0,,,,\n"       // 6
-        "clear_cut,,,30,,,,,\n"            // 7
-        "plant,,,,,,pica,2000,\n"          // 8
-        "plant,,,,,,piab abal,2000,\n"     // 9
-        "slit_cut,,,,,,,,\n"               // 10
-        "clear_cut,,everywhere,,,,,,\n");  // 11
+        "thin_bellow,0.2,,,,,,,\n"            // line 2
+        "thin_below,1.2,,,,,,,\n"             // 3
+        "thin_below,,,,,,,,\n"                // 4
+        "thin_density,0.3,,,,0.6,,,\n"        // 5
+        "clear_cut,,strips,,0,,,,\n"          // 6
+        "clear_cut,,,30,,,,,\n"               // 7
+        "plant,,,,,,pica,2000,\n"             // 8
+        "plant,,,,,,piab abal,2000,\n"        // 9
+        "slit_cut,,,,,,,,\n"                  // 10
+        "clear_cut,,everywhere,,,,,,\n"       // 11
+        "clear_cut,,strips,5e-324,0,,,,\n");  // 12, strips without number
     for (const std::string expected :
          {"column 'colour'",
           "regime.csv:2:1: found treatment 'thin_bellow', expected 'thin_below'",
@@ -105,7 +106,9 @@ TEST(ReadInterventions, NamesEveryProblemWithItsLine) {
           "regime.csv:10:",
           "'clear_cut' with where = slits",
           "regime.csv:11:",
-          "where 'everywhere', expected one of all, stands, strips, slits, polygons"}) {
+          "where 'everywhere', expected one of all, stands, strips, slits, polygons",
+          "regime.csv:12:",
+          "width_m = '5e-324', expected a number in [1, 1000]"}) {
         EXPECT_NE(text.find(expected), std::string::npos) << expected << "\nnot in\n" << text;
     }
 }
