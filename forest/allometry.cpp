@@ -19,6 +19,10 @@ PartMasses part_masses(const Allometry& allometry, double dbh_cm, double height_
             .coarse_root_kg = at_dbh(allometry.coarse_root, dbh_cm)};
 }
 
+double reported_mass_kg(const Allometry& allometry, double above_ground_kg, double stem_kg) {
+    return above_ground_kg - stem_kg * (1.0 - allometry.basic_density_kgpm3 / allometry.stem_density_kgpm3);
+}
+
 double leaf_area_m2(const Species& species, double dbh_cm, double completeness) {
     return at_dbh(species.allometry.foliage, dbh_cm) * completeness * species.light.sla_m2pkg;
 }

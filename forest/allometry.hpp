@@ -32,6 +32,10 @@ double stem_volume_m3(const Allometry& allometry, double dbh_cm, double height_m
 /// database]. Requires a diameter above 0.
 PartMasses part_masses(const Allometry& allometry, double dbh_cm, double height_m, double completeness);
 
+/// Dry mass above ground as tables report it [kg]: the stem with the basic density of its species instead of
+/// the density that growth uses.
+double reported_mass_kg(const Allometry& allometry, double above_ground_kg, double stem_kg);
+
 /// Projected leaf area of one stem [m2].
 double leaf_area_m2(const Species& species, double dbh_cm, double completeness);
 

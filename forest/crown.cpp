@@ -10,10 +10,12 @@ namespace forest {
 namespace {
 
 constexpr double least_crown_ratio = 0.12;
+/// Trees more slender than any that the law was fitted to count as this one: 100 m/m.
+constexpr double most_slender_m_pcm = 1.0;
 constexpr double base_rise_by_shade =
     0.25;  // share of the usual base, per unit of light ratio below one half
 constexpr double longest_branch_loss_m_pyear = 0.3;
-constexpr double least_completeness = 0.4;
+constexpr double least_completeness = 0.7;
 constexpr double most_completeness = 1.1;
 
 double highest_base_m(double height_m) {
@@ -31,7 +33,8 @@ double crown_diameter_m(const Crown& shape, double dbh_cm, double height_m) {
 
 double usual_crown_base_m(const Crown& shape, double dbh_cm, double height_m) {
     const auto& a = shape.base;
-    const double crown_ratio = config::exp_of(a[0] + a[1] * height_m / dbh_cm + a[2] * dbh_cm);
+    const double slenderness = std::min(height_m / dbh_cm, most_slender_m_pcm);
+    const double crown_ratio = config::exp_of(a[0] + a[1] * slenderness + a[2] * dbh_cm);
     return std::clamp(height_m * (1.0 - crown_ratio), 0.0, highest_base_m(height_m));
 }
 

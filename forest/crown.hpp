@@ -9,7 +9,8 @@ namespace forest {
 /// above 0.
 double crown_diameter_m(const Crown& shape, double dbh_cm, double height_m);
 
-/// Height of the crown's base in a managed forest of usual density [m] (SILVA): [0, 0.88 H].
+/// Height of the crown's base in a managed forest of usual density [m] (SILVA): [0, 0.88 H]. The law holds
+/// for slenderness H / D up to 100 m/m, as its data do; more slender trees have the crown of one of 100.
 double usual_crown_base_m(const Crown& shape, double dbh_cm, double height_m);
 
 /// The crown of a tree of unknown past: of usual length.

@@ -8,6 +8,7 @@
 #include "forest/allometry.hpp"
 #include "forest/crown.hpp"
 #include "forest/height_growth.hpp"
+#include "forest/site_height.hpp"
 
 namespace forest {
 
@@ -98,7 +99,8 @@ std::vector<TreeGrowth> growth_of_trees(const Stand& stand, const SpeciesTable& 
         const double gain_kg = season.npp_kg * (1.0 - season.root_share) * std::sqrt(tree.vitality);
         const double ratio =
             height_diameter_ratio(kind.height_growth, tree.dbh_cm, tree.light_ratio,
-                                  site_height_factor(kind.height_growth, season.degree_days));
+                                  site_height_factor(kind.height_growth, season.degree_days)) *
+            height_room(tree.height_m, season.site_height_m);
         const Increment increment =
             increment_of(kind, {tree.dbh_cm, tree.height_m, tree.crown.completeness}, ratio, gain_kg);
 

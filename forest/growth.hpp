@@ -37,9 +37,11 @@ Increment increment_of(const Species& species, const Size& size, double ratio, d
 
 /// What a tree has got to grow with, per stem.
 struct TreeSeason {
-    double npp_kg = 0.0;          ///< net primary production of the year, >= 0
-    double root_share = 0.0;      ///< share of it for roots [0, 1)
-    double degree_days = 0.0;     ///< above 5.5 degC, of the year
+    double npp_kg = 0.0;       ///< net primary production of the year, >= 0
+    double root_share = 0.0;   ///< share of it for roots [0, 1)
+    double degree_days = 0.0;  ///< above 5.5 degC, of the year
+    double site_height_m =
+        0.0;  ///< > 0, greatest height of its species at the place (forest/site_height.hpp)
     double shaded_below_m = 0.0;  ///< height below which leaves of its species get too little light
 };
 

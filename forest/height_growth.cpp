@@ -8,7 +8,9 @@ namespace forest {
 
 namespace {
 
-constexpr double tallest_site_factor = 1.31;
+constexpr double tallest_site_factor = 1.37;
+/// Thinner trees count as this one: the laws of iLand begin at trees of 4 m.
+constexpr double thinnest_cm = 4.0;
 
 }  // namespace
 
@@ -17,7 +19,7 @@ double site_height_factor(const HeightGrowth& law, double degree_days) {
 }
 
 double height_diameter_ratio(const HeightGrowth& law, double dbh_cm, double light_ratio, double site_factor) {
-    const double log2_dbh = config::log2_of(dbh_cm);
+    const double log2_dbh = config::log2_of(std::max(dbh_cm, thinnest_cm));
     const double low = law.ratio_low.factor * config::exp2_of(law.ratio_low.exponent * log2_dbh);
     const double high = law.ratio_high.factor * config::exp2_of(law.ratio_high.exponent * log2_dbh);
     return std::max(0.0, site_factor * (high - (high - low) * light_ratio));

@@ -4,7 +4,7 @@
 
 namespace forest {
 
-/// Factor of the site on tree height at a given diameter [-]: 1.31 (1 - exp(-GDD / tau)), degree-days
+/// Factor of the site on tree height at a given diameter [-]: 1.37 (1 - exp(-GDD / tau)), degree-days
 /// above 5.5 degC [choice, calibrated on Guttenberg's spruce yield tables].
 double site_height_factor(const HeightGrowth& law, double degree_days);
 

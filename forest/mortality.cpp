@@ -8,22 +8,20 @@
 
 namespace forest {
 
-double background_death(const Mortality& species, double age_years, AgeLaw law) {
-    if (law == AgeLaw::gap_model) {
-        return 1.0 - config::pow_of(species.lucky_share, 1.0 / species.max_age_years);
+double background_death(const Species& species, double dbh_cm, double age_years, const MortalityLaw& law,
+                        bool storms) {
+    if (law.age == AgeLaw::gap_model) {
+        return 1.0 - config::pow_of(species.mortality.lucky_share, 1.0 / species.mortality.max_age_years);
     }
-    constexpr double without_cause = 0.0015;
-    constexpr double old_age = 0.75;  // of the greatest age
-    const double scale_years = old_age * species.max_age_years;
-    const double share = age_years / scale_years;
-    return std::min(1.0, without_cause + 4.0 / scale_years * share * share * share);
+    return canopy_death(species, dbh_cm, age_years, law.canopy, storms);
 }
 
 double stress_death(const Light& species, const MortalityLaw& law) {
     return std::min(1.0, law.stress_death + law.stress_death_by_class * (species.response_class - 1.0));
 }
 
-std::vector<std::uint16_t> stress_years_after(const Stand& stand, const MortalityLaw& law,
+std::vector<std::uint16_t> stress_years_after(const Stand& stand, const SpeciesTable& species,
+                                              const MortalityLaw& law,
                                               std::span<const std::uint32_t> production_unit,
                                               std::size_t units) {
     struct Sum {
@@ -46,8 +44,11 @@ std::vector<std::uint16_t> stress_years_after(const Stand& stand, const Mortalit
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const Sum& sum = sums[place_of(i)];
         const double growth_cm = trees[i].increments_cm[0];
-        const bool bad = growth_cm < law.least_growth_cm ||
-                         growth_cm < law.least_relative_growth * sum.growth_cm / sum.stems;
+        const double least_share =
+            law.least_relative_growth +
+            law.least_relative_growth_by_class * (species[trees[i].species].light.response_class - 1.0);
+        const bool bad =
+            growth_cm < law.least_growth_cm || growth_cm < least_share * sum.growth_cm / sum.stems;
         constexpr int most = 60'000;
         years[i] =
             bad ? static_cast<std::uint16_t>(std::min(trees[i].stress_years + 1, most)) : std::uint16_t{0};
@@ -56,12 +57,14 @@ std::vector<std::uint16_t> stress_years_after(const Stand& stand, const Mortalit
 }
 
 std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& species, const MortalityLaw& law,
-                                    std::uint64_t seed, std::uint32_t replicate) {
+                                    bool storms, std::uint64_t seed, std::uint32_t replicate) {
     std::vector<Removal> deaths;
-    for (const Tree& tree : stand.trees()) {
+    std::vector<std::size_t> fallen;
+    for (std::size_t i = 0; i < stand.trees().size(); ++i) {
+        const Tree& tree = stand.trees()[i];
         const Species& kind = species[tree.species];
         const double of_age =
-            law.background ? background_death(kind.mortality, tree.age_years, law.age) : 0.0;
+            law.background ? background_death(kind, tree.dbh_cm, tree.age_years, law, storms) : 0.0;
         const double of_stress =
             law.stress && tree.stress_years >= law.bad_years ? stress_death(kind.light, law) : 0.0;
         config::RandomStream stream{
@@ -76,11 +79,16 @@ std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& spec
         }
         if (die_of_age > 0) {
             deaths.push_back({tree.id, Cause::background, die_of_age});
+            if (tree.dbh_cm > falls_with_others_cm) {
+                fallen.push_back(i);
+            }
         }
         if (die_of_stress > 0) {
             deaths.push_back({tree.id, Cause::stress, die_of_stress});
         }
     }
+    const std::vector<Removal> taken = taken_along(stand, fallen, seed, replicate);
+    deaths.insert(deaths.end(), taken.begin(), taken.end());
     return deaths;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "forest/canopy_deaths.hpp"
 #include "forest/species.hpp"
 #include "forest/stand.hpp"
 
@@ -11,40 +12,46 @@ namespace forest {
 
 /// How background deaths depend on age.
 enum class AgeLaw : std::uint8_t {
-    small_and_rising,  ///< 0.15 % a year and a hazard that rises with the cube of age [choice]: disturbances
-                       ///< are explicit
+    rising,     ///< with size and with the cube of age (forest/canopy_deaths.hpp)
     gap_model,  ///< the same chance at any age, such that few reach the greatest age (JABOWA, ForClim, iLand)
 };
 
 /// Deaths by age and by stress.
 struct MortalityLaw {
-    AgeLaw age = AgeLaw::small_and_rising;
+    AgeLaw age = AgeLaw::rising;
+    CanopyDeaths canopy;
     double least_growth_cm = 0.03;  ///< diameter growth below which a year is bad
     double least_relative_growth =
-        0.1;                      ///< the same, relative to the mean of its species in the production unit
+        0.1;  ///< the same, relative to the mean of its species in the production unit, most tolerant species
+    double least_relative_growth_by_class =
+        0.01;                     ///< added to it with each step of the light-response class (1-9) [choice]
     std::uint64_t bad_years = 3;  ///< in a row, after which a tree may die of it
-    double stress_death = 0.02;   ///< probability a year then, most tolerant species [choice]
+    double stress_death = 0.04;   ///< probability a year then, most tolerant species [choice]
     double stress_death_by_class =
         0.015;               ///< added to it with each step of the light-response class (1-9) [choice]
     bool background = true;  ///< whether trees die of age
     bool stress = true;      ///< whether trees die of stress
 };
 
-/// Probability to die of age within a year [0, 1].
-double background_death(const Mortality& species, double age_years, AgeLaw law);
+/// Probability to die of age or size within a year [0, 1]. `storms`: whether they are simulated.
+double background_death(const Species& species, double dbh_cm, double age_years, const MortalityLaw& law,
+                        bool storms);
 
 /// Probability to die of stress within a year, after `bad_years` in a row [0, 1].
 double stress_death(const Light& species, const MortalityLaw& law);
 
 /// Bad years in a row of every tree after a year's growth. `production_unit` names the unit of each tree,
-/// from 0 to `units` - 1: in it a tree is compared with its own species.
-std::vector<std::uint16_t> stress_years_after(const Stand& stand, const MortalityLaw& law,
+/// from 0 to `units` - 1: in it a tree is compared with its own species. Light-demanding species are stressed
+/// at a greater share of the mean growth.
+std::vector<std::uint16_t> stress_years_after(const Stand& stand, const SpeciesTable& species,
+                                              const MortalityLaw& law,
                                               std::span<const std::uint32_t> production_unit,
                                               std::size_t units);
 
-/// Deaths by age and by stress in the stand's current year. One random number a stem decides, keyed by tree
-/// and year.
+/// Deaths by age and size and by stress in the stand's current year, with the neighbours that thick trees
+/// take along. One random number a stem decides, keyed by tree and year. `storms`: whether they are
+/// simulated.
 std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& species, const MortalityLaw& law,
-                                    std::uint64_t seed, std::uint32_t replicate);
+                                    bool storms, std::uint64_t seed, std::uint32_t replicate);
 
 }  // namespace forest

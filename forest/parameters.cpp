@@ -5,11 +5,24 @@ namespace forest {
 namespace {
 
 void declare_mortality(config::Options& options, MortalityLaw& law) {
-    options.choice(
-        "forest.age_deaths", law.age,
-        {{"rising", AgeLaw::small_and_rising}, {"gap_model", AgeLaw::gap_model}},
-        {.meaning = "deaths by age: 0.15 % a year and rising with age, or the constant rate of gap models",
-         .source = "choice; JABOWA, ForClim, iLand"});
+    options.choice("forest.age_deaths", law.age,
+                   {{"rising", AgeLaw::rising}, {"gap_model", AgeLaw::gap_model}},
+                   {.meaning = "deaths by age: rising with size and age, or the constant rate of gap models",
+                    .source = "choice; JABOWA, ForClim, iLand"});
+    options.number("forest.canopy_death", law.canopy.at_any_size,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.1,
+                    .meaning = "probability of a tree of any size to die in a year; with storms half of it",
+                    .source = "choice"});
+    options.number(
+        "forest.canopy_death_by_size", law.canopy.by_size,
+        {.unit = "-",
+         .low = 0.0,
+         .high = 0.5,
+         .meaning = "added to it at a diameter of 1 m, falling with its sixth power, conifers; "
+                    "broadleaves 1.5 times; with storms half of it",
+         .source = "choice; Holzwarth et al. 2013"});
     options.flag("forest.background_deaths", law.background,
                  {.meaning = "trees die of age", .source = "choice"});
     options.flag("forest.stress_deaths", law.stress,
@@ -28,6 +41,12 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
          .meaning =
              "a year with less than this share of the mean growth of its species nearby counts as bad, too",
          .source = "Bugmann 1994"});
+    options.number("forest.stress_relative_growth_by_class", law.least_relative_growth_by_class,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.1,
+                    .meaning = "added to that share with each step of the light-response class, 1 to 9",
+                    .source = "choice"});
     options.count("forest.stress_years", law.bad_years,
                   {.unit = "years",
                    .low = 1.0,

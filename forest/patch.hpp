@@ -52,6 +52,8 @@ struct PatchState {
     double june_sun_hours = 0.0;  ///< hours a day of direct sun reaching the ground in June
     double drought_index = 0.0;  ///< [0, 1], share of the year's water demand that was not met; 0 = never dry
     double water_modifier = 1.0;     ///< [0, 1], mean soil-water modifier of the last growing season
+    double usual_degree_days = 0.0;  ///< >= 0, above 5.5 degC, mean of the last 30 years or so
+    std::uint16_t warmth_years = 0;  ///< that this mean is made of
     std::uint16_t open_years = 0;    ///< years in a row with ground light above 0.3
     std::uint16_t fenced_years = 0;  ///< for which a fence still keeps deer out
     float herb_cover = 0.0F;         ///< [0, 1]

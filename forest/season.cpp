@@ -9,6 +9,7 @@
 #include "forest/climate/summary.hpp"
 #include "forest/production/calendar.hpp"
 #include "forest/production/day_length.hpp"
+#include "forest/site_height.hpp"
 
 namespace forest {
 
@@ -254,6 +255,10 @@ Season compute_season(const Stand& stand, const Site& site, const SpeciesTable& 
         } else {
             state = patch_without_limits(state, water[site.production_unit_of(patch)]);
         }
+        const UsualWarmth usual =
+            after_year({state.usual_degree_days, state.warmth_years}, season.degree_days[unit]);
+        state.usual_degree_days = usual.degree_days;
+        state.warmth_years = static_cast<std::uint16_t>(usual.years);
         state.ground_light = std::clamp(static_cast<double>(light.ground_light[column]), 0.0, 1.0);
         state.june_sun_hours = static_cast<double>(light.june_sun_hours[column]);
         season.patches.push_back(state);

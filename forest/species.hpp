@@ -94,7 +94,13 @@ struct NutritionCurve {
     double power = 0.0;    ///< of (1 - fertility) [-]
 };
 
-/// Decline with age.
+/// Loss of vigour of tall and old trees: 1 / (1 + (x / half)^power) (form of iLand).
+struct Vigour {
+    double half = 0.0;   ///< share of height and life spent at which production has halved [-]
+    double power = 0.0;  ///< how suddenly [-]
+};
+
+/// Decline with age, of a plain 3-PG stand; trees lose vigour instead.
 struct AgeCurve {
     double max_years = 0.0;
     double power = 0.0;          ///< of relative age [-]
@@ -245,6 +251,11 @@ struct Deadwood {
     double log_decay_pyear = 0.0;  ///< at 10 degC [Herrmann et al. 2015]
 };
 
+/// What a stand put in from records does not say.
+struct Records {
+    double dbh_growth_cm_pyear = 0.0;  ///< usual diameter growth, for missing ages
+};
+
 /// All of one species.
 struct Species {
     std::string code;         ///< such as "abal"
@@ -257,6 +268,7 @@ struct Species {
     Crown crown;
     Light light;
     ThreePg three_pg;
+    Vigour vigour;
     Response response;
     Seeds seeds;
     Establishment establishment;
@@ -266,6 +278,7 @@ struct Species {
     Beetle beetle;
     Wounds wounds;
     Deadwood deadwood;
+    Records records;
     std::string source;
 };
 

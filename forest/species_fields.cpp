@@ -89,6 +89,9 @@ constexpr NumberField numbers[] = {
     {"pg_aV", "-", {0, 1}, AT(three_pg.volume_factor)},
     {"pg_nVB", "-", {0, 5}, AT(three_pg.volume_dbh_power)},
     {"pg_nVH", "-", {0, 5}, AT(three_pg.volume_height_power)},
+    // vigour
+    {"vigour_half", "-", {0, 10, above}, AT(vigour.half)},
+    {"vigour_power", "-", {0.1, 20}, AT(vigour.power)},
     // response
     {"k_npp", "-", {0, 5, above}, AT(response.npp_multiplier)},
     {"psi_min", "MPa", {-10, 0}, AT(response.min_potential_mpa)},
@@ -145,6 +148,8 @@ constexpr NumberField numbers[] = {
     {"snag_ksw", "yr-1", {0, 1, above}, AT(deadwood.snag_decay_pyear)},
     {"snag_half_life", "yr", {0, 500, above}, AT(deadwood.snag_half_life_years)},
     {"log_k10", "yr-1", {0, 1, above}, AT(deadwood.log_decay_pyear)},
+    // records
+    {"usual_dbh_growth", "cm_yr-1", {0.01, 3}, AT(records.dbh_growth_cm_pyear)},
 };
 
 constexpr WholeField wholes[] = {

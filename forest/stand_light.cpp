@@ -3,25 +3,26 @@
 #include <algorithm>
 #include <cassert>
 
-#include "config/math/elementary.hpp"
 #include "forest/layer_light.hpp"
+#include "forest/leaf_clumping.hpp"
 #include "forest/light_profile.hpp"
 
 namespace forest {
 
 namespace {
 
-/// Mean light in the shade of leaves of optical depth t (light/light.hpp).
-double own_shade(double t) {
-    return t < 1e-4 ? 1.0 - 0.5 * t : (1.0 - config::exp_of(-std::min(t, 80.0))) / t;
-}
-
 double without_shade_of_group(double ratio, const Tree& tree, const Species& kind) {
     if (tree.stems == 1) {
         return ratio;
     }
     const double depth = kind.light.extinction * tree.crown.leaf_area_m2 / patch_area_m2;
-    return std::min(1.0, ratio * own_shade(tree.stems * depth) / own_shade(depth));
+    return std::min(1.0, ratio * mean_light_within(tree.stems * depth) / mean_light_within(depth));
+}
+
+/// What the leaves of a tree absorb in its crown, relative to what the light model has for its column.
+double clumped(const Tree& tree, const Species& kind, double column_depth) {
+    const double depth = crown_depth(kind.light.extinction, tree.crown.leaf_area_m2, tree.crown.radius_m);
+    return absorption_when_clumped(depth, column_depth);
 }
 
 }  // namespace
@@ -57,9 +58,14 @@ StandLight light_in_stand(const Stand& stand, const SpeciesTable& species, const
         const double of_cells = without_shade_of_group(static_cast<double>(field.light_ratio[i]), tree, kind);
         light.ratios[i] = std::min(1.0, of_cells * within_layers(profiles, tree, kind.crown.shape));
         light.shaded_below_m[i] = profiles.shaded_below_m(tree.patch, kind.light.min_crown);
+        const std::size_t column =
+            stand.grid().frame().index(stand.grid().patches()[index_of(tree.patch)].cell);
+        const float* const below =
+            canopy.leaf_on().of(site.ground().padded(column)) + PrefixSums::nodes_below;
+        const double share = clumped(tree, kind, static_cast<double>(below[canopy.layers_used(column)]));
         for (std::size_t month = 0; month < light.absorbed[i].size(); ++month) {
             light.absorbed[i][month] =
-                static_cast<double>(field.absorbed_mj[i * light.absorbed[i].size() + month]);
+                share * static_cast<double>(field.absorbed_mj[i * light.absorbed[i].size() + month]);
         }
     }
     return light;

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kg_per_t = 1000.0;
 
+double reported_kg(const Tree& tree, const SpeciesTable& species) {
+    return reported_mass_kg(species[tree.species].allometry, tree.above_ground_kg, tree.stem_kg);
+}
+
 /// Mean height of the thickest stems: 100 on a hectare.
 double dominant_height_m(std::span<const Tree> trees, double area_ha) {
     struct Stem {
@@ -64,7 +68,7 @@ StandFigures figures_of(std::span<const Tree> trees, const SpeciesTable& species
         basal_area_height_m3 += basal_area * tree.height_m;
         figures.volume_m3pha +=
             stems_pha * stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m);
-        figures.above_ground_tpha += stems_pha * tree.above_ground_kg / kg_per_t;
+        figures.above_ground_tpha += stems_pha * reported_kg(tree, species) / kg_per_t;
         figures.leaf_area_index += stems_pha * tree.crown.leaf_area_m2 / m2_per_ha;
     }
     if (figures.stems_pha > 0.0) {
@@ -103,7 +107,7 @@ StandYear year_of(const Stand& stand, const SpeciesTable& species, double volume
         loss.stems_pha += stems_pha;
         loss.volume_m3pha +=
             stems_pha * stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m);
-        loss.above_ground_tpha += stems_pha * tree.above_ground_kg / kg_per_t;
+        loss.above_ground_tpha += stems_pha * reported_kg(tree, species) / kg_per_t;
     }
     year.saplings_pha = static_cast<double>(stand.saplings_standing()) / area_ha;
     const SnagsAndLogs& dead = stand.dead_wood();

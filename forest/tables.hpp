@@ -23,7 +23,7 @@ struct StandFigures {
     double stems_pha = 0.0;
     double basal_area_m2pha = 0.0;
     double volume_m3pha = 0.0;       ///< stem wood over bark
-    double above_ground_tpha = 0.0;  ///< dry mass
+    double above_ground_tpha = 0.0;  ///< dry mass, stems with their basic density
     double mean_dbh_cm = 0.0;        ///< quadratic; 0 without trees
     double lorey_height_m = 0.0;     ///< mean weighted by basal area; 0 without trees
     double dominant_height_m =

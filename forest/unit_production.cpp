@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "config/math/elementary.hpp"
 #include "forest/light_response.hpp"
@@ -19,9 +20,17 @@ constexpr double g_per_kg = 1000.0;
 /// What the trees of one species in one unit have in common.
 struct Pool {
     double npp_kg = 0.0;
-    double claims = 0.0;        ///< sum of leaf area * light response * age modifier
-    double leaf_area_m2 = 0.0;  ///< used where no tree has a claim
+    double claims = 0.0;  ///< sum of leaf area * weight of light * vigour
 };
+
+/// How much a leaf in this response to light [0, 1] weighs when the trees of a pool share its production:
+/// trees in the shade make better use of what they get. Fitted to growth under larger trees
+/// (forest_demography).
+double weight_of_light(double response) {
+    constexpr double power = 0.1;
+    constexpr double least_response = 0.1;
+    return config::pow_of(std::max(response, least_response), power);
+}
 
 }  // namespace
 
@@ -53,15 +62,12 @@ YearOfLightUse light_use_of_year(const Species& species, const std::array<MonthC
 
 std::vector<TreeProduction> share_production(std::span<const Tree> trees, const SpeciesTable& species,
                                              std::span<const AbsorbedByMonth> absorbed,
+                                             std::span<const double> vigour,
                                              std::span<const std::uint32_t> unit,
                                              std::span<const YearOfLightUse> light_use) {
-    assert(absorbed.size() == trees.size() && unit.size() == trees.size());
-    struct Claim {
-        double size = 0.0;
-        double leaf_area_m2 = 0.0;
-    };
+    assert(absorbed.size() == trees.size() && vigour.size() == trees.size() && unit.size() == trees.size());
     std::vector<TreeProduction> production(trees.size());
-    std::vector<Claim> claims(trees.size());
+    std::vector<double> claims(trees.size());
     std::vector<Pool> pools(light_use.size());
     const auto pool_of = [&](std::size_t i) { return unit[i] * species.size() + index_of(trees[i].species); };
 
@@ -69,7 +75,7 @@ std::vector<TreeProduction> share_production(std::span<const Tree> trees, const 
         const Tree& tree = trees[i];
         const Species& kind = species[tree.species];
         const YearOfLightUse& use = light_use[pool_of(i)];
-        const double by_age = age_modifier(tree.age_years, kind.three_pg.age);
+        const double prime = vigour[i];
         double npp_g = 0.0;
         double light_mj = 0.0;
         double used_mj = 0.0;
@@ -78,20 +84,16 @@ std::vector<TreeProduction> share_production(std::span<const Tree> trees, const 
             light_mj += absorbed[i][m];
             used_mj += absorbed[i][m] * use.physiology[m];
         }
-        claims[i].leaf_area_m2 = tree.stems * tree.crown.leaf_area_m2;
-        claims[i].size =
-            claims[i].leaf_area_m2 * by_age * light_response(kind.light.response_class, tree.light_ratio);
-        production[i].physiology = light_mj > 0.0 ? by_age * used_mj / light_mj : by_age;
+        claims[i] = tree.stems * tree.crown.leaf_area_m2 * prime *
+                    weight_of_light(light_response(kind.light.response_class, tree.light_ratio));
+        production[i].physiology = light_mj > 0.0 ? prime * used_mj / light_mj : prime;
         Pool& pool = pools[pool_of(i)];
-        pool.npp_kg += by_age * npp_g / g_per_kg;
-        pool.claims += claims[i].size;
-        pool.leaf_area_m2 += claims[i].leaf_area_m2;
+        pool.npp_kg += prime * npp_g / g_per_kg;
+        pool.claims += claims[i];
     }
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const Pool& pool = pools[pool_of(i)];
-        const double share = pool.claims > 0.0         ? claims[i].size / pool.claims
-                             : pool.leaf_area_m2 > 0.0 ? claims[i].leaf_area_m2 / pool.leaf_area_m2
-                                                       : 0.0;
+        const double share = pool.claims > 0.0 ? claims[i] / pool.claims : 0.0;
         production[i].npp_kg = pool.npp_kg * share / trees[i].stems;
     }
     return production;

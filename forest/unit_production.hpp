@@ -41,19 +41,20 @@ using AbsorbedByMonth = std::array<double, 12>;
 /// A tree's share of the production of its unit, per stem.
 struct TreeProduction {
     double npp_kg = 0.0;
-    double physiology = 1.0;  ///< [0, 1], of the year, weighted by absorbed light, its age included
+    double physiology = 1.0;  ///< [0, 1], of the year, weighted by absorbed light, its vigour included
 };
 
 /// Shares the production of each unit and species among its trees.
 ///
 /// A species makes in a unit what its trees absorb times its efficiency, each tree's light discounted by its
-/// age; a tree's part of it is in proportion to leaf area * light response * age modifier, not to the light
-/// it absorbed: shaded leaves use their light worse than that [choice in the spirit of PICUS v1.4]. Where no
-/// tree gets enough light for growth, leaf area alone decides.
+/// vigour; a tree's part of it is in proportion to leaf area * vigour * the light response to the power 0.1
+/// [choice in the spirit of PICUS v1.4; the power after the growth of suppressed trees in inventories].
 ///
-/// `absorbed` and `unit` have one entry a tree, `light_use` one a unit and species (unit by unit).
+/// `absorbed`, `vigour` (forest/vigour.hpp) and `unit` have one entry a tree, `light_use` one a unit and
+/// species (unit by unit).
 std::vector<TreeProduction> share_production(std::span<const Tree> trees, const SpeciesTable& species,
                                              std::span<const AbsorbedByMonth> absorbed,
+                                             std::span<const double> vigour,
                                              std::span<const std::uint32_t> unit,
                                              std::span<const YearOfLightUse> light_use);
 

@@ -1,5 +1,6 @@
 #include "forest/year.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -11,8 +12,10 @@
 #include "forest/production/allocation.hpp"
 #include "forest/regeneration/regeneration.hpp"
 #include "forest/self_thinning.hpp"
+#include "forest/site_height.hpp"
 #include "forest/stand_light.hpp"
 #include "forest/unit_production.hpp"
+#include "forest/vigour.hpp"
 #include "forest/wounds.hpp"
 
 namespace forest {
@@ -51,12 +54,35 @@ std::vector<std::uint32_t> production_units_of(const Stand& stand, const Site& s
     return units;
 }
 
+/// Greatest heights at the place, by site unit and species. Requires the stand to know its usual warmth.
+std::vector<double> site_heights_m(const Stand& stand, const Site& site, const SpeciesTable& species) {
+    std::vector<double> heights_m;
+    heights_m.reserve(site.units().size() * species.size());
+    for (const SiteUnit& unit : site.units()) {
+        const PatchState& any = stand.patch_states()[index_of(unit.patches.front())];
+        for (const Species& kind : species.all()) {
+            heights_m.push_back(site_height_m(kind.height_growth, any.usual_degree_days));
+        }
+    }
+    return heights_m;
+}
+
 /// What every tree has to grow with. Requires the stand to know its light ratios.
 std::vector<TreeSeason> seasons_of(const Stand& stand, const Site& site, const SpeciesTable& species,
                                    const StandLight& light, const Season& season) {
     const std::span<const Tree> trees = stand.trees();
-    const std::vector<TreeProduction> production =
-        share_production(trees, species, light.absorbed, production_units_of(stand, site), season.light_use);
+    const std::vector<double> heights_m = site_heights_m(stand, site, species);
+    const auto greatest_m = [&](const Tree& tree) {
+        return heights_m[site.unit_of(tree.patch) * species.size() + index_of(tree.species)];
+    };
+    std::vector<double> vigours(trees.size());
+    std::transform(trees.begin(), trees.end(), vigours.begin(), [&](const Tree& tree) {
+        const Species& kind = species[tree.species];
+        return vigour(kind.vigour, tree.height_m / greatest_m(tree),
+                      tree.age_years / kind.mortality.max_age_years);
+    });
+    const std::vector<TreeProduction> production = share_production(
+        trees, species, light.absorbed, vigours, production_units_of(stand, site), season.light_use);
     std::vector<TreeSeason> seasons(trees.size());
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const Patch& patch = stand.grid()[trees[i].patch];
@@ -64,6 +90,7 @@ std::vector<TreeSeason> seasons_of(const Stand& stand, const Site& site, const S
                       .root_share = root_share(species[trees[i].species].three_pg.root_share,
                                                production[i].physiology, patch.soil.fertility),
                       .degree_days = season.degree_days[site.unit_of(trees[i].patch)],
+                      .site_height_m = greatest_m(trees[i]),
                       .shaded_below_m = light.shaded_below_m[i]};
     }
     return seasons;
@@ -86,9 +113,11 @@ void grow_trees(Stand& stand, const SpeciesTable& species, std::span<const TreeS
 
 void apply_mortality(Stand& stand, const Site& site, const SpeciesTable& species,
                      const Parameters& parameters, const YearKey& key) {
-    stand.set_stress_years(stress_years_after(stand, parameters.mortality, production_units_of(stand, site),
+    stand.set_stress_years(stress_years_after(stand, species, parameters.mortality,
+                                              production_units_of(stand, site),
                                               site.production_units().size()));
-    stand.remove_trees(natural_deaths(stand, species, parameters.mortality, key.seed, key.replicate));
+    stand.remove_trees(natural_deaths(stand, species, parameters.mortality, parameters.disturbance.wind,
+                                      key.seed, key.replicate));
     stand.remove_trees(wound_deaths(stand, species, key.seed, key.replicate));
     if (parameters.processes.self_thinning) {
         stand.remove_trees(self_thinning(stand, species, site.windows(), key.seed, key.replicate));

@@ -171,8 +171,8 @@ void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& readin
     for (const std::size_t i : start.outside) {
         const forest::ListedTree& tree = list[i];
         const forest::Species& kind = table[tree.species];
-        const double height_m = tree.height_m.value_or(forest::height_by_growth(
-            kind, tree.dbh_cm, forest::site_height_factor(kind.height_growth, degree_days)));
+        const double height_m =
+            tree.height_m.value_or(forest::height_by_growth(kind, tree.dbh_cm, degree_days));
         filled += tree.height_m ? 0U : 1U;
         const double energy =
             site.species.fracture_energy.empty() ? 1.0 : site.species.fracture_energy[rows[i].species];

@@ -26,7 +26,8 @@ const std::vector<std::pair<std::string, CaseKind>>& kinds() {
         {"forest_production", CaseKind::forest_production},
         {"forest_light", CaseKind::forest_light},
         {"forest_yield", CaseKind::forest_yield},
-        {"forest_belts", CaseKind::forest_belts}};
+        {"forest_belts", CaseKind::forest_belts},
+        {"forest_demography", CaseKind::forest_demography}};
     return names;
 }
 

@@ -18,7 +18,8 @@ enum class CaseKind : std::uint8_t {
     forest_production,  ///< the production core against other programs (forest_cases)
     forest_light,       ///< light in a mapped stand against another program
     forest_yield,       ///< plantations against yield tables
-    forest_belts,       ///< succession along an elevation gradient against known belts
+    forest_belts,  ///< forests from bare ground along an elevation gradient against what is known of them
+    forest_demography,  ///< growth and death of trees by size and competition against inventories
 };
 
 /// Whether no rock falls in it.

@@ -29,11 +29,20 @@ double decay_speed(double mean_degc, double wetness) {
     return by_warmth / (1.0 + 30.0 * config::exp_of(-8.5 * wetness));
 }
 
-double decay_speed(const ClimateYear& year) {
+double potential_evapotranspiration_mm(const ClimateYear& year) {
     constexpr double cal_pcm2_per_mjpm2 = 23.885;
+    double sum_mm = 0.0;
+    for (const ClimateMonth& month : year.months) {
+        const double warmth_degc = std::max(month.tave_degc, 0.0);
+        sum_mm +=
+            0.4 * warmth_degc / (warmth_degc + 15.0) * (cal_pcm2_per_mjpm2 * month.radiation_mjpm2 + 50.0);
+    }
+    return sum_mm;
+}
+
+double decay_speed(const ClimateYear& year) {
     double mean_degc = 0.0;
     double rain_mm = 0.0;
-    double demand_mm = 0.0;
     double days_of_year = 0.0;
     for (int month = 1; month <= 12; ++month) {
         const ClimateMonth& climate = year.months[static_cast<std::size_t>(month - 1)];
@@ -41,11 +50,9 @@ double decay_speed(const ClimateYear& year) {
         mean_degc += days * climate.tave_degc;
         days_of_year += days;
         rain_mm += climate.prec_mm;
-        const double warmth_degc = std::max(climate.tave_degc, 0.0);
-        demand_mm +=
-            0.4 * warmth_degc / (warmth_degc + 15.0) * (cal_pcm2_per_mjpm2 * climate.radiation_mjpm2 + 50.0);
     }
     mean_degc /= days_of_year;
+    const double demand_mm = potential_evapotranspiration_mm(year);
     constexpr double plenty = 10.0;
     return decay_speed(mean_degc, demand_mm > 0.0 ? std::min(plenty, rain_mm / demand_mm) : plenty);
 }

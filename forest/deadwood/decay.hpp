@@ -15,6 +15,9 @@ double decay_speed(double mean_degc, double wetness);
 /// in cal/cm2/d (Turc 1961).
 double decay_speed(const ClimateYear& year);
 
+/// Potential evapotranspiration of a year [mm] by that rule.
+double potential_evapotranspiration_mm(const ClimateYear& year);
+
 /// Density after a year relative to before [-]: exp(-rate * speed).
 double yearly_density_left(double rate_pyear, double speed);
 

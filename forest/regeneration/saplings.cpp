@@ -12,6 +12,8 @@ namespace {
 
 constexpr double browsed_from_m = 0.1;
 constexpr double browsed_to_m = 1.3;
+constexpr double height_spread = 0.4;     // of a cohort, each way
+constexpr double usual_odds = 1.0 / 3.0;  // of the odds in the species table, at pressure 1
 constexpr double cut_back_from_m = 0.3;
 constexpr double cut_back_m = 0.1;
 constexpr double cut_back_share = 1.0 / 3.0;
@@ -50,20 +52,26 @@ double potential_height_m(const Saplings& species, double height_m) {
     return species.max_height_m * next * next * next;
 }
 
-double browsing_chance(const Saplings& species, double height_m, double pressure) {
-    if (height_m <= browsed_from_m || height_m >= browsed_to_m) {
+double browsing_chance(const Saplings& species, double pressure) {
+    const double p = species.browsing_probability;
+    const double odds = usual_odds * p * pressure;
+    return odds > 0.0 ? odds / (1.0 - p + odds) : 0.0;
+}
+
+double share_in_reach(double mean_height_m) {
+    if (mean_height_m <= browsed_from_m) {
         return 0.0;
     }
-    const double p = species.browsing_probability;
-    const double odds = p * pressure;
-    return odds > 0.0 ? odds / (1.0 - p + odds) : 0.0;
+    const double least_m = (1.0 - height_spread) * mean_height_m;
+    return std::clamp((browsed_to_m - least_m) / (2.0 * height_spread * mean_height_m), 0.0, 1.0);
 }
 
 SaplingYear year_of_cohort(const Species& species, const Cohort& cohort, const SaplingPlace& place,
                            const config::FourUniforms& chance) {
     const double share = place.environment * light_response(species.light.response_class, place.ground_light);
     const double potential_m = potential_height_m(species.saplings, cohort.height_m) - cohort.height_m;
-    const double browsed = browsing_chance(species.saplings, cohort.height_m, place.deer);
+    const bool found_by_deer = chance[3] < browsing_chance(species.saplings, place.deer);
+    const double browsed = found_by_deer ? share_in_reach(cohort.height_m) : 0.0;
 
     SaplingYear year;
     year.growth.height_m = mean_height_m(cohort, potential_m * share, browsed);

@@ -4,7 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 #include "config/math/elementary.hpp"
 #include "config/random/stream.hpp"
@@ -78,6 +80,14 @@ std::span<const float> SeedKernel::row(int rows) const {
     return std::span{shares_}.subspan(static_cast<std::size_t>(rows + reach_) * width, width);
 }
 
+const SeedKernel& kernel_of(const Seeds& seeds) {
+    using Key = std::tuple<double, double, double>;
+    thread_local std::map<Key, SeedKernel> made;
+    const Key key{seeds.kernel_m, seeds.long_kernel_m, seeds.long_share};
+    const auto found = made.find(key);
+    return found != made.end() ? found->second : made.emplace(key, SeedKernel{seeds}).first->second;
+}
+
 std::vector<double> crops_of_year(const SpeciesTable& species, std::uint64_t seed, std::uint32_t replicate,
                                   int year) {
     std::vector<double> crops;
@@ -149,7 +159,7 @@ SeedRain::SeedRain(const Stand& stand, const SpeciesTable& species, std::span<co
         background_pm2_[s] = in_region ? full_pm2_[s] * outside.share : 0.0;
         const std::vector<float> sources = seed_sources(stand, species, kind);
         if (std::any_of(sources.begin(), sources.end(), [](float source) { return source > 0.0F; })) {
-            by_species_[s] = spread(stand.grid(), sources, SeedKernel{species[kind].seeds});
+            by_species_[s] = spread(stand.grid(), sources, kernel_of(species[kind].seeds));
         }
     }
 }

@@ -32,6 +32,10 @@ private:
     std::vector<float> shares_;
 };
 
+/// The kernel of some seeds. Each thread makes it when it first asks for it and keeps it, as every year asks
+/// for the same ones.
+const SeedKernel& kernel_of(const Seeds& seeds);
+
 /// Crop of each species in a year, relative to that of a seed year: the same over the whole area. A seed year
 /// has the probability 1 / mean interval [iLand].
 std::vector<double> crops_of_year(const SpeciesTable& species, std::uint64_t seed, std::uint32_t replicate,

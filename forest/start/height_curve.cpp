@@ -6,6 +6,9 @@
 
 #include "config/math/elementary.hpp"
 #include "config/units/constants.hpp"
+#include "forest/height_growth.hpp"
+#include "forest/regeneration/saplings.hpp"
+#include "forest/site_height.hpp"
 
 namespace forest {
 
@@ -15,11 +18,6 @@ using config::breast_height_m;
 
 double cube_root(double x) {
     return config::pow_of(x, 1.0 / 3.0);
-}
-
-/// Integral of factor * D^exponent from 0. Requires an exponent above -1.
-double integral(const Power& power, double dbh_cm) {
-    return power.factor / (power.exponent + 1.0) * config::pow_of(dbh_cm, power.exponent + 1.0);
 }
 
 }  // namespace
@@ -74,12 +72,21 @@ HeightFit fit_heights(std::span<const MeasuredHeight> measured) {
     return fit;
 }
 
-double height_by_growth(const Species& species, double dbh_cm, double site_factor) {
+double height_by_growth(const Species& species, double dbh_cm, double degree_days) {
     constexpr double m_per_cm = 0.01;
+    constexpr double usual_light = 0.75;
+    constexpr double recruit_cm = 1.0;
+    constexpr double step_cm = 0.5;
     const HeightGrowth& law = species.height_growth;
-    const double rise_m =
-        0.5 * m_per_cm * site_factor * (integral(law.ratio_low, dbh_cm) + integral(law.ratio_high, dbh_cm));
-    return std::min(breast_height_m + rise_m, law.max_height_m);
+    const double factor = site_height_factor(law, degree_days);
+    const double greatest_m = site_height_m(law, degree_days);
+    double height_m = recruitment_height_m;
+    for (double from_cm = recruit_cm; from_cm < dbh_cm; from_cm += step_cm) {
+        const double width_cm = std::min(step_cm, dbh_cm - from_cm);
+        const double ratio = height_diameter_ratio(law, from_cm + 0.5 * width_cm, usual_light, factor);
+        height_m += m_per_cm * ratio * height_room(height_m, greatest_m) * width_cm;
+    }
+    return std::min(height_m, law.max_height_m);
 }
 
 }  // namespace forest

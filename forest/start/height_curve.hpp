@@ -39,8 +39,10 @@ inline constexpr std::size_t fewest_fitted_trees = 5;
 /// fewer than five trees, or where the best straight line does not rise from above 0.
 HeightFit fit_heights(std::span<const MeasuredHeight> measured);
 
-/// Height of a tree that has grown from nothing to its diameter in half light on a site: where no
-/// height was measured (forest/growth.hpp integrated over diameter), at most the greatest height.
-double height_by_growth(const Species& species, double dbh_cm, double site_factor);
+/// Height of a tree that has grown from a recruit of 1 cm and 2 m to its diameter in three quarters of the
+/// light [choice; the heights of yield tables at a diameter lie near it] at a place with these degree-days
+/// above 5.5 degC: where no height was measured. Height growth by diameter, less what the place's greatest
+/// height leaves (forest/height_growth.hpp, forest/site_height.hpp), summed in steps of 0.5 cm.
+double height_by_growth(const Species& species, double dbh_cm, double degree_days);
 
 }  // namespace forest

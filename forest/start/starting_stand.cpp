@@ -10,21 +10,15 @@
 #include "config/units/constants.hpp"
 #include "forest/allometry.hpp"
 #include "forest/crown.hpp"
-#include "forest/height_growth.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/start/places.hpp"
+#include "forest/start/settled_crowns.hpp"
 
 namespace forest {
 
 namespace {
 
 using config::breast_height_m;
-
-constexpr double usual_growth_cm_pyear = 0.25;
-
-double usual_age_years(const Species& species, double dbh_cm) {
-    return std::min(dbh_cm / usual_growth_cm_pyear, species.mortality.max_age_years);
-}
 
 bool is_plausible(const std::optional<double>& height_m, const Species& species) {
     return height_m && *height_m > breast_height_m && *height_m <= species.height_growth.max_height_m;
@@ -116,6 +110,12 @@ Amount amount_of(const SpeciesRecord& record, double area_ha) {
 
 }  // namespace
 
+double usual_age_years(const Species& species, double dbh_cm) {
+    // Recorded trees are alive and grow: none is taken to be at the end of its life.
+    constexpr double oldest = 0.6;  // of the greatest age
+    return std::min(dbh_cm / species.records.dbh_growth_cm_pyear, oldest * species.mortality.max_age_years);
+}
+
 Tree new_tree(const Species& kind, SpeciesId species, double x_m, double y_m, double dbh_cm, double height_m,
               double age_years) {
     Tree tree;
@@ -157,8 +157,7 @@ StartingTrees trees_from_list(std::span<const ListedTree> list, const PatchGrid&
             ++filled[listed.species];
             const HeightFit& fit = curves.fit_for(listed.species);
             height_m = fit.trees > 0 ? fit.curve.height_m(listed.dbh_cm)
-                                     : height_by_growth(kind, listed.dbh_cm,
-                                                        site_height_factor(kind.height_growth, degree_days));
+                                     : height_by_growth(kind, listed.dbh_cm, degree_days);
             height_m = std::min(height_m, kind.height_growth.max_height_m);
         }
         start.trees.push_back(new_tree(kind, listed.species, listed.x_m, listed.y_m, listed.dbh_cm, height_m,
@@ -194,9 +193,8 @@ std::vector<Tree> trees_from_record(const StandRecord& record, const PatchGrid& 
         assert(missing_in(part).empty());
         const Species& kind = species[part.species];
         const Amount amount = amount_of(part, area_ha);
-        const double site = site_height_factor(kind.height_growth, record.degree_days);
-        const double mean_height_m =
-            part.mean_height_m.value_or(std::max(1.6, height_by_growth(kind, amount.mean_dbh_cm, site)));
+        const double mean_height_m = part.mean_height_m.value_or(
+            std::max(1.6, height_by_growth(kind, amount.mean_dbh_cm, record.degree_days)));
         const HeightCurve curve = curve_through(amount.mean_dbh_cm, mean_height_m);
         const std::vector<double> diameters = stand_diameters_cm(
             record.structure, amount.trees, amount.mean_dbh_cm, kind.height_growth.max_dbh_cm);
@@ -213,6 +211,7 @@ std::vector<Tree> trees_from_record(const StandRecord& record, const PatchGrid& 
         }
         taken.insert(taken.end(), places.begin(), places.end());
     }
+    settle_crowns(trees, species, 10'000.0 * area_ha);
     return trees;
 }
 

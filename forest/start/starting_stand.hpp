@@ -37,10 +37,10 @@ struct StartingTrees {
 /// Trees from a list.
 ///
 /// Missing heights are taken from a height curve fitted to the species' measured ones, else to all measured
-/// ones, else from the law of growth for the site (`degree_days`, a year). Missing ages are diameter / 0.25
-/// cm a year, at most the greatest age [choice]. What was done is reported: heights filled in, by which curve
-/// and with which error; heights of 1.3 m or less and heights beyond the greatest, which are taken as
-/// missing; trees below 1 cm, which are left out; trees on no patch; trees on one spot.
+/// ones, else from the law of growth for the site (`degree_days`, a year). Missing ages are diameter /
+/// usual growth of the species, at most 0.6 of its greatest age [choice]. What was done is reported: heights
+/// filled in, by which curve and with which error; heights of 1.3 m or less and heights beyond the greatest,
+/// which are taken as missing; trees below 1 cm, which are left out; trees on no patch; trees on one spot.
 ///
 /// Requires diameters above 0 and different ids.
 StartingTrees trees_from_list(std::span<const ListedTree> list, const PatchGrid& grid,
@@ -70,10 +70,15 @@ std::string missing_in(const SpeciesRecord& record);
 
 /// Trees with diameters, heights and places of a stand record. Ids count from `first_id`.
 ///
-/// Heights follow a curve through the mean tree. Requires complete records (missing_in).
+/// Heights follow a curve through the mean tree. Crowns are those that trees keep in each other's shade
+/// (settled_crowns.hpp). Requires complete records (missing_in).
 std::vector<Tree> trees_from_record(const StandRecord& record, const PatchGrid& grid,
                                     const SpeciesTable& species, std::uint64_t seed, std::uint32_t replicate,
                                     std::uint64_t first_id);
+
+/// Age of a tree that no record gives: diameter / usual growth of the species, at most 0.6 of its greatest
+/// age [choice].
+double usual_age_years(const Species& species, double dbh_cm);
 
 /// A tree of usual crown in full health. Requires a diameter above 0 and a height above 1.3 m.
 Tree new_tree(const Species& kind, SpeciesId species, double x_m, double y_m, double dbh_cm, double height_m,

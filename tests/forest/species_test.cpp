@@ -48,7 +48,8 @@ TEST(SpeciesTable, ShipsElevenSpecies) {
     EXPECT_EQ(fir.crown.shape, CrownShape::paraboloid);
     EXPECT_DOUBLE_EQ(fir.allometry.foliage.factor, 0.065);
     EXPECT_DOUBLE_EQ(fir.three_pg.quantum_efficiency, 0.0289);
-    EXPECT_DOUBLE_EQ(fir.response.npp_multiplier, 0.66);
+    EXPECT_DOUBLE_EQ(fir.light.sla_m2pkg, 4.25);
+    EXPECT_DOUBLE_EQ(fir.vigour.power, 4.0);
     EXPECT_DOUBLE_EQ(fir.deadwood.log_decay_pyear, 0.035);
 }
 
@@ -99,10 +100,10 @@ TEST(SpeciesTable, NamesAMissingColumn) {
 
 TEST(SpeciesTable, NamesLineColumnAndRangeOfEachBadValue) {
     std::string text = with(",430,400,", ",430,4OO,");
-    text.replace(text.find(",0.472,"), 7, ",4.72,");
+    text.replace(text.find(",430,370,0."), 11, ",430,370,4.");
     EXPECT_EQ(message_of(text),
               "species.csv:9:37: found rho_basic '4OO', expected a number in (100, 1500]\n"
-              "species.csv:10:44: found form_factor '4.72', expected a number in (0, 1]");
+              "species.csv:10:44: found form_factor '4.4931', expected a number in (0, 1]");
 }
 
 TEST(SpeciesTable, RefusesAnotherUnit) {

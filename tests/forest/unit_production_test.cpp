@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "forest/light_response.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::unit_production_test {
@@ -58,7 +62,8 @@ TEST(ShareProduction, GivesOutExactlyWhatTheUnitsMake) {
     }
     double made_kg = 0.0;
     double given_kg = 0.0;
-    const std::vector<TreeProduction> production = share_production(young, table, absorbed, unit, use);
+    const std::vector<TreeProduction> production =
+        share_production(young, table, absorbed, std::vector<double>(300, 1.0), unit, use);
     for (std::size_t i = 0; i < 300; ++i) {
         made_kg += 12.0 * absorbed[i][0] * 0.5 / 1000.0;
         given_kg += young[i].stems * production[i].npp_kg;
@@ -67,7 +72,7 @@ TEST(ShareProduction, GivesOutExactlyWhatTheUnitsMake) {
     EXPECT_NEAR(given_kg, made_kg, 1e-6 * made_kg);
 }
 
-TEST(ShareProduction, FallsBackOnLeavesWhereNobodyHasLight) {
+TEST(ShareProduction, GoesByLeafAreaWhereNobodyHasLight) {
     std::vector<Tree> trees = any_trees(square_of_forest(1), table, 2, 5);
     for (Tree& tree : trees) {
         tree = new_tree(table[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 50.0);
@@ -77,10 +82,42 @@ TEST(ShareProduction, FallsBackOnLeavesWhereNobodyHasLight) {
     absorbed[0].fill(10.0);
     std::vector<YearOfLightUse> use(table.size());
     use[0].npp_gpmj.fill(1.0);
-    const std::vector<TreeProduction> production =
-        share_production(trees, table, absorbed, std::vector<std::uint32_t>(2, 0), use);
+    const std::vector<TreeProduction> production = share_production(
+        trees, table, absorbed, std::vector<double>(2, 1.0), std::vector<std::uint32_t>(2, 0), use);
     EXPECT_GT(production[1].npp_kg, 0.0);
     EXPECT_DOUBLE_EQ(production[0].npp_kg, production[1].npp_kg);
+}
+
+TEST(ShareProduction, GivesAShadedLeafNearlyAsMuchAsALitOne) {
+    std::vector<Tree> trees(2, new_tree(table[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 50.0));
+    trees[0].light_ratio = 1.0;
+    std::vector<AbsorbedByMonth> absorbed(2);
+    absorbed[0].fill(10.0);
+    std::vector<YearOfLightUse> use(table.size());
+    use[0].npp_gpmj.fill(1.0);
+    const std::vector<std::uint32_t> unit(2, 0);
+    const double lit = light_response(table[SpeciesId{0}].light.response_class, 1.0);
+    for (const double light : {0.0, 0.2, 0.5}) {
+        trees[1].light_ratio = light;
+        const double shaded = light_response(table[SpeciesId{0}].light.response_class, light);
+        const auto of = share_production(trees, table, absorbed, std::vector<double>(2, 1.0), unit, use);
+        EXPECT_NEAR(of[1].npp_kg / of[0].npp_kg, std::pow(std::max(shaded, 0.1) / lit, 0.1), 1e-6) << light;
+    }
+}
+
+TEST(ShareProduction, GivesATreeThatHasLostVigourLess) {
+    std::vector<Tree> trees(2, new_tree(table[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 50.0));
+    std::vector<AbsorbedByMonth> absorbed(2);
+    absorbed[0].fill(10.0);
+    absorbed[1].fill(10.0);
+    std::vector<YearOfLightUse> use(table.size());
+    use[0].npp_gpmj.fill(1.0);
+    const std::vector<std::uint32_t> unit(2, 0);
+    const auto both_kg = [](const std::vector<TreeProduction>& of) { return of[0].npp_kg + of[1].npp_kg; };
+    const auto prime = share_production(trees, table, absorbed, std::vector<double>{1.0, 1.0}, unit, use);
+    const auto old = share_production(trees, table, absorbed, std::vector<double>{1.0, 0.5}, unit, use);
+    EXPECT_NEAR(both_kg(old), 0.75 * both_kg(prime), 1e-12) << "the unit makes less";
+    EXPECT_NEAR(old[1].npp_kg, 0.5 * old[0].npp_kg, 1e-12) << "and the old tree gets less of it";
 }
 
 }  // namespace

@@ -39,12 +39,16 @@ TEST(Validate, WritesTheSameFilesOnAnyNumberOfThreads) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
-/// Forests of 10 years instead of 400, plantations at two ages instead of nine.
+/// Forests of 10 years instead of 400 or 600, one tree a cell, the ages that criteria speak of.
 const std::map<std::string, std::string> few_years{
     {"forest_belts",
      " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
      "--set belts.replicates=1"},
-    {"forest_yield", " --set \"yield.ages_years=70, 100\""}};
+    {"forest_old",
+     " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
+     "--set belts.replicates=1"},
+    {"forest_demography", " --set demography.seeds=1 --set demography.years=1"},
+    {"forest_yield", " --set \"yield.ages_years=70, 80, 100, 120, 140\""}};
 
 TEST(Validate, RunsEveryShippedCaseWithFewRocks) {
     const SampleProject project;

@@ -21,7 +21,7 @@ using succession_trial::SuccessionSite;
 using succession_trial::SuccessionState;
 
 struct BeltData {
-    forest::SpeciesTable species = forest::SpeciesTable::shipped();
+    forest::SpeciesTable species;
     succession_trial::SuccessionCase tables;
     std::vector<std::string> published;  ///< of each group: what the literature has
     std::vector<std::string> sources;
@@ -42,8 +42,17 @@ std::string at_words(const SuccessionSite& site) {
 
 void add_figures(Comparison& comparison, const BeltData& data) {
     for (const SuccessionSite& site : data.tables.sites) {
-        comparison.figures.push_back(
-            {joined("biomass_tpha:", site.name), joined("biomass above ground ", at_words(site)), "t/ha"});
+        for (const succession_trial::StandMeasure& measure : succession_trial::stand_measures()) {
+            comparison.figures.push_back({joined(measure.name, ":", site.name),
+                                          joined(measure.label, " ", at_words(site)), measure.unit});
+        }
+        for (const double from_cm : succession_trial::death_class_from_cm) {
+            const std::string cm = std::to_string(std::lround(from_cm));
+            comparison.figures.push_back(
+                {joined("death_rate_from_", cm, "cm:", site.name),
+                 joined("deaths a year of trees from ", cm, " cm on, in their class, ", at_words(site)),
+                 "-"});
+        }
         for (const succession_trial::SpeciesGroup& group : data.tables.groups) {
             if (group.site == site.name) {
                 const std::string of = joined(":", group.name, ":", site.name);
@@ -208,9 +217,47 @@ PlainTable biomass_table(const BeltData& data, const Found& found, const Palette
     return table;
 }
 
-PlainTable group_table(const BeltData& data, const std::map<std::string, double>& values) {
+/// Structure of the stands in the judged years.
+PlainTable structure_table(const BeltData& data, const std::map<std::string, double>& values) {
+    PlainTable table{.caption = "Structure, and deaths in % of the trees of a diameter class a year",
+                     .head = {"elevation, m", "stem wood, m3/ha", "basal area, m2/ha",
+                              "stems above 60 cm, 1/ha", "top height, m", "dead wood, m3/ha",
+                              "deaths from 10 cm", "from 20 cm", "from 40 cm", "from 60 cm"},
+                     .rows = {}};
+    for (const SuccessionSite& site : data.tables.sites) {
+        const auto figure = [&](const char* name, double factor, int decimals) {
+            return fixed(factor * values.at(joined(name, ":", site.name)), decimals);
+        };
+        table.rows.push_back(
+            {std::to_string(std::lround(site.elevation_m)), figure("volume_m3pha", 1.0, 0),
+             figure("basal_area_m2pha", 1.0, 1), figure("stems_60cm_pha", 1.0, 0),
+             figure("top_height_m", 1.0, 1), figure("dead_wood_m3pha", 1.0, 0),
+             figure("death_rate_from_10cm", 100.0, 2), figure("death_rate_from_20cm", 100.0, 2),
+             figure("death_rate_from_40cm", 100.0, 2), figure("death_rate_from_60cm", 100.0, 2)});
+    }
+    return table;
+}
+
+/// Smallest and largest share of a group among the replicates of its site.
+std::string spread_of(const BeltData& data, const Found& found, const succession_trial::SpeciesGroup& group) {
+    double least = 1.0;
+    double most = 0.0;
+    const auto value = joined("share:", group.name, ":", group.site);
+    for (const SuccessionRun& run : found.runs) {
+        if (run.site == group.site) {
+            for (const auto& [name, share] : succession_figures(data.tables, {&run, 1}, data.judged)) {
+                least = name == value ? std::min(least, share) : least;
+                most = name == value ? std::max(most, share) : most;
+            }
+        }
+    }
+    return joined(fixed(least, 2), " to ", fixed(most, 2));
+}
+
+PlainTable group_table(const BeltData& data, const Found& found,
+                       const std::map<std::string, double>& values) {
     PlainTable table{.caption = "What grows there by the literature, and what grew here",
-                     .head = {"elevation, m", "group", "share of the biomass [-]",
+                     .head = {"elevation, m", "group", "share of the biomass [-]", "by replicate [-]",
                               "lead over the greatest other species [-]", "the literature"},
                      .rows = {}};
     for (std::size_t g = 0; g < data.tables.groups.size(); ++g) {
@@ -219,7 +266,7 @@ PlainTable group_table(const BeltData& data, const std::map<std::string, double>
             if (site.name == group.site) {
                 const std::string of = joined(":", group.name, ":", site.name);
                 table.rows.push_back({std::to_string(std::lround(site.elevation_m)), group_words(group.name),
-                                      fixed(values.at(joined("share", of)), 2),
+                                      fixed(values.at(joined("share", of)), 2), spread_of(data, found, group),
                                       fixed(values.at(joined("margin", of)), 2),
                                       joined(data.published[g], " (", data.sources[g], ")")});
             }
@@ -264,7 +311,8 @@ Outcome compare(const BeltData& data, const Work& work) {
     elevation.plots = {over_elevation(data, found, palette, true),
                        over_elevation(data, found, palette, false)};
     outcome.plots = {std::move(elevation), std::move(years)};
-    outcome.tables = {biomass_table(data, found, palette), group_table(data, outcome.values)};
+    outcome.tables = {biomass_table(data, found, palette), structure_table(data, outcome.values),
+                      group_table(data, found, outcome.values)};
     return outcome;
 }
 
@@ -283,6 +331,7 @@ forest::YearWindow judged_years(const BeltSettings& settings) {
 Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
                       const forest::Parameters& parameters) {
     auto data = std::make_shared<BeltData>();
+    data->species = species_of(files);
     const config::Table expected = table_of(files, "expected.csv");
     config::Warnings warnings;
     data->tables = {succession_trial::read_succession_sites(table_of(files, "sites.csv")),

@@ -8,11 +8,13 @@
 #include "config/text/numbers.hpp"
 
 namespace coupling::validation::forest_cases {
+
 namespace {
 
 using config::joined;
 
-/// Whole numbers, each above the one before.
+}  // namespace
+
 std::vector<int> rising(const std::string& key, const std::vector<double>& values) {
     std::vector<int> whole;
     for (const double value : values) {
@@ -29,8 +31,6 @@ std::vector<int> rising(const std::string& key, const std::vector<double>& value
     return whole;
 }
 
-}  // namespace
-
 Figure Comparison::figure(const std::string& name) const {
     for (const Figure& candidate : figures) {
         if (candidate.name == name) {
@@ -41,7 +41,8 @@ Figure Comparison::figure(const std::string& name) const {
 }
 
 void declare(config::Options& options, Settings& settings, CaseKind kind) {
-    if (kind == CaseKind::forest_belts || kind == CaseKind::forest_yield) {
+    if (kind == CaseKind::forest_belts || kind == CaseKind::forest_yield ||
+        kind == CaseKind::forest_demography) {
         forest::declare(options, settings.forest);
     }
     if (kind == CaseKind::forest_belts) {
@@ -62,16 +63,25 @@ void declare(config::Options& options, Settings& settings, CaseKind kind) {
                       {.low = 0.0, .high = 9007199254740992.0, .meaning = "key of all random numbers"});
     }
     if (kind == CaseKind::forest_yield) {
-        options.numbers("yield.ages_years", settings.yield_ages_years,
+        options.numbers("yield.ages_years", settings.yield.ages_years,
                         {.unit = "years",
                          .low = 13.0,
                          .high = 300.0,
                          .meaning = "rising ages at which stands are compared; tables must have them"});
-        options.numbers("yield.drawn_ages_years", settings.yield_drawn_ages_years,
-                        {.unit = "years",
-                         .low = 13.0,
-                         .high = 300.0,
-                         .meaning = "those of them that are drawn over elevation"});
+        options.numbers(
+            "yield.drawn_ages_years", settings.yield.drawn_ages_years,
+            {.unit = "years", .low = 13.0, .high = 300.0, .meaning = "those of them that tables show"});
+        options.flag("yield.twins", settings.yield.twins,
+                     {.meaning = "each stand also grows without thinning, in two kinds of light"});
+    }
+    if (kind == CaseKind::forest_demography) {
+        DemographySettings& demography = settings.demography;
+        options.count("demography.seeds", demography.seeds,
+                      {.low = 1.0, .high = 10'000.0, .meaning = "stands of each cell"});
+        options.count("demography.years", demography.years,
+                      {.unit = "years", .low = 1.0, .high = 100.0, .meaning = "that each stand grows"});
+        options.flag("demography.edges", demography.edges,
+                     {.meaning = "trees also grow at the hot and the cold edge of their range"});
     }
 }
 
@@ -82,9 +92,9 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
         case CaseKind::forest_light:
             return read_light(files);
         case CaseKind::forest_yield:
-            return read_yield(files, rising("yield.ages_years", settings.yield_ages_years),
-                              rising("yield.drawn_ages_years", settings.yield_drawn_ages_years),
-                              settings.forest);
+            return read_yield(files, settings.yield, settings.forest);
+        case CaseKind::forest_demography:
+            return read_demography(files, settings.demography, settings.forest);
         case CaseKind::forest_belts:
             return read_belts(files, settings.belts, settings.forest);
         case CaseKind::slope:
@@ -93,6 +103,12 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
             break;
     }
     throw std::logic_error{"no kind of the forest"};
+}
+
+forest::SpeciesTable species_of(const CaseFiles& files) {
+    constexpr const char* own = "species.csv";
+    return files.has(own) ? forest::SpeciesTable::read(table_of(files, own))
+                          : forest::SpeciesTable::shipped();
 }
 
 config::Table table_of(const CaseFiles& files, const std::string& name) {

@@ -15,6 +15,7 @@
 #include "coupling/validation/plot.hpp"
 #include "coupling/validation/recipe.hpp"
 #include "forest/parameters.hpp"
+#include "forest/species.hpp"
 
 namespace coupling::validation::forest_cases {
 
@@ -65,12 +66,26 @@ struct BeltSettings {
     std::uint64_t seed = 1;
 };
 
+/// At which ages, and in which ways stands grow in forest_yield.
+struct YieldSettings {
+    std::vector<double> ages_years{40, 50, 60, 70, 80, 90, 100, 110, 120, 130, 140};
+    std::vector<double> drawn_ages_years{70, 100};
+    bool twins = true;  ///< whether each stand also grows without thinning
+};
+
+/// Trees and years of forest_demography.
+struct DemographySettings {
+    std::uint64_t seeds = 50;
+    std::uint64_t years = 10;
+    bool edges = true;  ///< whether the hot and the cold edge of each range are grown, too
+};
+
 /// The settings of case.ini beside [case], each for one kind.
 struct Settings {
     BeltSettings belts;
-    std::vector<double> yield_ages_years{40, 50, 60, 70, 80, 90, 100, 110, 120};
-    std::vector<double> yield_drawn_ages_years{70, 100};
-    forest::Parameters forest;  ///< of grow_year in forest_belts and forest_yield
+    YieldSettings yield;
+    DemographySettings demography;
+    forest::Parameters forest;  ///< of grow_year in the kinds that call it
 };
 
 /// Declares the settings that a kind has.
@@ -83,14 +98,22 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
 Comparison read_production(const CaseFiles& files);
 Comparison read_light(const CaseFiles& files);
 /// Stands at rising ages; those drawn over elevation are some of them.
-Comparison read_yield(const CaseFiles& files, const std::vector<int>& ages_years,
-                      const std::vector<int>& drawn_ages_years, const forest::Parameters& parameters);
+Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
+                      const forest::Parameters& parameters);
+Comparison read_demography(const CaseFiles& files, const DemographySettings& settings,
+                           const forest::Parameters& parameters);
 
 Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
                       const forest::Parameters& parameters);
 
 /// A table of the case. Throws InputError (file) where it is missing.
 config::Table table_of(const CaseFiles& files, const std::string& name);
+
+/// The species of a case: species.csv of its folder where it has one, else those shipped.
+forest::SpeciesTable species_of(const CaseFiles& files);
+
+/// Whole numbers of a setting, each above the one before. Throws InputError (settings).
+std::vector<int> rising(const std::string& key, const std::vector<double>& values);
 
 /// Does pieces 0, 1, ... of some work on several threads. Each must write to a place of its own. Throws
 /// Interrupted between pieces.

@@ -8,7 +8,7 @@ namespace forest::saplings_test {
 namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
-constexpr config::FourUniforms nobody_dies = {0.0, 0.0, 0.0, 0.0};
+constexpr config::FourUniforms nobody_dies = {0.0, 0.0, 0.0, 0.999};
 
 const Species& kind(const char* code) {
     return table[*table.find(code)];
@@ -59,34 +59,56 @@ TEST(YearOfCohort, FirGrowsInLightThatStopsSpruceAndLarch) {
     EXPECT_GT(growth_m("piab"), growth_m("lade"));
 }
 
-TEST(BrowsingChance, IsTheSpeciesOwnAtNormalPressureAndRisesInOdds) {
+TEST(BrowsingChance, HasAThirdOfTheSpeciesOddsAtNormalPressureAndRisesInOdds) {
     const Saplings& fir = kind("abal").saplings;
-    EXPECT_EQ(browsing_chance(fir, 0.5, 0.0), 0.0);
-    EXPECT_NEAR(browsing_chance(fir, 0.5, 1.0), fir.browsing_probability, 1e-12);
-    const double p = browsing_chance(fir, 0.5, 3.0);
-    EXPECT_NEAR(p / (1.0 - p), 3.0 * fir.browsing_probability / (1.0 - fir.browsing_probability), 1e-9);
-    EXPECT_EQ(browsing_chance(fir, 0.05, 3.0), 0.0);
-    EXPECT_EQ(browsing_chance(fir, 1.5, 3.0), 0.0);
+    EXPECT_EQ(browsing_chance(fir, 0.0), 0.0);
+    const double own_odds = fir.browsing_probability / (1.0 - fir.browsing_probability);
+    for (const double pressure : {0.3, 1.0, 3.0}) {
+        const double p = browsing_chance(fir, pressure);
+        EXPECT_NEAR(p / (1.0 - p), pressure / 3.0 * own_odds, 1e-9);
+    }
+    EXPECT_NEAR(browsing_chance(fir, 3.0), fir.browsing_probability, 1e-12) << "iLand's, where deer are many";
+    EXPECT_LT(browsing_chance(kind("piab").saplings, 1.0), 0.025);
 }
 
-TEST(YearOfCohort, DeerTakeFirAndRowanFirst) {
-    const auto with_deer = [](const char* code, double pressure) {
-        Cohort cohort{.stems = 100'000, .height_m = 0.2};
-        const SaplingPlace place{.environment = 0.6, .ground_light = 0.6, .deer = pressure};
-        for (int year = 0; year < 15; ++year) {
-            const SaplingYear passed = year_of_cohort(kind(code), cohort, place, nobody_dies);
+TEST(ShareInReach, FallsAsTheTallestEscape) {
+    EXPECT_EQ(share_in_reach(0.05), 0.0) << "below the snow and the herbs";
+    EXPECT_EQ(share_in_reach(0.5), 1.0);
+    EXPECT_EQ(share_in_reach(0.9), 1.0);
+    EXPECT_NEAR(share_in_reach(1.3), 0.5, 1e-12);
+    EXPECT_EQ(share_in_reach(2.2), 0.0);
+}
+
+/// Stems of 2 m or more after some years, of a thousand cohorts of 10; deer find each or not.
+double grown_up(const char* code, double pressure, int years) {
+    double stems = 0.0;
+    for (std::uint64_t id = 0; id < 1000; ++id) {
+        Cohort cohort{.stems = 10, .height_m = 0.3};
+        const SaplingPlace place{.environment = 0.8, .ground_light = 0.5, .deer = pressure};
+        for (int year = 0; year < years && cohort.height_m < recruitment_height_m; ++year) {
+            const config::RandomStream stream{{7, 0, static_cast<std::uint16_t>(year), id},
+                                              config::Purpose::test};
+            const SaplingYear passed = year_of_cohort(kind(code), cohort, place, stream.uniforms_of(0));
             cohort.height_m = passed.growth.height_m;
-            cohort.stems -= passed.browsed + passed.background;
+            cohort.stems -= passed.browsed + passed.background + passed.stressed;
         }
-        return cohort;
-    };
-    for (const char* tasty : {"abal", "soau"}) {
-        EXPECT_GT(with_deer(tasty, 0.0).height_m, 1.3) << tasty;
-        EXPECT_LT(with_deer(tasty, 3.0).height_m, 0.5) << tasty;
-        EXPECT_LT(with_deer(tasty, 3.0).stems, 0.5 * with_deer(tasty, 0.0).stems) << tasty;
+        stems += cohort.height_m >= recruitment_height_m ? cohort.stems : 0.0;
     }
-    EXPECT_GT(with_deer("piab", 3.0).height_m, 1.0);
-    EXPECT_GT(with_deer("piab", 3.0).stems, 0.9 * with_deer("piab", 0.0).stems);
+    return stems / 10'000.0;
+}
+
+TEST(YearOfCohort, UsualBrowsingThinsFirAndDoesNotExterminateIt) {
+    // The chance was applied to the mean height of each cohort, so that no fir ever grew out of reach.
+    const double unbrowsed = grown_up("abal", 0.0, 40);
+    EXPECT_GT(unbrowsed, 0.5);
+    EXPECT_GT(grown_up("abal", 1.0, 40), 0.2 * unbrowsed);
+    EXPECT_LT(grown_up("abal", 1.0, 40), 0.9 * unbrowsed);
+}
+
+TEST(YearOfCohort, HeavyBrowsingTakesFirAndRowanAndLeavesSpruce) {
+    EXPECT_LT(grown_up("abal", 3.0, 30), 0.1 * grown_up("abal", 0.0, 30));
+    EXPECT_LT(grown_up("soau", 3.0, 30), 0.3 * grown_up("soau", 0.0, 30)) << "it grows out of reach sooner";
+    EXPECT_GT(grown_up("piab", 3.0, 40), 0.9 * grown_up("piab", 0.0, 40));
 }
 
 TEST(YearOfCohort, KillsAfterTooManyYearsOfStressAndForgetsThemInAGoodOne) {

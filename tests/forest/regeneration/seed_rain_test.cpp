@@ -12,6 +12,15 @@ namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
 
+TEST(KernelOf, IsMadeOnceForTheSameSeeds) {
+    const Seeds& spruce = table[*table.find("piab")].seeds;
+    const Seeds& beech = table[*table.find("fasy")].seeds;
+    const SeedKernel& first = kernel_of(spruce);
+    EXPECT_NE(&first, &kernel_of(beech));
+    EXPECT_EQ(&first, &kernel_of(spruce)) << "as every year asks for it";
+    EXPECT_EQ(kernel_of(beech).at(1, 2), SeedKernel{beech}.at(1, 2));
+}
+
 TEST(SeedKernel, SharesOutEverySeedOnce) {
     for (const Species& kind : table.all()) {
         const SeedKernel kernel{kind.seeds};

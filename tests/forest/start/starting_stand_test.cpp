@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "forest/mortality.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/start/places.hpp"
 #include "forest/tables.hpp"
@@ -121,6 +122,16 @@ TEST(TreesFromRecord, MeetTheInventory) {
     EXPECT_NEAR(figures[index_of(beech)].mean_dbh_cm, 18.0, 0.1);
     EXPECT_NEAR(figures[index_of(spruce)].lorey_height_m, 24.0, 1.5);
     EXPECT_EQ(number_of(stand.trees()[0].id), 100U);
+}
+
+TEST(UsualAge, IsTheSpeciesOwnAndLeavesATreeSomeLife) {
+    // All species grew 0.25 cm a year: a birch of 40 cm was 160 years old and died within a decade.
+    const Species& birch = table[*table.find("bepe")];
+    const double age_years = usual_age_years(birch, 40.0);
+    EXPECT_LE(age_years, 0.6 * birch.mortality.max_age_years);
+    EXPECT_LT(background_death(birch, 40.0, age_years, {}, false), 0.03);
+    EXPECT_NEAR(usual_age_years(table[spruce], 30.0), 100.0, 1e-9);
+    EXPECT_GT(usual_age_years(table[*table.find("pice")], 30.0), 150.0);
 }
 
 TEST(TreesFromRecord, SaysWhatARecordLacks) {

@@ -1,6 +1,7 @@
 #include "coupling/validation/forest_cases/succession_trial/comparison.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 
@@ -112,6 +113,32 @@ std::vector<double> mean_biomass_tpha(std::span<const SuccessionRun> runs, const
     return sums;
 }
 
+double mean_of(std::span<const SuccessionRun> runs, const std::string& site, YearWindow years,
+               const std::function<double(const SuccessionState&)>& figure) {
+    double sum = 0.0;
+    double states = 0.0;
+    for (const SuccessionRun& run : runs) {
+        for (const SuccessionState& state : run.states) {
+            if (run.site == site && state.year >= years.first && state.year <= years.last) {
+                sum += figure(state);
+                states += 1.0;
+            }
+        }
+    }
+    return states > 0.0 ? sum / states : 0.0;
+}
+
+const std::vector<StandMeasure>& stand_measures() {
+    static const std::vector<StandMeasure> measures{
+        {"biomass_tpha", "biomass above ground", "t/ha", [](const auto& s) { return s.biomass_tpha(); }},
+        {"volume_m3pha", "stem wood", "m3/ha", [](const auto& s) { return s.volume_m3pha; }},
+        {"basal_area_m2pha", "basal area", "m2/ha", [](const auto& s) { return s.basal_area_m2pha(); }},
+        {"stems_60cm_pha", "stems above 60 cm", "1/ha", [](const auto& s) { return s.thick_stems_pha; }},
+        {"top_height_m", "height of the 100 thickest", "m", [](const auto& s) { return s.top_height_m; }},
+        {"dead_wood_m3pha", "dead wood", "m3/ha", [](const auto& s) { return s.dead_wood_m3pha; }}};
+    return measures;
+}
+
 std::vector<std::pair<std::string, double>> succession_figures(const SuccessionCase& data,
                                                                std::span<const SuccessionRun> runs,
                                                                YearWindow years) {
@@ -122,7 +149,18 @@ std::vector<std::pair<std::string, double>> succession_figures(const SuccessionC
             continue;
         }
         const double all = std::accumulate(biomass.begin(), biomass.end(), 0.0);
-        figures.emplace_back("biomass_tpha:" + site.name, all);
+        for (const StandMeasure& measure : stand_measures()) {
+            figures.emplace_back(measure.name + (":" + site.name),
+                                 mean_of(runs, site.name, years, measure.of));
+        }
+        for (std::size_t i = 0; i < death_class_from_cm.size(); ++i) {
+            const auto lived = [i](const SuccessionState& state) { return state.deaths[i].tree_years; };
+            const auto died = [i](const SuccessionState& state) { return state.deaths[i].deaths; };
+            const double tree_years = mean_of(runs, site.name, years, lived);
+            figures.emplace_back(
+                "death_rate_from_" + std::to_string(std::lround(death_class_from_cm[i])) + "cm:" + site.name,
+                tree_years > 0.0 ? mean_of(runs, site.name, years, died) / tree_years : 0.0);
+        }
         for (const SpeciesGroup& group : data.groups) {
             if (group.site == site.name) {
                 const double share = share_of(group, biomass, all);

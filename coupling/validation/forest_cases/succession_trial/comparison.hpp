@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -61,7 +62,22 @@ struct SuccessionRun {
 std::vector<double> mean_biomass_tpha(std::span<const SuccessionRun> runs, const std::string& site,
                                       forest::YearWindow years);
 
-/// The figures that criteria speak of: {"biomass_tpha:e1500", 310.0}; for each group {"share:spruce:e1500",
+/// Mean of a figure over the states of `years` and all replicates of a site; 0 without any.
+double mean_of(std::span<const SuccessionRun> runs, const std::string& site, forest::YearWindow years,
+               const std::function<double(const SuccessionState&)>& figure);
+
+/// A figure of the whole stand, by its name in succession_figures().
+struct StandMeasure {
+    const char* name;
+    const char* label;
+    const char* unit;
+    std::function<double(const SuccessionState&)> of;
+};
+const std::vector<StandMeasure>& stand_measures();
+
+/// The figures that criteria speak of: {"biomass_tpha:e1500", 310.0} and the other measures of the stand;
+/// death_rate_from_10cm, _20cm, _40cm, _60cm (share of trees of that size class that die in a year); for each
+/// group {"share:spruce:e1500",
 /// 0.7}, its part of the biomass, and {"margin:spruce:e1500", 0.6}, its share less that of the greatest
 /// species outside it (above 0: the group leads). 0 without trees. Sites without runs give no figures.
 std::vector<std::pair<std::string, double>> succession_figures(const SuccessionCase& data,

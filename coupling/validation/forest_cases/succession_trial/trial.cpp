@@ -1,6 +1,7 @@
 #include "coupling/validation/forest_cases/succession_trial/trial.hpp"
 
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "coupling/validation/forest_cases/level_forest.hpp"
@@ -11,7 +12,6 @@ namespace coupling::validation::forest_cases::succession_trial {
 namespace {
 
 using forest::ClimateYear;
-using forest::figures_by_species;
 using forest::grow_year;
 using forest::PatchGrid;
 using forest::PatchState;
@@ -22,10 +22,44 @@ using forest::StandFigures;
 using forest::YearKey;
 using forest::YearSequence;
 
+using DeathsBySize = std::array<Deaths, death_class_from_cm.size()>;
+
+/// The class of a diameter; none for trees below the first.
+std::optional<std::size_t> death_class_of(double dbh_cm) {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < death_class_from_cm.size(); ++i) {
+        if (dbh_cm >= death_class_from_cm[i]) {
+            found = i;
+        }
+    }
+    return found;
+}
+
+void count_year(const Stand& stand, DeathsBySize& sizes) {
+    for (const forest::Tree& tree : stand.trees()) {
+        if (const auto size = death_class_of(tree.dbh_cm)) {
+            sizes[*size].tree_years += tree.stems;
+        }
+    }
+    for (const forest::DeadTree& dead : stand.deaths()) {
+        if (const auto size = death_class_of(dead.tree.dbh_cm)) {
+            sizes[*size].tree_years += dead.tree.stems;
+            sizes[*size].deaths += dead.tree.stems;
+        }
+    }
+}
+
 SuccessionState state_of(const Stand& stand, const SpeciesTable& species) {
+    constexpr double thick_cm = 60.0;
     SuccessionState state;
     state.year = stand.year();
-    for (const StandFigures& figures : figures_by_species(stand.trees(), species, stand.grid().area_ha())) {
+    const forest::StandYear year = forest::year_of(stand, species, 0.0);
+    state.top_height_m = year.all.dominant_height_m;
+    state.dead_wood_m3pha = year.snags_m3pha + year.logs_m3pha;
+    for (const forest::Tree& tree : stand.trees()) {
+        state.thick_stems_pha += tree.dbh_cm > thick_cm ? tree.stems / stand.grid().area_ha() : 0.0;
+    }
+    for (const StandFigures& figures : year.by_species) {
         state.species.push_back({.biomass_tpha = figures.above_ground_tpha,
                                  .basal_area_m2pha = figures.basal_area_m2pha,
                                  .stems_pha = figures.stems_pha});
@@ -48,6 +82,14 @@ double SuccessionState::biomass_tpha() const {
     return sum;
 }
 
+double SuccessionState::basal_area_m2pha() const {
+    double sum = 0.0;
+    for (const SpeciesShare& one : species) {
+        sum += one.basal_area_m2pha;
+    }
+    return sum;
+}
+
 std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial, const SpeciesTable& species,
                                              const YearKey& key) {
     assert(trial.side_patches > 0 && trial.interval_years > 0);
@@ -57,13 +99,17 @@ std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial, const
     const YearSequence sequence = YearSequence::drawn(trial.window, key.seed, key.replicate);
 
     std::vector<SuccessionState> states;
+    DeathsBySize deaths{};
     for (int year = 1; year <= trial.years; ++year) {
         const ClimateYear* const climate = trial.climate.find(sequence.source_of(year));
         assert(climate != nullptr);
         const std::vector<ClimateYear> weather(site.units().size(), *climate);
         static_cast<void>(grow_year(stand, site, species, {.units = weather}, trial.parameters, key));
+        count_year(stand, deaths);
         if (year % trial.interval_years == 0 || year == trial.years) {
             states.push_back(state_of(stand, species));
+            states.back().deaths = deaths;
+            deaths = {};
         }
     }
     return states;

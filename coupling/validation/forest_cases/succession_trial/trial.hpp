@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,14 +33,28 @@ struct SpeciesShare {
     double stems_pha = 0.0;  ///< of 1 cm and more
 };
 
+/// Trees by size, for their deaths: from 10, 20, 40 and 60 cm diameter on.
+inline constexpr std::array<double, 4> death_class_from_cm{10.0, 20.0, 40.0, 60.0};
+
+/// Trees that lived and died in some years.
+struct Deaths {
+    double tree_years = 0.0;
+    double deaths = 0.0;
+};
+
 /// A stand in one year of its succession.
 struct SuccessionState {
     int year = 0;                       ///< since bare ground
     std::vector<SpeciesShare> species;  ///< in the order of the table
     double volume_m3pha = 0.0;
-    double ground_light = 1.0;  ///< mean over the patches
+    double thick_stems_pha = 0.0;                             ///< above 60 cm diameter
+    double top_height_m = 0.0;                                ///< of the 100 thickest stems of a hectare
+    double dead_wood_m3pha = 0.0;                             ///< standing and lying
+    double ground_light = 1.0;                                ///< mean over the patches
+    std::array<Deaths, death_class_from_cm.size()> deaths{};  ///< since the state before, by size
 
     [[nodiscard]] double biomass_tpha() const;
+    [[nodiscard]] double basal_area_m2pha() const;
 };
 
 /// The states of a trial, one every interval, the last after its last year. Takes some seconds a hectare and

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace coupling::validation::forest_cases::yield_trial {
 
@@ -29,14 +30,6 @@ void require(const config::Table& table, const std::vector<std::string>& columns
     problems.throw_if_any();
 }
 
-const YieldTableRow* find_row(const YieldCase& data, const YieldSite& site, int age_years) {
-    const auto row = std::find_if(data.rows.begin(), data.rows.end(), [&](const YieldTableRow& candidate) {
-        return candidate.table == site.table && candidate.site_class == site.site_class &&
-               candidate.age_years == age_years;
-    });
-    return row == data.rows.end() ? nullptr : &*row;
-}
-
 const forest::ClimateSeries& climate_of(const YieldCase& data, const YieldSite& site) {
     for (const forest::ClimateSeries& series : data.climates) {
         if (series.elevation_m == site.elevation_m) {
@@ -47,8 +40,16 @@ const forest::ClimateSeries& climate_of(const YieldCase& data, const YieldSite& 
                  "a climate for each elevation of the sites: add its rows with that elev_m");
 }
 
-double mean_height_m(const StandFigures& figures) {
-    return mean_per_lorey_height * figures.lorey_height_m;
+StandAtAge stand_of(const YieldTableRow& row) {
+    return {.age_years = row.age_years,
+            .stems_pha = row.stems_pha,
+            .mean_dbh_cm = row.mean_dbh_cm,
+            .mean_height_m = row.mean_height_m};
+}
+
+bool agrees(double simulated, double published) {
+    constexpr double within = 0.15;
+    return std::abs(simulated / published - 1.0) <= within;
 }
 
 }  // namespace
@@ -93,50 +94,132 @@ std::vector<YieldTableRow> read_yield_rows(const config::Table& table) {
     return rows;
 }
 
-std::vector<YieldComparison> compare_yields(const YieldCase& data, const SpeciesTable& species,
-                                            forest::TreeLight light, const std::vector<int>& ages_years) {
-    std::vector<YieldComparison> comparisons;
-    for (const YieldSite& site : data.sites) {
-        YieldTrial trial;
-        trial.species = site.species;
-        trial.soil.fertility = site.fertility;
-        trial.weather = climate_of(data, site).years;
-        trial.parameters = data.parameters;
-        trial.parameters.processes.light = light;
-        for (const TrialState& state : grow_trial(trial, species, ages_years)) {
-            YieldComparison comparison{site.name, state.age_years, state.figures, {}};
-            const YieldTableRow* const row = find_row(data, site, state.age_years);
-            if (row != nullptr) {
-                comparison.published = *row;
-            } else if (!site.table.empty()) {
-                config::fail(config::ExitCode::data, {},
-                             "no row of table " + config::in_quotes(site.table) + " for site " + site.name +
-                                 " at age " + std::to_string(state.age_years));
-            }
-            comparisons.push_back(comparison);
-        }
-    }
-    return comparisons;
+std::vector<YieldTableRow> rows_of(const YieldCase& data, const YieldSite& site) {
+    std::vector<YieldTableRow> rows;
+    std::copy_if(data.rows.begin(), data.rows.end(), std::back_inserter(rows), [&](const YieldTableRow& row) {
+        return !site.table.empty() && row.table == site.table && row.site_class == site.site_class;
+    });
+    std::sort(rows.begin(), rows.end(),
+              [](const YieldTableRow& a, const YieldTableRow& b) { return a.age_years < b.age_years; });
+    return rows;
 }
 
-std::vector<std::pair<std::string, double>> yield_figures(const std::vector<YieldComparison>& comparisons) {
+std::vector<int> ages_of(const YieldCase& data, const YieldSite& site, const std::vector<int>& ages_years) {
+    if (site.table.empty()) {
+        return ages_years;
+    }
+    const std::vector<YieldTableRow> rows = rows_of(data, site);
+    std::vector<int> ages;
+    std::copy_if(ages_years.begin(), ages_years.end(), std::back_inserter(ages), [&](int age_years) {
+        return !rows.empty() && age_years > rows.front().age_years &&
+               std::any_of(rows.begin(), rows.end(),
+                           [&](const YieldTableRow& row) { return row.age_years == age_years; });
+    });
+    return ages;
+}
+
+SiteYields compare_yields(const YieldCase& data, const YieldSite& site, const SpeciesTable& species,
+                          Treatment treatment, forest::TreeLight light, const std::vector<int>& ages_years) {
+    const std::vector<YieldTableRow> rows = rows_of(data, site);
+    if (rows.empty() && !site.table.empty()) {
+        config::fail(
+            config::ExitCode::data, {},
+            "no row of table " + config::in_quotes(site.table) + " for the class of site " + site.name,
+            "the rows of that class in yield_tables.csv");
+    }
+    YieldTrial trial;
+    trial.species = site.species;
+    trial.soil.fertility = site.fertility;
+    trial.weather = climate_of(data, site).years;
+    trial.parameters = data.parameters;
+    trial.parameters.processes.light = light;
+    if (!rows.empty()) {
+        trial.start = stand_of(rows.front());
+    }
+    if (treatment == Treatment::as_the_table) {
+        for (const YieldTableRow& row : rows) {
+            trial.thinnings.push_back({row.age_years, row.stems_pha});
+        }
+    }
+    const TrialRun run = grow_trial(trial, species, ages_of(data, site, ages_years));
+    SiteYields yields{
+        .ages = {}, .greatest_density = run.greatest_density, .density_at_25cm = run.density_at_25cm};
+    for (const TrialState& state : run.states) {
+        YieldComparison comparison{site.name, state.age_years, state, {}};
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const YieldTableRow& candidate) {
+            return candidate.age_years == state.age_years;
+        });
+        if (row != rows.end()) {
+            comparison.published = *row;
+        }
+        yields.ages.push_back(std::move(comparison));
+    }
+    return yields;
+}
+
+std::vector<std::pair<std::string, double>> yield_figures(const SiteYields& yields) {
     std::vector<std::pair<std::string, double>> figures;
-    for (const YieldComparison& one : comparisons) {
+    for (const YieldComparison& one : yields.ages) {
         const std::string place = ":" + one.site + ":" + std::to_string(one.age_years);
-        const StandFigures& stand = one.simulated;
+        const StandFigures& stand = one.simulated.figures;
         figures.emplace_back("volume_m3pha" + place, stand.volume_m3pha);
         figures.emplace_back("dbh_cm" + place, stand.mean_dbh_cm);
-        figures.emplace_back("height_m" + place, mean_height_m(stand));
+        figures.emplace_back("height_m" + place, one.simulated.mean_height_m);
         figures.emplace_back("stems_pha" + place, stand.stems_pha);
         if (one.published) {
             const YieldTableRow& table = *one.published;
             figures.emplace_back("volume_ratio" + place, stand.volume_m3pha / table.volume_m3pha);
             figures.emplace_back("dbh_ratio" + place, stand.mean_dbh_cm / table.mean_dbh_cm);
-            figures.emplace_back("height_ratio" + place, mean_height_m(stand) / table.mean_height_m);
+            figures.emplace_back("height_ratio" + place, one.simulated.mean_height_m / table.mean_height_m);
             figures.emplace_back("stems_ratio" + place, stand.stems_pha / table.stems_pha);
         }
     }
     return figures;
+}
+
+std::vector<std::pair<std::string, double>> twin_figures(const SiteYields& yields) {
+    std::vector<std::pair<std::string, double>> figures;
+    for (const YieldComparison& one : yields.ages) {
+        const std::string place = ":" + one.site + ":" + std::to_string(one.age_years);
+        const StandFigures& stand = one.simulated.figures;
+        figures.emplace_back("twin_volume_m3pha" + place, stand.volume_m3pha);
+        figures.emplace_back("twin_stems_pha" + place, stand.stems_pha);
+        figures.emplace_back("slenderness" + place, one.simulated.dominant_slenderness);
+        if (one.published) {
+            figures.emplace_back(
+                "top_height_ratio" + place,
+                stand.dominant_height_m / (top_per_mean_height * one.published->mean_height_m));
+        }
+    }
+    if (!yields.ages.empty()) {
+        const std::string& site = yields.ages.front().site;
+        figures.emplace_back("greatest_density:" + site, yields.greatest_density);
+        if (yields.density_at_25cm) {
+            figures.emplace_back("density_at_25cm:" + site, *yields.density_at_25cm);
+        }
+    }
+    return figures;
+}
+
+Agreement& Agreement::operator+=(const Agreement& other) {
+    figures += other.figures;
+    agree += other.agree;
+    return *this;
+}
+
+Agreement agreement_of(const SiteYields& yields, int from_years, int to_years) {
+    Agreement agreement;
+    for (const YieldComparison& one : yields.ages) {
+        if (!one.published || one.age_years < from_years || one.age_years > to_years) {
+            continue;
+        }
+        const YieldTableRow& table = *one.published;
+        agreement.figures += 3;
+        agreement.agree += agrees(one.simulated.figures.volume_m3pha, table.volume_m3pha) ? 1 : 0;
+        agreement.agree += agrees(one.simulated.figures.mean_dbh_cm, table.mean_dbh_cm) ? 1 : 0;
+        agreement.agree += agrees(one.simulated.mean_height_m, table.mean_height_m) ? 1 : 0;
+    }
+    return agreement;
 }
 
 }  // namespace coupling::validation::forest_cases::yield_trial

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "config/data/shipped_tables.hpp"
 #include "coupling/validation/tables.hpp"
 #include "coupling/validation/validate.hpp"
 #include "coupling/validation/verdict.hpp"
@@ -59,7 +60,7 @@ CaseFiles small_yield() {
     files.texts["criteria.csv"] =
         "quantity,low,high,rests_on,rule,cause\nvolume_ratio:piab_1000:50,0.5,2,fitted,,\n"
         "volume_m3pha:abal_500:40,1e6,2e6,independent,meant to be missed,no fir is that thick\n";
-    replace(files.texts["case.ini"], "ages_years = 40, 50, 60, 70, 80, 90, 100, 110, 120",
+    replace(files.texts["case.ini"], "ages_years = 40, 50, 60, 70, 80, 90, 100, 110, 120, 130, 140",
             "ages_years = 40, 50");
     replace(files.texts["case.ini"], "drawn_ages_years = 70, 100", "drawn_ages_years = 50");
     return files;
@@ -137,16 +138,78 @@ TEST(YieldCase, GivesTheSameFiguresOnAnyNumberOfThreads) {
     EXPECT_EQ(figures(1), figures(3));
 }
 
-TEST(YieldCase, AsksForTheTableAtEveryAge) {
+TEST(YieldCase, SharesTheFiguresThatAgree) {
+    const Values values = result_of(small_yield()).variants.front().values;
+    EXPECT_EQ(values.at("share_within:all:to_100").value, values.at("share_within:piab:to_100").value);
+    EXPECT_TRUE(values.contains("top_height_ratio:piab_1000:50"));
+    EXPECT_LE(values.at("greatest_density:piab_1000").value, 1.1);
+}
+
+TEST(YieldCase, GrowsTheSpeciesOfItsOwnFolder) {
     CaseFiles files = small_yield();
-    EXPECT_NE(problem_of(files, {.overrides = {"yield.ages_years=45, 50"},
-                                 .most_rocks = {},
-                                 .profile_text = {},
-                                 .profile_file = {}})
-                  .find("no row of table 'guttenberg_1915' for site piab_1000 at age 45"),
-              std::string::npos);
+    files.texts["species.csv"] = std::string{config::shipped_table("species.csv")};
+    const auto volume = [](const CaseFiles& of) {
+        return result_of(of).variants.front().values.at("volume_m3pha:piab_1000:50").value;
+    };
+    const double as_shipped = volume(files);
+    EXPECT_EQ(as_shipped, volume(small_yield()));
+    std::string& text = files.texts["species.csv"];
+    const std::size_t row = text.find("PIAB");
+    const std::size_t density = text.find(",430,400,", row);
+    ASSERT_NE(density, std::string::npos);
+    text.replace(density, 9, ",230,400,");
+    EXPECT_GT(volume(files), 1.1 * as_shipped) << "light wood makes more volume of the same mass";
+}
+
+TEST(YieldCase, AsksForRowsOfTheTableAndRisingAges) {
+    CaseFiles files = small_yield();
+    files.texts["sites.csv"] =
+        "site,species,elevation_m,fertility,table,class\npiab_1000,piab,1000,0.8,guttenberg_1915,9\n";
+    EXPECT_NE(problem_of(files).find("no row of table 'guttenberg_1915' for site piab_1000"),
+              std::string::npos)
+        << problem_of(files);
+    files = small_yield();
     replace(files.texts["case.ini"], "ages_years = 40, 50", "ages_years = 50, 40");
     EXPECT_NE(problem_of(files).find("yield.ages_years 40"), std::string::npos) << problem_of(files);
+}
+
+/// Two species at their optimum, four stands each, two years.
+CaseFiles small_demography() {
+    CaseFiles files = shipped("forest_demography");
+    files.texts["reference.csv"] =
+        "species,place,degree_days,wetness,dbh_cm,larger_m2pha,growth_mm_pyear,mortality_pyear\n"
+        "abal,2,1823.7,0.446,30,5,8.2,0.0009\nabal,2,1823.7,0.446,30,40,4.3,0.0019\n"
+        "lade,1,2332.4,0.024,15,20,2.6,0.0156\n";
+    files.texts["criteria.csv"] = "quantity,low,high,rests_on,rule\nshare_growth:all:2,0,1,independent,x\n";
+    replace(files.texts["case.ini"], "seeds = 50", "seeds = 4");
+    replace(files.texts["case.ini"], "years = 10", "years = 2");
+    return files;
+}
+
+TEST(DemographyCase, FindsLessGrowthUnderMoreCompetition) {
+    const Values values = result_of(small_demography()).variants.front().values;
+    const double open_mm = 8.2 * values.at("growth_ratio:abal:2:30:5").value;
+    const double crowded_mm = 4.3 * values.at("growth_ratio:abal:2:30:40").value;
+    EXPECT_GT(open_mm, 1.2 * crowded_mm);
+    EXPECT_TRUE(values.contains("mortality_ratio:lade:1:15:20"));
+    EXPECT_TRUE(values.contains("share_mortality:abal:2"));
+}
+
+TEST(DemographyCase, LeavesOutTheEdgesWhereAsked) {
+    CaseChanges changes;
+    changes.overrides = {"demography.edges=no"};
+    const Values values = result_of(small_demography(), changes).variants.front().values;
+    EXPECT_FALSE(values.contains("growth_ratio:lade:1:15:20"));
+}
+
+TEST(DemographyCase, GivesTheSameFiguresOnAnyNumberOfThreads) {
+    const auto figures = [](int threads) {
+        const CaseResult result = result_of(small_demography(), {}, threads);
+        std::ostringstream out;
+        write_figures(out, {&result, 1});
+        return out.str();
+    };
+    EXPECT_EQ(figures(1), figures(3));
 }
 
 /// Two places, a ninth of a hectare, 40 years.

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "forest/species.hpp"
+#include "forest/stand.hpp"
+
+namespace forest {
+
+/// How often trees of the canopy die of what no process here explains.
+struct CanopyDeaths {
+    double at_any_size = 0.0065;  ///< probability a year
+    double by_size = 0.05;        ///< added at a diameter of 1 m; falls with its sixth power, conifers
+    double broadleaves = 1.5;     ///< of it, broadleaves
+    double beside_storms = 0.5;   ///< share of both where storms are simulated: they contain the rest
+};
+
+/// Probability of a tree to die within a year [0, 1]: p0 + p1 (D / 1 m)^6 + 4 / A (age / A)^3, A three
+/// quarters of the greatest age. Gap models have 0.5 to 1 % a year at any size. Inventories show no rise up
+/// to 50 cm (Guyennon et al. 2023); in unmanaged forests giants die more often (Holzwarth et al. 2013): the
+/// sixth power leaves trees below 60 cm alone [choice].
+double canopy_death(const Species& species, double dbh_cm, double age_years, const CanopyDeaths& law,
+                    bool storms);
+
+/// Trees of more than this diameter may take neighbours with them [choice].
+inline constexpr double falls_with_others_cm = 60.0;
+
+/// The neighbours that thick trees take with them when they fall: in a direction that is drawn by the id of
+/// the fallen tree, the nearest three thinner trees of at least 10 cm that stand within 10 m in a strip as
+/// wide as its crown. Together gaps of 100 to 300 m2 open [choice]. `fallen` are places in Stand::trees().
+std::vector<Removal> taken_along(const Stand& stand, std::span<const std::size_t> fallen, std::uint64_t seed,
+                                 std::uint32_t replicate);
+
+}  // namespace forest

@@ -1,0 +1,99 @@
+#include "forest/canopy_deaths.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "tests/forest/small_forest.hpp"
+
+namespace forest::canopy_deaths_test {
+namespace {
+
+const SpeciesTable table = SpeciesTable::shipped();
+const SpeciesId spruce = *table.find("piab");
+const SpeciesId beech = *table.find("fasy");
+constexpr bool storms = true;
+
+TEST(CanopyDeath, RisesWithTheSixthPowerOfTheDiameter) {
+    const CanopyDeaths law;
+    const double thin = canopy_death(table[spruce], 0.0, 0.0, law, !storms);
+    EXPECT_NEAR(thin, law.at_any_size, 1e-12);
+    EXPECT_NEAR(canopy_death(table[spruce], 100.0, 0.0, law, !storms) - thin, law.by_size, 1e-12);
+    EXPECT_NEAR(canopy_death(table[spruce], 50.0, 0.0, law, !storms) - thin, law.by_size / 64.0, 1e-12);
+    EXPECT_NEAR(canopy_death(table[beech], 100.0, 0.0, law, !storms) - thin, 1.5 * law.by_size, 1e-12);
+}
+
+TEST(CanopyDeath, OfACommonTreeIsThatOfGapModels) {
+    for (const SpeciesId kind : {spruce, beech}) {
+        const double p = canopy_death(table[kind], 50.0, 150.0, {}, !storms);
+        EXPECT_GT(p, 0.004);
+        EXPECT_LT(p, 0.01);
+    }
+}
+
+TEST(CanopyDeath, LeavesRoomForStormsWhereTheyAreSimulated) {
+    const double alone = canopy_death(table[spruce], 60.0, 0.0, {}, !storms);
+    EXPECT_NEAR(canopy_death(table[spruce], 60.0, 0.0, {}, storms), 0.5 * alone, 1e-12);
+}
+
+/// A thick tree with thinner ones at rising distances to the east, and one that is thicker still. Its crown
+/// is 3 m wide to each side.
+Stand around_a_giant() {
+    const PatchGrid grid = square_of_forest(3);
+    std::vector<Tree> trees;
+    const auto add = [&](double x_m, double dbh_cm) {
+        Tree tree = new_tree(table[spruce], spruce, x_m, 15.0, dbh_cm, 20.0, 100.0);
+        tree.id = TreeId{trees.size()};
+        trees.push_back(tree);
+    };
+    add(10.0, 80.0);
+    for (const double x_m : {12.0, 14.0, 16.0, 18.0, 21.0}) {
+        add(x_m, 20.0);
+    }
+    add(11.0, 90.0);
+    add(11.5, 8.0);
+    trees.front().crown.radius_m = 3.0;
+    return {grid, table.size(), trees, 2000};
+}
+
+TEST(TakenAlong, AreTheNearestThreeThinnerTreesWhereItFalls) {
+    const Stand stand = around_a_giant();
+    const std::vector<std::size_t> giant{0};
+    constexpr int falls = 4000;
+    std::array<int, 4> numbers{};
+    for (std::uint32_t replicate = 0; replicate < falls; ++replicate) {
+        const std::vector<Removal> taken = taken_along(stand, giant, 1, replicate);
+        ASSERT_LE(taken.size(), 3U);
+        ++numbers[taken.size()];
+        for (std::size_t i = 0; i < taken.size(); ++i) {
+            EXPECT_EQ(number_of(taken[i].tree), i + 1) << "nearest first, none thicker, none below 10 cm";
+        }
+    }
+    // The neighbours stand in a row at 2, 4, 6 and 8 m. A strip of 3 m to each side holds the first in half
+    // of all directions, and one at a distance d above 3 m where its angle is below asin(3 / d).
+    const auto share_of = [](double distance_m) {
+        return distance_m <= 3.0 ? 0.5 : std::asin(3.0 / distance_m) / std::numbers::pi;
+    };
+    const std::array<double, 4> shares = {1.0 - share_of(2.0), share_of(2.0) - share_of(4.0),
+                                          share_of(4.0) - share_of(6.0), share_of(6.0)};
+    for (std::size_t number = 0; number < 4; ++number) {
+        const double expected = falls * shares[number];
+        EXPECT_NEAR(numbers[number], expected, 4.0 * std::sqrt(expected)) << number;
+    }
+}
+
+TEST(TakenAlong, NobodyStandsBeyondTenMetres) {
+    const Stand stand = around_a_giant();
+    const std::vector<std::size_t> last{5};
+    for (std::uint32_t replicate = 0; replicate < 100; ++replicate) {
+        for (const Removal& removal : taken_along(stand, last, 1, replicate)) {
+            EXPECT_LT(number_of(removal.tree), 5U);
+        }
+    }
+    EXPECT_TRUE(taken_along(stand, {}, 1, 0).empty());
+}
+
+}  // namespace
+}  // namespace forest::canopy_deaths_test
