@@ -16,10 +16,11 @@ namespace rockfall {
 struct SurfaceType {
     int code = 0;  ///< in the user's surface grid
     std::string label;
-    Restitution restitution;        ///< published coefficients, below the reference speed
-    StopCurve stopping;             ///< probability that a ground impact stops a rock [-]
-    StopCurve rolling_stops_per_m;  ///< rate at which a rolling rock is caught [1/m]
-    std::optional<Soil> soil;       ///< for motion models that take the ground from soils
+    Restitution restitution;         ///< published coefficients, below the reference speed
+    double jump_angle_factor = 1.0;  ///< jump angles on this ground by those of the law [-]
+    StopCurve stopping;              ///< probability that a ground impact stops a rock [-]
+    StopCurve rolling_stops_per_m;   ///< rate at which a rolling rock is caught [1/m]
+    std::optional<Soil> soil;        ///< for motion models that take the ground from soils
 };
 
 /// The ground that rocks fall on.

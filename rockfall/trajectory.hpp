@@ -223,7 +223,8 @@ private:
             return;
         }
         const Plane plane = face_here();
-        if (const auto leaving_mps = now_.motion.lift_off(now_.velocity_mps, plane.normal())) {
+        if (const auto leaving_mps =
+                now_.motion.lift_off(now_.velocity_mps, plane.normal(), surface_here())) {
             now_.velocity_mps = *leaving_mps;
             now_.rolling = false;
             return;

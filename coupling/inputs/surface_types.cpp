@@ -19,6 +19,7 @@ using config::joined;
 using Knots = std::vector<std::pair<double, double>>;
 
 constexpr config::NumberRange restitution_range{.low = 0.0, .high = rockfall::largest_restitution};
+constexpr config::NumberRange angle_factor_range{.low = 0.1, .high = 10.0};
 constexpr config::NumberRange probability_range{.low = 0.0, .high = 1.0};
 constexpr config::NumberRange code_range{.low = 0.0, .high = 1e6};
 constexpr std::size_t most_types = 255;  // the map keeps a byte for each cell, 255 for none
@@ -80,6 +81,8 @@ private:
             value(row, "r_n", restitution_range, like ? &like->type.restitution.normal : nullptr);
         type.restitution.tangential =
             value(row, "r_t", restitution_range, like ? &like->type.restitution.tangential : nullptr);
+        const double usual_angle = like ? like->type.jump_angle_factor : 1.0;
+        type.jump_angle_factor = value(row, "jump_angle_factor", angle_factor_range, &usual_angle);
         read_stopping(row, like, type);
         type.soil = soil_of(row, like);
         return type;
@@ -203,8 +206,10 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     table.require({"code"}, problems);
     problems.throw_if_any();
 
-    doubt_columns(table, {"code", "label", "r_n", "r_t", "p_stop", "rolling_stops_per_m", "like", "soil"},
-                  reading);
+    doubt_columns(
+        table,
+        {"code", "label", "r_n", "r_t", "jump_angle_factor", "p_stop", "rolling_stops_per_m", "like", "soil"},
+        reading);
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const rockfall::ModelDescription& model =
         rockfall::description_of(reading.scenario().rockfall.fall.motion.model);
@@ -258,6 +263,8 @@ std::vector<ShippedSurface> shipped_surfaces() {
         surface.type.label = table.text(row, "label");
         surface.type.restitution = {table.number(row, "r_n", restitution_range, problems).value_or(0.0),
                                     table.number(row, "r_t", restitution_range, problems).value_or(0.0)};
+        surface.type.jump_angle_factor =
+            table.number(row, "jump_angle_factor", angle_factor_range, problems).value_or(1.0);
         surface.type.stopping = curves.at(surface.name).stopping;
         surface.type.rolling_stops_per_m = curves.at(surface.name).rolling_stops_per_m;
         surface.type.soil = named_soil(table, row, "soil", soils, problems);

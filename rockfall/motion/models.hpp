@@ -26,7 +26,7 @@ namespace rockfall {
 ///   touch(velocity, spin, normal, surface, draws) -> Contact   meets the ground
 ///   begin_rolling(speed)                the rock now moves on the ground
 ///   rolling_spin_radps(speed)           its spin there
-///   lift_off(velocity, normal)          the velocity with which it leaves even ground by itself, if it does
+///   lift_off(velocity, normal, surface) the velocity with which it leaves even ground by itself, if it does
 ///   next_piece(terrain, triangle, plane, position, velocity, surface)
 ///                                       moves on: a RollingPiece or one's heir
 ///   caught_on_the_way(surface, piece)   the share of the piece after which the ground catches it, if it does

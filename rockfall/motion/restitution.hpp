@@ -12,7 +12,9 @@ struct Restitution {
 
 /// How the published coefficients are varied.
 struct RestitutionLaw {
-    bool damping = true;             ///< both fall with impact speed, as johnson_damping.hpp says
+    bool damping = true;  ///< both fall with impact speed, as picus/johnson_damping.hpp says
+    /// Speed into the ground that halves the normal coefficient [m/s], see picus/normal_damping.hpp; 0: none.
+    double normal_halved_mps = 0.0;
     double tangential_noise = 0.05;  ///< half width of the uniform noise on the tangential coefficient [-]
 };
 

@@ -1,11 +1,14 @@
 #include "rockfall/terrain/contact_zone.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <numbers>
+#include <optional>
 
+#include "config/units/angle.hpp"
 #include "rockfall/terrain/local_plane.hpp"
 
 namespace rockfall {
@@ -18,17 +21,27 @@ double tricube(double distance_m, double radius_m) {
     return ratio < 1.0 ? rest * rest * rest : 0.0;
 }
 
+/// Faces that differ by more are those of a wall and what it stands on [choice; steeper than any talus].
+/// Planes of both sides differ by less than the faces themselves unless the break runs through the centre.
+const double cosine_of_break = std::cos(config::Angle::from_degrees(25.0).in_radians());
+const double tangent_of_break = std::tan(config::Angle::from_degrees(35.0).in_radians());
+/// A step between two even sides, by the radius of the zone.
+constexpr double highest_step_share = 0.25;
+/// Residual beside a single plane, by the radius, below which no such break can be there: the best plane
+/// through a roof of twice 12.5 degrees lies this much below its ridge.
+constexpr double least_residual_share = 0.07;
+/// The zone shrinks by this factor until it lies on one face.
+constexpr double narrower = 0.7;
+
 /// A cell of the contact zone as seen from its centre.
 struct Neighbour {
-    int columns;           ///< to the east
-    int rows;              ///< to the south
-    std::ptrdiff_t index;  ///< difference of place in the raster
+    int columns;  ///< to the east
+    int rows;     ///< to the south
     double x_m;
     double y_m;
-    double weight;
 };
 
-/// All cells but the centre with a weight.
+/// All cells but the centre within the radius.
 std::vector<Neighbour> neighbours_within(const config::GridFrame& frame, double radius_m) {
     const int columns = static_cast<int>(std::min(radius_m / frame.cell_width_m, 1.0 * frame.columns));
     const int rows = static_cast<int>(std::min(radius_m / frame.cell_height_m, 1.0 * frame.rows));
@@ -37,39 +50,115 @@ std::vector<Neighbour> neighbours_within(const config::GridFrame& frame, double 
         for (int column = -columns; column <= columns; ++column) {
             const double x_m = column * frame.cell_width_m;
             const double y_m = -row * frame.cell_height_m;
-            const double weight = tricube(std::sqrt(x_m * x_m + y_m * y_m), radius_m);
-            if (weight > 0.0 && (column != 0 || row != 0)) {
-                const std::ptrdiff_t index = static_cast<std::ptrdiff_t>(row) * frame.columns + column;
-                neighbours.push_back({column, row, index, x_m, y_m, weight});
+            if (x_m * x_m + y_m * y_m < radius_m * radius_m && (column != 0 || row != 0)) {
+                neighbours.push_back({column, row, x_m, y_m});
             }
         }
     }
     return neighbours;
 }
 
-/// Shift with all neighbours known: their places balance, so the plane's height at the centre is the weighted
-/// mean. NaN if one is missing after all.
-double balanced_shift_m(const double* centre, std::span<const Neighbour> neighbours) {
-    double weights = 1.0;
-    double sum_m = 0.0;
-    for (const Neighbour& neighbour : neighbours) {
-        weights += neighbour.weight;
-        sum_m += neighbour.weight * (centre[neighbour.index] - *centre);
+/// A point as seen from the one whose contact zone it is in, and its distance in plan.
+struct Apart {
+    double x_m;
+    double y_m;
+    double z_m;
+    double distance_m;
+};
+
+/// Whether the ground on the two sides of a line through the centre is that of two faces: planes fitted to
+/// either side differ in their slope, or one lies above the other by a step. `if_few` where the points of a
+/// side fix no plane.
+bool is_broken_along(const Eigen::Vector2d& across, std::span<const Apart> around, double radius_m,
+                     bool if_few) {
+    LocalPlane ahead;
+    LocalPlane behind;
+    for (const Apart& one : around) {
+        const double weight = tricube(one.distance_m, radius_m);
+        const double side_m = across.x() * one.x_m + across.y() * one.y_m;
+        if (weight > 0.0 && std::abs(side_m) > 1e-6 * radius_m) {
+            (side_m > 0.0 ? ahead : behind).add(one.x_m, one.y_m, one.z_m, weight);
+        }
     }
-    return sum_m / weights;
+    const std::optional<Eigen::Vector3d> one = ahead.fit();
+    const std::optional<Eigen::Vector3d> other = behind.fit();
+    if (!one || !other) {
+        return if_few;
+    }
+    const Eigen::Vector3d normal = Eigen::Vector3d{-one->x(), -one->y(), 1.0}.normalized();
+    const Eigen::Vector3d other_normal = Eigen::Vector3d{-other->x(), -other->y(), 1.0}.normalized();
+    return normal.dot(other_normal) < cosine_of_break ||
+           std::abs(one->z() - other->z()) > highest_step_share * radius_m;
 }
 
-double shift_beside_gap_m(const config::Raster<double>& heights, config::Cell centre,
-                          std::span<const Neighbour> neighbours) {
+/// Whether a point lies on another face than the plane: off it by a step, and steeply so as seen from the
+/// centre. Finds a wall that only reaches into the zone.
+bool has_point_off(const Eigen::Vector3d& plane, std::span<const Apart> around, double radius_m) {
+    return std::any_of(around.begin(), around.end(), [&](const Apart& one) {
+        const double off_m = std::abs(one.z_m - plane.z() - plane.x() * one.x_m - plane.y() * one.y_m);
+        return one.distance_m < radius_m &&
+               off_m > std::max(tangent_of_break * one.distance_m, highest_step_share * radius_m);
+    });
+}
+
+bool is_broken(const Eigen::Vector3d& plane, std::span<const Apart> around, double radius_m, bool if_few) {
+    static constexpr double diagonal = std::numbers::sqrt2 / 2.0;
+    static const std::array<Eigen::Vector2d, 4> lines{
+        {{1.0, 0.0}, {0.0, 1.0}, {diagonal, diagonal}, {diagonal, -diagonal}}};
+    return has_point_off(plane, around, radius_m) ||
+           std::any_of(lines.begin(), lines.end(), [&](const Eigen::Vector2d& across) {
+               return is_broken_along(across, around, radius_m, if_few);
+           });
+}
+
+std::optional<Eigen::Vector3d> plane_within(std::span<const Apart> around, double radius_m) {
     LocalPlane plane;
     plane.add(0.0, 0.0, 0.0, 1.0);
+    for (const Apart& one : around) {
+        const double weight = tricube(one.distance_m, radius_m);
+        if (weight > 0.0) {
+            plane.add(one.x_m, one.y_m, one.z_m, weight);
+        }
+    }
+    return plane.fit();
+}
+
+double largest_residual_m(std::span<const Apart> around, const Eigen::Vector3d& plane) {
+    double largest_m = std::abs(plane.z());
+    for (const Apart& one : around) {
+        largest_m =
+            std::max(largest_m, std::abs(one.z_m - plane.z() - plane.x() * one.x_m - plane.y() * one.y_m));
+    }
+    return largest_m;
+}
+
+/// Height of the fitted plane above the centre, within the widest zone that lies on one face.
+double shift_on_one_face_m(std::span<const Apart> around, double radius_m) {
+    std::optional<Eigen::Vector3d> plane = plane_within(around, radius_m);
+    // Two faces that differ by the angle of a break leave at least this much beside a single plane.
+    if (!plane || largest_residual_m(around, *plane) < least_residual_share * radius_m) {
+        return plane ? plane->z() : 0.0;
+    }
+    // The first zone may hold few points because the cells are wide; a narrowed one that does lies at a
+    // break.
+    for (bool narrowed = false; plane && is_broken(*plane, around, radius_m, narrowed); narrowed = true) {
+        radius_m *= narrower;
+        plane = plane_within(around, radius_m);
+    }
+    return plane ? plane->z() : 0.0;
+}
+
+/// The points around a cell; those of missing heights left out.
+void gather(const config::Raster<double>& heights, config::Cell centre, std::span<const Neighbour> neighbours,
+            std::vector<Apart>& around) {
+    around.clear();
     for (const Neighbour& neighbour : neighbours) {
         const config::Cell cell{centre.column + neighbour.columns, centre.row + neighbour.rows};
         if (heights.frame.contains(cell) && std::isfinite(heights.at(cell))) {
-            plane.add(neighbour.x_m, neighbour.y_m, heights.at(cell) - heights.at(centre), neighbour.weight);
+            around.push_back({neighbour.x_m, neighbour.y_m, heights.at(cell) - heights.at(centre),
+                              std::sqrt(neighbour.x_m * neighbour.x_m + neighbour.y_m * neighbour.y_m)});
         }
     }
-    return plane.height_at_centre_m().value_or(0.0);
 }
 
 /// Points sorted into square cells at least as wide as the contact zone, so that it lies within 3 x 3 of
@@ -155,26 +244,14 @@ config::Raster<double> contact_zone(const config::Raster<double>& heights, doubl
     if (moves_nothing(support_radius_m, largest_shift_m)) {
         return felt;
     }
-    const config::GridFrame& frame = heights.frame;
-    const std::vector<Neighbour> neighbours = neighbours_within(frame, support_radius_m);
-    int reach_columns = 0;
-    int reach_rows = 0;
-    for (const Neighbour& neighbour : neighbours) {
-        reach_columns = std::max(reach_columns, neighbour.columns);
-        reach_rows = std::max(reach_rows, neighbour.rows);
-    }
+    const std::vector<Neighbour> neighbours = neighbours_within(heights.frame, support_radius_m);
+    std::vector<Apart> around;
     for (std::size_t i = 0; i < heights.values.size(); ++i) {
-        if (!std::isfinite(heights.values[i])) {
-            continue;
+        if (std::isfinite(heights.values[i])) {
+            gather(heights, heights.frame.cell_of(i), neighbours, around);
+            felt.values[i] +=
+                std::clamp(shift_on_one_face_m(around, support_radius_m), -largest_shift_m, largest_shift_m);
         }
-        const config::Cell cell = frame.cell_of(i);
-        const bool is_inside = frame.contains({cell.column - reach_columns, cell.row - reach_rows}) &&
-                               frame.contains({cell.column + reach_columns, cell.row + reach_rows});
-        double shift_m = is_inside ? balanced_shift_m(&heights.values[i], neighbours) : std::nan("");
-        if (!std::isfinite(shift_m)) {
-            shift_m = shift_beside_gap_m(heights, cell, neighbours);
-        }
-        felt.values[i] += std::clamp(shift_m, -largest_shift_m, largest_shift_m);
     }
     return felt;
 }
@@ -186,20 +263,21 @@ std::vector<Eigen::Vector3d> contact_zone(std::span<const Eigen::Vector3d> point
         return felt;
     }
     const Buckets buckets{points, support_radius_m};
+    std::vector<Apart> around;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!points[i].allFinite()) {
             continue;
         }
-        LocalPlane plane;
+        around.clear();
         buckets.for_each_around(points[i], [&](std::uint32_t other) {
             const Eigen::Vector3d apart_m = points[other] - points[i];
-            const double weight = tricube(apart_m.head<2>().norm(), support_radius_m);
-            if (weight > 0.0) {
-                plane.add(apart_m.x(), apart_m.y(), apart_m.z(), weight);
+            const double distance_m = apart_m.head<2>().norm();
+            if (other != i && distance_m < support_radius_m) {
+                around.push_back({apart_m.x(), apart_m.y(), apart_m.z(), distance_m});
             }
         });
-        const double shift_m = plane.height_at_centre_m().value_or(0.0);
-        felt[i].z() += std::clamp(shift_m, -largest_shift_m, largest_shift_m);
+        felt[i].z() +=
+            std::clamp(shift_on_one_face_m(around, support_radius_m), -largest_shift_m, largest_shift_m);
     }
     return felt;
 }

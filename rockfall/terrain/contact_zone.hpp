@@ -18,6 +18,9 @@ namespace rockfall {
 /// neighbours fix no plane (none within the radius, or all in one line) stays where it is, so a radius up to
 /// the spacing of the points, and 0, return the input.
 ///
+/// No plane is fitted across faces that differ by more than 35 degrees, as at the foot or the edge of a wall:
+/// there the zone shrinks until it lies on one face, and a point right at the break stays.
+///
 /// No point moves by more than `largest_shift_m`, so cliffs and edges higher than that stay about where they
 /// are. Shifts are cut off there, not eased in: a triangulation has a kink at each edge anyway, and easing in
 /// leaves part of the noise behind. A limit of 0 returns the input, infinity sets none.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
 namespace rockfall {
@@ -23,6 +24,15 @@ public:
     /// Height of the plane at the centre; nothing if the points, seen from above, lie in one line or nearly
     /// so.
     [[nodiscard]] std::optional<double> height_at_centre_m() const {
+        const std::optional<Eigen::Vector3d> plane = fit();
+        return plane ? std::optional{plane->z()} : std::nullopt;
+    }
+
+    /// The plane as (dz/dx, dz/dy, height at the centre [m]); nothing where the centre's height is nothing.
+    [[nodiscard]] std::optional<Eigen::Vector3d> fit() const {
+        if (weight_ <= 0.0) {
+            return std::nullopt;
+        }
         const double x_m = x_ / weight_, y_m = y_ / weight_, z_m = z_ / weight_;
         const double xx = xx_ / weight_ - x_m * x_m;
         const double xy = xy_ / weight_ - x_m * y_m;
@@ -34,7 +44,9 @@ public:
         if (!(determinant > flattest * (xx + yy) * (xx + yy))) {
             return std::nullopt;
         }
-        return z_m - ((xz * yy - yz * xy) * x_m + (yz * xx - xz * xy) * y_m) / determinant;
+        const double along_x = (xz * yy - yz * xy) / determinant;
+        const double along_y = (yz * xx - xz * xy) / determinant;
+        return Eigen::Vector3d{along_x, along_y, z_m - (along_x * x_m + along_y * y_m)};
     }
 
 private:

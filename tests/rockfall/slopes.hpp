@@ -61,6 +61,7 @@ inline Slope plane_slope(double slope_deg, Restitution restitution, double stop_
 inline FallLaw deterministic_law() {
     FallLaw law;
     law.motion.of<picus::Model>().noise = picus::NoiseScope::off;
+    law.motion.of<picus::Model>().restitution.normal_halved_mps = 0.0;
     law.motion.of<picus::Model>().jump_angle.scatter = 0.0;
     law.motion.of<picus::Model>().lateral.at_rest = config::Angle{};
     law.motion.of<picus::Model>().lateral.when_fast = config::Angle{};

@@ -8,7 +8,9 @@
 #include "config/random/distributions.hpp"
 #include "config/units/constants.hpp"
 #include "rockfall/motion/hop.hpp"
+#include "rockfall/motion/picus/hop_share.hpp"
 #include "rockfall/motion/picus/johnson_damping.hpp"
+#include "rockfall/motion/picus/normal_damping.hpp"
 #include "rockfall/motion/picus/steep_impact.hpp"
 
 namespace rockfall::picus {
@@ -39,20 +41,67 @@ Contact begin_rolling(const Impact& impact, const Eigen::Vector3d& direction, do
     return {Onward::rolls, speed_mps * direction, speed_mps / rock.radius_m};
 }
 
+double factor_of(const Law& law, double jump_angle_factor) {
+    return law.jump_angle_by_ground ? jump_angle_factor : 1.0;
+}
+
+/// For how many impacts of the published law this one stands.
+double impacts_of(const Contact& contact, const Eigen::Vector3d& normal, const Law& law) {
+    if (contact.onward != Onward::flies || !law.stops_by_hop_length || law.angle == ReboundAngle::geometric) {
+        return 1.0;
+    }
+    return hop_share(contact.velocity_mps, normal,
+                     jump_angle(contact.velocity_mps.squaredNorm(), law.jump_angle));
+}
+
 Eigen::Vector3d velocity_off_ground(const Impact& impact, Restitution restitution, double speed_mps,
                                     const Eigen::Vector3d& direction, const Eigen::Vector3d& normal,
-                                    const Law& law, double angle_draw) {
+                                    const Law& law, double angle_draw, double jump_angle_factor) {
     if (law.angle == ReboundAngle::geometric) {
         return restitution.tangential * impact.along_slope_mps * direction +
                restitution.normal * impact.into_ground_mps * normal;
     }
-    const config::Angle angle = jump_angle(speed_mps * speed_mps, law.jump_angle, angle_draw);
+    const config::Angle angle =
+        jump_angle(speed_mps * speed_mps, law.jump_angle, angle_draw, factor_of(law, jump_angle_factor));
     const double steep_share = law.blend_steep_impacts ? steepness_share(impact) : 0.0;
     if (steep_share > 0.0) {
         const Eigen::Vector2d blend = blended_direction(angle, impact, restitution, steep_share);
         return speed_mps * (blend.x() * direction + blend.y() * normal);
     }
     return rebound(speed_mps, angle, direction, normal);
+}
+
+/// What the impact does unless the ground catches the rock.
+Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
+              Restitution published, const Rock& rock, const Law& law, const ContactDraws& draws,
+              double jump_angle_factor) {
+    const double squared_speed = velocity_mps.squaredNorm();
+    const double energy_before_j = kinetic_energy_j(rock, squared_speed, spin_radps);
+    const Impact impact = split(velocity_mps, normal);
+    const double noise = law.noise == NoiseScope::off ? 0.0 : law.restitution.tangential_noise;
+    const Restitution noisy = with_noise(published, noise, draws.noise);
+    const Restitution restitution =
+        at_normal_speed(law.restitution.damping ? at_impact_speed(noisy, squared_speed) : noisy,
+                        impact.into_ground_mps, law.restitution.normal_halved_mps);
+    const double speed_mps = speed_after(impact, restitution);
+    const config::Angle deviation = config::Angle::from_radians(
+        draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
+    const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
+
+    if (speed_mps < law.stopping.slow_mps && holds_rocks(normal, law.rolling.friction)) {
+        return {Onward::rests, Eigen::Vector3d::Zero(), 0.0};
+    }
+    if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(normal.z(), rock.radius_m)) {
+        return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
+    }
+    const Eigen::Vector3d leaving_mps = velocity_off_ground(impact, restitution, speed_mps, direction, normal,
+                                                            law, draws.angle, jump_angle_factor);
+    if (!hops_far(leaving_mps, normal, rock.radius_m)) {
+        return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
+    }
+    return {Onward::flies, leaving_mps,
+            spin_after(rock, energy_before_j, speed_mps * speed_mps,
+                       restitution.tangential * impact.along_slope_mps)};
 }
 
 }  // namespace
@@ -69,42 +118,23 @@ double rolling_speed_scale_mps(double normal_z, double radius_m) {
 
 Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
                     Restitution published, double stop_probability, const Rock& rock, const Law& law,
-                    const ContactDraws& draws) {
-    if (law.stopping.by_chance && draws.stop < stop_probability) {
+                    const ContactDraws& draws, double jump_angle_factor) {
+    const Contact contact =
+        go_on(velocity_mps, spin_radps, normal, published, rock, law, draws, jump_angle_factor);
+    if (law.stopping.by_chance && stop_probability > 0.0 &&
+        is_stopped(draws.stop, stop_probability, impacts_of(contact, normal, law))) {
         return {Onward::caught, Eigen::Vector3d::Zero(), 0.0};
     }
-    const double squared_speed = velocity_mps.squaredNorm();
-    const double energy_before_j = kinetic_energy_j(rock, squared_speed, spin_radps);
-    const Impact impact = split(velocity_mps, normal);
-    const double noise = law.noise == NoiseScope::off ? 0.0 : law.restitution.tangential_noise;
-    const Restitution noisy = with_noise(published, noise, draws.noise);
-    const Restitution restitution = law.restitution.damping ? at_impact_speed(noisy, squared_speed) : noisy;
-    const double speed_mps = speed_after(impact, restitution);
-    const config::Angle deviation = config::Angle::from_radians(
-        draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
-    const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
-
-    if (speed_mps < law.stopping.slow_mps && holds_rocks(normal, law.rolling.friction)) {
-        return {Onward::rests, Eigen::Vector3d::Zero(), 0.0};
-    }
-    if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(normal.z(), rock.radius_m)) {
-        return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
-    }
-    const Eigen::Vector3d leaving_mps =
-        velocity_off_ground(impact, restitution, speed_mps, direction, normal, law, draws.angle);
-    if (!hops_far(leaving_mps, normal, rock.radius_m)) {
-        return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
-    }
-    return {Onward::flies, leaving_mps,
-            spin_after(rock, energy_before_j, speed_mps * speed_mps,
-                       restitution.tangential * impact.along_slope_mps)};
+    return contact;
 }
 
 Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, const Law& law,
-                         const ContactDraws& draws) {
+                         const ContactDraws& draws, double jump_angle_factor) {
     const double speed_mps = velocity_mps.norm();
-    return rebound(speed_mps, jump_angle(speed_mps * speed_mps, law.jump_angle, draws.angle),
-                   velocity_mps / speed_mps, normal);
+    return rebound(
+        speed_mps,
+        jump_angle(speed_mps * speed_mps, law.jump_angle, draws.angle, factor_of(law, jump_angle_factor)),
+        velocity_mps / speed_mps, normal);
 }
 
 }  // namespace rockfall::picus

@@ -19,13 +19,14 @@ struct JumpAngleLaw {
     double scatter = 0.3;  ///< standard deviation of ln(alpha) [-]; 0 gives the fitted curve
 };
 
-/// Jump angle at a squared speed; `normal_draw` is a standard normal deviate that scatters it.
-inline config::Angle jump_angle(double squared_speed_m2ps2, const JumpAngleLaw& law,
-                                double normal_draw = 0.0) {
+/// Jump angle at a squared speed; `normal_draw` is a standard normal deviate that scatters it, `factor` that
+/// of the ground type. The cap comes last.
+inline config::Angle jump_angle(double squared_speed_m2ps2, const JumpAngleLaw& law, double normal_draw = 0.0,
+                                double factor = 1.0) {
     // One exponential serves power law and scatter: v^-b * exp(s z) = 2^(-b/2 log2 v^2 + s z log2 e).
     const double exponent = -0.5 * law.exponent * config::log2_of(std::max(squared_speed_m2ps2, 1e-12)) +
                             std::numbers::log2e * law.scatter * normal_draw;
-    const double angle_rad = law.coefficient.in_radians() * config::exp2_of(exponent);
+    const double angle_rad = factor * law.coefficient.in_radians() * config::exp2_of(exponent);
     return config::Angle::from_radians(std::min(angle_rad, law.cap.in_radians()));
 }
 

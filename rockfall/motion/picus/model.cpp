@@ -26,6 +26,11 @@ constexpr std::array columns{
         .name = "r_t",
         .from = types,
         .value = [](const SurfaceType& type, const Law&, double) { return type.restitution.tangential; }},
+    GroundColumn<Law>{
+        .name = "jump_angle_factor",
+        .from = types,
+        .value = [](const SurfaceType& type, const Law& law,
+                    double) { return law.jump_angle_by_ground ? type.jump_angle_factor : 1.0; }},
     GroundColumn<Law>{.name = "p_stop", .from = stops, .value = if_by_chance<&SurfaceType::stopping>},
     GroundColumn<Law>{.name = "rolling_stops_per_m",
                       .from = stops,

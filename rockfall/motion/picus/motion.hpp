@@ -39,7 +39,8 @@ public:
     Contact touch(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
                   const SurfaceType& surface, const ContactDraws& draws) {
         return meet_ground(velocity_mps, spin_radps, normal, surface.restitution,
-                           surface_stops_.probability(surface), rock_, law_, draws);
+                           surface_stops_.probability(surface), rock_, law_, draws,
+                           surface.jump_angle_factor);
     }
 
     ContactDraws next_draws() {
@@ -59,13 +60,14 @@ public:
 
     /// Past the launch speed, a hop longer than the radius lifts a rolling rock off.
     std::optional<Eigen::Vector3d> lift_off(const Eigen::Vector3d& velocity_mps,
-                                            const Eigen::Vector3d& normal) {
+                                            const Eigen::Vector3d& normal, const SurfaceType& surface) {
         // Without a law for the angle nothing lifts a rolling rock off even ground.
         if (velocity_mps.norm() < launch_mps(normal) * (1.0 - 1e-9) ||
             law_.angle == ReboundAngle::geometric) {
             return std::nullopt;
         }
-        const Eigen::Vector3d leaving_mps = picus::lift_off(velocity_mps, normal, law_, next_draws());
+        const Eigen::Vector3d leaving_mps =
+            picus::lift_off(velocity_mps, normal, law_, next_draws(), surface.jump_angle_factor);
         return hops_far(leaving_mps, normal, rock_.radius_m) ? std::optional{leaving_mps} : std::nullopt;
     }
 

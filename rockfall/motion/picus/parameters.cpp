@@ -12,6 +12,12 @@ void declare_restitution(config::Options& options, Law& law) {
                   .source = "Rammer et al. 2010, Eqs. 7-8; Johnson 1985",
                   .presets = from_rebound_on("no"),
                   .formerly = "rockfall.damping"});
+    options.number("picus.normal_restitution_halved_mps", law.restitution.normal_halved_mps,
+                   {.unit = "m/s",
+                    .low = 0.0,
+                    .high = 1000.0,
+                    .meaning = "speed into the ground that halves the normal restitution; 0: none does",
+                    .source = "Pfeiffer & Bowen 1989, who have 9.14"});
     options.number("picus.rt_noise", law.restitution.tangential_noise,
                    {.unit = "-",
                     .low = 0.0,
@@ -59,9 +65,13 @@ void declare_rebound(config::Options& options, Law& law, Written& written) {
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "standard deviation of ln(jump angle), cut at two deviations",
-                    .source = "choice, from the heights observed at Vaujany",
+                    .source = "choice, from published spreads at Vaujany and Bad Ischl",
                     .presets = published("0"),
                     .formerly = "rockfall.jump_angle_scatter"});
+    options.flag("picus.jump_angle_by_ground", law.jump_angle_by_ground,
+                 {.meaning = "jump angles are multiplied by jump_angle_factor of the ground type",
+                  .source = "choice, from jumps observed on pasture",
+                  .presets = published("no")});
     options.flag("picus.blend_steep_impacts", law.blend_steep_impacts,
                  {.meaning = "impacts steeper than 60 deg go over to the geometric rebound",
                   .source = "choice",
@@ -117,13 +127,17 @@ void declare_rolling(config::Options& options, RollingLaw& law) {
                     .formerly = "rockfall.rolling_launch_factor"});
 }
 
-void declare_stopping(config::Options& options, StoppingLaw& law) {
-    options.flag("picus.stopping", law.by_chance,
+void declare_stopping(config::Options& options, Law& law) {
+    options.flag("picus.stopping", law.stopping.by_chance,
                  {.meaning = "ground impacts stop rocks with the probability p_stop of the surface",
                   .source = "Rammer et al. 2010, Eq. 10",
                   .presets = from_final_on("no"),
                   .formerly = "rockfall.stopping"});
-    options.number("picus.rest_speed_mps", law.slow_mps,
+    options.flag(
+        "picus.stops_by_hop_length", law.stops_by_hop_length,
+        {.meaning = "a hop n times as long as the law's stops like n impacts; no: each impact counts",
+         .source = "choice, so that longer hops do not let more rocks pass"});
+    options.number("picus.rest_speed_mps", law.stopping.slow_mps,
                    {.unit = "m/s",
                     .low = 0.0,
                     .high = 5.0,
@@ -139,7 +153,7 @@ void Model::declare(config::Options& options, Law& law, Written& written) {
     declare_rebound(options, law, written);
     declare_deviation(options, law, written);
     declare_rolling(options, law.rolling);
-    declare_stopping(options, law.stopping);
+    declare_stopping(options, law);
 }
 
 void Model::take_over(const Written& written, const SharedSettings& shared, Law& law,

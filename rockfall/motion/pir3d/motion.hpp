@@ -39,7 +39,8 @@ public:
     }
 
     [[nodiscard]] static double rolling_spin_radps(double) { return 0.0; }
-    static std::optional<Eigen::Vector3d> lift_off(const Eigen::Vector3d&, const Eigen::Vector3d&) {
+    static std::optional<Eigen::Vector3d> lift_off(const Eigen::Vector3d&, const Eigen::Vector3d&,
+                                                   const SurfaceType&) {
         return std::nullopt;
     }
 

@@ -60,7 +60,7 @@ TEST(MotionModels, GiveTheFigureOfEachGroundColumn) {
         }
     }
     laws.model = motion_model<picus::Model>;
-    EXPECT_EQ(ground_figures(type, laws, 1.0), (std::vector<double>{0.3, 0.75, 0.02, 0.004}));
+    EXPECT_EQ(ground_figures(type, laws, 1.0), (std::vector<double>{0.3, 0.75, 1.0, 0.02, 0.004}));
 }
 
 TEST(MotionModels, SayWhatEnergiesCountInOneText) {

@@ -105,14 +105,49 @@ TEST(ContactZone, WeighsNeighboursByTheTricube) {
 }
 
 TEST(ContactZone, MovesNoPointFurtherThanTheLimit) {
-    // A cliff of 30 m between two terraces.
+    // A rounded ridge whose curvature would lower it by about 0.6 m.
+    const config::Raster<double> ridge = grid_of(
+        frame_of(60, 10, 1.0), [](double x_m, double) { return 100.0 - 0.1 * (x_m - 30.0) * (x_m - 30.0); });
+    EXPECT_GT(largest_difference_m(contact_zone(ridge, 10.0, no_limit), ridge), 0.5);
+    EXPECT_NEAR(largest_difference_m(contact_zone(ridge, 10.0, 0.2), ridge), 0.2, 1e-9);
+}
+
+TEST(ContactZone, LeavesWallsAndWhatTheyStandOn) {
+    // A cliff of 30 m between two terraces, and a wall of 60 degrees over an even slope.
     const config::Raster<double> cliff =
         grid_of(frame_of(30, 10, 1.0), [](double x_m, double) { return x_m < 15.0 ? 130.0 : 100.0; });
-    const config::Raster<double> felt = contact_zone(cliff, 5.0, 0.5);
-    EXPECT_NEAR(largest_difference_m(felt, cliff), 0.5, 1e-9);
-    EXPECT_NEAR(felt.at({14, 5}), 129.5, 1e-9);
-    EXPECT_NEAR(felt.at({15, 5}), 100.5, 1e-9);
-    EXPECT_EQ(felt.at({5, 5}), 130.0);
+    EXPECT_LT(largest_difference_m(contact_zone(cliff, 5.0, no_limit), cliff), 1e-9);
+    const config::Raster<double> wall = grid_of(frame_of(60, 20, 1.0), [](double x_m, double) {
+        return x_m < 20.0   ? 100.0
+               : x_m < 30.0 ? 100.0 - std::sqrt(3.0) * (x_m - 20.0)
+                            : 100.0 - std::sqrt(3.0) * 10.0 - 0.2 * (x_m - 30.0);
+    });
+    const config::Raster<double> felt = contact_zone(wall, 4.0, no_limit);
+    // On the faces nothing moves; one point to either side of a break may.
+    for (const int column : {10, 15, 17, 23, 25, 26, 33, 35, 45}) {
+        EXPECT_NEAR(felt.at({column, 10}), wall.at({column, 10}), 0.03) << column;
+    }
+    EXPECT_LT(largest_difference_m(felt, wall), 0.35);
+}
+
+TEST(ContactZone, StillTakesTheNoiseOutBesideAWall) {
+    config::Raster<double> rough = rough_grid(frame_of(120, 120, 1.0), 0.1, 25);
+    for (std::size_t i = 0; i < rough.values.size(); ++i) {
+        rough.values[i] += rough.frame.cell_of(i).column < 60 ? 40.0 : 0.0;
+    }
+    const config::Raster<double> felt = contact_zone(rough, 4.0, no_limit);
+    const auto roughness_m = [](const config::Raster<double>& heights, int column) {
+        double sum = 0.0;
+        for (int row = 10; row < 110; ++row) {
+            const double bend_m = heights.at({column, row - 1}) - 2.0 * heights.at({column, row}) +
+                                  heights.at({column, row + 1});
+            sum += bend_m * bend_m;
+        }
+        return std::sqrt(sum / 100.0);
+    };
+    for (const int column : {50, 56, 63, 70}) {
+        EXPECT_LT(roughness_m(felt, column), 0.35 * roughness_m(rough, column)) << column;
+    }
 }
 
 TEST(ContactZone, TakesTheNoiseOutOfTheFacets) {
