@@ -3,7 +3,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace config {
@@ -86,12 +85,6 @@ struct Raster {
 
     [[nodiscard]] T& at(Cell cell) { return values[frame.index(cell)]; }
     [[nodiscard]] const T& at(Cell cell) const { return values[frame.index(cell)]; }
-};
-
-/// A grid as it was read: NODATA cells are NaN.
-struct AsciiGrid {
-    Raster<double> raster;
-    std::string projection;  ///< text of the .prj file beside it, empty without one
 };
 
 }  // namespace config

@@ -40,12 +40,21 @@ public:
     }
 
     [[nodiscard]] const Place& place() const { return place_; }
+    [[nodiscard]] char separator() const { return separator_; }
 
 private:
     [[nodiscard]] bool at_end() const { return at_ == text_.size(); }
 
-    /// A semicolon where the first line has one outside quotes and no comma: Excel's in much of Europe.
-    [[nodiscard]] char separator_of_header() const {
+    /// What separates the fields of the first line: tabs where they are more than commas and semicolons, else
+    /// a semicolon (Excel's in much of Europe) where there is one outside quotes and no comma. Excel may say
+    /// it in a line of its own before all others, which is passed over then.
+    [[nodiscard]] char separator_of_header() {
+        constexpr std::string_view announced = "sep=";
+        if (text_.size() > announced.size() && text_.starts_with(announced)) {
+            const char separator = text_[announced.size()];
+            skip_line();
+            return separator == ';' || separator == '\t' ? separator : ',';
+        }
         std::string_view rest = text_;
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find('\n'), rest.size() - 1);
@@ -55,15 +64,16 @@ private:
                 continue;
             }
             bool quoted = false;
-            char separator = ',';
+            std::size_t commas = 0;
+            std::size_t semicolons = 0;
+            std::size_t tabs = 0;
             for (const char c : line) {
                 quoted = quoted != (c == '"');
-                if (!quoted && c == ',') {
-                    return ',';
-                }
-                separator = !quoted && c == ';' ? ';' : separator;
+                commas += !quoted && c == ',' ? 1U : 0U;
+                semicolons += !quoted && c == ';' ? 1U : 0U;
+                tabs += !quoted && c == '\t' ? 1U : 0U;
             }
-            return separator;
+            return tabs > commas + semicolons ? '\t' : commas == 0 && semicolons > 0 ? ';' : ',';
         }
         return ',';
     }
@@ -211,7 +221,86 @@ bool fits(Record& record, std::size_t columns, Problems& problems) {
     return false;
 }
 
+/// Whether a text is digits, perhaps with a sign, and one mark between or before digits.
+bool is_decimal_with(char mark, std::string_view text) {
+    if (text.starts_with('-') || text.starts_with('+')) {
+        text.remove_prefix(1);
+    }
+    const std::size_t at = text.find(mark);
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    return at != std::string_view::npos && at + 1 < text.size() &&
+           std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), is_digit) &&
+           std::all_of(text.begin() + static_cast<std::ptrdiff_t>(at) + 1, text.end(), is_digit);
+}
+
+/// Decimal commas become points, unless some numbers have points: then either may be a fault.
+void take_decimal_commas(std::vector<std::vector<std::string>>& rows) {
+    const auto any_with = [&](char mark) {
+        return std::any_of(rows.begin(), rows.end(), [mark](const std::vector<std::string>& cells) {
+            return std::any_of(cells.begin(), cells.end(),
+                               [mark](const std::string& cell) { return is_decimal_with(mark, cell); });
+        });
+    };
+    if (!any_with(',') || any_with('.')) {
+        return;
+    }
+    for (std::vector<std::string>& cells : rows) {
+        for (std::string& cell : cells) {
+            if (is_decimal_with(',', cell)) {
+                std::replace(cell.begin(), cell.end(), ',', '.');
+            }
+        }
+    }
+}
+
 }  // namespace
+
+void Features::add_column(std::string name) {
+    const auto is_taken = [&](const std::string& wanted) {
+        return wanted == "wkt" || std::find(columns.begin(), columns.end(), wanted) != columns.end();
+    };
+    std::string free = name.empty() ? "column" : std::move(name);
+    const std::string stem = free;
+    for (int number = 2; is_taken(free); ++number) {
+        free = stem + "_" + std::to_string(number);
+    }
+    columns.push_back(std::move(free));
+}
+
+Table Table::of(Features features) {
+    Table table;
+    table.file_ = std::move(features.file);
+    table.columns_ = std::move(features.columns);
+    table.cells_ = std::move(features.cells);
+    table.places_.reserve(table.cells_.size());
+    for (std::size_t row = 0; row < table.cells_.size(); ++row) {
+        assert(table.cells_[row].size() <= table.columns_.size());
+        table.cells_[row].resize(table.columns_.size());
+        std::vector<TextPlace>& places = table.places_.emplace_back();
+        for (std::uint32_t column = 0; column < table.columns_.size(); ++column) {
+            places.push_back({features.numbers[row], column + 1});
+        }
+    }
+    return table;
+}
+
+void Table::rename(std::string_view column, std::string name) {
+    assert(!has(name));
+    columns_[index_of(column)] = std::move(name);
+}
+
+void Table::add_column(std::string name, std::vector<std::string> values, std::string_view like) {
+    assert(values.size() == rows());
+    const std::size_t place = index_of(like);
+    columns_.push_back(std::move(name));
+    if (!units_.empty()) {
+        units_.emplace_back();
+    }
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        cells_[row].push_back(std::move(values[row]));
+        places_[row].push_back(places_[row][place]);
+    }
+}
 
 Table Table::read(std::istream& in, std::string file) {
     const std::string text = read_text(in, file);
@@ -256,6 +345,9 @@ Table Table::read(std::string_view bytes, std::string file) {
         table.cells_.push_back(texts_of(std::move(record)));
     }
     problems.throw_if_any();
+    if (records.separator() != ',') {
+        take_decimal_commas(table.cells_);
+    }
     return table;
 }
 

@@ -13,11 +13,24 @@
 
 namespace config {
 
+/// Rows of a layer that is no text: shapes of a GIS as well-known text in the column `wkt`, and attributes.
+struct Features {
+    std::string file;
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> cells;  ///< a row may end early: the rest of it is empty
+    std::vector<std::uint32_t> numbers;           ///< of each feature, for messages
+
+    /// Adds a column of attributes. One that is called as the shapes are, or as one before, gets a number.
+    void add_column(std::string name);
+};
+
 /// A CSV table: a header line, perhaps a unit row (first field `unit`), then rows of fields.
 ///
-/// Reads UTF-8 with or without byte-order mark, LF or CRLF, comma or (German and French Excel) semicolon,
-/// quoted fields with doubled quotes and line breaks inside, `#` comment lines. Blanks around a field that is
-/// not quoted do not count; empty lines and rows of empty fields, as spreadsheets leave them, are skipped.
+/// Reads UTF-8 with or without byte-order mark, LF or CRLF, comma, semicolon (German and French Excel) or
+/// tab, a first line `sep=;` (Excel), quoted fields with doubled quotes and line breaks inside, `#` comment
+/// lines. Blanks around a field that is not quoted do not count; empty lines and rows of empty fields, as
+/// spreadsheets leave them, are skipped. Where commas do not separate fields and no number of the table has a
+/// decimal point, numbers such as `0,35` are written with a decimal comma and become `0.35`.
 /// Every field knows the line and column it stood on.
 class Table {
 public:
@@ -32,6 +45,15 @@ public:
     static Table read(std::istream& in, std::string file);
     /// The same of a text in memory, without a copy of it.
     static Table read(std::string_view text, std::string file);
+    /// A table of features. The place of a field is the number of its feature and that of its column from 1.
+    /// Requires at least as many columns as a row has cells.
+    static Table of(Features features);
+
+    /// Calls a column by another name. Requires that there is one of the old name and none of the new one.
+    void rename(std::string_view column, std::string name);
+    /// Adds a column behind all others, with the places of `like` in messages. Requires a value for each row
+    /// and a column `like`.
+    void add_column(std::string name, std::vector<std::string> values, std::string_view like);
 
     [[nodiscard]] std::size_t rows() const { return cells_.size(); }
     [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }

@@ -12,12 +12,13 @@
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
-#include "config/grid/ascii_grid.hpp"
 #include "config/table/table.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/commands/info_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/files_beside.hpp"
+#include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/reading.hpp"
@@ -42,21 +43,13 @@ bool looks_like_grid(std::string_view text) {
     return keys.contains(word);
 }
 
-/// The name that a projection in ESRI text gives itself, else how it begins.
-std::string projection_of(fs::path grid) {
-    if (grid.extension() == ".gz") {
-        grid.replace_extension();
-    }
-    grid.replace_extension(".prj");
-    if (!path_exists(grid)) {
-        return "none (no " + grid.filename().string() + ")";
-    }
-    const FileBytes bytes = open_file(grid, {}, "a text file");
-    const std::string text{bytes.text().substr(0, 200)};
-    const std::size_t first = text.find('"');
-    const std::size_t last = first == std::string::npos ? first : text.find('"', first + 1);
-    return last == std::string::npos ? text.substr(0, text.find('\n'))
-                                     : text.substr(first + 1, last - first - 1);
+/// The name that a projection gives itself, else how its text begins.
+std::string projection_in_words(const std::string& text) {
+    const std::string beginning = text.substr(0, 200);
+    const std::size_t first = beginning.find('"');
+    const std::size_t last = first == std::string::npos ? first : beginning.find('"', first + 1);
+    return last == std::string::npos ? beginning.substr(0, beginning.find('\n'))
+                                     : beginning.substr(first + 1, last - first - 1);
 }
 
 /// The values of a grid of few different whole numbers, such as codes or zones.
@@ -77,7 +70,9 @@ void write_codes(const config::Raster<double>& grid, std::ostream& out) {
     out << '\n';
 }
 
-void write_grid(const config::Raster<double>& grid, const fs::path& path, std::ostream& out) {
+void write_grid(const formats::PlacedGrid& placed, const std::string& format, const std::string& prj,
+                std::ostream& out) {
+    const config::Raster<double>& grid = placed.raster;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     double sum = 0.0;
@@ -91,12 +86,14 @@ void write_grid(const config::Raster<double>& grid, const fs::path& path, std::o
         }
     }
     const auto all = static_cast<double>(grid.values.size());
-    out << "ESRI ASCII grid\n"
+    out << format << '\n'
         << "frame         " << to_string(grid.frame) << '\n'
         << "extent        x " << config::to_text(grid.frame.x_west_m) << " to "
         << config::to_text(grid.frame.x_east_m()) << ", y " << config::to_text(grid.frame.y_south_m) << " to "
         << config::to_text(grid.frame.y_north_m()) << '\n'
-        << "projection    " << projection_of(path) << '\n'
+        << "projection    "
+        << (placed.projection.empty() ? "none (no " + prj + ")" : projection_in_words(placed.projection))
+        << '\n'
         << "NODATA        " << std::fixed << std::setprecision(2)
         << 100.0 * (all - static_cast<double>(known)) / all << " % of the cells\n";
     if (known > 0) {
@@ -127,8 +124,12 @@ std::string column_in_words(const config::Table& table, const std::string& colum
                              (texts.empty() ? "" : ", such as " + config::in_quotes(*texts.rbegin()));
 }
 
-void write_table(const config::Table& table, std::ostream& out) {
-    out << "CSV table\nrows          " << table.rows() << '\n';
+void write_table(const formats::Layer& layer, const std::string& format, std::ostream& out) {
+    const config::Table& table = layer.table;
+    out << format << "\nrows          " << table.rows() << '\n';
+    if (!layer.projection.empty()) {
+        out << "projection    " << projection_in_words(layer.projection) << '\n';
+    }
     for (std::size_t i = 0; i < table.columns().size(); ++i) {
         const std::string& column = table.columns()[i];
         out << "column        " << std::left << std::setw(20) << column << ' ';
@@ -171,17 +172,28 @@ void write_info(const std::string& name, const std::string& table, std::ostream&
             return;
         }
     }
-    const FileBytes bytes = open_file(name, {}, "a grid, a mesh, a table or the name of a shipped table");
+    const formats::LayerName wanted = formats::split_layer_name(name);
+    const FileBytes bytes =
+        open_file(wanted.file, {}, "a grid, a mesh, a table or the name of a shipped table");
+    FilesBeside beside{wanted.file};
+    if (formats::is_gis_raster(bytes.text()) || looks_like_grid(bytes.text())) {
+        write_grid(formats::read_grid_file(bytes.text(), name, beside.bytes()),
+                   formats::is_gis_raster(bytes.text()) ? "GeoTIFF" : "ESRI ASCII grid",
+                   beside.path(".prj").filename().string(), out);
+        return;
+    }
+    if (formats::is_gis_layer(bytes.text())) {
+        write_table(formats::read_layer_file(bytes.text(), wanted.layer, name, beside.bytes()).layer,
+                    formats::format_in_words(bytes.text()), out);
+        return;
+    }
     const meshes::MeshFormat format = meshes::format_of(bytes.text(), name);
     if (format != meshes::MeshFormat::points && format != meshes::MeshFormat::contours) {
         meshes::describe(meshes::read_mesh_file(bytes.text(), name), out);
         return;
     }
-    if (looks_like_grid(bytes.text())) {
-        write_grid(config::read_ascii_grid(bytes.text(), name), name, out);
-        return;
-    }
-    write_table(config::Table::read(bytes.text(), name), out);
+    write_table(formats::read_layer_file(bytes.text(), wanted.layer, name, beside.bytes()).layer, "CSV table",
+                out);
 }
 
 }  // namespace coupling

@@ -52,7 +52,7 @@ void declare_forest(config::Options& options, ForestSettings& s) {
 
 void declare_stands(config::Options& options, ForestSettings& s) {
     options.text("stands.map", s.stand_map,
-                 {.meaning = "ESRI ASCII grid of stand numbers, any cell size; 0 or NODATA: no forest"});
+                 {.meaning = "grid of stand numbers, any cell size; 0 or NODATA: no forest"});
     options.text("stands.polygons", s.stand_polygons,
                  {.meaning = "instead: CSV with stand, wkt (POLYGON); neither: all the terrain is stand 1"});
     options.text(
@@ -62,7 +62,7 @@ void declare_stands(config::Options& options, ForestSettings& s) {
 }
 
 void declare_soil(config::Options& options, ForestSettings& s) {
-    options.text("soil.map", s.soil_map, {.meaning = "ESRI ASCII grid of soil codes, any cell size"});
+    options.text("soil.map", s.soil_map, {.meaning = "grid of soil codes, any cell size"});
     options.text(
         "soil.types", s.soil_types,
         {.meaning =

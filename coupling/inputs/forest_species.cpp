@@ -11,11 +11,10 @@ namespace {
 using config::ExitCode;
 using config::joined;
 
-/// Code of the species that a name stands for among those that only the strength table knows; "" for none.
-std::string stand_in_of(const std::string& name) {
+/// The species that a name stands for, in any language; null for none.
+const Species* species_named(const std::string& name) {
     static const SpeciesTable known = SpeciesTable::shipped();
-    const Species* species = known.find(name);
-    return species == nullptr ? "" : species->stand_in;
+    return known.find(name);
 }
 
 ForestSpecies read_table(Reading& reading) {
@@ -50,8 +49,10 @@ ForestSpecies read_table(Reading& reading) {
 SpeciesLookup ForestSpecies::lookup() const {
     const auto place = [this](const std::string& name) -> std::optional<std::size_t> {
         auto id = table.find(name);
-        if (!id) {
-            id = table.find(stand_in_of(name));
+        const Species* species = id ? nullptr : species_named(name);
+        if (species != nullptr) {
+            id = table.find(species->code);
+            id = id ? id : table.find(species->stand_in);
         }
         return id ? std::optional{forest::index_of(*id)} : std::nullopt;
     };
@@ -106,7 +107,8 @@ void warn_of_stand_ins(const SpeciesColumn& column, const ForestSpecies& species
                        Reading& reading) {
     const SpeciesLookup lookup = species.lookup();
     for (const auto& [name, count] : column.counts_by_name()) {
-        if (!species.table.find(name)) {
+        const Species* named = species_named(name);
+        if (!species.table.find(name) && (named == nullptr || !species.table.find(named->code))) {
             const std::size_t place = *lookup.find(name);
             reading.note(joined(file, ": ", counted(count, "row"), " of ", name, " grow as ",
                                 species.table.all()[place].latin_name, ", which stands in for it"));

@@ -1,14 +1,16 @@
 #include "coupling/inputs/reading.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <sstream>
+#include <utility>
 
-#include "config/grid/ascii_grid.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
+#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/path_checks.hpp"
+#include "coupling/inputs/plausible/same_system.hpp"
 
 namespace coupling {
 
@@ -46,20 +48,133 @@ config::Table Reading::table(const std::string& key, const std::string& role, co
     return table_at(scenario_.options->place_of(key), role, name);
 }
 
+/// Files beside a file are opened as they are asked for, and recorded: what they say matters too.
+formats::BytesBeside Reading::beside(const std::string& role, const std::string& file) {
+    return [this, role, file](const std::string& ending) -> std::string_view {
+        std::filesystem::path path{file};
+        if (path.extension() == ".gz") {
+            path.replace_extension();
+        }
+        std::string wanted = ending;
+        const std::string own = path.extension().string();
+        if (own.size() > 1 && std::isupper(static_cast<unsigned char>(own[1])) != 0) {
+            std::transform(wanted.begin(), wanted.end(), wanted.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+        }
+        const std::string name = path.replace_extension(wanted).string();
+        if (!path_exists(scenario_.resolve(name))) {
+            return {};
+        }
+        open_.push_back(open_file(scenario_.resolve(name), {shown(name)}, "a readable file"));
+        // The projection of the terrain has had this name ever since.
+        const std::string of = ending == ".prj" && role == "dem" ? "projection" : joined(role, " ", ending);
+        inputs_.push_back({of, name, open_.back().hash(), open_.back().stored_bytes()});
+        return open_.back().text();
+    };
+}
+
+bool Reading::has_input(const std::string& role) const {
+    return std::any_of(inputs_.begin(), inputs_.end(),
+                       [&](const InputFile& input) { return input.role == role; });
+}
+
+void Reading::take_system(const std::string& role, const std::string& name, std::string text) {
+    systems_.push_back({role, shown(name), std::move(text)});
+}
+
+void Reading::take_names(config::Table& table, const std::string& role, bool has_own_shapes) {
+    for (const formats::NamedColumn& column : formats::name_columns(table, role)) {
+        note(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
+                    column.taken_as));
+    }
+    if (role == "trees" || role == "logs") {
+        const std::size_t moved = formats::take_coordinates(table, has_own_shapes);
+        if (moved > 0) {
+            doubt({table.file()},
+                  joined(counted(moved, "row"), " whose attributes name another place than the shape"),
+                  "one place for each: the shape counts",
+                  "delete the columns of coordinates if they are old");
+        }
+    }
+    const std::string id = role == "targets" ? "target_id" : role == "nets" ? "name" : "";
+    if (has_own_shapes && !id.empty() && !table.has(id) && table.has("wkt")) {
+        std::vector<std::string> numbers;
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            numbers.push_back(std::to_string(table.place(row, "wkt").line));
+        }
+        table.add_column(id, std::move(numbers), "wkt");
+        note(joined(table.file(), ": no column for ", id, ": numbers of the features are taken"));
+    }
+}
+
 config::Table Reading::table_at(const config::Place& place, const std::string& role,
                                 const std::string& name) {
-    const FileBytes bytes = open_at(place, role, name, "a CSV table");
-    config::Table read = config::Table::read(bytes.text(), shown(name));
-    for (const config::Problem& doubt_found : formula_doubts(read)) {
+    const formats::LayerName wanted = formats::split_layer_name(name);
+    const FileBytes bytes = open_at(place, role, wanted.file, "a table or layer");
+    formats::ReadLayer read =
+        formats::read_layer_file(bytes.text(), wanted.layer, shown(name), beside(role, wanted.file));
+    open_.clear();
+    config::Table& table = read.layer.table;
+    if (!read.remark.empty()) {
+        note(joined(table.file(), ": ", read.remark));
+    }
+    take_names(table, role, read.has_shapes_of_its_own);
+    if (read.has_shapes_of_its_own && table.has("wkt")) {
+        if (read.layer.projection.empty()) {
+            note(joined(table.file(), ": names no coordinate system; taken as that of the terrain"));
+        }
+        take_system(role, name, std::move(read.layer.projection));
+    }
+    for (const config::Problem& doubt_found : formula_doubts(table)) {
         doubt(doubt_found.place, doubt_found.found, doubt_found.expected);
     }
-    return read;
+    return std::move(table);
 }
 
 config::Raster<double> Reading::grid(const std::string& key, const std::string& role,
                                      const std::string& name) {
-    const FileBytes bytes = open(key, role, name, "an ESRI ASCII grid");
-    return config::read_ascii_grid(bytes.text(), shown(name));
+    const FileBytes bytes = open(key, role, name, "a grid (GeoTIFF or ESRI ASCII)");
+    formats::PlacedGrid read = formats::read_grid_file(bytes.text(), shown(name), beside(role, name));
+    open_.clear();
+    take_system(role, name, std::move(read.projection));
+    return std::move(read.raster);
+}
+
+std::string Reading::system_of(const std::string& role) const {
+    const auto found = std::find_if(systems_.begin(), systems_.end(),
+                                    [&](const NamedSystem& system) { return system.role == role; });
+    return found == systems_.end() ? std::string{} : found->text;
+}
+
+void Reading::check_systems() {
+    const auto first = std::find_if(systems_.begin(), systems_.end(), [](const NamedSystem& system) {
+        return !system.text.empty() && plausible::read_projection(system.text);
+    });
+    if (first == systems_.end()) {
+        return;
+    }
+    for (const NamedSystem& system : systems_) {
+        switch (plausible::compare_systems(first->text, system.text)) {
+            case plausible::Sameness::same:
+            case plausible::Sameness::silent:
+                break;
+            case plausible::Sameness::unknown:
+                doubt({system.file},
+                      joined("a coordinate system that cannot be compared with that of ", first->file),
+                      "one coordinate system in all files");
+                break;
+            case plausible::Sameness::nearly:
+                doubt({system.file},
+                      joined("coordinates in ", plausible::name_of_system(system.text), " beside ",
+                             plausible::name_of_system(first->text), " of ", first->file),
+                      "one coordinate system: these two differ by less than a metre");
+                break;
+            case plausible::Sameness::other:
+                refuse({system.file}, joined("coordinates in ", plausible::name_of_system(system.text)),
+                       joined("those of ", first->file, ", ", plausible::name_of_system(first->text)),
+                       "transform one of them (QGIS: Reproject layer, Warp): nothing is reprojected here");
+        }
+    }
 }
 
 void Reading::heed_part(const std::string& role, const std::string& part, const std::string& hash) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "config/grid/raster.hpp"
 #include "config/table/table.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 
@@ -54,13 +56,24 @@ public:
         return scenario_.resolve(name).string();
     }
 
+    /// Whether a file was opened in a role.
+    [[nodiscard]] bool has_input(const std::string& role) const;
     /// Opens a file that the setting `key` names and records it under its role.
     FileBytes open(const std::string& key, const std::string& role, const std::string& name,
                    std::string_view expected);
+    /// A table or layer in any format (`formats/`), with our names of columns.
     config::Table table(const std::string& key, const std::string& role, const std::string& name);
     /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
     config::Table table_at(const config::Place& place, const std::string& role, const std::string& name);
+    /// A grid in any format.
     config::Raster<double> grid(const std::string& key, const std::string& role, const std::string& name);
+    /// The coordinate system that the file of a grid or layer names: well-known text, "" without any.
+    [[nodiscard]] std::string system_of(const std::string& role) const;
+    /// Notes what the file `name` says of the coordinates of a grid, a layer or points.
+    void take_system(const std::string& role, const std::string& name, std::string text);
+    /// Refuses grids and layers in another coordinate system than the terrain, naming both. Nothing is
+    /// reprojected.
+    void check_systems();
     /// Names the part of a recorded file that the run uses and the hash of that part: what else stands in
     /// the file may change without making the run another one.
     void heed_part(const std::string& role, const std::string& part, const std::string& hash);
@@ -73,8 +86,20 @@ private:
     FileBytes open_at(const config::Place& place, const std::string& role, const std::string& name,
                       std::string_view expected);
 
+    formats::BytesBeside beside(const std::string& role, const std::string& file);
+    void take_names(config::Table& table, const std::string& role, bool has_own_shapes);
+
+    /// What a grid or layer says of its coordinates.
+    struct NamedSystem {
+        std::string role;
+        std::string file;  ///< as shown
+        std::string text;  ///< well-known text
+    };
+
     config::Problems problems_;
     std::vector<InputFile> inputs_;
+    std::vector<NamedSystem> systems_;
+    std::deque<FileBytes> open_;  ///< parts of Shapefiles while they are read
 };
 
 /// Whether a table has a column and the row something in it.

@@ -38,7 +38,8 @@ void declare_run(config::Options& options, Scenario& s) {
 }
 
 void declare_terrain(config::Options& options, Scenario& s) {
-    options.text("terrain.dem", s.dem, {.meaning = "ground heights in m: ESRI ASCII grid, plain or .gz"});
+    options.text("terrain.dem", s.dem,
+                 {.meaning = "ground heights in m: GeoTIFF, or ESRI ASCII grid, plain or .gz"});
     options.text("terrain.points", s.points, {.meaning = "instead: text of x y z in m, one point a line"});
     options.text("terrain.mesh", s.mesh,
                  {.meaning = "instead: a mesh whose faces stay as they are (PLY, STL), contours (DXF, CSV)"});
@@ -49,7 +50,7 @@ void declare_terrain(config::Options& options, Scenario& s) {
                     .meaning = "for points: longer triangle edges are no terrain; 0 keeps all",
                     .source = "choice"});
     options.text("terrain.surface", s.surface,
-                 {.meaning = "ground types: ESRI ASCII grid of codes on the frame of the DEM"});
+                 {.meaning = "ground types: grid of codes on the frame of the DEM"});
     options.text("terrain.surface_polygons", s.surface_polygons,
                  {.meaning = "instead: CSV with code, wkt (POLYGON); later rows lie on top"});
     options.text("terrain.surface_types", s.surface_types,
@@ -89,7 +90,7 @@ void declare_profile(config::Options& options, Scenario& s) {
 
 void declare_release(config::Options& options, Scenario& s) {
     options.text("release.source", s.source,
-                 {.meaning = "ESRI ASCII grid on the frame of the DEM: 0 no source, k > 0 release zone k"});
+                 {.meaning = "grid on the frame of the DEM: 0 no source, k > 0 release zone k"});
     options.text("release.source_shapes", s.source_shapes,
                  {.meaning = "instead: CSV with wkt (points, lines or polygons) and perhaps zone"});
     options.count("release.rocks", s.rocks,

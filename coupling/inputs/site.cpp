@@ -241,6 +241,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             drop_off_terrain(*forest, terrain, reading);
         }
     }
+    reading.check_systems();
     reading.problems().throw_if_any();
 
     if (!has_rocks(scenario)) {

@@ -10,18 +10,25 @@ namespace coupling {
 struct Species {
     std::string code;  ///< four capitals, such as ABAL
     std::string latin_name;
-    double fracture_energy = 0;  ///< relative to Abies alba [-]
-    std::string stand_in;        ///< code of the species whose other parameters it takes, "" with its own
+    double fracture_energy = 0;      ///< relative to Abies alba [-]
+    std::string stand_in;            ///< code of the species whose other parameters it takes, "" with its own
+    std::vector<std::string> names;  ///< in other languages and short forms, as `letters_of_name` has them
 };
 
-/// Finds species by code or Latin name, upper or lower case alike.
+/// The letters by which names of species are compared: lower case, umlauts and accents written out or left
+/// out (`Lärche`, `LAERCHE` and `laerche` are one), without blanks, dots and
+/// hyphens. Other marks stay: `Fi?` is no spruce.
+std::string letters_of_name(std::string_view name);
+
+/// Finds species by code, Latin name (perhaps with its author), German, French, Italian or English name or a
+/// common short form, upper or lower case alike.
 class SpeciesTable {
 public:
-    /// From config/data/tree_resistance.csv and species_aliases.csv.
+    /// From config/data/tree_resistance.csv, species_names.csv and species_aliases.csv.
     static SpeciesTable shipped();
 
     /// Null for a species that no table knows.
-    [[nodiscard]] const Species* find(std::string_view code_or_latin_name) const;
+    [[nodiscard]] const Species* find(std::string_view code_or_name) const;
     /// The code or name that comes nearest to what the user wrote, "" if none is near.
     [[nodiscard]] std::string nearest(std::string_view code_or_latin_name) const;
     [[nodiscard]] const std::vector<Species>& all() const { return species_; }

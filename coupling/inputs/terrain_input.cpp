@@ -50,14 +50,21 @@ void check_grid(const config::Raster<double>& grid, const std::string& file, Rea
     plausible::doubt_holes(grid, file, reading);
 }
 
+/// A projection that contradicts the coordinates of the heights becomes a problem. `file` says it.
+void check_projection(const std::string& text, const std::string& file, const plausible::Extent& extent,
+                      Reading& reading) {
+    if (const auto wrong = plausible::contradiction_of(text, extent, file)) {
+        reading.refuse({reading.shown(file)}, wrong->found, wrong->expected, wrong->advice);
+    }
+}
+
 /// The text of the .prj file beside the heights, "" without one. A projection that contradicts their
 /// coordinates becomes a problem.
 std::string projection_beside(const std::string& name, const plausible::Extent& extent, Reading& reading) {
     const std::string beside = projection_name(name);
     std::string text = reading.text_beside("projection", beside);
-    if (const auto wrong = plausible::contradiction_of(text, extent, beside)) {
-        reading.refuse({reading.shown(beside)}, wrong->found, wrong->expected, wrong->advice);
-    }
+    check_projection(text, beside, extent, reading);
+    reading.take_system("terrain", beside, text);
     return text;
 }
 
@@ -67,7 +74,10 @@ HeightInput read_dem(Reading& reading) {
     input.file = reading.shown(scenario.dem);
     input.grid = reading.grid("terrain.dem", "dem", scenario.dem);
     check_grid(*input.grid, input.file, reading);
-    input.projection = projection_beside(scenario.dem, plausible::extent_of(input.grid->frame), reading);
+    input.projection = reading.system_of("dem");
+    const bool is_beside = reading.has_input("projection");
+    check_projection(input.projection, is_beside ? projection_name(scenario.dem) : scenario.dem,
+                     plausible::extent_of(input.grid->frame), reading);
     if (input.projection.empty()) {
         reading.note(input.file + ": no " + projection_name(scenario.dem) +
                      " beside it, so the results name no projection");

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <vector>
 
+#include "coupling/inputs/formats/json_library.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/figures.hpp"
@@ -13,8 +13,6 @@
 namespace coupling {
 
 // The seam over the JSON library: each kind of run builds its own summary from these parts.
-
-using Json = nlohmann::ordered_json;
 
 /// What is not known becomes null. Nine digits: the rest is noise of the last bit.
 Json json_number(double value);

@@ -12,6 +12,7 @@
 #include "coupling/regimes/shipped.hpp"
 #include "rockfall/terrain/terrain.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
+#include "tests/coupling/inputs/formats/given_files.hpp"
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
 #include "tests/coupling/profile/profile_project.hpp"
 #include "tests/fuzz/subject.hpp"
@@ -175,6 +176,27 @@ std::unique_ptr<SampleProject> regime() {
     return project;
 }
 
+/// The sample project as a GIS hands it over.
+std::unique_ptr<SampleProject> gis() {
+    auto project = std::make_unique<SampleProject>();
+    coupling::take_given_files(*project);
+    project->write("scenario.ini",
+                   "[terrain]\ndem = dem.tif\nsurface = surface.tif\nsurface_types = surface_types.csv\n"
+                   "[trees]\nfile = trees.shp\n[release]\nsource_shapes = layers.gpkg|cliff\nrocks = 100\n"
+                   "diameter_m = 0.5\n[targets]\nfile = targets.geojson\n");
+    return project;
+}
+
+/// As a spreadsheet writes it.
+std::unique_ptr<SampleProject> spreadsheet() {
+    auto project = std::make_unique<SampleProject>();
+    project->write("trees.csv",
+                   "sep=;\r\nNr;Ost;Nord;Baumart;BHD;H\xF6he\r\n1;1060;2050;Wei\xDF"
+                   "tanne;32,5;25\r\n2;1070;2042;Fi;20;18\r\n");
+    project->write("targets.csv", "WKT\tid\n\"LINESTRING (1105 2010, 1105 2090)\"\troad\n");
+    return project;
+}
+
 std::unique_ptr<SampleProject> profile() {
     auto project = std::make_unique<SampleProject>();
     coupling::make_profile_project(*project);
@@ -204,6 +226,12 @@ std::vector<Subject> subjects_of_inputs() {
          read_project},
         {"stands", {"scenario.ini", "stands.csv", "records.csv"}, stands, read_project},
         {"regime", {"shelter.csv", "slits.csv"}, regime, read_project},
+        {"gis",
+         {"dem.tif", "surface.tif", "trees.shp", "trees.shx", "trees.dbf", "trees.prj", "trees.cpg",
+          "layers.gpkg", "targets.geojson"},
+         gis,
+         read_project},
+        {"spreadsheet", {"trees.csv", "targets.csv"}, spreadsheet, read_project},
         {"profile", {"scenario.ini", "profile.csv", "stations.csv"}, profile, read_project},
     };
 }

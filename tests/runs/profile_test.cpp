@@ -165,7 +165,7 @@ TEST_P(BadProfiles, AreTurnedAwayWithFileAndLine) {
 
 const BadProfile bad_profiles[] = {
     {"Missing", [](SampleProject& p) { p.remove("profile.csv"); }, 3,
-     "bannwald: scenario.ini:2:11: found no file 'profile.csv', expected a CSV table"},
+     "bannwald: scenario.ini:2:11: found no file 'profile.csv', expected a table or layer"},
     {"DistancesNotRising", [](SampleProject& p) { p.replace("profile.csv", "104,", "96,"); }, 4,
      "bannwald: profile.csv:4:1: found distance_m 96 after 100, expected distances that rise"},
     {"DistanceTwice", [](SampleProject& p) { p.replace("profile.csv", "104,", "100,"); }, 4,

@@ -87,7 +87,7 @@ const BadYears bad_years[] = {
      },
      2, "found regime 'sub/none.csv', expected regimes of different names",
      "--set \"regimes.list=none, sub/none.csv\""},
-    {"RegimeFileThatIsNotThere", as_it_is, 3, "found no file 'gone.csv', expected a CSV table",
+    {"RegimeFileThatIsNotThere", as_it_is, 3, "found no file 'gone.csv', expected a table or layer",
      "--set regimes.list=gone.csv"},
 };
 

@@ -1,5 +1,3 @@
-#include <sstream>
-
 #include "config/errors/input_error.hpp"
 #include "config/geometry/wkt.hpp"
 #include "config/table/table.hpp"
@@ -52,13 +50,15 @@ void read_row(const config::Table& table, std::size_t row, MeshFile& mesh, confi
 }  // namespace
 
 MeshFile read_contours(std::string_view bytes, const std::string& file) {
-    std::istringstream in{std::string{bytes}};
-    const config::Table table = config::Table::read(in, file);
+    return contours_of(config::Table::read(bytes, file), file);
+}
+
+MeshFile contours_of(const config::Table& table, const std::string& file) {
     config::Problems problems;
     table.require({"wkt"}, problems);
     problems.throw_if_any();
     MeshFile mesh;
-    mesh.format = "points and lines, CSV";
+    mesh.format = "points and lines";
     for (std::size_t row = 0; row < table.rows(); ++row) {
         read_row(table, row, mesh, problems);
     }

@@ -10,6 +10,8 @@
 
 #include "rockfall/terrain/breaklines.hpp"
 
+#include "config/table/table.hpp"
+
 namespace coupling::meshes {
 
 /// What a file of a surface holds, as it stands there.
@@ -47,5 +49,7 @@ MeshFile read_dxf(std::string_view bytes, const std::string& file);
 
 /// Reads CSV with `wkt`: POINT or LINESTRING, each with Z, or with the height of the row in `height_m`.
 MeshFile read_contours(std::string_view bytes, const std::string& file);
+/// The same of a table or layer that was read already.
+MeshFile contours_of(const config::Table& table, const std::string& file);
 
 }  // namespace coupling::meshes

@@ -176,12 +176,30 @@ MeshFile read_mesh_file(std::string_view bytes, const std::string& file) {
     return mesh;
 }
 
+/// Contours and points as a GIS keeps them, by the ending of their file.
+bool names_layer(const std::string& name) {
+    const std::string file = formats::split_layer_name(name).file;
+    const std::size_t dot = file.find_last_of('.');
+    std::string ending = dot == std::string::npos ? "" : file.substr(dot);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".gpkg" || ending == ".shp" || ending == ".geojson" || ending == ".json";
+}
+
+MeshFile read_named_mesh(const std::string& name, Reading& reading) {
+    if (names_layer(name)) {
+        const config::Table table = reading.table("terrain.mesh", "mesh", name);
+        return contours_of(table, table.file());
+    }
+    const FileBytes bytes = reading.open("terrain.mesh", "mesh", name,
+                                         "a mesh (PLY, STL), contours (DXF, CSV, layers) or points as text");
+    return read_mesh_file(bytes.text(), reading.shown(name));
+}
+
 MeshInput read_mesh(Reading& reading) {
     const std::string& name = reading.scenario().mesh;
     const std::string file = reading.shown(name);
-    const FileBytes bytes = reading.open("terrain.mesh", "mesh", name,
-                                         "a mesh (PLY, STL), contours (DXF, CSV) or points as text");
-    MeshFile mesh = read_mesh_file(bytes.text(), file);
+    MeshFile mesh = read_named_mesh(name, reading);
     if (mesh.points_m.size() < 3) {
         config::fail(config::ExitCode::data, {file}, counted(mesh.points_m.size(), "point"),
                      "at least three");
@@ -196,7 +214,7 @@ MeshInput read_mesh(Reading& reading) {
     }
     MeshInput input;
     if (mesh.faces.empty()) {
-        if (format_of(bytes.text(), file) == MeshFormat::ply) {
+        if (format_of("", file) == MeshFormat::ply) {
             reading.note(file + ": no faces in it; its points are triangulated as those of terrain.points");
         }
         input.points_m = std::move(mesh.points_m);

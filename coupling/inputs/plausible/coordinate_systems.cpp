@@ -84,6 +84,7 @@ struct Element {
     std::string keyword;  ///< lower case letters
     std::string text;     ///< the first field in quotes
     std::string after;    ///< the field after that
+    std::string third;    ///< and the one after that
     int depth = 0;
 };
 
@@ -114,12 +115,16 @@ std::vector<Element> elements_of(std::string_view text) {
         }
         if (text[at] == '[' || text[at] == '(') {
             ++depth;
-            Element element{letters_in_lower_case(word), "", "", depth};
+            Element element{letters_in_lower_case(word), "", "", "", depth};
             std::size_t inside = at + 1;
             element.text = field_at(text, inside);
             if (inside < text.size() && text[inside] == ',') {
                 ++inside;
                 element.after = field_at(text, inside);
+            }
+            if (inside < text.size() && text[inside] == ',') {
+                ++inside;
+                element.third = field_at(text, inside);
             }
             elements.push_back(std::move(element));
         } else if (text[at] == ']' || text[at] == ')') {
@@ -147,7 +152,24 @@ void take_parameter(const Element& element, Projection& projection) {
                                 "longitudeofcentre", "longitudeofnaturalorigin", "longitudeoffalseorigin",
                                 "longitudeofprojectioncentre"})) {
         projection.central_meridian_deg = value;
+    } else if (is_one_of(name, {"latitudeoforigin", "latitudeofcenter", "latitudeofcentre",
+                                "latitudeofnaturalorigin", "latitudeoffalseorigin",
+                                "latitudeofprojectioncentre"})) {
+        projection.latitude_of_origin_deg = value;
+    } else if (is_one_of(name,
+                         {"scalefactor", "scalefactoratnaturalorigin", "scalefactorattheprojectioncentre",
+                          "scalefactoratprojectioncentre", "scalefactoroninitialline"})) {
+        projection.scale = value;
     }
+}
+
+/// The code of EPSG of the system itself: that of its datum stands deeper.
+std::optional<int> epsg_of(const Element& element) {
+    constexpr double largest = 1e6;
+    const auto code = config::parse_number(element.after);
+    return element.text == "EPSG" && code && *code > 0.0 && *code < largest
+               ? std::optional{static_cast<int>(*code)}
+               : std::nullopt;
 }
 
 Extent with_slack(const Extent& extent) {
@@ -190,6 +212,11 @@ std::optional<Projection> read_projection(std::string_view text) {
             take_parameter(*element, projection);
         } else if (is_one_of(element->keyword, {"unit", "lengthunit"}) && element->depth == root->depth + 1) {
             projection.metres_per_unit = config::parse_number(element->after);
+        } else if (is_one_of(element->keyword, {"spheroid", "ellipsoid"}) && !projection.major_axis_m) {
+            projection.major_axis_m = config::parse_number(element->after);
+            projection.inverse_flattening = config::parse_number(element->third);
+        } else if (is_one_of(element->keyword, {"authority", "id"}) && element->depth == root->depth + 1) {
+            projection.epsg = epsg_of(*element);
         }
     }
     return projection;

@@ -35,6 +35,11 @@ struct Projection {
     std::optional<double> central_meridian_deg;
     std::optional<double> false_easting;  ///< in its own unit
     std::optional<double> false_northing;
+    std::optional<double> latitude_of_origin_deg;
+    std::optional<double> scale;               ///< on the central meridian [-]
+    std::optional<double> major_axis_m;        ///< of the figure of the earth
+    std::optional<double> inverse_flattening;  ///< of it [-]
+    std::optional<int> epsg;                   ///< its code, where the text names one
 };
 
 /// Reads well-known text, versions 1 (OGC and ESRI) and 2; nothing for other texts and for kinds that are

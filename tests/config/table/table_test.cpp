@@ -45,6 +45,60 @@ TEST(Table, ReadsTheSameFromAnySpreadsheet) {
     }
 }
 
+TEST(Table, ReadsTabsAndTheLineOfExcelThatNamesTheSeparator) {
+    for (const std::string text :
+         {"a\tb, c\td\n1\t2\t3\n", "sep=;\na;b, c;d\n1;2;3\n", "a\tb, c\td\r\n1\t2\t3\r\n"}) {
+        const Table table = table_of(text);
+        ASSERT_EQ(table.columns(), (std::vector<std::string>{"a", "b, c", "d"})) << text;
+        EXPECT_EQ(table.text(0, "b, c"), "2") << text;
+    }
+    EXPECT_EQ(table_of("sep=,\na,b\n1,2\n").place(0, "b").line, 3U);
+}
+
+TEST(Table, ReadsDecimalCommasWhereTheySeparateNothing) {
+    const Table table = table_of("id;dbh;name\n1;32,5;a,b\n2;-0,25;1,5 m\n");
+    EXPECT_EQ(table.text(0, "dbh"), "32.5");
+    EXPECT_EQ(table.text(1, "dbh"), "-0.25");
+    EXPECT_EQ(table.text(0, "name"), "a,b");
+    EXPECT_EQ(table.text(1, "name"), "1,5 m");
+    EXPECT_EQ(table_of("id\tdbh\n1\t0,5\n").text(0, "dbh"), "0.5");
+    EXPECT_EQ(table_of("id,dbh\n1,\"0,5\"\n").text(0, "dbh"), "0,5");  // they separate fields here
+}
+
+TEST(Table, LeavesCommasAndPointsInOneTableToTheReader) {
+    Problems problems;
+    const Table table = table_of("id;dbh\n1;32,5\n2;18.5\n");
+    EXPECT_FALSE(table.number(0, "dbh", {}, problems));
+    EXPECT_EQ(to_string(problems.list().front()),
+              "trees.csv:2:3: found dbh '32,5', expected a number, with a decimal point");
+}
+
+TEST(Features, GiveATableWithPlacesByTheirNumbers) {
+    Features features{.file = "map.gpkg|roads",
+                      .columns = {"wkt"},
+                      .cells = {{"POINT (1 2)"}, {"POINT (3 4)", "b"}},
+                      .numbers = {7, 9}};
+    features.add_column("name");
+    Table table = Table::of(std::move(features));
+    EXPECT_EQ(table.text(0, "name"), "");
+    EXPECT_EQ(table.text(1, "name"), "b");
+    EXPECT_EQ(table.place(1, "name").line, 9U);
+    EXPECT_EQ(table.place(1, "name").column, 2U);
+    table.rename("name", "id");
+    EXPECT_FALSE(table.has("name"));
+    table.add_column("x", {"1", "3"}, "wkt");
+    EXPECT_EQ(table.text(1, "x"), "3");
+    EXPECT_EQ(table.place(1, "x").line, 9U);
+}
+
+TEST(Features, CallColumnsOfOneNameDifferently) {
+    Features features;
+    for (const char* name : {"wkt", "a", "a", ""}) {
+        features.add_column(name);
+    }
+    EXPECT_EQ(features.columns, (std::vector<std::string>{"wkt_2", "a", "a_2", "column"}));
+}
+
 TEST(Table, KeepsCommasQuotesAndLineBreaksInsideQuotes) {
     const Table table = table_of("name,wkt\n\"a \"\"b\"\"\nc\",\"LINESTRING (0 0, 1 1)\"\nd,e\n");
     EXPECT_EQ(table.text(0, "name"), "a \"b\"\nc");

@@ -70,8 +70,8 @@ TEST(Site, TellsEveryMissingFileAtOnce) {
     const Opened opened = open(project);
     EXPECT_EQ(opened.code, ExitCode::file);
     EXPECT_EQ(opened.errors,
-              "scenario.ini:2:7: found no file 'dem.asc', expected an ESRI ASCII grid\n"
-              "scenario.ini:6:8: found no file 'trees.csv', expected a CSV table");
+              "scenario.ini:2:7: found no file 'dem.asc', expected a grid (GeoTIFF or ESRI ASCII)\n"
+              "scenario.ini:6:8: found no file 'trees.csv', expected a table or layer");
 }
 
 TEST(Site, TellsFaultsOfDifferentFilesTogether) {

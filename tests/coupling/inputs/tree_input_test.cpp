@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "coupling/inputs/species_table.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
@@ -222,7 +227,44 @@ TEST(SpeciesTable, FindsCodesAndLatinNamesInAnyCase) {
         EXPECT_EQ(table.find(name)->code, "FASY");
         EXPECT_EQ(table.find(name)->fracture_energy, 1.70);
     }
-    EXPECT_EQ(table.find("Fagus"), nullptr);
+    EXPECT_EQ(table.find("Fagopyrum"), nullptr);
+}
+
+TEST(SpeciesTable, KnowsNamesInFourLanguagesAndShortForms) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    const std::vector<std::pair<std::string, std::string>> meant{
+        {"Fichte", "PIAB"},      {"FICHTE", "PIAB"},
+        {"Fi", "PIAB"},          {"épicéa", "PIAB"},
+        {"Abete rosso", "PIAB"}, {"Weißtanne", "ABAL"},
+        {"Weisstanne", "ABAL"},  {"Ta.", "ABAL"},
+        {"sapin", "ABAL"},       {"LÄRCHE", "LADE"},
+        {"Laerche", "LADE"},     {"mélèze", "LADE"},
+        {"hêtre", "FASY"},       {"faggio", "FASY"},
+        {"RBu", "FASY"},         {"Berg-Ahorn", "ACPS"},
+        {"Föhre", "PISY"},       {"Foehre", "PISY"},
+        {"Arve", "PICE"},        {"Picea abies (L.) H. Karst.", "PIAB"},
+        {"Vogelbeere", "SOAU"},  {"frassino", "FREX"},
+        {"Laubholz", "OTBR"},    {"Picea", "PIAB"}};
+    for (const auto& [name, code] : meant) {
+        ASSERT_NE(table.find(name), nullptr) << name;
+        EXPECT_EQ(table.find(name)->code, code) << name;
+    }
+    for (const char* name : {"Fi?", "Fichtel", "Picea abiess", "", "?"}) {
+        EXPECT_EQ(table.find(name), nullptr) << name;
+    }
+}
+
+TEST(SpeciesTable, HasNoNameForTwoSpecies) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    std::map<std::string, std::string> code_of;
+    for (const Species& species : table.all()) {
+        EXPECT_FALSE(species.names.empty()) << species.code;
+        for (const std::string& name : species.names) {
+            EXPECT_FALSE(name.empty()) << species.code;
+            const auto [entry, is_new] = code_of.emplace(name, species.code);
+            EXPECT_TRUE(is_new || entry->second == species.code) << name;
+        }
+    }
 }
 
 TEST(SpeciesTable, GivesEachSpeciesAStrengthOfItsOwn) {

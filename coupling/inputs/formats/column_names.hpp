@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/table/table.hpp"
+
+namespace coupling::formats {
+
+/// A column that was taken for one of ours.
+struct NamedColumn {
+    std::string found;
+    std::string taken_as;
+};
+
+/// Gives the columns of a table the names that the program knows for its role (`trees`, `targets`, ...):
+/// capitals do not count, a Shapefile cuts names off after ten letters, and config/data/column_names.csv has
+/// words of other programs and languages. A name that is there already is left alone. Tells the columns that
+/// were renamed by a word.
+std::vector<NamedColumn> name_columns(config::Table& table, std::string_view role);
+
+/// Gives lists of trees and logs their coordinates from their shapes: `x_m` and `y_m` of points; of lines
+/// from end to end `x1_m`, `y1_m`, `x2_m`, `y2_m`. `shapes_win` says that attributes of these names may be
+/// older than the shapes and are replaced; the number of rows whose place then differs by more than a metre
+/// comes back.
+std::size_t take_coordinates(config::Table& table, bool shapes_win);
+
+}  // namespace coupling::formats

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "config/grid/raster.hpp"
+
+namespace coupling::formats {
+
+/// A grid and the coordinate system that its file names.
+struct PlacedGrid {
+    config::Raster<double> raster;  ///< NODATA cells are NaN
+    std::string projection;         ///< well-known text, empty where the file names none
+};
+
+/// Whether bytes begin as a TIFF does, also a BigTIFF.
+bool is_tiff(std::string_view bytes);
+
+/// The most cells of a GeoTIFF that is read, as many as maps may have.
+inline constexpr std::size_t most_tiff_cells = 400'000'000;
+
+/// Reads a GeoTIFF of one band from its bytes: whole numbers of 8 to 64 bits, floats of 32 and 64; strips or
+/// tiles; every compression that libtiff knows here; cells as areas or as points.
+///
+/// Cells become NaN where the NODATA tag of GDAL says so, and where a float is NaN. Memory grows with the
+/// cells that the file really holds, not with those it claims.
+///
+/// Throws InputError (data) naming what a grid of ours cannot have: several bands, complex or packed numbers,
+/// a mask, a scale and offset, a rotation, no place on the map, an unknown compression, a file cut off.
+PlacedGrid read_geotiff(std::string_view bytes, const std::string& file);
+
+}  // namespace coupling::formats

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "coupling/inputs/formats/geotiff.hpp"
+#include "coupling/inputs/formats/layer.hpp"
+
+namespace coupling::formats {
+
+/// The bytes of the file of the same name with another ending, such as ".prj"; empty where there is none.
+/// They live as long as whoever opened it says.
+using BytesBeside = std::function<std::string_view(const std::string& ending)>;
+
+/// A file and a layer in it, as users and QGIS write it: `roads.gpkg`, `map.gpkg|roads`,
+/// `map.gpkg|layername=roads`.
+struct LayerName {
+    std::string file;
+    std::string layer;
+};
+LayerName split_layer_name(const std::string& name);
+
+/// Reads a grid from the bytes of its file, whatever its format: ESRI ASCII with its .prj, GeoTIFF. Throws
+/// InputError, also with what else the bytes are.
+PlacedGrid read_grid_file(std::string_view bytes, const std::string& file, const BytesBeside& beside);
+
+/// What a table of text was read as, where that was not plain UTF-8: a sentence for the user, else empty.
+struct ReadLayer {
+    Layer layer;
+    bool has_shapes_of_its_own = false;  ///< a GIS wrote the shapes: attributes may be older
+    std::string remark;
+};
+
+/// Reads a table or layer from the bytes of its file, whatever its format: CSV, GeoPackage, Shapefile,
+/// GeoJSON. `file` is the name in messages, `layer` may be empty.
+ReadLayer read_layer_file(std::string_view bytes, const std::string& layer, const std::string& file,
+                          const BytesBeside& beside);
+
+/// "GeoTIFF", "GeoPackage", "CSV table" ...: what the bytes are, for `bannwald info`.
+std::string format_in_words(std::string_view bytes);
+
+/// Whether the bytes are a raster or a layer in one of the formats of GIS, not text of ours.
+bool is_gis_raster(std::string_view bytes);
+bool is_gis_layer(std::string_view bytes);
+
+}  // namespace coupling::formats

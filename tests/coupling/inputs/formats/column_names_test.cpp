@@ -1,0 +1,75 @@
+#include "coupling/inputs/formats/column_names.hpp"
+
+#include <gtest/gtest.h>
+
+namespace coupling::column_names_test {
+namespace {
+
+using formats::name_columns;
+
+config::Table named(const std::string& text, const std::string& role) {
+    config::Table table = config::Table::read(std::string_view{text}, "file");
+    name_columns(table, role);
+    return table;
+}
+
+TEST(NameColumns, KnowsTheWordsOfOtherLanguages) {
+    EXPECT_EQ(named("Nr;Rechtswert;Hochwert;Baumart;BHD;Höhe\n1;2;3;Fi;30;20\n", "trees").columns(),
+              (std::vector<std::string>{"tree_id", "x_m", "y_m", "species", "dbh_cm", "height_m"}));
+    EXPECT_EQ(named("numero;est;nord;essence;dhp;hauteur\n1;2;3;Fi;30;20\n", "trees").columns(),
+              (std::vector<std::string>{"tree_id", "x_m", "y_m", "species", "dbh_cm", "height_m"}));
+    EXPECT_EQ(named("WKT,id,bezeichnung\na,b,c\n", "targets").columns(),
+              (std::vector<std::string>{"wkt", "target_id", "name"}));
+}
+
+TEST(NameColumns, LeavesOurOwnNamesAlone) {
+    // `id` stays what it is where target_id is there, and `name` is a column of ours.
+    EXPECT_EQ(named("target_id,id,name,wkt\na,b,c,d\n", "targets").columns(),
+              (std::vector<std::string>{"target_id", "id", "name", "wkt"}));
+    EXPECT_EQ(named("bhd,x_m\n1,2\n", "climates").columns(), (std::vector<std::string>{"bhd", "x_m"}));
+}
+
+TEST(NameColumns, KnowsNamesThatAShapefileCutOff) {
+    EXPECT_EQ(named("clearance_,diameter1_,SPECIES\n1,2,3\n", "logs").columns(),
+              (std::vector<std::string>{"clearance_m", "diameter1_cm", "species"}));
+}
+
+TEST(NameColumns, TellsWhatItTookForWhat) {
+    config::Table table = config::Table::read(std::string_view{"BHD,X_M\n1,2\n"}, "file");
+    const auto taken = name_columns(table, "trees");
+    ASSERT_EQ(taken.size(), 1U);  // capitals are no other name
+    EXPECT_EQ(taken[0].found + " " + taken[0].taken_as, "BHD dbh_cm");
+}
+
+TEST(TakeCoordinates, TakesThemFromPointsAndLines) {
+    config::Table points =
+        config::Table::read(std::string_view{"wkt\nPOINT (1.5 2)\nMULTIPOINT ((3 4))\n"}, "file");
+    EXPECT_EQ(formats::take_coordinates(points, false), 0U);
+    EXPECT_EQ(points.text(0, "x_m") + " " + points.text(1, "y_m"), "1.5 4");
+    config::Table lines =
+        config::Table::read(std::string_view{"wkt\n\"LINESTRING (1 2, 3 4, 5 6)\"\n"}, "file");
+    formats::take_coordinates(lines, false);
+    EXPECT_EQ(lines.text(0, "x1_m") + lines.text(0, "y1_m") + lines.text(0, "x2_m") + lines.text(0, "y2_m"),
+              "1256");
+}
+
+TEST(TakeCoordinates, LetsShapesOfAGisWinAndCountsWhatMoved) {
+    const std::string_view text = "x_m,y_m,wkt\n1,2,POINT (1 2)\n1,2,POINT (10 2)\n";
+    config::Table layer = config::Table::read(text, "file");
+    EXPECT_EQ(formats::take_coordinates(layer, true), 1U);
+    EXPECT_EQ(layer.text(1, "x_m"), "10");
+    config::Table list = config::Table::read(text, "file");
+    EXPECT_EQ(formats::take_coordinates(list, false), 0U);
+    EXPECT_EQ(list.text(1, "x_m"), "1");
+}
+
+TEST(TakeCoordinates, LeavesRowsWithoutPlaceEmpty) {
+    config::Table table = config::Table::read(
+        std::string_view{"wkt,a\nPOINT (1 2),x\n,y\n\"MULTIPOINT ((1 2), (3 4))\",z\n"}, "file");
+    formats::take_coordinates(table, true);
+    EXPECT_EQ(table.text(1, "x_m"), "");
+    EXPECT_EQ(table.text(2, "x_m"), "");
+}
+
+}  // namespace
+}  // namespace coupling::column_names_test

@@ -1,0 +1,123 @@
+#include "coupling/inputs/formats/geotiff.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "config/grid/ascii_grid.hpp"
+#include "coupling/inputs/plausible/coordinate_systems.hpp"
+#include "coupling/results/geotiff.hpp"
+#include "tests/coupling/inputs/formats/given_files.hpp"
+
+namespace coupling::geotiff_test {
+namespace {
+
+using formats::read_geotiff;
+
+/// The bytes of a file with a tag of its first directory set to another value (little endian, 2 or 4 bytes).
+std::string with_tag(std::string bytes, std::uint16_t tag, std::uint32_t value) {
+    const auto number = [&](std::size_t at, std::size_t size) {
+        std::uint32_t found = 0;
+        std::memcpy(&found, bytes.data() + at, size);
+        return found;
+    };
+    const std::size_t directory = number(4, 4);
+    for (std::size_t i = 0; i < number(directory, 2); ++i) {
+        const std::size_t entry = directory + 2 + 12 * i;
+        if (number(entry, 2) == tag) {
+            std::memcpy(bytes.data() + entry + 8, &value, number(entry + 2, 2) == 3 ? 2 : 4);
+            return bytes;
+        }
+    }
+    throw std::logic_error{"no such tag"};
+}
+
+std::string refused(const std::string& bytes) {
+    return refusal_of([&] { read_geotiff(bytes, "dem.tif"); });
+}
+
+TEST(ReadGeotiff, GivesTheGridThatItWasMadeFrom) {
+    const SampleProject project;
+    for (const auto& [tif, asc] : {std::pair{"dem.tif", "dem.asc"}, std::pair{"surface.tif", "surface.asc"},
+                                   std::pair{"source.tif", "source.asc"}}) {
+        const formats::PlacedGrid grid = read_geotiff(given_file(tif), tif);
+        const config::Raster<double> given = config::read_ascii_grid(project.read(asc), asc);
+        EXPECT_EQ(grid.raster.frame, given.frame) << tif;
+        EXPECT_EQ(grid.raster.values, given.values) << tif;
+    }
+}
+
+TEST(ReadGeotiff, NamesTheCoordinateSystemOfItsKeys) {
+    const auto projection =
+        plausible::read_projection(read_geotiff(given_file("dem.tif"), "dem.tif").projection);
+    ASSERT_TRUE(projection);
+    EXPECT_EQ(projection->name, "ETRS_1989_LAEA");
+    EXPECT_EQ(projection->false_easting, 4321000.0);
+}
+
+TEST(ReadGeotiff, ReadsWhatTheProgramWrites) {
+    const SampleProject project;
+    config::Raster<double> raster{{3, 2, 100.5, 200.25, 0.5, 0.5}, 0.0};
+    raster.values = {1.5, -2.25, std::nan(""), 1e6, 0.0, 4.0};
+    const std::string system =
+        "PROJCS[\"Own\",GEOGCS[\"G\",DATUM[\"D\",SPHEROID[\"Bessel_1841\",6377397.155,299.1528128]],"
+        "PRIMEM[\"Greenwich\",0],UNIT[\"Degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+        "PARAMETER[\"Central_Meridian\",10],UNIT[\"Meter\",1]]";
+    write_geotiff(project.file("own.tif"), raster, system);
+    const formats::PlacedGrid grid = read_geotiff(project.read("own.tif"), "own.tif");
+    EXPECT_EQ(grid.raster.frame, raster.frame);
+    EXPECT_EQ(grid.projection, system);
+    for (std::size_t i = 0; i < raster.values.size(); ++i) {
+        EXPECT_TRUE(grid.raster.values[i] == raster.values[i] ||
+                    (std::isnan(grid.raster.values[i]) && std::isnan(raster.values[i])))
+            << i;
+    }
+}
+
+TEST(ReadGeotiff, RefusesAFileThatIsCutOff) {
+    const std::string whole = given_file("dem.tif");
+    const std::string rows = given_file("source.tif");
+    for (const std::size_t bytes : {std::size_t{4}, std::size_t{9}, std::size_t{100}, whole.size() / 2}) {
+        EXPECT_NE(refused(whole.substr(0, bytes)), "") << bytes;
+    }
+    constexpr std::size_t after_last_row = 632;  // GDAL fills the last strip up
+    for (std::size_t bytes = 8; bytes < after_last_row; ++bytes) {
+        const std::string message = refused(rows.substr(0, bytes));
+        EXPECT_TRUE(message.find("cut off") != std::string::npos ||
+                    message.find("no place on the map") != std::string::npos)
+            << bytes << ": " << message;
+    }
+}
+
+TEST(ReadGeotiff, RefusesWhatAGridOfOursCannotHave) {
+    const std::string plain = given_file("source.tif");
+    EXPECT_EQ(refused(with_tag(plain, 277, 2)),
+              "dem.tif: found 2 bands, expected a grid of one band; export the band that holds the values "
+              "(QGIS: Translate; gdal_translate -b 1)");
+    EXPECT_EQ(refused(with_tag(plain, 259, 34712)),
+              "dem.tif: found compression 34712, expected none, LZW, deflate, packbits, LZMA, ZSTD or LERC; "
+              "save it with one of these (QGIS: Translate, option COMPRESS=DEFLATE)");
+    EXPECT_NE(refused(with_tag(plain, 258, 12)).find("found cells of 12 bits"), std::string::npos);
+    EXPECT_NE(refused(with_tag(plain, 339, 5)).find("complex or unknown"), std::string::npos);
+}
+
+TEST(ReadGeotiff, TakesNoMemoryForCellsThatTheFileDoesNotHold) {
+    const std::string large = with_tag(with_tag(given_file("source.tif"), 256, 60'000), 257, 60'000);
+    EXPECT_NE(refused(large).find("400 million cells"), std::string::npos) << refused(large);
+    const std::string wide = with_tag(with_tag(given_file("source.tif"), 256, 10'000), 257, 10'000);
+    EXPECT_NE(refused(wide).find("a file that holds its cells"), std::string::npos) << refused(wide);
+}
+
+TEST(IsTiff, TakesBothByteOrdersAndBothSizes) {
+    for (const std::string& beginning : {std::string{"II*\0", 4}, std::string{"MM\0*", 4},
+                                         std::string{"II+\0", 4}, std::string{"MM\0+", 4}}) {
+        EXPECT_TRUE(formats::is_tiff(beginning + "more"));
+    }
+    EXPECT_FALSE(formats::is_tiff("ncols 12"));
+    EXPECT_FALSE(formats::is_tiff(""));
+}
+
+}  // namespace
+}  // namespace coupling::geotiff_test
