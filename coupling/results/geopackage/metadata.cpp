@@ -139,8 +139,12 @@ const char* name_of(Form form) {
     return "GEOMETRY";
 }
 
+std::string index_table(const std::string& layer) {
+    return joined("rtree_", layer, "_geom");
+}
+
 std::string index_name(const std::string& layer) {
-    return sql_name(joined("rtree_", layer, "_geom"));
+    return sql_name(index_table(layer));
 }
 
 std::string create_index(const std::string& layer) {

@@ -18,6 +18,8 @@ const char* name_of(Form form);
 /// Makes the empty R-tree of a layer.
 std::string create_index(const std::string& layer);
 std::string index_name(const std::string& layer);
+/// The same without quotes.
+std::string index_table(const std::string& layer);
 
 /// Makes a filled layer or table known, with its extent; from then on triggers keep its index whole when
 /// others edit it.

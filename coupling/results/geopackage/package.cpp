@@ -36,13 +36,21 @@ std::string create_statement(const Plan& plan) {
     return sql += ")";
 }
 
-std::string insert_statement(const Plan& plan) {
-    std::string sql = joined("INSERT INTO ", sql_name(plan.name), " VALUES (NULL");
+/// Each statement has a cost of its own, so many rows share one.
+constexpr std::size_t rows_a_statement = 16;
+
+std::string insert_statement(const Plan& plan, std::size_t rows) {
+    std::string row = "(NULL";
     const std::size_t values = plan.columns.size() + (plan.form == Form::none ? 0 : 1);
     for (std::size_t i = 0; i < values; ++i) {
-        sql += ", ?";
+        row += ", ?";
     }
-    return sql += ")";
+    row += ")";
+    std::string sql = joined("INSERT INTO ", sql_name(plan.name), " VALUES ");
+    for (std::size_t i = 0; i < rows; ++i) {
+        sql += joined(i == 0 ? "" : ", ", row);
+    }
+    return sql;
 }
 
 }  // namespace
@@ -58,57 +66,74 @@ void GeoPackage::close() {
     database_.close();
 }
 
-Layer::Layer(GeoPackage& package, Plan plan) : package_{package}, written_{std::move(plan), 0, {}} {
+Layer::Layer(GeoPackage& package, Plan plan)
+    : package_{package}, written_{std::move(plan), 0, {}}, waiting_(rows_a_statement) {
     const Plan& p = written_.plan;
     package_.database_.execute(create_statement(p));
-    insert_.emplace(package_.database_, insert_statement(p));
-    if (p.form != Form::none) {
-        package_.database_.execute(create_index(p.name));
-        insert_extent_.emplace(package_.database_,
-                               joined("INSERT INTO ", index_name(p.name), " VALUES (?, ?, ?, ?, ?)"));
-    }
+    insert_many_.emplace(package_.database_, insert_statement(p, rows_a_statement));
 }
 
-void Layer::bind(int parameter, ColumnType type, std::string_view field) {
+void Layer::bind(Statement& insert, int parameter, ColumnType type, std::string_view field) const {
     const char* const end = field.data() + field.size();
     std::int64_t whole = 0;
     double number = 0.0;
     if (field.empty()) {
-        insert_->bind_null(parameter);
+        insert.bind_null(parameter);
     } else if (type == ColumnType::whole && std::from_chars(field.data(), end, whole).ptr == end) {
-        insert_->bind(parameter, whole);
+        insert.bind(parameter, whole);
     } else if (type == ColumnType::number && std::from_chars(field.data(), end, number).ptr == end) {
-        insert_->bind(parameter, number);
+        insert.bind(parameter, number);
     } else {
-        insert_->bind(parameter, field);
+        insert.bind(parameter, field);
     }
+}
+
+void Layer::insert_rows(Statement& insert, std::size_t first, std::size_t count) {
+    int parameter = 1;
+    for (std::size_t row = first; row < first + count; ++row) {
+        if (written_.plan.form != Form::none) {
+            insert.bind_bytes(parameter++, waiting_[row].geometry);
+        }
+        for (std::size_t i = 0; i < written_.plan.columns.size(); ++i) {
+            bind(insert, parameter++, written_.plan.columns[i].type, waiting_[row].fields[i]);
+        }
+    }
+    insert.run();
 }
 
 void Layer::add(const std::vector<std::string_view>& fields, const Geometry* geometry) {
     assert(fields.size() == written_.plan.columns.size());
     assert((geometry == nullptr) == (written_.plan.form == Form::none));
-    int parameter = 1;
-    if (geometry != nullptr) {
-        insert_->bind_bytes(parameter++, geometry->bytes);
-    }
+    Waiting& row = waiting_[waiting_rows_++];
+    row.fields.resize(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        bind(parameter++, written_.plan.columns[i].type, fields[i]);
+        row.fields[i].assign(fields[i]);
     }
-    insert_->run();
     ++written_.rows;
     if (geometry != nullptr) {
-        const Extent& extent = geometry->extent;
-        insert_extent_->bind(1, static_cast<std::int64_t>(written_.rows));
-        insert_extent_->bind(2, extent.low_x_m).bind(3, extent.high_x_m);
-        insert_extent_->bind(4, extent.low_y_m).bind(5, extent.high_y_m);
-        insert_extent_->run();
-        written_.extent.add(extent);
+        row.geometry = geometry->bytes;
+        index_.add(geometry->extent);
+        written_.extent.add(geometry->extent);
+    }
+    if (waiting_rows_ == rows_a_statement) {
+        insert_rows(*insert_many_, 0, rows_a_statement);
+        waiting_rows_ = 0;
     }
 }
 
 void Layer::finish() {
-    insert_.reset();
-    insert_extent_.reset();
+    insert_many_.reset();
+    const Plan& plan = written_.plan;
+    {
+        Statement insert_one{package_.database_, insert_statement(plan, 1)};
+        for (std::size_t row = 0; row < waiting_rows_; ++row) {
+            insert_rows(insert_one, row, 1);
+        }
+    }
+    if (plan.form != Form::none) {
+        package_.database_.execute(create_index(plan.name));
+        index_.write(package_.database_, index_table(plan.name));
+    }
     register_layer(package_.database_, written_, package_.reference_);
     package_.written_.push_back(std::move(written_));
 }

@@ -9,6 +9,7 @@
 
 #include "coupling/results/geopackage/database.hpp"
 #include "coupling/results/geopackage/geometry.hpp"
+#include "coupling/results/geopackage/packed_index.hpp"
 #include "coupling/results/geopackage/spatial_reference.hpp"
 
 namespace coupling::geopackage {
@@ -75,12 +76,21 @@ public:
     void finish();
 
 private:
-    void bind(int parameter, ColumnType type, std::string_view field);
+    /// A row that waits until there are enough for a statement.
+    struct Waiting {
+        std::vector<std::string> fields;
+        std::vector<std::uint8_t> geometry;
+    };
+    void bind(Statement& insert, int parameter, ColumnType type, std::string_view field) const;
+    /// Binds waiting rows from `first` on to a statement that takes `count` of them, and runs it.
+    void insert_rows(Statement& insert, std::size_t first, std::size_t count);
 
     GeoPackage& package_;
     Written written_;
-    std::optional<Statement> insert_;
-    std::optional<Statement> insert_extent_;
+    std::vector<Waiting> waiting_;  ///< reused from statement to statement
+    std::size_t waiting_rows_ = 0;
+    std::optional<Statement> insert_many_;
+    PackedIndex index_;
 };
 
 }  // namespace coupling::geopackage

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "config/errors/input_error.hpp"
@@ -165,6 +166,53 @@ TEST(Geometry, GivesHolesToTheAreaAroundThem) {
     EXPECT_EQ(whole_at(areas, first + 5), 2U);  // the first with a hole
     constexpr std::size_t ring_bytes = 4 + 5 * 16;
     EXPECT_EQ(whole_at(areas, first + 9 + 2 * ring_bytes + 5), 1U);
+}
+
+/// Points on a spiral, so that no two lie in one place.
+std::filesystem::path many_points(const TestFolder& folder, int count) {
+    std::filesystem::path file = folder.path() / ("many_" + std::to_string(count) + ".gpkg");
+    GeoPackage package{file, lambert};
+    Layer layer{package, {"dots", "Dots.", {{"number", ColumnType::whole}}, Form::point, {}}};
+    for (int i = 0; i < count; ++i) {
+        const Geometry dot =
+            point({177000.0 + i * std::cos(0.1 * i), 376000.0 + i * std::sin(0.1 * i)}, {}, package.srs_id());
+        layer.add({std::to_string(i)}, &dot);
+    }
+    layer.finish();
+    package.close();
+    return file;
+}
+
+TEST(PackedIndex, IsSoundForAnyNumberOfRows) {
+    const TestFolder folder;
+    for (const int count : {0, 1, 15, 16, 17, 51, 52, 2601, 2602, 140'000}) {
+        const std::filesystem::path file = many_points(folder, count);
+        EXPECT_EQ(answer(file, "SELECT rtreecheck('rtree_dots_geom')"), "ok") << count;
+        EXPECT_EQ(answer(file, "PRAGMA integrity_check"), "ok") << count;
+        EXPECT_EQ(answer(file, "SELECT count(*) FROM rtree_dots_geom"), std::to_string(count));
+        EXPECT_EQ(answer(file, "SELECT count(*) FROM dots"), std::to_string(count));
+        EXPECT_EQ(answer(file, "SELECT count(*) FROM dots WHERE number = fid - 1"), std::to_string(count));
+    }
+}
+
+TEST(PackedIndex, FindsInAWindowWhatLiesThere) {
+    const TestFolder folder;
+    const std::filesystem::path file = many_points(folder, 20'000);
+    for (const double size : {0.5, 10.0, 300.0, 5000.0}) {
+        std::size_t inside = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const double x = i * std::cos(0.1 * i);
+            const double y = i * std::sin(0.1 * i);
+            inside += std::abs(x - 1000.0) <= size && std::abs(y) <= size ? 1U : 0U;
+        }
+        const std::string found = answer(
+            file, "SELECT count(*) FROM rtree_dots_geom WHERE maxx >= " + std::to_string(178000.0 - size) +
+                      " AND minx <= " + std::to_string(178000.0 + size) + " AND maxy >= " +
+                      std::to_string(376000.0 - size) + " AND miny <= " + std::to_string(376000.0 + size));
+        // Floats of the index reach a few centimetres beyond the points.
+        EXPECT_GE(std::stoul(found), inside) << size;
+        EXPECT_LE(std::stoul(found), inside + 5) << size;
+    }
 }
 
 }  // namespace
