@@ -22,7 +22,7 @@ namespace po = boost::program_options;
 /// The options that a command takes beside --help, --quiet and --verbose.
 const std::map<std::string, std::vector<std::string>>& options_of_commands() {
     static const std::map<std::string, std::vector<std::string>> options{
-        {"init", {"example", "from-rockyfor3d"}},
+        {"init", {"example", "from-rockyfor3d", "dem", "sources", "targets", "trees", "grounds"}},
         {"check", {"set", "seed", "threads", "print-settings"}},
         {"run", {"set", "seed", "threads", "out", "overwrite", "shard"}},
         {"merge", {"set", "seed", "out", "overwrite"}},
@@ -144,6 +144,27 @@ std::vector<std::string> texts(const po::variables_map& values, const std::strin
     }
     return may_come_again(name) ? values[name].as<std::vector<std::string>>()
                                 : std::vector<std::string>{values[name].as<std::string>()};
+}
+
+/// Files of the user to make a project from.
+void add_given_files(CommandLine& line, const po::variables_map& values) {
+    const auto take = [&](const char* option, std::string& file) {
+        for (const std::string& given : texts(values, option)) {
+            file = given;
+        }
+    };
+    take("dem", line.given.dem);
+    take("sources", line.given.sources);
+    take("targets", line.given.targets);
+    take("trees", line.given.trees);
+    take("grounds", line.given.grounds);
+    const GivenFiles& given = line.given;
+    if (given.dem.empty() && !(given.sources + given.targets + given.trees + given.grounds).empty()) {
+        refuse("files for a project without --dem", "--dem with the ground heights as well");
+    }
+    if (values.count("example") + values.count("from-rockyfor3d") + values.count("dem") > 1) {
+        refuse("several of --example, --from-rockyfor3d and --dem", "only one of them");
+    }
 }
 
 /// Words and options of validate alone.
@@ -306,9 +327,7 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
     for (const std::string& folder : texts(values, "from-rockyfor3d")) {
         line.rockyfor3d = folder;
     }
-    if (values.count("example") > 0 && values.count("from-rockyfor3d") > 0) {
-        refuse("--example beside --from-rockyfor3d", "only one of them");
-    }
+    add_given_files(line, values);
     for (const std::string& out : texts(values, "out")) {
         line.out = out;
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/commands/init_from_files.hpp"
 #include "coupling/run/run_request.hpp"
 
 namespace coupling {
@@ -17,6 +18,7 @@ struct CommandLine {
     std::filesystem::path argument;  ///< folder, scenario or file
     std::string example = "tyrol";
     std::filesystem::path rockyfor3d;    ///< init: folder to make the project from; empty: the example
+    GivenFiles given;                    ///< init: files to make the project from; no dem: the example
     std::vector<std::string> overrides;  ///< section.key=value, --seed among them
     std::filesystem::path out;
     int threads = 0;  ///< 0: as many as the machine has

@@ -54,7 +54,8 @@ constexpr std::string_view exit_codes = R"(Exit codes
   75  interrupted: run again to continue
 )";
 
-constexpr std::string_view init_help = R"(bannwald init DIR [--example NAME | --from-rockyfor3d FOLDER]
+constexpr std::string_view init_help =
+    R"(bannwald init DIR [--example NAME | --from-rockyfor3d FOLDER | --dem FILE ...]
 
 Writes an example project into a new or empty folder, whole or not at all.
   --example NAME        tyrol (default): a real slope of 132 ha, 25 900 artificial trees, a road
@@ -65,6 +66,14 @@ Writes an example project into a new or empty folder, whole or not at all.
   --from-rockyfor3d FOLDER   instead: a project from the inputs of Rockyfor3D (dem.asc, rockdensity.asc,
                         d1 d2 d3, blshape, soiltype, rg70 rg20 rg10, treefile.txt or nrtrees ...); prints
                         and writes into README.md what became of them and what has no counterpart
+  --dem FILE            instead: a project from files of yours, which stay where they are. Prints what is
+                        taken for what and marks each guess in scenario.ini. The heights are a grid, GeoTIFF
+                        or ESRI ASCII; the others are optional: grids, layers (map.gpkg|roads, .shp, .geojson)
+                        or CSV
+  --sources FILE        where rocks break off; without it all cells steeper than 55 * size^-0.075 degrees
+  --targets FILE        what is to be protected: roads as lines, houses as polygons
+  --trees FILE          a list of trees or a layer of points
+  --grounds FILE        ground types as a grid or polygons with codes
 )";
 
 constexpr std::string_view scenario_options = R"(  --set section.key=value   changes a setting; again for more

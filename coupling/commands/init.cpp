@@ -7,6 +7,8 @@
 #include "config/errors/input_error.hpp"
 #include "coupling/examples/embedded.hpp"
 #include "coupling/inputs/path_checks.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/rockyfor3d/project.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -104,6 +106,22 @@ std::vector<std::string> write_from_rockyfor3d(const fs::path& folder, const fs:
     for (const rockyfor3d::Project::File& file : project.files) {
         draft.write(file.name, file.text);
     }
+    draft.keep();
+    return project.remarks;
+}
+
+std::vector<std::string> write_from_files(const fs::path& folder, const GivenFiles& given) {
+    check_folder(folder);
+    const GivenProject project = project_from_files(given, folder);
+    const InterruptGuard until_written;
+    Draft draft{folder};
+    for (const GivenProject::File& file : project.files) {
+        draft.write(file.name, file.text);
+    }
+    // A scenario that cannot be run is no start for anybody.
+    config::Warnings warnings;
+    const auto scenario = read_scenario(folder / "scenario.ini", {});
+    open_site(*scenario, warnings);
     draft.keep();
     return project.remarks;
 }

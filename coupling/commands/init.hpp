@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/commands/init_from_files.hpp"
+
 namespace coupling {
 
 /// Writes a shipped example into a new or empty folder: whole or nothing. Throws InputError (settings) for a
@@ -15,5 +17,9 @@ void write_example(const std::filesystem::path& folder, const std::string& examp
 /// plausible (data).
 std::vector<std::string> write_from_rockyfor3d(const std::filesystem::path& folder,
                                                const std::filesystem::path& source);
+
+/// Makes a project that uses files of the user, whole or nothing; returns what was taken for what and what is
+/// a guess. The project is opened as `check` does before it is kept: what is wrong with the files is thrown.
+std::vector<std::string> write_from_files(const std::filesystem::path& folder, const GivenFiles& given);
 
 }  // namespace coupling

@@ -37,10 +37,12 @@ int code(ExitCode exit_code) {
 }
 
 int init(const CommandLine& line) {
-    const std::vector<std::string> remarks = line.rockyfor3d.empty()
-                                                 ? std::vector<std::string>{}
-                                                 : write_from_rockyfor3d(line.argument, line.rockyfor3d);
-    if (line.rockyfor3d.empty()) {
+    std::vector<std::string> remarks;
+    if (!line.given.dem.empty()) {
+        remarks = write_from_files(line.argument, line.given);
+    } else if (!line.rockyfor3d.empty()) {
+        remarks = write_from_rockyfor3d(line.argument, line.rockyfor3d);
+    } else {
         write_example(line.argument, line.example);
     }
     const std::string scenario = (line.argument / "scenario.ini").string();

@@ -88,7 +88,7 @@ void Reading::take_names(config::Table& table, const std::string& role, bool has
                     column.taken_as));
     }
     if (role == "trees" || role == "logs") {
-        const std::size_t moved = formats::take_coordinates(table, has_own_shapes);
+        const std::size_t moved = formats::take_coordinates(table, role, has_own_shapes);
         if (moved > 0) {
             doubt({table.file()},
                   joined(counted(moved, "row"), " whose attributes name another place than the shape"),
@@ -146,14 +146,13 @@ std::string Reading::system_of(const std::string& role) const {
     return found == systems_.end() ? std::string{} : found->text;
 }
 
-void Reading::check_systems() {
+bool Reading::check_systems() {
     const auto first = std::find_if(systems_.begin(), systems_.end(), [](const NamedSystem& system) {
         return !system.text.empty() && plausible::read_projection(system.text);
     });
-    if (first == systems_.end()) {
-        return;
-    }
-    for (const NamedSystem& system : systems_) {
+    bool is_one = true;
+    for (std::size_t i = systems_checked_; first != systems_.end() && i < systems_.size(); ++i) {
+        const NamedSystem& system = systems_[i];
         switch (plausible::compare_systems(first->text, system.text)) {
             case plausible::Sameness::same:
             case plausible::Sameness::silent:
@@ -170,11 +169,14 @@ void Reading::check_systems() {
                       "one coordinate system: these two differ by less than a metre");
                 break;
             case plausible::Sameness::other:
+                is_one = false;
                 refuse({system.file}, joined("coordinates in ", plausible::name_of_system(system.text)),
                        joined("those of ", first->file, ", ", plausible::name_of_system(first->text)),
                        "transform one of them (QGIS: Reproject layer, Warp): nothing is reprojected here");
         }
     }
+    systems_checked_ = systems_.size();
+    return is_one;
 }
 
 void Reading::heed_part(const std::string& role, const std::string& part, const std::string& hash) {

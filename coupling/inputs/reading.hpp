@@ -71,9 +71,9 @@ public:
     [[nodiscard]] std::string system_of(const std::string& role) const;
     /// Notes what the file `name` says of the coordinates of a grid, a layer or points.
     void take_system(const std::string& role, const std::string& name, std::string text);
-    /// Refuses grids and layers in another coordinate system than the terrain, naming both. Nothing is
-    /// reprojected.
-    void check_systems();
+    /// Refuses grids and layers in another coordinate system than the terrain, naming both; of those that
+    /// were not looked at before. Nothing is reprojected. True where all may lie in one system.
+    bool check_systems();
     /// Names the part of a recorded file that the run uses and the hash of that part: what else stands in
     /// the file may change without making the run another one.
     void heed_part(const std::string& role, const std::string& part, const std::string& hash);
@@ -99,6 +99,7 @@ private:
     config::Problems problems_;
     std::vector<InputFile> inputs_;
     std::vector<NamedSystem> systems_;
+    std::size_t systems_checked_ = 0;
     std::deque<FileBytes> open_;  ///< parts of Shapefiles while they are read
 };
 

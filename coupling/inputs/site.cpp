@@ -207,6 +207,9 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     if (!files.heights) {
         reading.problems().throw_if_any();
     }
+    if (!reading.check_systems()) {
+        reading.problems().throw_if_any();  // nothing else means anything then
+    }
     // What lies on the terrain is checked even where another file is wrong: the user sees all of it at once.
     if (files.heights->has_codes && files.types) {
         meshes::name_ground(files.heights->faces, *files.types, reading);

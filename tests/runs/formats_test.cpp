@@ -160,6 +160,8 @@ TEST(Formats, AreRefusedInAnotherCoordinateSystem) {
     project.replace("targets.geojson", "EPSG::3035", "EPSG::31254");
     const Outcome other = call(project, "check scenario.ini");
     EXPECT_EQ(other.code, 4);
+    EXPECT_EQ(other.err.find("outside the terrain"), std::string::npos)
+        << other.err;  // one message, the cause
     EXPECT_NE(other.err.find("targets.geojson: found coordinates in 'MGI_Austria_GK_West' (EPSG 31254), "
                              "expected those of dem.tif, 'ETRS_1989_LAEA'; transform one of them (QGIS: "
                              "Reproject layer, Warp): nothing is reprojected here"),
@@ -175,6 +177,29 @@ TEST(Formats, AreRefusedInAnotherCoordinateSystem) {
     EXPECT_NE(ascii.err.find("surface.asc: found coordinates in 'Own', expected those of dem.tif"),
               std::string::npos)
         << ascii.err;
+}
+
+TEST(Formats, GetOneMessageWhereALayerIsOfTwoKindsOrNamesNoSystem) {
+    const SampleProject project;
+    write_project(project);
+    project.write("scenario.ini", scenario("dem.tif", "surface = surface.tif", "layers.gpkg|trees",
+                                           "source_shapes = layers.gpkg|targets", "road.shp"));
+    const Outcome kinds = call(project, "check scenario.ini");
+    EXPECT_EQ(kinds.code, 4);
+    EXPECT_NE(kinds.err.find(
+                  "layers.gpkg|targets:2:2: found another kind of shape than above, expected one kind in a "
+                  "file"),
+              std::string::npos)
+        << kinds.err;
+    project.write("scenario.ini", scenario("dem.tif", "surface = surface.tif", "layers.gpkg|trees",
+                                           "source = source.tif", "road.shp"));
+    project.remove("road.prj");
+    const Outcome silent = call(project, "check scenario.ini --verbose");
+    EXPECT_EQ(silent.code, 0) << silent.err;
+    EXPECT_NE(
+        (silent.out + silent.err).find("road.shp: names no coordinate system; taken as that of the terrain"),
+        std::string::npos)
+        << silent.err;
 }
 
 TEST(Formats, NameWhatTheyTookForWhat) {

@@ -127,13 +127,14 @@ std::vector<NamedColumn> name_columns(config::Table& table, std::string_view rol
     return named;
 }
 
-std::size_t take_coordinates(config::Table& table, bool shapes_win) {
+std::size_t take_coordinates(config::Table& table, std::string_view role, bool shapes_win) {
     constexpr std::array<const char*, 2> of_point{"x_m", "y_m"};
     constexpr std::array<const char*, 4> of_line{"x1_m", "y1_m", "x2_m", "y2_m"};
     if (!table.has("wkt") || table.rows() == 0 || (!shapes_win && (table.has("x_m") || table.has("x1_m")))) {
         return 0;
     }
-    const bool are_lines = in_lower_case(table.text(0, "wkt")).find("line") != std::string::npos;
+    const bool are_lines =
+        role == "logs" && in_lower_case(table.text(0, "wkt")).find("line") != std::string::npos;
     const std::vector<std::string> names = are_lines
                                                ? std::vector<std::string>{of_line.begin(), of_line.end()}
                                                : std::vector<std::string>{of_point.begin(), of_point.end()};

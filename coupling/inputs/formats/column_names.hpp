@@ -20,10 +20,10 @@ struct NamedColumn {
 /// were renamed by a word.
 std::vector<NamedColumn> name_columns(config::Table& table, std::string_view role);
 
-/// Gives lists of trees and logs their coordinates from their shapes: `x_m` and `y_m` of points; of lines
-/// from end to end `x1_m`, `y1_m`, `x2_m`, `y2_m`. `shapes_win` says that attributes of these names may be
-/// older than the shapes and are replaced; the number of rows whose place then differs by more than a metre
-/// comes back.
-std::size_t take_coordinates(config::Table& table, bool shapes_win);
+/// Gives a list of trees or logs (`role`) its coordinates from its shapes: `x_m` and `y_m` of points; of logs
+/// that are lines, from end to end, `x1_m`, `y1_m`, `x2_m`, `y2_m`. `shapes_win` says that attributes of
+/// these names may be older than the shapes and are replaced; the number of rows whose place then differs by
+/// more than a metre comes back.
+std::size_t take_coordinates(config::Table& table, std::string_view role, bool shapes_win);
 
 }  // namespace coupling::formats

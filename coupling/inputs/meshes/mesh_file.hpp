@@ -8,9 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rockfall/terrain/breaklines.hpp"
-
 #include "config/table/table.hpp"
+#include "rockfall/terrain/breaklines.hpp"
 
 namespace coupling::meshes {
 

@@ -44,11 +44,11 @@ TEST(NameColumns, TellsWhatItTookForWhat) {
 TEST(TakeCoordinates, TakesThemFromPointsAndLines) {
     config::Table points =
         config::Table::read(std::string_view{"wkt\nPOINT (1.5 2)\nMULTIPOINT ((3 4))\n"}, "file");
-    EXPECT_EQ(formats::take_coordinates(points, false), 0U);
+    EXPECT_EQ(formats::take_coordinates(points, "trees", false), 0U);
     EXPECT_EQ(points.text(0, "x_m") + " " + points.text(1, "y_m"), "1.5 4");
     config::Table lines =
         config::Table::read(std::string_view{"wkt\n\"LINESTRING (1 2, 3 4, 5 6)\"\n"}, "file");
-    formats::take_coordinates(lines, false);
+    formats::take_coordinates(lines, "logs", false);
     EXPECT_EQ(lines.text(0, "x1_m") + lines.text(0, "y1_m") + lines.text(0, "x2_m") + lines.text(0, "y2_m"),
               "1256");
 }
@@ -56,17 +56,17 @@ TEST(TakeCoordinates, TakesThemFromPointsAndLines) {
 TEST(TakeCoordinates, LetsShapesOfAGisWinAndCountsWhatMoved) {
     const std::string_view text = "x_m,y_m,wkt\n1,2,POINT (1 2)\n1,2,POINT (10 2)\n";
     config::Table layer = config::Table::read(text, "file");
-    EXPECT_EQ(formats::take_coordinates(layer, true), 1U);
+    EXPECT_EQ(formats::take_coordinates(layer, "trees", true), 1U);
     EXPECT_EQ(layer.text(1, "x_m"), "10");
     config::Table list = config::Table::read(text, "file");
-    EXPECT_EQ(formats::take_coordinates(list, false), 0U);
+    EXPECT_EQ(formats::take_coordinates(list, "trees", false), 0U);
     EXPECT_EQ(list.text(1, "x_m"), "1");
 }
 
 TEST(TakeCoordinates, LeavesRowsWithoutPlaceEmpty) {
     config::Table table = config::Table::read(
         std::string_view{"wkt,a\nPOINT (1 2),x\n,y\n\"MULTIPOINT ((1 2), (3 4))\",z\n"}, "file");
-    formats::take_coordinates(table, true);
+    formats::take_coordinates(table, "trees", true);
     EXPECT_EQ(table.text(1, "x_m"), "");
     EXPECT_EQ(table.text(2, "x_m"), "");
 }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace coupling {
+
+/// Files of the user to make a project from, as written on the command line; only the heights are needed.
+struct GivenFiles {
+    std::string dem;
+    std::string sources;  ///< a grid of zones, or shapes; empty: cells by their slope
+    std::string targets;
+    std::string trees;
+    std::string grounds;  ///< a grid of codes, or polygons; empty: one ground everywhere
+};
+
+/// A project that uses the given files where they lie.
+struct GivenProject {
+    struct File {
+        std::string name;
+        std::string text;
+    };
+    std::vector<File> files;           ///< of the new folder
+    std::vector<std::string> remarks;  ///< what was taken for what and what is a guess, a sentence each
+};
+
+/// Looks into the files and makes a project of them. Throws InputError for files that cannot be read.
+GivenProject project_from_files(const GivenFiles& given, const std::filesystem::path& folder);
+
+/// Cells from which rocks may break off, by slope alone: steeper than 55 degrees * size^-0.075 of a cell in
+/// metres, as Rockyfor3D proposes (Dorren 2016). A guess: cliffs are known better on the ground.
+double source_slope_deg(double cell_size_m);
+
+}  // namespace coupling

@@ -1,0 +1,102 @@
+// From files of the user to a project that runs: `bannwald init DIR --dem ...`.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/coupling/inputs/formats/given_files.hpp"
+#include "tests/runs/program.hpp"
+
+namespace coupling::init_from_files_test {
+namespace {
+
+constexpr const char* all_files =
+    " --dem dem.tif --sources 'layers.gpkg|cliff' --targets targets.geojson --trees trees.shp --grounds "
+    "'layers.gpkg|grounds'";
+
+TEST(InitFromFiles, MakesAProjectThatRuns) {
+    const SampleProject project;
+    take_given_files(project);
+    const Outcome made = call(project, std::string{"init own"} + all_files);
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.out, "own/scenario.ini\n");
+    for (const std::string sentence :
+         {"- dem.tif: ground heights, 12 x 10 cells of 10 m, corner 1000, 2000, 'ETRS_1989_LAEA'\n",
+          "- layers.gpkg|grounds: ground types, codes 1, 3; what they mean is a guess in surface_types.csv\n",
+          "- trees.shp: 3 trees\n", "- layers.gpkg|cliff: 1 shape as sources\n",
+          "- targets.geojson: column 'id' is taken as target_id\n", "- targets.geojson: 2 targets\n",
+          "next: bannwald run own/scenario.ini\n"}) {
+        EXPECT_NE(made.err.find(sentence), std::string::npos) << sentence << made.err;
+    }
+    const std::string scenario = project.read("own/scenario.ini");
+    EXPECT_NE(scenario.find("dem = ../dem.tif "), std::string::npos) << scenario;
+    EXPECT_NE(scenario.find("source_shapes = ../layers.gpkg|cliff "), std::string::npos) << scenario;
+    const Outcome run = call(project, "run own/scenario.ini --quiet");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(std::filesystem::exists(project.file("own/out/report.html")));
+}
+
+TEST(InitFromFiles, NeedsTheHeightsOnlyAndGuessesTheSources) {
+    const SampleProject project;
+    project.write("dem.asc",
+                  SampleProject::header() + SampleProject::rows([](int column, int row) {
+                      return std::to_string(400 - (column > 4 && column < 7 && row > 2 ? 20 : 7) * column);
+                  }));
+    const Outcome made = call(project, "init own --dem dem.asc");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("steeper than 46.3 degrees (source.asc) are a guess"), std::string::npos)
+        << made.err;
+    EXPECT_NE(made.err.find("no trees given: the bare slope alone"), std::string::npos) << made.err;
+    EXPECT_NE(project.read("own/scenario.ini").find("GUESS: one ground everywhere"), std::string::npos);
+    EXPECT_EQ(call(project, "run own/scenario.ini --quiet").code, 0);
+}
+
+TEST(InitFromFiles, TakesListsAsSpreadsheetsWriteThem) {
+    const SampleProject project;
+    project.write("list.csv",
+                  "Nr;Ost;Nord;Baumart;BHD;H\xF6he\r\n1;1060;2050;Wei\xDF"
+                  "tanne;32,5;25\r\n");
+    const Outcome made = call(project, "init own --dem dem.asc --sources source.asc --trees list.csv");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("- list.csv: column 'BHD' is taken as dbh_cm\n"), std::string::npos) << made.err;
+}
+
+TEST(InitFromFiles, RefusesAndLeavesNothing) {
+    const SampleProject project;
+    take_given_files(project);
+    const auto refused = [&](const std::string& arguments, int code, const std::string& sentence) {
+        const Outcome outcome = call(project, "init own " + arguments);
+        EXPECT_EQ(outcome.code, code) << arguments;
+        EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+        EXPECT_FALSE(std::filesystem::exists(project.file("own"))) << arguments;
+    };
+    refused("--trees trees.shp", 2, "found files for a project without --dem, expected --dem");
+    refused("--dem dem.tif --example tyrol", 2, "only one of them");
+    refused("--dem gone.tif", 3, "found no file 'gone.tif'");
+    refused("--dem layers.gpkg", 4, "found a layer of a GeoPackage, expected a grid");
+    refused("--dem dem.tif", 4, "no cell steeper than 46.3 degrees to take as a source of rocks");
+    refused("--dem dem.tif --sources layers.gpkg", 4, "found 4 layers: ");
+    refused("--dem dem.tif --sources source.tif --trees road.shp", 4, "road.shp: no column 'species'");
+    project.replace("targets.geojson", "EPSG::3035", "EPSG::31254");
+    refused("--dem dem.tif --sources source.tif --targets targets.geojson", 4,
+            "targets.geojson: found coordinates in 'MGI_Austria_GK_West' (EPSG 31254), expected those of "
+            "dem.tif");
+    // What only the whole project shows: the house lies elsewhere.
+    project.write("far.csv", "target_id,wkt\nroad,\"LINESTRING (5000 2010, 5000 2090)\"\n");
+    refused("--dem dem.tif --sources source.tif --targets far.csv", 4, "target 'road' outside the terrain");
+}
+
+TEST(InitFromFiles, LeavesAFolderWithFilesAlone) {
+    const SampleProject project;
+    std::filesystem::create_directory(project.file("own"));
+    project.write("own/notes.txt", "mine");
+    const Outcome outcome = call(project, "init own --dem dem.asc --sources source.asc");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("found files in folder 'own', expected a new or empty folder"),
+              std::string::npos);
+    EXPECT_EQ(project.read("own/notes.txt"), "mine");
+}
+
+}  // namespace
+}  // namespace coupling::init_from_files_test
