@@ -93,8 +93,15 @@ void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<s
             fall_over(Cover::forest, start, rows, fed, gone);
             const auto bare = footprints_[static_cast<std::size_t>(Cover::bare)]->arrivals();
             const auto forest = footprints_[static_cast<std::size_t>(Cover::forest)]->arrivals();
-            for (std::size_t i = 0; i < bare.size(); ++i) {
-                tally_.targets[i].reached_both += bare[i].reached && forest[i].reached ? 1 : 0;
+            for (auto of_bare = bare.begin(), of_forest = forest.begin();
+                 of_bare != bare.end() && of_forest != forest.end();) {
+                if (of_bare->target == of_forest->target) {
+                    ++tally_.targets[of_bare->target].reached_both;
+                    ++of_bare;
+                    ++of_forest;
+                } else {
+                    ++(of_bare->target < of_forest->target ? of_bare : of_forest);
+                }
             }
         }
     });

@@ -65,10 +65,17 @@ struct PathRecord {
     std::vector<PathPoint> points;
 };
 
+/// A rock at a target that it reached.
+struct ArrivalRecord {
+    std::uint64_t rock;
+    std::uint32_t target;
+    Arrival arrival;
+};
+
 /// What a chunk hands over rock by rock, in rock order; everything else goes into the tallies.
 struct ChunkRows {
     std::array<std::vector<RockRecord>, covers> rocks;               ///< forest is empty without obstacles
-    std::array<std::vector<Arrival>, covers> arrivals;               ///< rock by rock, target by target
+    std::array<std::vector<ArrivalRecord>, covers> arrivals;         ///< rock by rock, target by target
     std::vector<std::pair<std::uint64_t, TreeHitRecord>> tree_hits;  ///< (rock, hit)
     std::vector<std::pair<std::uint64_t, LogHitRecord>> log_hits;    ///< (rock, hit)
     std::array<std::vector<std::pair<std::uint64_t, NetCrossingRecord>>, covers>

@@ -27,9 +27,9 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
         ++cells.cells[footprint.deposit_cell()].deposited;
     }
     tally.runs[c].add(footprint.record());
-    const auto arrivals = footprint.arrivals();
-    for (std::size_t i = 0; i < arrivals.size(); ++i) {
-        tally.targets[i].by_cover[c].add(arrivals[i]);
+    for (const auto& [target, arrival] : footprint.arrivals()) {
+        tally.targets[target].by_cover[c].add(arrival);
+        rows.arrivals[c].push_back({start.id, target, arrival});
     }
     for (const TreeHitRecord& hit : footprint.tree_hits()) {
         tally.stems[hit.stem].add(
@@ -46,7 +46,6 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
         rows.net_crossings[c].emplace_back(start.id, crossing);
     }
     rows.rocks[c].push_back(footprint.record());
-    rows.arrivals[c].insert(rows.arrivals[c].end(), arrivals.begin(), arrivals.end());
     if (!footprint.path().empty()) {
         rows.paths.push_back({start.id, cover, {footprint.path().begin(), footprint.path().end()}});
     }

@@ -40,13 +40,8 @@ BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t yea
     bare.targets.resize(site_.targets.size());
     bare.arrived.resize((rocks_ * site_.targets.size() + 63) / 64);
     const auto keep_arrivals = [&](const rockfall::ChunkRows& rows) {
-        auto arrival = rows.arrivals[index_of(Cover::bare)].begin();
-        for (const rockfall::RockRecord& rock : rows.rocks[index_of(Cover::bare)]) {
-            for (std::size_t target = 0; target < bare.targets.size(); ++target, ++arrival) {
-                if (arrival->reached) {
-                    bare.mark_arrived(rock.rock, target);
-                }
-            }
+        for (const rockfall::ArrivalRecord& arrived : rows.arrivals[index_of(Cover::bare)]) {
+            bare.mark_arrived(arrived.rock, arrived.target);
         }
     };
     rockfall::EnsembleTally tally{frame_, site_.targets.size(), 0};
@@ -83,12 +78,9 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
     const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
         falls.paths.insert(falls.paths.end(), rows.paths.begin(), rows.paths.end());
         const auto& rocks = rows.rocks[index_of(Cover::forest)];
-        auto arrival = rows.arrivals[index_of(Cover::forest)].begin();
-        for (const rockfall::RockRecord& fallen : rocks) {
-            for (std::size_t target = 0; target < bare.targets.size(); ++target, ++arrival) {
-                const bool both = arrival->reached && bare.has_arrived(fallen.rock, target);
-                falls.tally.targets[target].reached_both += both ? 1 : 0;
-            }
+        for (const rockfall::ArrivalRecord& arrived : rows.arrivals[index_of(Cover::forest)]) {
+            const bool both = bare.has_arrived(arrived.rock, arrived.target);
+            falls.tally.targets[arrived.target].reached_both += both ? 1 : 0;
         }
         auto rock = rocks.begin();
         for (const auto& [number, hit] : rows.tree_hits) {

@@ -148,13 +148,13 @@ ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t roc
     ArrivalFigures figures;
     figures.share = share_of(tally.reached, rocks);
     figures.energy_kj =
-        distribution(rockfall::fine_energy_bins, tally.energy,
+        distribution(rockfall::fine_energy_bins, tally.energy.all(),
                      mean_of(tally.energy_sum_j, tally.reached, j_per_kj), tally.energy_max_j, j_per_kj);
     figures.speed_mps =
-        distribution(rockfall::fine_speed_bins, tally.speed,
+        distribution(rockfall::fine_speed_bins, tally.speed.all(),
                      mean_of(tally.speed_sum_mmps, tally.reached, per_milli), tally.speed_max_mps, 1.0);
     figures.height_m =
-        distribution(rockfall::fine_height_bins, tally.height,
+        distribution(rockfall::fine_height_bins, tally.height.all(),
                      mean_of(tally.height_sum_mm, tally.reached, per_milli), tally.height_max_m, 1.0);
     for (std::size_t i = 0; i < figures.above.size(); ++i) {
         figures.above[i] = share_of(tally.above[i], rocks);

@@ -28,6 +28,22 @@ void read_bins(ByteReader& in, std::span<std::uint64_t> counts) {
     }
 }
 
+void write_bins(ByteWriter& out, const rockfall::BinCounts& counts) {
+    std::vector<FilledBin> filled;
+    for (const auto& [bin, count] : counts.filled()) {
+        filled.push_back({bin, count});
+    }
+    out.list(filled);
+}
+
+void read_bins(ByteReader& in, rockfall::BinCounts& counts) {
+    for (const FilledBin& filled : in.list<FilledBin>()) {
+        if (filled.bin < counts.bins()) {
+            counts.add(static_cast<std::size_t>(filled.bin), filled.count);
+        }
+    }
+}
+
 /// The plain numbers of a run tally, in one order for writing and reading.
 template <class Tally, class Visit>
 void each_number(Tally& t, const Visit& visit) {

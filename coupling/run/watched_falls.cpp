@@ -32,7 +32,10 @@ public:
         footprint_.finish(
             rockfall::fall(assessment_.slope, obstacles_, assessment_.law, key, *start, scratch_, both));
         out.record = footprint_.record();
-        out.arrivals.assign(footprint_.arrivals().begin(), footprint_.arrivals().end());
+        out.arrivals.assign(assessment_.targets.size(), {});
+        for (const auto& [target, arrival] : footprint_.arrivals()) {
+            out.arrivals[target] = arrival;
+        }
         out.tree_hits.assign(footprint_.tree_hits().begin(), footprint_.tree_hits().end());
         out.jumps.assign(jumps_.jumps().begin(), jumps_.jumps().end());
         out.visits.assign(footprint_.visits().begin(), footprint_.visits().end());

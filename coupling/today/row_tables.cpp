@@ -132,12 +132,9 @@ void RowTables::add_arrivals(const rockfall::ChunkRows& rows, rockfall::Cover co
         return;
     }
     const auto c = static_cast<std::size_t>(cover);
-    const std::size_t targets = site_.targets.size();
-    for (std::size_t i = 0; i < rows.arrivals[c].size(); ++i) {
-        if (rows.arrivals[c][i].reached) {
-            write_arrival(tables_[arrivals_table]->file->stream(), rows.rocks[c][i / targets].rock,
-                          site_.targets[i % targets].id, cover, site_.origin_m(), rows.arrivals[c][i]);
-        }
+    for (const rockfall::ArrivalRecord& arrived : rows.arrivals[c]) {
+        write_arrival(tables_[arrivals_table]->file->stream(), arrived.rock, site_.targets[arrived.target].id,
+                      cover, site_.origin_m(), arrived.arrival);
     }
 }
 

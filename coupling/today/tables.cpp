@@ -16,15 +16,12 @@ namespace {
 
 /// The rows of one quantity at one target: bins that are not empty.
 void add_bins(CsvRow& row, const std::string& target, Cover cover, const char* quantity, const char* unit,
-              const rockfall::LogBins& bins, std::span<const std::uint64_t> counts, double per_unit) {
-    for (std::size_t bin = 0; bin < counts.size(); ++bin) {
-        if (counts[bin] > 0) {
-            row.text(target).text(name_of(cover)).text(quantity).text(unit);
-            row.number<6>(bins.low_of(bin) / per_unit)
-                .number<6>(bins.high_of(bin) / per_unit)
-                .whole(counts[bin]);
-            row.end();
-        }
+              const rockfall::LogBins& bins, const std::vector<rockfall::BinCounts::Filled>& counts,
+              double per_unit) {
+    for (const auto& [bin, count] : counts) {
+        row.text(target).text(name_of(cover)).text(quantity).text(unit);
+        row.number<6>(bins.low_of(bin) / per_unit).number<6>(bins.high_of(bin) / per_unit).whole(count);
+        row.end();
     }
 }
 
@@ -68,9 +65,10 @@ void write_target_distributions(std::ostream& out, const RunResults& results) {
         const std::string& id = results.site.targets[number].id;
         for (const Cover cover : covers_of(results)) {
             const rockfall::ArrivalTally& tally = results.tally.targets[number].by_cover[index_of(cover)];
-            add_bins(row, id, cover, "energy", "kJ", rockfall::fine_energy_bins, tally.energy, 1000.0);
-            add_bins(row, id, cover, "speed", "m/s", rockfall::fine_speed_bins, tally.speed, 1.0);
-            add_bins(row, id, cover, "height", "m", rockfall::fine_height_bins, tally.height, 1.0);
+            add_bins(row, id, cover, "energy", "kJ", rockfall::fine_energy_bins, tally.energy.filled(),
+                     1000.0);
+            add_bins(row, id, cover, "speed", "m/s", rockfall::fine_speed_bins, tally.speed.filled(), 1.0);
+            add_bins(row, id, cover, "height", "m", rockfall::fine_height_bins, tally.height.filled(), 1.0);
         }
     }
 }

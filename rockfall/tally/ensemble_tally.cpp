@@ -28,17 +28,14 @@ void add_counts(std::array<std::uint64_t, N>& mine, const std::array<std::uint64
 
 }  // namespace
 
-ArrivalTally::ArrivalTally()
-    : energy(fine_energy_bins.count()), speed(fine_speed_bins.count()), height(fine_height_bins.count()) {}
-
 void ArrivalTally::add(const Arrival& arrival) {
     if (!arrival.reached) {
         return;
     }
     ++reached;
-    ++energy[fine_energy_bins.bin_of(arrival.energy_j)];
-    ++speed[fine_speed_bins.bin_of(arrival.speed_mps)];
-    ++height[fine_height_bins.bin_of(arrival.height_m)];
+    energy.add(fine_energy_bins.bin_of(arrival.energy_j));
+    speed.add(fine_speed_bins.bin_of(arrival.speed_mps));
+    height.add(fine_height_bins.bin_of(arrival.height_m));
     for (std::size_t i = 0; i < above.size(); ++i) {
         above[i] += arrival.energy_j > counted_energies_j[i] ? 1U : 0U;
     }
@@ -52,9 +49,9 @@ void ArrivalTally::add(const Arrival& arrival) {
 
 void ArrivalTally::add(const ArrivalTally& other) {
     reached += other.reached;
-    add_counts(energy, other.energy);
-    add_counts(speed, other.speed);
-    add_counts(height, other.height);
+    energy.add(other.energy);
+    speed.add(other.speed);
+    height.add(other.height);
     add_counts(above, other.above);
     energy_max_j = std::max(energy_max_j, other.energy_max_j);
     speed_max_mps = std::max(speed_max_mps, other.speed_max_mps);

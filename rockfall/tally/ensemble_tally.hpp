@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/grid/raster.hpp"
+#include "rockfall/tally/bin_counts.hpp"
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/footprint.hpp"
 #include "rockfall/tally/log_bins.hpp"
@@ -24,9 +25,9 @@ inline constexpr std::array<float, 4> counted_energies_j{30e3F, 100e3F, 300e3F, 
 /// What arrived at a target on one slope.
 struct ArrivalTally {
     std::uint64_t reached = 0;
-    std::vector<std::uint64_t> energy;                             ///< counts in fine_energy_bins
-    std::vector<std::uint64_t> speed;                              ///< counts in fine_speed_bins
-    std::vector<std::uint64_t> height;                             ///< counts in fine_height_bins
+    BinCounts energy{fine_energy_bins.count()};                    ///< in fine_energy_bins
+    BinCounts speed{fine_speed_bins.count()};                      ///< in fine_speed_bins
+    BinCounts height{fine_height_bins.count()};                    ///< in fine_height_bins
     std::array<std::uint64_t, counted_energies_j.size()> above{};  ///< with more than counted_energies_j
     double energy_max_j = 0.0;
     double speed_max_mps = 0.0;
@@ -35,7 +36,6 @@ struct ArrivalTally {
     std::uint64_t speed_sum_mmps = 0;
     std::uint64_t height_sum_mm = 0;
 
-    ArrivalTally();
     void add(const Arrival& arrival);
     void add(const ArrivalTally& other);
 };

@@ -59,9 +59,10 @@ Footprint::Footprint(const Terrain& terrain, const config::GridFrame& frame, std
     : terrain_{terrain},
       frame_{frame},
       targets_{targets},
+      target_index_{targets},
       slot_of_cell_(frame.size()),
       rock_of_cell_(frame.size(), 0),
-      arrivals_(targets.size()) {}
+      reached_(targets.size(), 0) {}
 
 void Footprint::begin(const RockStart& start, bool with_path) {
     if (++present_rock_ == 0) {  // the counter came round: old marks would look new
@@ -81,9 +82,12 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     record_.diameter_m = static_cast<float>(start.rock.diameter_m);
     record_.start_m = start.position_m;
     const double energy_j = kinetic_energy_j(start.rock, start.velocity_mps.squaredNorm(), 0.0);
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-        arrivals_[i] = {};
-        if (targets_[i].is_area && is_inside(targets_[i], start.position_m.head<2>())) {
+    for (const TargetArrival& last : arrivals_) {
+        reached_[last.target] = 0;
+    }
+    arrivals_.clear();
+    for (const std::uint32_t i : target_index_.areas_near(start.position_m.head<2>())) {
+        if (is_inside(targets_[i], start.position_m.head<2>())) {
             arrive(i, start.position_m.head<2>(), energy_j, energy_j, start.velocity_mps.norm(), 0.0);
         }
     }
@@ -95,6 +99,8 @@ void Footprint::finish(const FallEnd& end) {
     record_.ground_impacts = end.ground_impacts;
     record_.tree_hits = end.tree_hits;
     record_.log_hits = end.log_hits;
+    std::sort(arrivals_.begin(), arrivals_.end(),
+              [](const TargetArrival& a, const TargetArrival& b) { return a.target < b.target; });
     const config::Cell cell = frame_.cell_at(end.position_m.x(), end.position_m.y());
     if (came_to_rest(end.reason) && frame_.contains(cell)) {
         deposit_cell_ = frame_.index(cell);
@@ -196,8 +202,8 @@ void Footprint::watch_targets(const Rock& rock, const Flight& flight, double unt
                               std::span<const Stretch> stretches, double rotation_j) {
     const Eigen::Vector2d from = flight.start_m.head<2>();
     const Eigen::Vector2d to = flight.position_m(until_s).head<2>();
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-        if (arrivals_[i].reached) {
+    for (const std::uint32_t i : target_index_.near_piece(from, to)) {
+        if (reached_[i] != 0) {
             continue;
         }
         const std::optional<double> share = first_crossing(targets_[i], from, to);
@@ -218,15 +224,13 @@ void Footprint::watch_targets(const Rock& rock, const Flight& flight, double unt
     }
 }
 
-void Footprint::arrive(std::size_t target, const Eigen::Vector2d& place_m, double energy_j,
+void Footprint::arrive(std::uint32_t target, const Eigen::Vector2d& place_m, double energy_j,
                        double translational_j, double speed_mps, double height_m) {
-    arrivals_[target] = {true,
-                         static_cast<float>(place_m.x()),
-                         static_cast<float>(place_m.y()),
-                         static_cast<float>(energy_j),
-                         static_cast<float>(translational_j),
-                         static_cast<float>(speed_mps),
-                         static_cast<float>(height_m)};
+    reached_[target] = 1;
+    arrivals_.push_back({target,
+                         {true, static_cast<float>(place_m.x()), static_cast<float>(place_m.y()),
+                          static_cast<float>(energy_j), static_cast<float>(translational_j),
+                          static_cast<float>(speed_mps), static_cast<float>(height_m)}});
 }
 
 void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t) {
@@ -260,8 +264,8 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     record_.max_energy_j = std::max(record_.max_energy_j, energy_j(largest2));
     record_.path_m += move.norm();
     record_.time_s += piece.duration_s;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-        if (!arrivals_[i].reached) {
+    for (const std::uint32_t i : target_index_.near_piece(piece.start_m.head<2>(), end.head<2>())) {
+        if (reached_[i] == 0) {
             const auto at = first_crossing(targets_[i], piece.start_m.head<2>(), end.head<2>());
             if (at) {
                 const double squared_speed = begin2 + *at * (end2 - begin2);

@@ -9,6 +9,7 @@
 #include "rockfall/fall.hpp"
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/target.hpp"
+#include "rockfall/tally/target_index.hpp"
 
 namespace rockfall {
 
@@ -106,7 +107,8 @@ public:
 
     [[nodiscard]] std::span<const CellVisit> visits() const { return visits_; }
     [[nodiscard]] const RockRecord& record() const { return record_; }
-    [[nodiscard]] std::span<const Arrival> arrivals() const { return arrivals_; }
+    /// The targets that the rock reached, in rising order.
+    [[nodiscard]] std::span<const TargetArrival> arrivals() const { return arrivals_; }
     [[nodiscard]] std::span<const TreeHitRecord> tree_hits() const { return tree_hits_; }
     [[nodiscard]] std::span<const LogHitRecord> log_hits() const { return log_hits_; }
     [[nodiscard]] std::span<const NetCrossingRecord> net_crossings() const { return net_crossings_; }
@@ -118,7 +120,7 @@ private:
     CellVisit& visit(std::size_t cell);
     void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,
                double y_m, double ground_m);
-    void arrive(std::size_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
+    void arrive(std::uint32_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
                 double speed_mps, double height_m);
     void watch_targets(const Rock& rock, const Flight& flight, double until_s,
                        std::span<const Stretch> stretches, double rotation_j);
@@ -130,6 +132,7 @@ private:
     const Terrain& terrain_;
     config::GridFrame frame_;
     std::span<const Target> targets_;
+    TargetIndex target_index_;
 
     std::vector<CellVisit> visits_;
     std::vector<std::uint32_t> slot_of_cell_;  ///< place in visits_ where `rock_of_cell_` is the present rock
@@ -137,7 +140,8 @@ private:
     std::uint32_t present_rock_ = 0;
 
     RockRecord record_;
-    std::vector<Arrival> arrivals_;
+    std::vector<TargetArrival> arrivals_;
+    std::vector<std::uint8_t> reached_;  ///< by target
     std::vector<TreeHitRecord> tree_hits_;
     std::vector<LogHitRecord> log_hits_;
     std::vector<NetCrossingRecord> net_crossings_;

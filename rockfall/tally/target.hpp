@@ -43,4 +43,10 @@ struct Arrival {
     float height_m = 0.0F;  ///< of the underside above ground, vertical
 };
 
+/// The arrival of a rock at the target of a number.
+struct TargetArrival {
+    std::uint32_t target;
+    Arrival arrival;
+};
+
 }  // namespace rockfall

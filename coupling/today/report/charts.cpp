@@ -78,7 +78,8 @@ std::string energy_histogram(const RunResults& results, std::size_t target) {
         edges.push_back(x.low * std::pow(10.0, static_cast<double>(i) / bars_a_decade));
     }
     const auto counts = [&](Cover cover) {
-        return rebinned(rockfall::fine_energy_bins, tally.by_cover[index_of(cover)].energy, j_per_kj, edges);
+        return rebinned(rockfall::fine_energy_bins, tally.by_cover[index_of(cover)].energy.all(), j_per_kj,
+                        edges);
     };
     return histogram(results, page_text("today.charts.energy_of_the_rocks_that_arrive"), std::move(x), edges,
                      counts, page_text("today.charts.eight_bars_to_each_power_of_ten"),
@@ -91,7 +92,7 @@ std::string speed_histogram(const RunResults& results, std::size_t target) {
     Axis x = Axis::from_zero(page_text("today.charts.speed_at_the_target_m_s"), most_mps);
     const std::vector<double> edges = even_edges(x.high);
     const auto counts = [&](Cover cover) {
-        return rebinned(rockfall::fine_speed_bins, tally.by_cover[index_of(cover)].speed, 1.0, edges);
+        return rebinned(rockfall::fine_speed_bins, tally.by_cover[index_of(cover)].speed.all(), 1.0, edges);
     };
     return histogram(results, page_text("today.charts.speed_of_the_rocks_that_arrive"), std::move(x), edges,
                      counts, page_text("today.charts.translation_where_a_rock_first"), drawing_order(results),
@@ -104,7 +105,7 @@ std::string height_histogram(const RunResults& results, std::size_t target) {
     Axis x = Axis::from_zero(page_text("today.charts.height_above_ground_at_the"), most_m);
     const std::vector<double> edges = even_edges(x.high);
     const auto counts = [&](Cover cover) {
-        return rebinned(rockfall::fine_height_bins, tally.by_cover[index_of(cover)].height, 1.0, edges);
+        return rebinned(rockfall::fine_height_bins, tally.by_cover[index_of(cover)].height.all(), 1.0, edges);
     };
     return histogram(results, page_text("today.charts.height_of_the_rocks_that_arrive"), std::move(x), edges,
                      counts, page_text("common.underside_of_the_rock"), drawing_order(results), false);
@@ -126,7 +127,7 @@ std::string exceedance(const RunResults& results, std::size_t target) {
                 Axis::powers_of_ten(page_text("today.charts.of_all_rocks_with_more_than_e"), least_percent,
                                     std::max(highest_percent, 10.0 * least_percent))};
     for (const Cover cover : drawing_order(results)) {
-        const auto& counts = tally.by_cover[index_of(cover)].energy;
+        const std::vector<std::uint64_t> counts = tally.by_cover[index_of(cover)].energy.all();
         std::vector<ChartPoint> points{
             {least_kj, 100.0 * static_cast<double>(tally.by_cover[index_of(cover)].reached) / rocks}};
         for (const auto& [energy_j, above] : exceeded(rockfall::fine_energy_bins, counts)) {

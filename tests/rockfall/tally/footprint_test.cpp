@@ -35,7 +35,7 @@ FallLaw lively_law() {
 struct Watched {
     RockRecord record;
     std::vector<CellVisit> visits;
-    std::vector<Arrival> arrivals;
+    std::vector<TargetArrival> arrivals;
 };
 
 Watched watch(const Slope& slope, const config::GridFrame& frame, const RockStart& start,
@@ -147,17 +147,19 @@ TEST(Footprint, TellsHowARockArrivesAtALine) {
     const std::vector<Target> targets{with_bounds(road)};
     const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5});
     const Watched watched = watch(slope, frame, start, false, targets);
-    ASSERT_TRUE(watched.arrivals[0].reached);
-    EXPECT_NEAR(watched.arrivals[0].x_m + o.x(), 150.0, 1e-3);
+    ASSERT_EQ(watched.arrivals.size(), 1U);
+    ASSERT_TRUE(watched.arrivals[0].arrival.reached);
+    EXPECT_NEAR(watched.arrivals[0].arrival.x_m + o.x(), 150.0, 1e-3);
     const auto [end, log] = logged_fall(slope, lively_law(), start);
     for (const EventLog::Jump& jump : log.jumps) {
         const double t = (150.0 - o.x() - jump.flight.start_m.x()) / jump.flight.velocity_mps.x();
         if (t >= 0.0 && t <= jump.until_s) {
             const double speed = std::sqrt(jump.flight.squared_speed_at(t));
-            EXPECT_NEAR(watched.arrivals[0].speed_mps, speed, 1e-3);
-            EXPECT_NEAR(watched.arrivals[0].energy_j,
+            EXPECT_NEAR(watched.arrivals[0].arrival.speed_mps, speed, 1e-3);
+            EXPECT_NEAR(watched.arrivals[0].arrival.energy_j,
                         kinetic_energy_j(start.rock, speed * speed, jump.spin_radps), 1.0);
-            EXPECT_NEAR(watched.arrivals[0].translational_j, 0.5 * start.rock.mass_kg * speed * speed, 1.0);
+            EXPECT_NEAR(watched.arrivals[0].arrival.translational_j, 0.5 * start.rock.mass_kg * speed * speed,
+                        1.0);
             break;
         }
     }

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rockfall/tally/target.hpp"
+
+namespace rockfall {
+
+/// Finds the targets near a place or a piece of a path, so that a rock costs the same beside twenty houses
+/// and beside twenty thousand.
+///
+/// A grid over all targets. Each cell lists the targets of which a side runs through it, and the areas that
+/// reach into it. Sides are entered with a millimetre around them: what a sum of coordinates rounds away
+/// cannot hide a target that lies on the way.
+class TargetIndex {
+public:
+    TargetIndex() = default;
+    /// Requires targets with bounds (`with_bounds`), which must outlive the index.
+    explicit TargetIndex(std::span<const Target> targets);
+
+    /// Targets whose lines a straight piece may meet, each once, in rising order. The list holds until the
+    /// next call.
+    std::span<const std::uint32_t> near_piece(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
+    /// Areas that a point may lie in, in rising order.
+    [[nodiscard]] std::span<const std::uint32_t> areas_near(const Eigen::Vector2d& point_m) const;
+
+private:
+    /// Numbers of targets, cell by cell.
+    struct Lists {
+        std::vector<std::uint32_t> begins;  ///< of each cell in `targets`, and the end of the last
+        std::vector<std::uint32_t> targets;
+        [[nodiscard]] std::span<const std::uint32_t> of(std::size_t cell) const {
+            return std::span{targets}.subspan(begins[cell], begins[cell + 1] - begins[cell]);
+        }
+    };
+    struct Cells {
+        int first_column, last_column, first_row, last_row;
+    };
+    /// Cells under a rectangle, cut to the grid; none (last before first) where it lies beside it.
+    [[nodiscard]] Cells cells_under(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m) const;
+    [[nodiscard]] std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
+    }
+    template <class EachPair>
+    [[nodiscard]] Lists lists_of(const EachPair& each_pair) const;
+
+    Eigen::Vector2d low_m_ = Eigen::Vector2d::Zero();
+    Eigen::Vector2d high_m_ = Eigen::Vector2d::Zero();
+    double per_cell_ = 1.0;  ///< 1 / size of a cell
+    int columns_ = 0;
+    int rows_ = 0;
+    Lists sides_;
+    Lists areas_;
+    std::vector<std::uint32_t> found_;
+    std::vector<std::uint32_t> asked_at_;  ///< by target, the number of the call that found it
+    std::uint32_t call_ = 0;
+};
+
+}  // namespace rockfall
