@@ -28,17 +28,20 @@ const double tangent_of_break = std::tan(config::Angle::from_degrees(35.0).in_ra
 /// A step between two even sides, by the radius of the zone.
 constexpr double highest_step_share = 0.25;
 /// Residual beside a single plane, by the radius, below which no such break can be there: the best plane
-/// through a roof of twice 12.5 degrees lies this much below its ridge.
-constexpr double least_residual_share = 0.07;
+/// through a roof of twice 12.5 degrees leaves 0.15 at its border.
+constexpr double least_residual_share = 0.12;
 /// The zone shrinks by this factor until it lies on one face.
 constexpr double narrower = 0.7;
 
 /// A cell of the contact zone as seen from its centre.
 struct Neighbour {
-    int columns;  ///< to the east
-    int rows;     ///< to the south
+    int columns;           ///< to the east
+    int rows;              ///< to the south
+    std::ptrdiff_t index;  ///< difference of place in the raster
     double x_m;
     double y_m;
+    double distance_m;
+    double weight;
 };
 
 /// All cells but the centre within the radius.
@@ -50,8 +53,11 @@ std::vector<Neighbour> neighbours_within(const config::GridFrame& frame, double 
         for (int column = -columns; column <= columns; ++column) {
             const double x_m = column * frame.cell_width_m;
             const double y_m = -row * frame.cell_height_m;
-            if (x_m * x_m + y_m * y_m < radius_m * radius_m && (column != 0 || row != 0)) {
-                neighbours.push_back({column, row, x_m, y_m});
+            const double distance_m = std::sqrt(x_m * x_m + y_m * y_m);
+            if (distance_m < radius_m && (column != 0 || row != 0)) {
+                const std::ptrdiff_t index = static_cast<std::ptrdiff_t>(row) * frame.columns + column;
+                neighbours.push_back(
+                    {column, row, index, x_m, y_m, distance_m, tricube(distance_m, radius_m)});
             }
         }
     }
@@ -155,11 +161,68 @@ void gather(const config::Raster<double>& heights, config::Cell centre, std::spa
     for (const Neighbour& neighbour : neighbours) {
         const config::Cell cell{centre.column + neighbour.columns, centre.row + neighbour.rows};
         if (heights.frame.contains(cell) && std::isfinite(heights.at(cell))) {
-            around.push_back({neighbour.x_m, neighbour.y_m, heights.at(cell) - heights.at(centre),
-                              std::sqrt(neighbour.x_m * neighbour.x_m + neighbour.y_m * neighbour.y_m)});
+            around.push_back(
+                {neighbour.x_m, neighbour.y_m, heights.at(cell) - heights.at(centre), neighbour.distance_m});
         }
     }
 }
+
+/// The zone of cells whose neighbours are all there: their places balance, so that the plane is three sums.
+class WholeZone {
+public:
+    WholeZone(const config::GridFrame& frame, std::span<const Neighbour> neighbours, double radius_m)
+        : frame_{frame}, neighbours_{neighbours}, least_residual_m_{least_residual_share * radius_m} {
+        for (const Neighbour& one : neighbours) {
+            reach_columns_ = std::max(reach_columns_, one.columns);
+            reach_rows_ = std::max(reach_rows_, one.rows);
+            weights_ += one.weight;
+            xx_ += one.weight * one.x_m * one.x_m;
+            yy_ += one.weight * one.y_m * one.y_m;
+        }
+    }
+
+    /// Height of the plane above the centre where nothing hints at a break; nothing else, or with a gap.
+    [[nodiscard]] std::optional<double> even_shift_m(const config::Raster<double>& heights,
+                                                     std::size_t centre) const {
+        const config::Cell cell = frame_.cell_of(centre);
+        if (!frame_.contains({cell.column - reach_columns_, cell.row - reach_rows_}) ||
+            !frame_.contains({cell.column + reach_columns_, cell.row + reach_rows_}) || xx_ <= 0.0 ||
+            yy_ <= 0.0) {
+            return std::nullopt;
+        }
+        const double* const here = &heights.values[centre];
+        double z = 0.0;
+        double xz = 0.0;
+        double yz = 0.0;
+        for (const Neighbour& one : neighbours_) {
+            const double weighted_m = one.weight * (here[one.index] - *here);
+            z += weighted_m;
+            xz += weighted_m * one.x_m;
+            yz += weighted_m * one.y_m;
+        }
+        const double shift_m = z / weights_;
+        const double along_x = xz / xx_;
+        const double along_y = yz / yy_;
+        double largest_m = std::abs(shift_m);
+        for (const Neighbour& one : neighbours_) {
+            const double beside_m = here[one.index] - *here - shift_m - along_x * one.x_m - along_y * one.y_m;
+            largest_m = std::max(largest_m, std::abs(beside_m));
+        }
+        // A missing height makes the shift NaN, which compares false.
+        return largest_m < least_residual_m_ && std::isfinite(shift_m) ? std::optional{shift_m}
+                                                                       : std::nullopt;
+    }
+
+private:
+    const config::GridFrame& frame_;
+    std::span<const Neighbour> neighbours_;
+    double least_residual_m_;
+    int reach_columns_ = 0;
+    int reach_rows_ = 0;
+    double weights_ = 1.0;  // of the centre
+    double xx_ = 0.0;
+    double yy_ = 0.0;
+};
 
 /// Points sorted into square cells at least as wide as the contact zone, so that it lies within 3 x 3 of
 /// them.
@@ -245,13 +308,18 @@ config::Raster<double> contact_zone(const config::Raster<double>& heights, doubl
         return felt;
     }
     const std::vector<Neighbour> neighbours = neighbours_within(heights.frame, support_radius_m);
+    const WholeZone whole{heights.frame, neighbours, support_radius_m};
     std::vector<Apart> around;
     for (std::size_t i = 0; i < heights.values.size(); ++i) {
-        if (std::isfinite(heights.values[i])) {
-            gather(heights, heights.frame.cell_of(i), neighbours, around);
-            felt.values[i] +=
-                std::clamp(shift_on_one_face_m(around, support_radius_m), -largest_shift_m, largest_shift_m);
+        if (!std::isfinite(heights.values[i])) {
+            continue;
         }
+        std::optional<double> shift_m = whole.even_shift_m(heights, i);
+        if (!shift_m) {
+            gather(heights, heights.frame.cell_of(i), neighbours, around);
+            shift_m = shift_on_one_face_m(around, support_radius_m);
+        }
+        felt.values[i] += std::clamp(*shift_m, -largest_shift_m, largest_shift_m);
     }
     return felt;
 }
