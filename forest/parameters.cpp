@@ -15,14 +15,13 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .high = 0.1,
                     .meaning = "probability of a tree of any size to die in a year; with storms half of it",
                     .source = "choice"});
-    options.number(
-        "forest.canopy_death_by_size", law.canopy.by_size,
-        {.unit = "-",
-         .low = 0.0,
-         .high = 0.5,
-         .meaning = "added to it at a diameter of 1 m, falling with its sixth power, conifers; "
-                    "broadleaves 1.5 times; with storms half of it",
-         .source = "choice; Holzwarth et al. 2013"});
+    options.number("forest.canopy_death_by_size", law.canopy.by_size,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.5,
+                    .meaning = "added to it at a diameter of 1 m, falling with its sixth power, conifers; "
+                               "broadleaves 1.5 times; with storms half of it",
+                    .source = "choice; Holzwarth et al. 2013"});
     options.flag("forest.background_deaths", law.background,
                  {.meaning = "trees die of age", .source = "choice"});
     options.flag("forest.stress_deaths", law.stress,

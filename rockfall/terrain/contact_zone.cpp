@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "config/math/elementary.hpp"
 #include "config/units/angle.hpp"
 #include "rockfall/terrain/local_plane.hpp"
 
@@ -22,13 +23,13 @@ double tricube(double distance_m, double radius_m) {
 }
 
 /// Faces that differ by more are those of a wall and what it stands on [choice; steeper than any talus].
-/// Planes of both sides differ by less than the faces themselves unless the break runs through the centre.
-const double cosine_of_break = std::cos(config::Angle::from_degrees(25.0).in_radians());
-const double tangent_of_break = std::tan(config::Angle::from_degrees(35.0).in_radians());
+const config::SinCos break_angle = config::sin_cos_of(config::Angle::from_degrees(35.0).in_radians());
+const double cosine_of_break = break_angle.cos;
+const double tangent_of_break = break_angle.sin / break_angle.cos;
 /// A step between two even sides, by the radius of the zone.
 constexpr double highest_step_share = 0.25;
 /// Residual beside a single plane, by the radius, below which no such break can be there: the best plane
-/// through a roof of twice 12.5 degrees leaves 0.15 at its border.
+/// through a roof of twice 17.5 degrees leaves 0.2 at its border.
 constexpr double least_residual_share = 0.12;
 /// The zone shrinks by this factor until it lies on one face.
 constexpr double narrower = 0.7;

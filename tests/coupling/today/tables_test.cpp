@@ -35,6 +35,7 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
                                            "source",
                                            "stop_reason",
                                            "jumps",
+                                           "jump_angle_factor",
                                            "point",
                                            "tree_hits",
                                            "trees_broken",
