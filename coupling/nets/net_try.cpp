@@ -9,6 +9,8 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/files_beside.hpp"
+#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/nets/net_layouts.hpp"
@@ -192,8 +194,15 @@ NetPathsReader paths_of_run(const fs::path& folder) {
 
 std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& terrain, Standing standing,
                                std::vector<std::string>& remarks) {
-    const FileBytes bytes = open_file(file, {file.string()}, "a table of nets");
-    const config::Table table = config::Table::read(bytes.text(), file.string());
+    const formats::LayerName wanted = formats::split_layer_name(file.string());
+    const FileBytes bytes = open_file(wanted.file, {file.string()}, "a table or layer of nets");
+    FilesBeside beside{wanted.file};
+    config::Table table =
+        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes()).layer.table;
+    for (const formats::NamedColumn& column : formats::name_columns(table, "nets")) {
+        remarks.push_back(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
+                                 column.taken_as));
+    }
     GivenNets given = nets_of(table, standing);
     for (const config::Problem& doubt : doubts_about(table, given.nets)) {
         remarks.push_back(joined("warning: ", config::to_string(doubt)));

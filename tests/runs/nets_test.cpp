@@ -133,6 +133,31 @@ TEST_P(NetsUnderModel, TriedOnStoredPathsGiveTheRowsOfARunWithThem) {
     EXPECT_EQ(without_head(project.read("tried/net_inexact.csv")), "");
 }
 
+TEST(NetTry, TakesLayersAsTablesAre) {
+    const SampleProject project;
+    add_nets(project);
+    project.write(
+        "nets.geojson",
+        R"({"type":"FeatureCollection","features":[)"
+        R"({"type":"Feature","properties":{"id":"upper","height_m":1.2,"capacity_kj":5,"gap_m":0.1},)"
+        R"("geometry":{"type":"LineString","coordinates":[[1075,2010],[1078,2050],[1075,2090]]}},)"
+        R"({"type":"Feature","properties":{"id":"lower","height_m":3,"class":"1"},)"
+        R"("geometry":{"type":"LineString","coordinates":[[1098,2005],[1098,2095]]}}]})");
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=1000 ";
+    ASSERT_EQ(call(project, rocks + "--out table").code, 0);
+    const Outcome run = call(project, rocks + "--set nets.file=nets.geojson --out layer");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(project.read("layer/tables/net_crossings.csv"), project.read("table/tables/net_crossings.csv"));
+    ASSERT_EQ(call(project, rocks + "--set nets.file= --set nets.keep_paths=yes --out kept").code, 0);
+    ASSERT_EQ(call(project, "net try kept --nets nets.csv --out of_table").code, 0);
+    const Outcome of_layer = call(project, "net try kept --nets nets.geojson --out of_layer");
+    ASSERT_EQ(of_layer.code, 0) << of_layer.err;
+    EXPECT_EQ(project.read("of_layer/nets.csv"), project.read("of_table/nets.csv"));
+    EXPECT_NE((of_layer.out + of_layer.err).find("nets.geojson: column 'id' is taken as name"),
+              std::string::npos)
+        << of_layer.out << of_layer.err;
+}
+
 TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
     const SampleProject project;
     add_nets(project);
