@@ -44,6 +44,7 @@ struct EnergyWatch {
     Rock rock;
     double last = std::numeric_limits<double>::infinity();
     double largest_gain = 0.0;
+    double fastest_rolling_mps = 0.0;
 
     void pass(double height_m, double squared_speed, double spin, double end_height_m,
               double end_squared_speed, double end_spin) {
@@ -63,6 +64,7 @@ struct EnergyWatch {
         const Eigen::Vector3d end_mps = piece.velocity_at(piece.duration_s);
         pass(piece.start_m.z(), piece.velocity_mps.squaredNorm(), piece.velocity_mps.norm() / rock.radius_m,
              piece.position_m(piece.duration_s).z(), end_mps.squaredNorm(), end_mps.norm() / rock.radius_m);
+        fastest_rolling_mps = std::max({fastest_rolling_mps, piece.velocity_mps.norm(), end_mps.norm()});
     }
     void impacted(const Eigen::Vector3d&) {}
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
@@ -70,15 +72,32 @@ struct EnergyWatch {
     void crossed_net(const Eigen::Vector3d&, const NetCrossing&) {}
 };
 
+/// Largest change of slope from one piece of a profile to the next [m/m].
+double largest_bend(const std::vector<ProfilePoint>& profile) {
+    double largest = 0.0;
+    for (std::size_t i = 2; i < profile.size(); ++i) {
+        const auto slope_before = [&](std::size_t k) {
+            return (profile[k].height_m - profile[k - 1].height_m) /
+                   (profile[k].distance_m - profile[k - 1].distance_m);
+        };
+        largest = std::max(largest, std::abs(slope_before(i) - slope_before(i - 1)));
+    }
+    return largest;
+}
+
 RC_GTEST_PROP(FallAlongAProfile, NeverGainsEnergyWhileItRolls, ()) {
     const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
-    const Slope slope = strip_slope(random_profile(seed), {ground({0.3, 0.8}), ground({0.35, 0.9}, 0.01)});
+    const auto profile = random_profile(seed);
+    const Slope slope = strip_slope(profile, {ground({0.3, 0.8}), ground({0.35, 0.9}, 0.01)});
     for (const double height_m : {0.0, 1.5}) {
         const RockStart start = on_profile(slope, -10.0, height_m, seed);
         EnergyWatch watch{start.rock};
         FallScratch scratch;
         fall(slope, {}, lively_law(), {1, 0, 0, seed}, start, scratch, watch);
-        RC_ASSERT(watch.largest_gain < 1e-3);
+        // A piece shorter than 5 ms runs over its edge on its own plane and is then put on the face beyond,
+        // which may lie higher by the way run over times the bend.
+        const double put_up_m = shortest_rolling_piece_s * watch.fastest_rolling_mps * largest_bend(profile);
+        RC_ASSERT(watch.largest_gain < 1e-6 + config::gravity_mps2 * put_up_m);
     }
 }
 
