@@ -264,20 +264,34 @@ void add_targets_over_years(const fs::path& folder, std::vector<Figure>& figures
     means.finish();
 }
 
+/// Timber and money; the work of the start counts in the first year.
+void add_work_over_years(const fs::path& folder, std::uint32_t years, MeansOverYears& means) {
+    static const std::vector<std::string> figures{"felled_m3pha", "salvaged_m3pha", "removed_m3pha",
+                                                  "left_m3pha", "contribution_margin_eur_pha"};
+    std::vector<std::string> columns{"regime", "replicate"};
+    columns.insert(columns.end(), figures.begin(), figures.end());
+    const config::Table table = read_table(folder, "work_by_year.csv", columns);
+    std::map<std::tuple<std::string, std::string, std::string>, std::map<std::string, double>> sums;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        auto& sum = sums[{table.text(row, "regime"), climate_of(table, row), table.text(row, "replicate")}];
+        for (const std::string& figure : figures) {
+            sum[figure] += number(table, row, figure);
+        }
+    }
+    for (const std::string& figure : figures) {
+        for (const auto& [member, sum] : sums) {
+            const auto& [regime, climate, replicate] = member;
+            means.add({"", regime, figure, over_years, climate}, replicate,
+                      sum.at(figure) / static_cast<double>(years));
+        }
+    }
+}
+
 void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vector<Figure>& figures) {
     MeansOverYears means{figures};
     const config::Table stands =
         read_table(folder, "stands.csv",
                    {"regime", "replicate", "year", "stand", "species", "basal_area_m2pha", "volume_m3pha"});
-    const config::Table losses =
-        read_table(folder, "mortality.csv", {"regime", "replicate", "cause", "volume_m3pha"});
-    std::map<std::tuple<std::string, std::string, std::string>, double> felled_m3pha;
-    for (std::size_t row = 0; row < losses.rows(); ++row) {
-        if (losses.text(row, "cause") == "felled") {
-            felled_m3pha[{losses.text(row, "regime"), climate_of(losses, row),
-                          losses.text(row, "replicate")}] += number(losses, row, "volume_m3pha");
-        }
-    }
     for (std::size_t row = 0; row < stands.rows(); ++row) {
         if (stands.text(row, "stand") != "all" || stands.text(row, "species") != "all") {
             continue;
@@ -289,11 +303,8 @@ void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vec
                   number(stands, row, "basal_area_m2pha"));
         means.add({"", regime, "volume_m3pha", over_years, climate}, replicate,
                   number(stands, row, "volume_m3pha"));
-        if (stands.text(row, "year") == "0") {
-            means.add({"", regime, "felled_m3pha", over_years, climate}, replicate,
-                      felled_m3pha[{regime, climate, replicate}] / static_cast<double>(years));
-        }
     }
+    add_work_over_years(folder, years, means);
     means.finish();
 }
 
@@ -351,8 +362,8 @@ Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate) 
             const double half = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975) * error;
             const std::string& quantity = figure.key.quantity;
             const bool is_share = quantity.ends_with("_percent");
-            const bool may_be_negative =
-                quantity.empty() || quantity.starts_with("protection");  // empty: a difference
+            const bool may_be_negative = quantity.empty() || quantity.starts_with("protection") ||
+                                         quantity.ends_with("_eur_pha");  // empty: a difference
             // What cannot be is left out of the interval.
             figure.low = may_be_negative ? mean - half : std::max(0.0, mean - half);
             figure.high = is_share ? std::min(100.0, mean + half) : mean + half;

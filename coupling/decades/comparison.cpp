@@ -9,6 +9,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/profile_tables.hpp"
+#include "coupling/decades/yearly_work.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/stop_causes.hpp"
@@ -142,25 +143,34 @@ void add_forest(std::vector<Series>& all_series, const Names& names, std::span<c
     Series basal_area = empty_series(names, members, "basal_area_m2pha", "", true);
     Series volume = empty_series(names, members, "volume_m3pha", "", true);
     Series stems = empty_series(names, members, "stems_pha", "", true);
-    Series felled = empty_series(names, members, "felled_m3pha", "", false);
     for (const MemberYears& member : members) {
         for (const StandRow& row : member.stands) {
             if (row.unit == all && row.species == all) {
                 of_member(basal_area, member)[row.year] = row.figures.basal_area_m2pha;
                 of_member(volume, member)[row.year] = row.figures.volume_m3pha;
                 of_member(stems, member)[row.year] = row.figures.stems_pha;
-                of_member(felled, member)[row.year] = 0.0;
-            }
-        }
-        for (const LossRow& row : member.losses) {
-            if (row.cause == forest::Cause::felled) {
-                of_member(felled, member)[row.year] = row.loss.volume_m3pha;
             }
         }
     }
     basal_area.has_worst = true;
-    for (Series* series : {&basal_area, &volume, &stems, &felled}) {
+    for (Series* series : {&basal_area, &volume, &stems}) {
         all_series.push_back(std::move(*series));
+    }
+}
+
+/// Timber and money.
+void add_work(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members,
+              double area_ha) {
+    const PlaceOf of_member{names};
+    for (const WorkFigure& figure : work_figures()) {
+        Series series = empty_series(names, members, figure.quantity, "", false);
+        for (const MemberYears& member : members) {
+            const std::vector<YearlyWork> work = work_by_year(names, member, area_ha);
+            for (std::size_t year = 0; year < work.size(); ++year) {
+                of_member(series, member)[static_cast<std::int32_t>(year)] = figure.of(work[year]);
+            }
+        }
+        all_series.push_back(std::move(series));
     }
 }
 
@@ -172,6 +182,9 @@ std::vector<Series> series_of(const Names& names, const Site& site, std::span<co
     add_targets(all_series, names, site, members);
     add_causes(all_series, names, members);
     add_forest(all_series, names, members);
+    if (site.forest) {
+        add_work(all_series, names, members, site.forest->grid.area_ha());
+    }
     add_profile(all_series, names, members, profile);
     return all_series;
 }

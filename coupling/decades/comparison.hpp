@@ -29,8 +29,9 @@ struct Series {
 
 /// Protection, reaching rocks and their energy at each target; protection only of years in which enough
 /// rocks arrive over the bare slope, all replicates together (few_rocks.hpp); share of the rocks through the
-/// forest that each cause ended; basal area, volume, stems, harvest and gaps of the forest; with a profile
-/// the share of the forest in stands that meet it.
+/// forest that each cause ended; basal area, volume, stems and gaps of the forest; wood felled, salvaged,
+/// removed and left, and the contribution margin (yearly_work.hpp); with a profile the share of the forest in
+/// stands that meet it.
 std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members,
                               const std::optional<forest::TargetProfile>& profile);
 

@@ -212,6 +212,21 @@ TableLayout margins() {
     return {"margins.csv", "a year with work", together(member_columns(), rest)};
 }
 
+TableLayout work_by_year() {
+    const std::vector<Column> rest{
+        {"felled_m3pha", "m3/ha", "stem wood of living trees that were cut, taken or left", simulated},
+        {"salvaged_m3pha", "m3/ha", "stem wood of dead trees that salvage took", simulated},
+        {"removed_m3pha", "m3/ha", "stem wood that left the forest; felled + salvaged = removed + left",
+         simulated},
+        {"left_m3pha", "m3/ha", "felled stem wood that stayed as logs and stumps", simulated},
+        {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", prices},
+        {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", prices},
+        {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting, tending and fencing", prices},
+        {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead", prices}};
+    return {"work_by_year.csv", "a year, also one without work; per hectare of the whole forest",
+            together(member_columns(), rest)};
+}
+
 TableLayout removed_trees() {
     const std::vector<Column> reason{
         {"reason", "text",
@@ -319,6 +334,7 @@ const std::vector<TableLayout>& decade_layouts() {
                                                   interventions(),
                                                   timber(),
                                                   margins(),
+                                                  work_by_year(),
                                                   removed_trees(),
                                                   protection(),
                                                   targets(),

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/decades/closing_summary.hpp"
 #include "coupling/decades/decade_results.hpp"
+#include "coupling/decades/idle_interventions.hpp"
 #include "coupling/decades/parts.hpp"
 #include "coupling/decades/share_out.hpp"
 #include "coupling/decades/simulate.hpp"
@@ -304,6 +305,9 @@ private:
         const DecadeResults results{scenario_, site_,    names_, years, rocks_ ? rocks_->rocks() : 0,
                                     warnings_, version()};
         warn_of_rocks_not_started(years, results.rocks, warnings_);
+        for (std::string& sentence : idle_interventions(names_, years)) {
+            warnings_.add(std::move(sentence));
+        }
         make_folder(folder.staging());
         const std::vector<WrittenFile> files = write_watched(results, folder.staging());
         folder.publish();

@@ -61,8 +61,12 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
         problems.throw_if_any();
         return shapes;
     };
+    // Shipped regimes also serve runs that are shorter than their turns.
+    const RunYears run = is_file(entry)
+                             ? RunYears{forest.first_year() - 1, static_cast<int>(reading.scenario().years)}
+                             : RunYears{};
     return Regime::read(table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid,
-                        polygons_of);
+                        polygons_of, run);
 }
 
 /// With fewer areas than turns some turns find nothing, and the rotation of what there is becomes shorter.

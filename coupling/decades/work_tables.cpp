@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "coupling/decades/decade_layouts.hpp"
+#include "coupling/decades/yearly_work.hpp"
 #include "coupling/results/csv_row.hpp"
 
 namespace coupling::decades {
@@ -54,6 +55,23 @@ void write_margins(std::ostream& out, const Names& names, std::span<const Member
     }
 }
 
+void write_work_by_year(std::ostream& out, const Names& names, std::span<const MemberYears> members,
+                        double area_ha) {
+    TableRows row{out, decade_layouts(), "work_by_year.csv"};
+    for (const MemberYears& member : members) {
+        const std::vector<YearlyWork> years = work_by_year(names, member, area_ha);
+        for (std::size_t year = 0; year < years.size(); ++year) {
+            const YearlyWork& work = years[year];
+            begin_row(row, names, member.member, static_cast<std::int32_t>(year));
+            row.number<4>(work.felled_m3pha).number<4>(work.salvaged_m3pha);
+            row.number<4>(work.removed_m3pha).number<4>(work.left_m3pha);
+            row.number<2>(work.revenue_eur_pha).number<2>(work.harvest_cost_eur_pha);
+            row.number<2>(work.young_cost_eur_pha).number<2>(work.margin_eur_pha());
+            row.end();
+        }
+    }
+}
+
 void write_removed(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
     TableRows row{out, decade_layouts(), "removed_trees.csv"};
     for (const MemberYears& member : members) {
@@ -91,6 +109,9 @@ std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, 
         write("margins.csv", "Revenue, costs and contribution margin of each year with work, per hectare.",
               [&](std::ostream& out) { write_margins(out, names, members, area_ha); });
     }
+    write("work_by_year.csv",
+          "Wood felled, salvaged, removed and left, revenue and costs of each year, per hectare.",
+          [&](std::ostream& out) { write_work_by_year(out, names, members, area_ha); });
     if (any(members, &MemberYears::removed)) {
         write("removed_trees.csv",
               "Trees of 7 cm and more that left the forest, each with its cause: those that rocks broke or "

@@ -18,11 +18,12 @@ Ground lie_of(Ground ground) {
 }  // namespace
 
 Regime Regime::read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
-                    const forest::PatchGrid& grid, const PolygonsOf& polygons_of) {
+                    const forest::PatchGrid& grid, const PolygonsOf& polygons_of, const RunYears& run) {
     config::Problems problems;
     Regime regime;
     regime.name_ = std::move(name);
     regime.interventions_ = read_interventions(table, species, problems);
+    use_run_years(regime.interventions_, run, problems);
     std::vector<Ground> grounds;
     for (const Intervention& intervention : regime.interventions_) {
         const Ground ground = lie_of(intervention.ground);

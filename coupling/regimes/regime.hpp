@@ -9,6 +9,7 @@
 #include "config/table/table.hpp"
 #include "coupling/regimes/areas.hpp"
 #include "coupling/regimes/intervention.hpp"
+#include "coupling/regimes/run_years.hpp"
 #include "forest/patch.hpp"
 #include "forest/species.hpp"
 
@@ -18,13 +19,15 @@ namespace coupling {
 class Regime {
 public:
     /// Throws one InputError (data) with all that is wrong with the table (coupling/regimes/rows.hpp), with
-    /// its areas (areas.hpp), and with interventions that contradict each other in a year.
+    /// its areas (areas.hpp), with rows that could never act in the run (run_years.hpp), and with
+    /// interventions that contradict each other in a year.
     ///
     /// Contradictions are looked for where the calendar alone decides, over 500 years, by the patches that
     /// areas share: two cuts (a thinning may go with a cut of target diameters), a thinning and planting, one
     /// treatment twice. What conditions bring together stands in the report of the year as nothing to cut.
     static Regime read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
-                       const forest::PatchGrid& grid, const PolygonsOf& polygons_of);
+                       const forest::PatchGrid& grid, const PolygonsOf& polygons_of,
+                       const RunYears& run = {});
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::vector<Intervention>& interventions() const { return interventions_; }

@@ -33,7 +33,19 @@ double all_losses(const YearView& year) {
 }
 
 double felled(const YearView& year) {
-    return year.losses[forest::index_of(forest::Cause::felled)].volume_m3pha;
+    return year.work.felled_m3pha;
+}
+double salvaged(const YearView& year) {
+    return year.work.salvaged_m3pha;
+}
+double removed(const YearView& year) {
+    return year.work.removed_m3pha;
+}
+double left(const YearView& year) {
+    return year.work.left_m3pha;
+}
+double margin(const YearView& year) {
+    return year.work.margin_eur_pha();
 }
 
 constexpr std::array standing{
@@ -61,9 +73,16 @@ constexpr std::array standing{
 constexpr std::array flows{
     NamedFigure{"common.increment_m_ha_a_year",
                 [](const YearView& year) { return year.row->volume_increment_m3pha; }},
-    NamedFigure{"decades.answers.harvest_m_ha_a_year", felled},
+    NamedFigure{"decades.answers.felled_m_ha_a_year", felled},
+    NamedFigure{"decades.answers.salvaged_m_ha_a_year", salvaged},
+    NamedFigure{"decades.answers.removed_m_ha_a_year", removed},
+    NamedFigure{"decades.answers.left_m_ha_a_year", left},
+    NamedFigure{"decades.answers.margin_eur_ha_a_year", margin},
     NamedFigure{"decades.answers.mortality_m_ha_a_year",
-                [](const YearView& year) { return all_losses(year) - felled(year); }},
+                [](const YearView& year) {
+                    return all_losses(year) -
+                           year.losses[forest::index_of(forest::Cause::felled)].volume_m3pha;
+                }},
     NamedFigure{"decades.answers.ingrowth_over_1_cm_stems_ha_a",
                 [](const YearView& year) { return year.row->ingrowth_stems_pha; }},
 };
@@ -170,7 +189,11 @@ std::string answer_of(const RunView& run, const RegimeView& regime) {
              {"year_stand", from_to([](const YearView& year) { return stems_from_12_cm(*year.stand); })},
              {"stand_dominant_height_m",
               from_to([](const YearView& year) { return year.stand->dominant_height_m; })},
-             {"felled_mean", figure_text(regime.mean_band(1, run.years, felled).mean)}}),
+             {"felled_mean", figure_text(regime.mean_band(1, run.years, felled).mean)},
+             {"salvaged_mean", figure_text(regime.mean_band(1, run.years, salvaged).mean)},
+             {"removed_mean", figure_text(regime.mean_band(1, run.years, removed).mean)},
+             {"left_mean", figure_text(regime.mean_band(1, run.years, left).mean)},
+             {"margin_mean", figure_text(regime.mean_band(1, run.years, margin).mean)}}),
         "</p>");
 }
 

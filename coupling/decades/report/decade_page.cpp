@@ -47,7 +47,7 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
 }  // namespace
 
 void write_decade_page(std::ostream& out, const PageContent& content) {
-    const RunView run = view_of(content.names, content.members);
+    const RunView run = view_of(content.names, content.members, content.grid.area_ha());
     const report::PageFrame frame{
         .title = joined(report::page_text("decades.decade_page.a_forest_over_years"),
                         escaped(content.scenario.file.stem().string())),

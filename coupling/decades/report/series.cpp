@@ -15,11 +15,11 @@ namespace {
 
 using config::joined;
 
-std::vector<YearView> years_of(const MemberYears& member, std::size_t species_count) {
+std::vector<YearView> years_of(const Names& names, const MemberYears& member, double area_ha) {
     std::vector<YearView> years;
     for (const YearRow& row : member.years) {
         assert(row.year == static_cast<std::int32_t>(years.size()));
-        years.push_back({&row, nullptr, std::vector<double>(species_count, 0.0), {}});
+        years.push_back({&row, nullptr, std::vector<double>(names.species.size(), 0.0), {}, {}});
     }
     for (const StandRow& stand : member.stands) {
         if (stand.unit != all) {
@@ -32,13 +32,18 @@ std::vector<YearView> years_of(const MemberYears& member, std::size_t species_co
             year.volumes_m3pha[stand.species] = stand.figures.volume_m3pha;
         }
     }
+    // What is done at the start belongs to the first year: sums over years begin with that.
+    const auto place_of = [&](std::size_t year) { return year == 0 && years.size() > 1 ? 1 : year; };
     for (const LossRow& loss : member.losses) {
-        // What is felled at the start belongs to the first year: sums over years begin with that.
-        const std::size_t year = loss.year == 0 && years.size() > 1 ? 1 : static_cast<std::size_t>(loss.year);
-        forest::Loss& sum = years[year].losses[forest::index_of(loss.cause)];
+        forest::Loss& sum =
+            years[place_of(static_cast<std::size_t>(loss.year))].losses[forest::index_of(loss.cause)];
         sum.stems_pha += loss.loss.stems_pha;
         sum.volume_m3pha += loss.loss.volume_m3pha;
         sum.above_ground_tpha += loss.loss.above_ground_tpha;
+    }
+    const std::vector<YearlyWork> work = work_by_year(names, member, area_ha);
+    for (std::size_t year = 0; year < work.size(); ++year) {
+        years[place_of(year)].work += work[year];
     }
     return years;
 }
@@ -103,7 +108,7 @@ std::size_t RunView::replicates() const {
     return most;
 }
 
-RunView view_of(const Names& names, std::span<const MemberYears> members) {
+RunView view_of(const Names& names, std::span<const MemberYears> members, double area_ha) {
     std::vector<const MemberYears*> order;
     std::set<std::size_t> species;
     for (const MemberYears& member : members) {
@@ -127,7 +132,7 @@ RunView view_of(const Names& names, std::span<const MemberYears> members) {
         if (run.regimes.empty() || course != run.regimes.back().course) {
             run.regimes.push_back({course, order[i]->member.climate, look_of(names, course), {}, order[i]});
         }
-        run.regimes.back().replicates.push_back(years_of(*order[i], names.species.size()));
+        run.regimes.back().replicates.push_back(years_of(names, *order[i], area_ha));
     }
     if (!order.empty()) {
         run.years = order.front()->years.size() - 1;

@@ -10,6 +10,7 @@
 #include "coupling/decades/band.hpp"
 #include "coupling/decades/decade_tables.hpp"
 #include "coupling/decades/records.hpp"
+#include "coupling/decades/yearly_work.hpp"
 
 namespace coupling::decades {
 
@@ -19,6 +20,7 @@ struct YearView {
     const forest::StandFigures* stand = nullptr;  ///< the whole forest, all species
     std::vector<double> volumes_m3pha;            ///< by species of the table
     std::array<forest::Loss, forest::cause_count> losses{};
+    YearlyWork work{};
 };
 
 /// A figure of a year.
@@ -72,8 +74,8 @@ struct RunView {
     [[nodiscard]] std::size_t replicates() const;  ///< most of any regime
 };
 
-/// Requires that all members have rows of the same years, from the start on.
-RunView view_of(const Names& names, std::span<const MemberYears> members);
+/// Requires that all members have rows of the same years, from the start on, and area_ha > 0.
+RunView view_of(const Names& names, std::span<const MemberYears> members, double area_ha);
 
 /// Stems from 12 cm on, where foresters begin to count.
 double stems_from_12_cm(const forest::StandFigures& stand);

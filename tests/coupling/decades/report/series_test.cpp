@@ -26,8 +26,8 @@ TEST(ViewOf, FindsRowsByYearWhateverTheOrderOfMembers) {
     some.add_member(1, 1, {4.0, 5.0});
     some.add_member(1, 0, {2.0, 3.0});
     some.add_member(0, 0, {1.0, 9.0});
-    const Names names{some.regimes, {}, some.species};
-    const RunView run = view_of(names, some.members);
+    const Names names{some.regimes, some.interventions(), some.species};
+    const RunView run = view_of(names, some.members, some.grid.area_ha());
     ASSERT_EQ(run.regimes.size(), 2U);
     EXPECT_EQ(run.years, 1U);
     EXPECT_EQ(run.replicates(), 2U);
@@ -47,8 +47,8 @@ TEST(ViewOf, TellsClimatesOfARegimeApart) {
     some.members.back().member.climate = 1;
     some.add_member(1, 0, {2.0, 3.0});
     some.add_member(0, 0, {1.0, 9.0});
-    const Names names{some.regimes, {}, some.species, {"present", "warm"}};
-    const RunView run = view_of(names, some.members);
+    const Names names{some.regimes, some.interventions(), some.species, {"present", "warm"}};
+    const RunView run = view_of(names, some.members, some.grid.area_ha());
     ASSERT_EQ(run.regimes.size(), 3U) << "nothing of a regime in a climate that did not run";
     EXPECT_TRUE(run.chart_a_climate);
     EXPECT_EQ(run.regimes[2].title(), "B: thinning, warm");

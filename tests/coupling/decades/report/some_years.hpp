@@ -3,6 +3,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coupling/decades/record_forest.hpp"
@@ -30,10 +31,15 @@ struct SomeYears {
     std::vector<WrittenFile> files{{"tables/stands.csv", "What stands."}};
     std::vector<Section> first;
 
+    /// A row of each regime.
+    [[nodiscard]] std::vector<std::vector<std::pair<std::string, std::string>>> interventions() const {
+        return {regimes.size(), {{"thinning", "thin_below"}}};
+    }
+
     [[nodiscard]] std::string page() const {
         std::ostringstream out;
         write_decade_page(out, {.scenario = *scenario,
-                                .names = {regimes, {}, species},
+                                .names = {regimes, interventions(), species},
                                 .grid = grid,
                                 .members = members,
                                 .warnings = warnings,
@@ -46,8 +52,8 @@ struct SomeYears {
     }
 
     /// A member of one species (the first of the table) whose volume is given year by year. Basal area is a
-    /// tenth of it, leaf area a hundredth; 100 stems in the class from 12 cm; dead wood and increment as
-    /// stated.
+    /// tenth of it, leaf area a hundredth; 100 stems in the class from 12 cm; dead wood, felling and
+    /// increment as stated.
     void add_member(std::uint32_t regime, std::uint32_t replicate, const std::vector<double>& volumes_m3pha) {
         MemberYears member;
         member.member = {regime, replicate};
@@ -72,6 +78,11 @@ struct SomeYears {
             if (i > 0) {
                 member.losses.push_back({year, forest::Cause::wind, {1.0, 2.5, 1.0}});
                 member.losses.push_back({year, forest::Cause::felled, {1.0, 1.5, 1.0}});
+                HarvestRow work;
+                work.year = year;
+                work.taken_m3 = 1.2 * grid.area_ha();
+                work.left_m3 = 0.3 * grid.area_ha();
+                member.harvest.push_back(work);
             }
         }
         members.push_back(std::move(member));

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "coupling/decades/decade_tables.hpp"
+#include "coupling/decades/records.hpp"
+
+namespace coupling::decades {
+
+/// Timber and money of a year, per hectare of the whole forest. Stem wood over bark:
+/// felled + salvaged = removed + left.
+struct YearlyWork {
+    double felled_m3pha = 0.0;    ///< of living trees that were cut, whether taken or left
+    double salvaged_m3pha = 0.0;  ///< of trees that were dead before
+    double removed_m3pha = 0.0;   ///< left the forest
+    double left_m3pha = 0.0;      ///< of the felled stems, stayed as logs and stumps
+    double revenue_eur_pha = 0.0;
+    double harvest_cost_eur_pha = 0.0;  ///< felling and hauling
+    double young_cost_eur_pha = 0.0;    ///< planting, tending, fencing
+    [[nodiscard]] double margin_eur_pha() const {
+        return revenue_eur_pha - harvest_cost_eur_pha - young_cost_eur_pha;
+    }
+    YearlyWork& operator+=(const YearlyWork& other);
+};
+
+/// Of each year of a member from the start on, also of those without work. Requires area_ha > 0.
+std::vector<YearlyWork> work_by_year(const Names& names, const MemberYears& member, double area_ha);
+
+/// A figure of the work of a year as tables name it.
+struct WorkFigure {
+    const char* quantity;
+    double (*of)(const YearlyWork&);
+};
+/// felled_m3pha, salvaged_m3pha, removed_m3pha, left_m3pha and contribution_margin_eur_pha.
+const std::vector<WorkFigure>& work_figures();
+
+}  // namespace coupling::decades
