@@ -309,17 +309,17 @@ void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vec
 }
 
 void add_worst_years(const fs::path& folder, std::vector<Figure>& figures) {
-    const config::Table table =
-        read_table(folder, "regimes_worst_year.csv",
-                   {"regime", "target_id", "quantity", "year", "replicates", "mean", "low_5", "high_95"});
+    const config::Table table = read_table(
+        folder, "regimes_worst_year.csv",
+        {"regime", "target_id", "quantity", "year", "replicates", "mean", "mean_low_90", "mean_high_90"});
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const bool has_range = number(table, row, "replicates") > 1.0;
         figures.push_back(
             {.key = {table.text(row, "target_id"), table.text(row, "regime"), table.text(row, "quantity"),
                      "worst year", climate_of(table, row)},
              .value = number(table, row, "mean"),
-             .low = has_range ? number(table, row, "low_5") : unknown,
-             .high = has_range ? number(table, row, "high_95") : unknown,
+             .low = has_range ? number(table, row, "mean_low_90") : unknown,
+             .high = has_range ? number(table, row, "mean_high_90") : unknown,
              .year = static_cast<int>(config::parse_whole(table.text(row, "year")).value_or(-1))});
     }
 }

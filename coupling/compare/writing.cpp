@@ -140,8 +140,8 @@ void write_reading(std::ostream& out, std::span<const FinishedRun> runs, const S
     }
     out << "\nIn brackets: 95 % interval of the chance in the simulated rocks";
     if (runs.front().summary.years > 0) {
-        out << " and years, over the replicates; at worst years\n(yN: year N) where nine of ten replicates "
-               "lie. "
+        out << " and years, over the replicates; at worst years\n(yN: year N) the 90 % interval of the "
+               "mean. "
                "mean: over the years";
     }
     out << ".\n*: the difference is statistically significant (95 %)";
@@ -185,9 +185,9 @@ const std::vector<TableLayout>& compare_layouts() {
           {"year", "-", "the worst year, empty elsewhere", from_runs},
           {"value", "as the quantity says", "the figure", from_runs},
           {"low", "as the quantity says",
-           "lower end of the 95 % interval; at worst years 5th percentile of replicates", interval},
+           "lower end of the 95 % interval; at worst years of the 90 % interval of the mean", interval},
           {"high", "as the quantity says",
-           "upper end of the 95 % interval; at worst years 95th percentile of replicates", interval},
+           "upper end of the 95 % interval; at worst years of the 90 % interval of the mean", interval},
           {"difference", "as the quantity says", "value minus that of the first run", from_runs},
           {"difference_low_95", "as the quantity says", "lower end of its 95 % interval", difference},
           {"difference_high_95", "as the quantity says", "upper end of its 95 % interval", difference},

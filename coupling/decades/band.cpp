@@ -1,6 +1,7 @@
 #include "coupling/decades/band.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -8,7 +9,8 @@
 namespace coupling::decades {
 namespace {
 
-/// Requires sorted values.
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 double quantile(const std::vector<double>& sorted, double share) {
     const double at = share * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(at);
@@ -16,13 +18,56 @@ double quantile(const std::vector<double>& sorted, double share) {
     return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
 
+/// Of the mean of so many values.
+double t_of(std::size_t count, double share_below) {
+    return boost::math::quantile(boost::math::students_t{static_cast<double>(count - 1)}, share_below);
+}
+
 }  // namespace
 
-Band band_of(std::vector<double> values) {
+Band band_of(std::vector<double> values, const Bounds& bounds) {
     assert(!values.empty());
-    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    const auto n = static_cast<double>(values.size());
+    Band band;
+    band.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    band.low = band.high = band.p05 = band.p95 = unknown;
     std::sort(values.begin(), values.end());
-    return {sum / static_cast<double>(values.size()), quantile(values, 0.05), quantile(values, 0.95)};
+    band.least = values.front();
+    band.most = values.back();
+    if (values.size() >= least_for_percentiles) {
+        band.p05 = quantile(values, 0.05);
+        band.p95 = quantile(values, 0.95);
+    }
+    // Rounding of the sum makes no interval.
+    if (values.size() > 1 && band.most - band.least > 1e-9 * std::abs(band.mean)) {
+        double squares = 0.0;
+        for (const double value : values) {
+            squares += (value - band.mean) * (value - band.mean);
+        }
+        const double half =
+            t_of(values.size(), 0.5 * (1.0 + interval_share)) * std::sqrt(squares / (n - 1.0) / n);
+        band.low = std::max(bounds.low, band.mean - half);
+        band.high = std::min(bounds.high, band.mean + half);
+    }
+    return band;
+}
+
+std::optional<std::size_t> replicates_needed(double mean, double deviation) {
+    constexpr std::size_t most = 100'000;
+    constexpr double share_below = 0.975;
+    const auto suffice = [&](std::size_t count) {
+        return t_of(count, share_below) * deviation / std::sqrt(static_cast<double>(count)) < std::abs(mean);
+    };
+    if (!(deviation >= 0.0) || !(std::abs(mean) > 0.0) || !suffice(most)) {
+        return std::nullopt;
+    }
+    std::size_t too_few = 1;
+    std::size_t enough = most;
+    while (enough - too_few > 1) {
+        const std::size_t middle = too_few + (enough - too_few) / 2;
+        (suffice(middle) ? enough : too_few) = middle;
+    }
+    return enough;
 }
 
 }  // namespace coupling::decades

@@ -1,17 +1,45 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace coupling::decades {
 
-/// A figure over replicates: their mean and where nine in ten of them lie.
+/// What a figure can be: intervals leave out what it cannot.
+struct Bounds {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+};
+inline constexpr Bounds not_negative{0.0, std::numeric_limits<double>::infinity()};
+
+/// Share of intervals of a mean that hold what infinitely many replicates would give.
+inline constexpr double interval_share = 0.90;
+
+/// From so many replicates on their 5th and 95th percentile are shown; of fewer they are close to the
+/// extremes and no estimate of what nine in ten would do [choice].
+inline constexpr std::size_t least_for_percentiles = 10;
+
+/// A figure over replicates. NaN is unknown.
 struct Band {
     double mean = 0.0;
-    double low = 0.0;   ///< 5th percentile, straight between order statistics; the value itself of one
-    double high = 0.0;  ///< 95th
+    double low = 0.0;  ///< of the 90 % interval of the mean (Student's t), unknown for one replicate and
+                       ///< where all agree: equal values say nothing about chance
+    double high = 0.0;  ///< of the same
+    double p05 = 0.0;   ///< 5th percentile of ten and more replicates, linearly interpolated
+    double p95 = 0.0;
+    double least = 0.0;  ///< of the replicates
+    double most = 0.0;
+    [[nodiscard]] bool has_interval() const { return low <= high; }
 };
 
 /// Requires at least one value.
-Band band_of(std::vector<double> values);
+Band band_of(std::vector<double> values, const Bounds& bounds = {});
+
+/// The replicates with which a mean paired difference of this size and this standard deviation of the pairs
+/// would be known to differ from 0 (95 %, Student's t). Nothing for a difference of 0 and for more than
+/// 100 000.
+std::optional<std::size_t> replicates_needed(double mean, double deviation);
 
 }  // namespace coupling::decades

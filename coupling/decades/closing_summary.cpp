@@ -1,9 +1,11 @@
 #include "coupling/decades/closing_summary.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "config/text/joined.hpp"
 #include "coupling/decades/arrivals.hpp"
+#include "coupling/decades/comparison.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -16,21 +18,29 @@ using config::joined;
 
 namespace fs = std::filesystem;
 
-void say_target(const DecadeResults& results, std::uint32_t target) {
+/// Mean of the replicates with its interval, as on the page.
+void say_target(const DecadeResults& results, const Series& protection, const std::string& name,
+                std::uint32_t target) {
     for (std::size_t course = 0; course < results.names.courses(); ++course) {
         const std::vector<TargetRow>& rows = results.members.front().targets;
+        const std::int32_t first_year = rows.empty() ? 0 : rows.front().year;
         const std::int32_t last_year = rows.empty() ? 0 : rows.back().year;
         const auto percent = [&](std::int32_t year) {
             const PairedCounts counts = arrivals_of(results.names, results.members, course, target, year);
-            const auto effect = protection_effect(counts);
-            return !effect                          ? std::string{"– (no rock arrives)"}
-                   : too_few_for_protection(counts) ? joined("– (", too_few_in_words(counts.bare()), ")")
-                                                    : joined(report::fixed(100.0 * effect->value, 1), " %");
+            const auto value = over_replicates(protection, course, year);
+            if (!value) {
+                return counts.bare() == 0 ? std::string{"– (no rock arrives)"}
+                                          : joined("– (", too_few_in_words(counts.bare()), ")");
+            }
+            const Band& band = value->band;
+            return joined(report::fixed(band.mean, 1), " %",
+                          band.has_interval() ? joined(" (", report::fixed(band.low, 1), " to ",
+                                                       report::fixed(band.high, 1), ")")
+                                              : "");
         };
-        std::printf("  %s, %s: stopped by the forest: %s in year 0, %s in year %d\n",
-                    results.site.targets[target].name.c_str(), results.names.course_name(course).c_str(),
-                    percent(rows.empty() ? 0 : rows.front().year).c_str(), percent(last_year).c_str(),
-                    last_year);
+        std::printf("  %s, %s: stopped by the forest: %s in year %d, %s in year %d\n", name.c_str(),
+                    results.names.course_name(course).c_str(), percent(first_year).c_str(), first_year,
+                    percent(last_year).c_str(), last_year);
     }
 }
 
@@ -60,8 +70,20 @@ void print_summary(const DecadeResults& results, const fs::path& folder,
                 row.figures.dominant_height_m);
         }
     }
-    for (std::uint32_t target = 0; results.rocks > 0 && target < results.site.targets.size(); ++target) {
-        say_target(results, target);
+    if (results.rocks > 0) {
+        const std::vector<Series> series =
+            series_of(results.names, results.site, results.members, std::nullopt);
+        for (std::uint32_t target = 0; target < results.site.targets.size(); ++target) {
+            const rockfall::Target& of = results.site.targets[target];
+            const auto protection = std::find_if(series.begin(), series.end(), [&](const Series& each) {
+                return each.target == of.id && each.quantity == "protection_percent";
+            });
+            say_target(results, *protection, of.name, target);
+        }
+        if (results.scenario.forest.replicates > 1) {
+            std::printf("  mean of %s; in brackets its 90 %% interval\n",
+                        counted(results.scenario.forest.replicates, "replicate").c_str());
+        }
     }
     print_files(folder, files, verbose);
 }

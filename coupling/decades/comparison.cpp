@@ -213,7 +213,47 @@ std::optional<OverReplicates> over_replicates(const Series& series, std::size_t 
         return std::nullopt;
     }
     const std::size_t count = values.size();
-    return OverReplicates{count, band_of(std::move(values))};
+    return OverReplicates{count, band_of(std::move(values), bounds_of(series))};
+}
+
+Bounds bounds_of(const Series& series) {
+    const std::string& quantity = series.quantity;
+    Bounds bounds = not_negative;
+    if (quantity.ends_with("_percent")) {
+        bounds.high = 100.0;
+    }
+    if (quantity.starts_with("protection") || quantity.ends_with("_eur_pha")) {
+        bounds.low = -std::numeric_limits<double>::infinity();
+    }
+    return bounds;
+}
+
+PairedDifference difference_of(const std::vector<double>& differences) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const auto n = static_cast<double>(differences.size());
+    double mean = 0.0;
+    for (const double d : differences) {
+        mean += d / n;
+    }
+    PairedDifference found{differences.size(), mean, unknown, unknown, unknown};
+    if (differences.size() > 1) {
+        double squares = 0.0;
+        for (const double d : differences) {
+            squares += (d - mean) * (d - mean);
+        }
+        found.deviation = std::sqrt(squares / (n - 1.0));
+        const double error = found.deviation / std::sqrt(n);
+        // Equal differences (no rock arrives, say) say nothing about chance: no interval rather than one of
+        // no width.
+        if (error > 1e-9 * std::abs(mean) && error > 0.0) {
+            const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
+            found.low = mean - t * error;
+            found.high = mean + t * error;
+        } else {
+            found.deviation = unknown;
+        }
+    }
+    return found;
 }
 
 std::optional<PairedDifference> difference(const Series& series, std::size_t course, std::size_t reference,
@@ -230,28 +270,7 @@ std::optional<PairedDifference> difference(const Series& series, std::size_t cou
     if (differences.empty()) {
         return std::nullopt;
     }
-    const auto n = static_cast<double>(differences.size());
-    double mean = 0.0;
-    for (const double d : differences) {
-        mean += d / n;
-    }
-    PairedDifference found{differences.size(), mean, std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::quiet_NaN()};
-    if (differences.size() > 1) {
-        double squares = 0.0;
-        for (const double d : differences) {
-            squares += (d - mean) * (d - mean);
-        }
-        const double error = std::sqrt(squares / (n - 1.0) / n);
-        // Equal differences (no rock arrives, say) say nothing about chance: no interval rather than one of
-        // no width.
-        if (error > 1e-9 * std::abs(mean) && error > 0.0) {
-            const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
-            found.low = mean - t * error;
-            found.high = mean + t * error;
-        }
-    }
-    return found;
+    return difference_of(differences);
 }
 
 std::optional<Extreme> worst_year(const Series& series, std::size_t course) {
@@ -277,6 +296,12 @@ CsvRow& begin_course(CsvRow& row, const Names& names, std::size_t course) {
     return row.text(names.regimes[names.regime_of(course)]).text(names.climates[names.climate_of(course)]);
 }
 
+void add_band(CsvRow& row, const Band& band) {
+    for (const double value : {band.mean, band.low, band.high, band.p05, band.p95, band.least, band.most}) {
+        row.number<3>(value);
+    }
+}
+
 void write_by_year(std::ostream& out, const Names& names, std::span<const Series> all_series) {
     TableRows row{out, decade_layouts(), "regimes_by_year.csv"};
     for (std::size_t course = 0; course < names.courses(); ++course) {
@@ -285,7 +310,7 @@ void write_by_year(std::ostream& out, const Names& names, std::span<const Series
                 if (const auto v = over_replicates(series, course, year)) {
                     begin_course(row, names, course).text(series.target).text(series.quantity);
                     row.whole(static_cast<std::uint32_t>(year)).whole(v->replicates);
-                    row.number<3>(v->band.mean).number<3>(v->band.low).number<3>(v->band.high);
+                    add_band(row, v->band);
                     row.end();
                 }
             }
@@ -302,8 +327,7 @@ void write_worst_year(std::ostream& out, const Names& names, std::span<const Ser
                 begin_course(row, names, course).text(series.target).text(series.quantity);
                 row.text(series.low_is_bad ? "lowest" : "highest");
                 row.whole(static_cast<std::uint32_t>(worst->year)).whole(worst->value.replicates);
-                const Band& band = worst->value.band;
-                row.number<3>(band.mean).number<3>(band.low).number<3>(band.high);
+                add_band(row, worst->value.band);
                 row.end();
             }
         }
@@ -327,6 +351,8 @@ void write_differences(std::ostream& out, const std::string& table, const Names&
                     begin_course(row, names, pair.course).text(pair.reference_name).text(series.target);
                     row.text(series.quantity).whole(static_cast<std::uint32_t>(year)).whole(d->pairs);
                     row.number<3>(d->mean).number<3>(d->low).number<3>(d->high);
+                    const auto needed = replicates_needed(d->mean, d->deviation);
+                    needed ? row.whole(*needed) : row.empty();
                     row.end();
                 }
             }
@@ -342,7 +368,7 @@ std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, c
     std::vector<WrittenFile> written;
     written.push_back(
         write_table(folder, "regimes_by_year.csv",
-                    "Each regime in each year: mean of the replicates and where nine in ten lie.",
+                    "Each regime in each year: mean of the replicates, its 90 % interval and their range.",
                     [&](std::ostream& out) { write_by_year(out, names, all_series); }));
     written.push_back(write_table(folder, "regimes_worst_year.csv",
                                   "The year in which each regime is worst, by the mean of its replicates.",

@@ -43,13 +43,19 @@ struct OverReplicates {
 /// Nothing where no replicate knows the figure.
 std::optional<OverReplicates> over_replicates(const Series& series, std::size_t course, std::int32_t year);
 
+/// What a figure can be, by its name: percents end at 100, and only protection and money fall below 0.
+Bounds bounds_of(const Series& series);
+
 /// Mean difference of pairs with its 95 % interval (Student's t). Unknown for fewer than two pairs: NaN.
 struct PairedDifference {
     std::size_t pairs = 0;
     double mean = 0.0;
     double low = 0.0;
     double high = 0.0;
+    double deviation = 0.0;  ///< standard deviation of the pairs
 };
+/// Requires at least one difference.
+PairedDifference difference_of(const std::vector<double>& differences);
 std::optional<PairedDifference> difference(const Series& series, std::size_t course, std::size_t reference,
                                            std::int32_t year);
 

@@ -267,12 +267,19 @@ std::vector<Column> figure_columns() {
 
 std::vector<Column> band_columns() {
     constexpr const char* over_replicates = "over the replicates";
+    constexpr const char* students_t = "over the replicates, Student's t";
     return {{"replicates", "-", "replicates that know the figure", over_replicates},
             {"mean", "as the quantity says", "mean of the replicates", over_replicates},
+            {"mean_low_90", "as the quantity says",
+             "lower end of the 90 % interval of the mean; empty for one replicate and where all are equal",
+             students_t},
+            {"mean_high_90", "as the quantity says", "upper end of the same", students_t},
             {"low_5", "as the quantity says",
-             "5th percentile of the replicates, straight between order statistics", over_replicates},
-            {"high_95", "as the quantity says",
-             "95th percentile of the replicates, straight between order statistics", over_replicates}};
+             "5th percentile of the replicates, linearly interpolated; empty for fewer than ten",
+             over_replicates},
+            {"high_95", "as the quantity says", "95th percentile, likewise", over_replicates},
+            {"least", "as the quantity says", "lowest replicate", over_replicates},
+            {"most", "as the quantity says", "highest replicate", over_replicates}};
 }
 
 TableLayout regimes_by_year() {
@@ -297,7 +304,11 @@ std::vector<Column> difference_columns(const char* known_in_both, const char* of
         {"pairs", "-", known_in_both, paired},
         {"mean_difference", "as the quantity says", of_what, paired},
         {"low_95", "as the quantity says", "lower end of its 95 % interval; empty for one pair", paired},
-        {"high_95", "as the quantity says", "upper end of its 95 % interval; empty for one pair", paired}};
+        {"high_95", "as the quantity says", "upper end of its 95 % interval; empty for one pair", paired},
+        {"replicates_needed", "-",
+         "replicates from which on the interval of such a difference leaves 0 out; empty: not known, or more "
+         "than 100 000",
+         paired}};
 }
 
 TableLayout regime_differences() {

@@ -2,8 +2,8 @@
 #
 #   Rscript read_run.R OUT [protection.png]
 #
-# OUT is the folder of the results. A run over years gives a line for each regime (in each climate) with the band
-# in which nine of ten replicates lie; an assessment of today a bar for each target with its 95 % interval. A name
+# OUT is the folder of the results. A run over years gives a line for each regime (in each climate) with the 90 %
+# interval of the mean as a band; an assessment of today a bar for each target with its 95 % interval. A name
 # that ends with .pdf gives a PDF.
 
 arguments <- commandArgs(trailingOnly = TRUE)
@@ -51,23 +51,23 @@ draw_years <- function() {
   par(mfrow = c(length(targets), 1), mar = c(4.5, 4.5, 3, 1))
   for (target in targets) {
     here <- bands[bands$target_id == target, ]
-    plot(NA, xlim = range(here$year), ylim = range(here$low_5, here$high_95), xlab = "year",
+    plot(NA, xlim = range(here$year), ylim = range(here$mean_low_90, here$mean_high_90), xlab = "year",
          ylab = "protection effect [%]", main = paste("Rocks stopped by the forest:", target))
     for (i in seq_along(regimes)) {
       line <- here[here$regime == regimes[i], ]
       if (nrow(line) == 0) next
       colour <- colours[(i - 1) %% length(colours) + 1]
-      polygon(c(line$year, rev(line$year)), c(line$low_5, rev(line$high_95)),
+      polygon(c(line$year, rev(line$year)), c(line$mean_low_90, rev(line$mean_high_90)),
               col = adjustcolor(colour, alpha.f = 0.2), border = NA)
       lines(line$year, line$mean, col = colour, lwd = 2, lty = i)
     }
     legend("bottomright", legend = regimes, col = colours[(seq_along(regimes) - 1) %% length(colours) + 1],
-           lty = seq_along(regimes), lwd = 2, bty = "n", title = "mean, 5 to 95 % of the replicates")
+           lty = seq_along(regimes), lwd = 2, bty = "n", title = "mean, 90 % interval")
   }
   invisible(dev.off())
   worst <- read_table("regimes_worst_year.csv")
   print(worst[worst$quantity == "protection_percent",
-              c("regime", "climate", "target_id", "year", "mean", "low_5", "high_95")], row.names = FALSE)
+              c("regime", "climate", "target_id", "year", "mean", "mean_low_90", "mean_high_90")], row.names = FALSE)
 }
 
 draw_today <- function() {

@@ -3,7 +3,7 @@
     python3 read_run.py OUT [protection.png]
 
 OUT is the folder of the results. Needs the standard library alone; with matplotlib it also draws: of a run over
-years a line for each regime (in each climate) with the band in which nine of ten replicates lie, of an assessment
+years a line for each regime (in each climate) with the 90 % interval of the mean as a band, of an assessment
 of today a bar for each target with its 95 % interval.
 """
 
@@ -47,7 +47,7 @@ def protection_over_years(out):
     return {
         target: {
             regime: [
-                (int(row["year"]), number(row["mean"]), number(row["low_5"]), number(row["high_95"]))
+                (int(row["year"]), number(row["mean"]), number(row["mean_low_90"]), number(row["mean_high_90"]))
                 for row in rows
                 if row["target_id"] == target and row["regime"] == regime
             ]
@@ -76,7 +76,7 @@ def draw_years(pyplot, protection):
             panel.fill_between(years, low, high, color=colour, alpha=0.2, linewidth=0)
             panel.plot(years, mean, color=colour, label=regime, linestyle=["-", "--", ":", "-."][i % 4])
         panel.set(title=f"Rocks stopped by the forest: {target}", xlabel="year", ylabel="protection effect [%]")
-        panel.legend(title="mean, 5 to 95 % of the replicates")
+        panel.legend(title="mean, 90 % interval")
     return figure
 
 

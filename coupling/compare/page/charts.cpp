@@ -176,7 +176,7 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
                missing_points(lines, comparison)));
 }
 
-/// Year -> mean and range of a series of a run.
+/// Year -> mean of a series of a run and its 90 % interval.
 struct YearBand {
     double mean = 0.0;
     double low = 0.0;
@@ -187,15 +187,15 @@ using SeriesKey = std::array<std::string, 3>;  ///< quantity, target, course_nam
 using BandsOfRun = std::map<SeriesKey, std::map<int, YearBand>>;
 
 BandsOfRun read_bands(const FinishedRun& run) {
-    const config::Table table =
-        read_table(run.folder, "regimes_by_year.csv",
-                   {"regime", "target_id", "quantity", "year", "replicates", "mean", "low_5", "high_95"});
+    const config::Table table = read_table(
+        run.folder, "regimes_by_year.csv",
+        {"regime", "target_id", "quantity", "year", "replicates", "mean", "mean_low_90", "mean_high_90"});
     BandsOfRun bands;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const auto year = static_cast<int>(number(table, row, "year"));
         const std::string course = course_name(table.text(row, "regime"), climate_of(table, row));
         bands[{table.text(row, "quantity"), table.text(row, "target_id"), course}][year] = {
-            number(table, row, "mean"), number(table, row, "low_5"), number(table, row, "high_95"),
+            number(table, row, "mean"), number(table, row, "mean_low_90"), number(table, row, "mean_high_90"),
             number(table, row, "replicates") > 1.0};
     }
     return bands;
@@ -215,8 +215,10 @@ std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
         }
         for (const auto& [year, band] : found->second) {
             any = any || !std::isnan(band.mean);
-            highest = std::max(highest, band.high);
-            lowest = std::min(lowest, band.low);
+            for (const double value : {band.mean, band.low, band.high}) {
+                highest = std::isnan(value) ? highest : std::max(highest, value);
+                lowest = std::isnan(value) ? lowest : std::min(lowest, value);
+            }
             any_range = any_range || band.has_range;
             last_year = std::max(last_year, year);
         }
@@ -243,7 +245,10 @@ std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
             const double x = year;
             points.push_back({x, std::max(0.0, band.mean)});
             if (band.has_range) {
-                ranges.push_back({x, std::max(0.0, band.low), std::max(0.0, band.high)});
+                // No interval where all replicates are equal.
+                const bool known = band.low <= band.high;
+                ranges.push_back({x, std::max(0.0, known ? band.low : band.mean),
+                                  std::max(0.0, known ? band.high : band.mean)});
             }
         }
         if (points.empty()) {

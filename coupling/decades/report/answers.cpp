@@ -25,6 +25,7 @@ using report::three_digits;
 struct NamedFigure {
     const char* name;
     double (*of)(const YearView&);
+    Bounds bounds = not_negative;
 };
 
 double all_losses(const YearView& year) {
@@ -77,7 +78,7 @@ constexpr std::array flows{
     NamedFigure{"decades.answers.salvaged_m_ha_a_year", salvaged},
     NamedFigure{"decades.answers.removed_m_ha_a_year", removed},
     NamedFigure{"decades.answers.left_m_ha_a_year", left},
-    NamedFigure{"decades.answers.margin_eur_ha_a_year", margin},
+    NamedFigure{"decades.answers.margin_eur_ha_a_year", margin, {}},
     NamedFigure{"decades.answers.mortality_m_ha_a_year",
                 [](const YearView& year) {
                     return all_losses(year) -
@@ -93,9 +94,10 @@ std::string figure_text(double value) {
 }
 
 std::string cell(const Band& band, bool with_band) {
-    return with_band ? joined(figure_text(band.mean), " <small>(", figure_text(band.low), " – ",
-                              figure_text(band.high), ")</small>")
-                     : figure_text(band.mean);
+    return with_band && band.has_interval()
+               ? joined(figure_text(band.mean), " <small>(", figure_text(band.low), " – ",
+                        figure_text(band.high), ")</small>")
+               : figure_text(band.mean);
 }
 
 /// One row of a table for each regime; with several of them under the name of the figure.
@@ -123,8 +125,12 @@ std::string year_name(const RunView& run, std::size_t year) {
 }
 
 std::string standing_table(const RunView& run, bool with_band) {
-    std::vector<std::size_t> years{0, run.years / 2, run.years};
-    years.erase(std::unique(years.begin(), years.end()), years.end());
+    std::vector<std::size_t> years;
+    for (const std::size_t year : {std::size_t{0}, run.years / 2, run.years}) {
+        if (years.empty() || years.back() != year) {
+            years.push_back(year);
+        }
+    }
     std::vector<std::string> head{report::page_text("decades.answers.what_stands")};
     for (const std::size_t year : years) {
         head.push_back(year_name(run, year));
@@ -136,7 +142,7 @@ std::string standing_table(const RunView& run, bool with_band) {
         add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
             std::vector<std::string> cells;
             for (const std::size_t year : years) {
-                cells.push_back(cell(regime.band(year, figure.of), with_band));
+                cells.push_back(cell(regime.band(year, figure.of, figure.bounds), with_band));
             }
             return cells;
         });
@@ -166,7 +172,8 @@ std::string flow_table(const RunView& run, bool with_band) {
         add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
             std::vector<std::string> cells;
             for (const Span& span : spans) {
-                cells.push_back(cell(regime.mean_band(span.first, span.last, figure.of), with_band));
+                cells.push_back(
+                    cell(regime.mean_band(span.first, span.last, figure.of, figure.bounds), with_band));
             }
             return cells;
         });

@@ -35,7 +35,8 @@ std::string charts_of(const Names& names, const Series& series, const std::strin
                 const auto x = static_cast<double>(year);
                 curve.means.push_back({x, std::max(0.0, v->band.mean)});
                 if (v->replicates > 1) {
-                    curve.ranges.push_back({x, std::max(0.0, v->band.low), std::max(0.0, v->band.high)});
+                    const report::ChartRange range = range_at(x, v->band);
+                    curve.ranges.push_back({x, std::max(0.0, range.low), std::max(0.0, range.high)});
                 }
             }
         }
@@ -56,9 +57,9 @@ std::string in_words(const std::optional<OverReplicates>& v) {
         return "–";
     }
     const Band& band = v->band;
-    return v->replicates > 1 ? joined(fixed(band.mean, 1), " <small>(", fixed(band.low, 1), " – ",
-                                      fixed(band.high, 1), ")</small>")
-                             : fixed(band.mean, 1);
+    return band.has_interval() ? joined(fixed(band.mean, 1), " <small>(", fixed(band.low, 1), " – ",
+                                        fixed(band.high, 1), ")</small>")
+                               : fixed(band.mean, 1);
 }
 
 /// A difference with its interval; of a single pair nothing can be said but its value.
@@ -66,11 +67,12 @@ std::string in_words(const std::optional<PairedDifference>& d) {
     if (!d) {
         return "–";
     }
-    return d->pairs > 1
+    return !std::isnan(d->low)
                ? report::page_text(
                      "decades.protection.to",
                      {{"mean", fixed(d->mean, 1)}, {"low", fixed(d->low, 1)}, {"high", fixed(d->high, 1)}})
-               : report::page_text("decades.protection.one_replicate_chance_unknown",
+               : report::page_text(d->pairs > 1 ? "decades.protection.all_pairs_equal_chance_unknown"
+                                                : "decades.protection.one_replicate_chance_unknown",
                                    {{"mean", fixed(d->mean, 1)}});
 }
 
@@ -89,19 +91,20 @@ double mean_of_years(const Series& series, std::size_t course) {
 
 std::string range_text(const OverReplicates& v, int decimals, const char* unit) {
     return joined("<b>", fixed(v.band.mean, decimals), unit, "</b>",
-                  v.replicates > 1
+                  v.band.has_interval()
                       ? joined(" (", fixed(v.band.low, decimals), " – ", fixed(v.band.high, decimals), ")")
                       : "");
 }
 
-/// What the forest stops in a year; of one replicate with the interval of its own rocks.
+/// What the forest stops in a year; of one replicate, and where all replicates are equal, with the interval
+/// of their rocks.
 std::string stopped_in_words(const std::optional<OverReplicates>& v, const PairedCounts& counts) {
     if (!v || too_few_for_protection(counts)) {
         return joined("– (", too_few_in_words(counts.bare()), ")");
     }
     const auto effect = protection_effect(counts);
     const std::string value = range_text(*v, 1, "\u00a0%");
-    if (v->replicates > 1 || !effect) {
+    if (v->band.has_interval() || !effect) {
         return value;
     }
     return effect->one_sided

@@ -62,12 +62,17 @@ std::string regime_chart(const std::string& title, const RegimeAxes& axes,
     }
     if (any_band) {
         chart.add_band_name(line_of_regime(curves.front().line),
-                            report::page_text("decades.regime_chart.nine_in_ten_replicates"));
+                            report::page_text("decades.regime_chart.interval_of_the_mean"));
     }
     return chart.figure(caption);
 }
 
 }  // namespace
+
+report::ChartRange range_at(double x, const Band& band) {
+    return band.has_interval() ? report::ChartRange{x, band.low, band.high}
+                               : report::ChartRange{x, band.mean, band.mean};
+}
 
 std::string regime_charts(const RegimeAxes& axes, std::span<const RegimeCurve> curves,
                           const std::string& caption) {

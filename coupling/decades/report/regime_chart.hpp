@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/decades/band.hpp"
 #include "coupling/results/report/chart.hpp"
 
 namespace coupling::decades {
@@ -19,8 +20,11 @@ struct RegimeCurve {
     std::string name;         ///< in the legend
     std::string letter;       ///< at the end of the line; empty for none
     std::vector<report::ChartPoint> means{};
-    std::vector<report::ChartRange> ranges{};  ///< of the replicates; empty without a band
+    std::vector<report::ChartRange> ranges{};  ///< of the mean; empty without a band
 };
+
+/// The 90 % interval of the mean; of no width where it is not known.
+report::ChartRange range_at(double x, const Band& band);
 
 /// What the charts of a figure share.
 struct RegimeAxes {

@@ -57,7 +57,7 @@ RegimeCurve curve_of(const RunView& run, const RegimeView& regime, const RegimeC
         const Band band = regime.mean_band(stretch.first, stretch.last, wanted.figure);
         curve.means.push_back({x, band.mean});
         if (run.replicates() > 1) {
-            curve.ranges.push_back({x, band.low, band.high});
+            curve.ranges.push_back(range_at(x, band));
         }
     }
     return curve;

@@ -84,11 +84,12 @@ bool splits_charts(const Names& names) {
     return names.regimes.size() > 1 && names.climates.size() > 1;
 }
 
-Band RegimeView::band(std::size_t year, const YearFigure& figure) const {
-    return mean_band(year, year, figure);
+Band RegimeView::band(std::size_t year, const YearFigure& figure, const Bounds& bounds) const {
+    return mean_band(year, year, figure, bounds);
 }
 
-Band RegimeView::mean_band(std::size_t first_year, std::size_t last_year, const YearFigure& figure) const {
+Band RegimeView::mean_band(std::size_t first_year, std::size_t last_year, const YearFigure& figure,
+                           const Bounds& bounds) const {
     std::vector<double> means;
     for (const std::vector<YearView>& years : replicates) {
         double sum = 0.0;
@@ -97,7 +98,7 @@ Band RegimeView::mean_band(std::size_t first_year, std::size_t last_year, const 
         }
         means.push_back(sum / static_cast<double>(last_year - first_year + 1));
     }
-    return band_of(std::move(means));
+    return band_of(std::move(means), bounds);
 }
 
 std::size_t RunView::replicates() const {

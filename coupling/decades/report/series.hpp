@@ -58,10 +58,11 @@ struct RegimeView {
     const MemberYears* first = nullptr;             ///< the lowest replicate there is
 
     [[nodiscard]] std::string title() const { return look.title(); }
-    [[nodiscard]] Band band(std::size_t year, const YearFigure& figure) const;
+    [[nodiscard]] Band band(std::size_t year, const YearFigure& figure,
+                            const Bounds& bounds = not_negative) const;
     /// Of each replicate's mean over the years `first_year` to `last_year`.
-    [[nodiscard]] Band mean_band(std::size_t first_year, std::size_t last_year,
-                                 const YearFigure& figure) const;
+    [[nodiscard]] Band mean_band(std::size_t first_year, std::size_t last_year, const YearFigure& figure,
+                                 const Bounds& bounds = not_negative) const;
 };
 
 /// The members of a run, looked up by course, replicate and year. Refers to the members.

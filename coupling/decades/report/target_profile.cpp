@@ -35,9 +35,9 @@ std::string cell_of(const Series& series, std::size_t course, std::int32_t year,
         return "–";
     }
     const Band& band = value->band;
-    return value->replicates > 1 ? joined(fixed(band.mean, decimals), " <small>(", fixed(band.low, decimals),
-                                          " – ", fixed(band.high, decimals), ")</small>")
-                                 : fixed(band.mean, decimals);
+    return band.has_interval() ? joined(fixed(band.mean, decimals), " <small>(", fixed(band.low, decimals),
+                                        " – ", fixed(band.high, decimals), ")</small>")
+                               : fixed(band.mean, decimals);
 }
 
 /// The first, the middle and the last of some years.

@@ -36,6 +36,19 @@ TEST(Comparison, PairsRegimesByReplicate) {
     EXPECT_EQ(difference(some_series(), 1, 0, 1)->pairs, 2U);
 }
 
+TEST(Comparison, CutsIntervalsAtWhatAFigureCanBe) {
+    Series series = some_series();
+    EXPECT_EQ(bounds_of(series).high, 100.0);
+    EXPECT_TRUE(std::isinf(bounds_of(series).low)) << "a forest may let more rocks through than bare ground";
+    series.quantity = "reached_percent";
+    EXPECT_EQ(bounds_of(series).low, 0.0);
+    series.quantity = "removed_m3pha";
+    EXPECT_EQ(bounds_of(series).low, 0.0);
+    EXPECT_TRUE(std::isinf(bounds_of(series).high));
+    series.quantity = "contribution_margin_eur_pha";
+    EXPECT_TRUE(std::isinf(bounds_of(series).low)) << "work may cost more than it brings";
+}
+
 TEST(Comparison, KnowsNoIntervalOfASinglePair) {
     Series series = some_series();
     for (auto& replicates : series.values) {

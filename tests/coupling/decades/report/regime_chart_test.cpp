@@ -26,8 +26,9 @@ TEST(RegimeChart, GivesEachRegimeItsLineNameAndLetter) {
     const std::string svg =
         regime_charts({.title = "Reach", .y_title = "% of rocks", .years = 10}, curves_of(2), "");
     EXPECT_EQ(testing::markup_fault(svg), "");
-    for (const char* part : {"line regime0", "line regime1", "regime 1</li>", ">A</text>", ">B</text>",
-                             "Years since the start", "% of rocks", "band regime1", "nine in ten"}) {
+    for (const char* part :
+         {"line regime0", "line regime1", "regime 1</li>", ">A</text>", ">B</text>", "Years since the start",
+          "% of rocks", "band regime1", "90 % interval of the mean"}) {
         EXPECT_NE(svg.find(part), std::string::npos) << part;
     }
 }

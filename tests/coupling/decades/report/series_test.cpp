@@ -7,19 +7,6 @@
 namespace coupling::decades::series_test {
 namespace {
 
-TEST(BandOf, LiesStraightBetweenOrderStatistics) {
-    std::vector<double> values;
-    for (int i = 20; i >= 0; --i) {
-        values.push_back(i);
-    }
-    const Band band = band_of(values);
-    EXPECT_DOUBLE_EQ(band.mean, 10.0);
-    EXPECT_DOUBLE_EQ(band.low, 1.0);
-    EXPECT_DOUBLE_EQ(band.high, 19.0);
-    EXPECT_DOUBLE_EQ(band_of({3.0}).low, 3.0);
-    EXPECT_DOUBLE_EQ(band_of({3.0}).high, 3.0);
-}
-
 TEST(ViewOf, FindsRowsByYearWhateverTheOrderOfMembers) {
     SomeYears some;
     some.regimes = {"none", "thinning"};
