@@ -23,6 +23,8 @@ struct Shape {
     /// Each point alone; each line; each ring of a polygon, closed (first point = last), outer rings and
     /// holes alike: what an odd number of rings goes round lies inside.
     std::vector<std::vector<Point2>> parts;
+
+    friend bool operator==(const Shape&, const Shape&) = default;
 };
 
 /// Whether a point lies inside a polygon, even-odd over its rings. Of the border, the southern and western

@@ -8,7 +8,6 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/result_name.hpp"
-#include "coupling/inputs/shape_input.hpp"
 #include "coupling/regimes/shipped.hpp"
 
 namespace coupling::decades {
@@ -47,26 +46,17 @@ config::Table table_of(const std::string& entry, Reading& reading) {
 }
 
 Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& reading) {
-    const PolygonsOf polygons_of = [&](const std::string& file) {
-        const config::Table table = reading.table("regimes.list", "regime polygons", file);
-        config::Problems problems;
-        std::vector<config::Shape> shapes;
-        if (table.require({"wkt"}, problems)) {
-            for (std::size_t row = 0; row < table.rows(); ++row) {
-                if (auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems)) {
-                    shapes.push_back(std::move(*shape));
-                }
-            }
-        }
-        problems.throw_if_any();
-        return shapes;
+    const ShapesOf shapes_of = [&](const std::string& file, config::Shape::Kind kind) {
+        const bool is_line = kind == config::Shape::Kind::line;
+        return shapes_in(reading.table("regimes.list", is_line ? "regime lines" : "regime polygons", file),
+                         kind);
     };
     // Shipped regimes also serve runs that are shorter than their turns.
     const RunYears run = is_file(entry)
                              ? RunYears{forest.first_year() - 1, static_cast<int>(reading.scenario().years)}
                              : RunYears{};
     return Regime::read(table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid,
-                        polygons_of, run);
+                        shapes_of, run);
 }
 
 /// With fewer areas than turns some turns find nothing, and the rotation of what there is becomes shorter.

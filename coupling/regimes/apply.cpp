@@ -1,5 +1,6 @@
 #include "coupling/regimes/apply.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -16,17 +17,41 @@ namespace {
 class Crew {
 public:
     Crew(const Regime& regime, int year, forest::Stand& stand, const forest::SpeciesTable& species,
-         const forest::YearKey& key)
-        : regime_{regime}, year_{year}, stand_{stand}, species_{species}, key_{key} {}
+         RegimeState& state, const forest::YearKey& key)
+        : regime_{regime}, year_{year}, stand_{stand}, species_{species}, state_{state}, key_{key} {}
 
-    RegimeReport work(const std::vector<Due>& due) {
+    /// Returns what was due beside the report of it.
+    std::pair<std::vector<Due>, RegimeReport> work() {
         RegimeReport report;
+        std::vector<Due> due = due_in(regime_, year_, stand_, species_, state_, DueRows::before_marking);
         std::vector<std::vector<forest::TreeId>> marked;
         for (const Due& row : due) {
             Entry entry = empty_entry(row);
             marked.push_back(mark(row, entry));
             report.entries.push_back(entry);
         }
+        add_late_rows(due, marked, report);
+        carry_out(due, marked, report);
+        return {std::move(due), std::move(report)};
+    }
+
+private:
+    /// Rows that act on cuts, in their places among the others.
+    void add_late_rows(std::vector<Due>& due, std::vector<std::vector<forest::TreeId>>& marked,
+                       RegimeReport& report) {
+        for (Due& row : due_in(regime_, year_, stand_, species_, state_, DueRows::after_marking)) {
+            const auto at = std::find_if(due.begin(), due.end(), [&](const Due& other) {
+                return other.intervention > row.intervention;
+            });
+            const auto place = at - due.begin();
+            report.entries.insert(report.entries.begin() + place, empty_entry(row));
+            marked.insert(marked.begin() + place, std::vector<forest::TreeId>{});
+            due.insert(at, std::move(row));
+        }
+    }
+
+    void carry_out(const std::vector<Due>& due, const std::vector<std::vector<forest::TreeId>>& marked,
+                   RegimeReport& report) {
         const auto each = [&](auto wanted, auto step) {
             for (std::size_t i = 0; i < due.size(); ++i) {
                 const Intervention& row = regime_.interventions()[due[i].intervention];
@@ -68,14 +93,12 @@ public:
                      report.entries[i].plants += plant(row, area->place);
                  }
              });
-        return report;
     }
 
-private:
     [[nodiscard]] std::vector<const Area*> areas_of(const Due& due) const {
         std::vector<const Area*> areas;
         for (const std::size_t place : due.areas) {
-            areas.push_back(&regime_.areas_of(due.intervention)[place]);
+            areas.push_back(&area_at(regime_, state_, due.intervention, place));
         }
         return areas;
     }
@@ -101,21 +124,65 @@ private:
         if (row.treatment == Treatment::group_cut) {
             entry.area_ha = 0.0;
         }
+        std::vector<RegimeState::Cut> cuts;
         for (const Area* area : areas_of(due)) {
             forest::Picks candidates = forest::trees_in(stand_, area->place);
             std::erase_if(candidates, [&](std::size_t place) {
                 return taken_[place] != 0 || stand_.trees()[place].dbh_cm < row.from_dbh_cm;
             });
-            for (const std::size_t place : select(row, candidates, *area, entry)) {
+            std::vector<config::Shape> holes;
+            const forest::Picks picks = select(row, candidates, *area, holes);
+            for (const std::size_t place : picks) {
                 taken_[place] = 1;
                 trees.push_back(stand_.trees()[place].id);
             }
+            const double hole_ha = row.groups.side_m * row.groups.side_m / square_metres_per_hectare;
+            entry.area_ha += static_cast<double>(holes.size()) * hole_ha;
+            if (!regime_.keeps_cuts_of(due.intervention) || picks.empty()) {
+                continue;
+            }
+            const auto intervention = static_cast<std::uint32_t>(due.intervention);
+            if (row.treatment != Treatment::group_cut) {
+                cuts.push_back({intervention, year_, *area});
+            }
+            for (const config::Shape& hole : holes) {
+                Area cut{.place = area->place, .area_ha = hole_ha};
+                cut.place.polygons = {hole};
+                cut.patches = forest::patches_in(stand_.grid(), cut.place);
+                cuts.push_back({intervention, year_, std::move(cut)});
+            }
+        }
+        for (RegimeState::Cut& cut : cuts) {
+            cut.area.number = static_cast<std::uint32_t>(state_.cuts.size());
+            cut.area.order = 0;
+            state_.cuts.push_back(std::move(cut));
         }
         return trees;
     }
 
-    forest::Picks select(const Intervention& row, const forest::Picks& candidates, const Area& area,
-                         Entry& entry) const {
+    /// Trees that a row may cut: of its species, without the thickest that it retains.
+    [[nodiscard]] forest::Picks allowed(const Intervention& row, const forest::Picks& candidates,
+                                        double area_ha) const {
+        const auto names = [&](const std::vector<forest::SpeciesId>& list, std::size_t place) {
+            return std::find(list.begin(), list.end(), stand_.trees()[place].species) != list.end();
+        };
+        const auto retain = static_cast<std::size_t>(std::lround(row.retain_pha * area_ha));
+        const forest::Picks retained = forest::thickest(stand_, candidates, retain);
+        forest::Picks picks;
+        for (const std::size_t place : candidates) {
+            if ((row.only_species.empty() || names(row.only_species, place)) &&
+                !names(row.spare_species, place) &&
+                std::find(retained.begin(), retained.end(), place) == retained.end()) {
+                picks.push_back(place);
+            }
+        }
+        return picks;
+    }
+
+    /// Also where a group cut lies.
+    forest::Picks select(const Intervention& row, const forest::Picks& all_candidates, const Area& area,
+                         std::vector<config::Shape>& holes) const {
+        const forest::Picks candidates = allowed(row, all_candidates, area.area_ha);
         switch (row.treatment) {
             case Treatment::thin_below:
                 return row.of_volume ? forest::thin_volume_from_below(stand_, species_, candidates, row.share)
@@ -128,6 +195,9 @@ private:
                 rule.favoured = row.species;
                 return forest::thin_for_crop_trees(stand_, species_, candidates, area.area_ha, rule);
             }
+            case Treatment::thin_to_basal_area:
+                return forest::thin_to_basal_area(stand_, all_candidates, candidates, area.area_ha,
+                                                  row.to_basal_area_m2pha);
             case Treatment::target_diameter:
                 return forest::target_diameter(stand_, candidates, row.from_dbh_cm);
             case Treatment::selection:
@@ -138,10 +208,7 @@ private:
             case Treatment::clear_cut:
                 return forest::all_trees(stand_, candidates);
             case Treatment::group_cut: {
-                const std::vector<config::Shape> holes =
-                    forest::ripest_groups(stand_, species_, candidates, area.place, row.groups);
-                entry.area_ha += static_cast<double>(holes.size()) * row.groups.side_m * row.groups.side_m /
-                                 square_metres_per_hectare;
+                holes = forest::ripest_groups(stand_, species_, candidates, area.place, row.groups);
                 forest::Picks inside;
                 for (const std::size_t place : candidates) {
                     const forest::Tree& tree = stand_.trees()[place];
@@ -199,6 +266,7 @@ private:
     int year_;
     forest::Stand& stand_;
     const forest::SpeciesTable& species_;
+    RegimeState& state_;
     forest::YearKey key_;
     std::vector<char> taken_;
 };
@@ -207,8 +275,7 @@ private:
 
 RegimeReport apply(const Regime& regime, int year, forest::Stand& stand, const forest::SpeciesTable& species,
                    RegimeState& state, const forest::YearKey& key) {
-    const std::vector<Due> due = due_in(regime, year, stand, species, state);
-    RegimeReport report = Crew{regime, year, stand, species, key}.work(due);
+    auto [due, report] = Crew{regime, year, stand, species, state, key}.work();
     remember(regime, year, due, state);
     return report;
 }

@@ -28,6 +28,14 @@ struct RegimeState {
         std::int32_t year = 0;
         friend bool operator==(const Clearing&, const Clearing&) = default;
     };
+    /// An area where a row cut trees whose cuts another row acts on. Its number is that of the cut, from 0.
+    struct Cut {
+        std::uint32_t intervention = 0;
+        std::int32_t year = 0;
+        Area area;
+        friend bool operator==(const Cut&, const Cut&) = default;
+    };
+    std::vector<Cut> cuts;            ///< in the order in which they were made
     std::vector<Visit> visits;        ///< by intervention and area, each once
     std::vector<Clearing> clearings;  ///< by ground and area, each once
 
@@ -62,7 +70,8 @@ struct RegimeReport {
 /// Does what is due in a year of the run (from 0) and remembers it.
 ///
 /// First all rows are judged by the stand as it is: which areas are due, which trees go (a tree that two rows
-/// want goes with the upper one). Then the marked trees are felled, logs left, dead wood salvaged, young
+/// want goes with the upper one). Rows that act on the cuts of another row see those of the same year, unless
+/// they cut themselves. Then the marked trees are felled, logs left, dead wood salvaged, young
 /// growth tended, fences set up, and last planted, each step in the order of the rows. An area that was due
 /// counts as visited even where nothing was found.
 ///

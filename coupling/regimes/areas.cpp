@@ -62,6 +62,23 @@ std::vector<Area> shaped(const std::vector<config::Shape>& shapes, const Ground&
     return areas;
 }
 
+/// A line in several parts is one corridor.
+std::vector<Area> corridors(const std::vector<config::Shape>& lines, const Ground& ground) {
+    std::vector<Area> areas;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::vector<config::Shape> pieces;
+        for (const auto& part : lines[i].parts) {
+            for (config::Shape& piece : forest::corridor(part, ground.width_m)) {
+                pieces.push_back(std::move(piece));
+            }
+        }
+        areas.push_back({.number = static_cast<std::uint32_t>(i),
+                         .order = static_cast<int>(i),
+                         .place = {std::move(pieces), ground.stands}});
+    }
+    return areas;
+}
+
 std::vector<Area> slits(const Ground& ground, const forest::PatchGrid& grid) {
     const forest::Slit slit{ground.length_m, ground.width_m, config::Angle::from_degrees(ground.angle_deg)};
     std::vector<Area> areas;
@@ -76,9 +93,8 @@ std::vector<Area> slits(const Ground& ground, const forest::PatchGrid& grid) {
     return areas;
 }
 
-std::vector<Area> raw_areas(const Ground& ground, const forest::PatchGrid& grid,
-                            const PolygonsOf& polygons_of, const config::Place& place,
-                            config::Problems& problems) {
+std::vector<Area> raw_areas(const Ground& ground, const forest::PatchGrid& grid, const ShapesOf& shapes_of,
+                            const config::Place& place, config::Problems& problems) {
     switch (ground.where) {
         case Where::all:
             return {{.place = {{}, ground.stands}}};
@@ -98,31 +114,41 @@ std::vector<Area> raw_areas(const Ground& ground, const forest::PatchGrid& grid,
             return slits_have_room(ground, place, problems) ? slits(ground, grid) : std::vector<Area>{};
         case Where::polygons:
             try {
-                return shaped(polygons_of(ground.polygons), ground);
+                return shaped(shapes_of(ground.polygons, config::Shape::Kind::polygon), ground);
             } catch (const config::InputError& error) {
                 problems.add(error);
             }
+            return {};
+        case Where::corridors:
+            try {
+                return corridors(shapes_of(ground.lines, config::Shape::Kind::line), ground);
+            } catch (const config::InputError& error) {
+                problems.add(error);
+            }
+            return {};
+        case Where::cuts_of:
+            return {};
     }
     return {};
 }
 
 }  // namespace
 
-std::vector<config::Shape> polygons_in(const config::Table& table) {
+std::vector<config::Shape> shapes_in(const config::Table& table, config::Shape::Kind kind) {
     config::Problems problems;
-    std::vector<config::Shape> polygons;
+    std::vector<config::Shape> shapes;
     if (table.require({"wkt"}, problems)) {
         for (std::size_t row = 0; row < table.rows(); ++row) {
-            if (auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems)) {
-                polygons.push_back(std::move(*shape));
+            if (auto shape = shape_of(table, row, {kind}, problems)) {
+                shapes.push_back(std::move(*shape));
             }
         }
     }
     problems.throw_if_any();
-    return polygons;
+    return shapes;
 }
 
-std::vector<Area> areas_of(const Ground& ground, const forest::PatchGrid& grid, const PolygonsOf& polygons_of,
+std::vector<Area> areas_of(const Ground& ground, const forest::PatchGrid& grid, const ShapesOf& shapes_of,
                            const config::Place& place, config::Problems& problems) {
     const std::size_t problems_before = problems.list().size();
     const std::set<std::uint32_t> present = stands_of(grid);
@@ -132,16 +158,19 @@ std::vector<Area> areas_of(const Ground& ground, const forest::PatchGrid& grid, 
                          "a stand of the stand map");
         }
     }
-    std::vector<Area> areas = raw_areas(ground, grid, polygons_of, place, problems);
+    std::vector<Area> areas = raw_areas(ground, grid, shapes_of, place, problems);
     for (Area& area : areas) {
+        area.place.from_slope_deg = ground.from_slope_deg;
+        area.place.to_slope_deg = ground.to_slope_deg;
         area.area_ha = forest::area_ha(grid, area.place);
         area.patches = forest::patches_in(grid, area.place);
     }
     std::erase_if(areas, [](const Area& area) { return area.area_ha <= 0.0; });
-    if (areas.empty() && problems.list().size() == problems_before) {
+    if (areas.empty() && ground.where != Where::cuts_of && problems.list().size() == problems_before) {
         problems.add(config::ExitCode::data, place,
                      joined("where = ", name_of(ground.where), " meets no forest"),
-                     "areas in the forest; slits and strips need room for their length and width");
+                     "areas in the forest: room for slits and strips, and slopes between from_slope_deg and "
+                     "to_slope_deg");
     }
     return areas;
 }

@@ -8,11 +8,11 @@ namespace coupling {
 namespace {
 
 constexpr std::array<std::string_view, treatment_count> treatment_names = {
-    "thin_below",  "thin_density", "thin_crop_trees", "target_diameter", "selection",
-    "shelter_cut", "group_cut",    "clear_cut",       "salvage",         "tend",
-    "fence",       "plant",        "plant_clusters"};
-constexpr std::array<std::string_view, where_count> where_names = {"all", "stands", "strips", "slits",
-                                                                   "polygons"};
+    "thin_below", "thin_density",       "thin_crop_trees", "target_diameter", "selection", "shelter_cut",
+    "group_cut",  "thin_to_basal_area", "clear_cut",       "salvage",         "tend",      "fence",
+    "plant",      "plant_clusters"};
+constexpr std::array<std::string_view, where_count> where_names = {"all",      "stands",    "strips", "slits",
+                                                                   "polygons", "corridors", "cuts_of"};
 
 template <class... Values>
 constexpr Uses uses(Values... values) {
@@ -21,12 +21,15 @@ constexpr Uses uses(Values... values) {
 
 constexpr Uses cuts = uses(Treatment::thin_below, Treatment::thin_density, Treatment::thin_crop_trees,
                            Treatment::target_diameter, Treatment::selection, Treatment::shelter_cut,
-                           Treatment::group_cut, Treatment::clear_cut);
+                           Treatment::group_cut, Treatment::thin_to_basal_area, Treatment::clear_cut);
 constexpr Uses planting = uses(Treatment::plant, Treatment::plant_clusters);
 constexpr Uses crop = uses(Treatment::thin_crop_trees);
 constexpr Uses selecting = uses(Treatment::selection);
 constexpr Uses of_a_shape = uses(Where::strips, Where::slits);
-constexpr Uses in_parts = uses(Where::stands, Where::strips, Where::slits, Where::polygons);
+constexpr Uses in_parts = uses(Where::stands, Where::strips, Where::slits, Where::polygons, Where::corridors);
+constexpr Uses with_width = of_a_shape | uses(Where::corridors);
+/// Cuts of another row have their place already.
+constexpr Uses on_the_map = in_parts | uses(Where::all);
 constexpr Uses of_slits = uses(Where::slits);
 
 constexpr config::NumberRange years{.low = 0.0, .high = 10'000.0};
@@ -88,15 +91,29 @@ std::vector<RegimeColumn> all_columns() {
          at<&I::from_relative_density>,
          "only where the forest is this dense (stems of 7 cm and more / most stems)",
          {.range = {.low = 0.0, .high = 2.0}}},
-        {"where", at<&I::ground, &Ground::where>, "which areas; with `after` those of that row"},
+        {"where", at<&I::ground, &Ground::where>,
+         "which areas; with `after` those of that row; cuts_of:ROW where a row above cut, such as the holes "
+         "of a group cut"},
         {"stands",
          at<&I::ground, &Ground::stands>,
          "numbers of the stand map, blanks between; empty: all stands",
-         {.range = {.low = 0.0, .high = 4294967295.0}}},
+         {.range = {.low = 0.0, .high = 4294967295.0}, .places = on_the_map}},
+        {"from_slope_deg",
+         at<&I::ground, &Ground::from_slope_deg>,
+         "only patches of 10 m that are this steep",
+         {.range = {.low = 0.0, .high = 90.0}, .places = on_the_map}},
+        {"to_slope_deg",
+         at<&I::ground, &Ground::to_slope_deg>,
+         "only patches of 10 m that are not steeper, such as 40 for a harvester",
+         {.range = {.low = 0.0, .high = 90.0}, .places = on_the_map}},
         {"polygons",
          at<&I::ground, &Ground::polygons>,
          "file of polygons",
          {.places = uses(Where::polygons), .needed = true}},
+        {"lines",
+         at<&I::ground, &Ground::lines>,
+         "file of lines, such as those of a cable crane",
+         {.places = uses(Where::corridors), .needed = true}},
         {"entries",
          at<&I::ground, &Ground::entries>,
          "parts of the ground that take turns: each part comes every entries x every_years; of strips every "
@@ -108,10 +125,10 @@ std::vector<RegimeColumn> all_columns() {
          {.source = "Wunder & Brang 2003", .range = some_m, .places = of_slits}},
         {"width_m",
          at<&I::ground, &Ground::width_m>,
-         "of a slit (usually 15-20) or a strip (30-50)",
+         "of a slit (usually 15-20), a strip (30-50) or a corridor (usually 10-15)",
          {.source = "Wunder & Brang 2003; strips practice [lit*]",
           .range = some_m,
-          .places = of_a_shape,
+          .places = with_width,
           .needed = true}},
         {"angle_deg",
          at<&I::ground, &Ground::angle_deg>,
@@ -155,6 +172,21 @@ std::vector<RegimeColumn> all_columns() {
          "thinner trees stay and are not counted in shares: young growth under a thinning or a clearance",
          {.range = {.low = 0.0, .high = 200.0},
           .treatments = cuts & ~uses(Treatment::selection, Treatment::thin_density)}},
+        {"to_basal_area_m2pha",
+         at<&I::to_basal_area_m2pha>,
+         "basal area that stays, of all trees of the area",
+         {.range = {.low = 0.0, .high = 200.0, .low_excluded = true},
+          .treatments = uses(Treatment::thin_to_basal_area),
+          .needed = true}},
+        {"only_species",
+         at<&I::only_species>,
+         "only trees of these species are cut: a species out, or a thinning of one",
+         {.treatments = cuts}},
+        {"spare_species", at<&I::spare_species>, "trees of these species stay", {.treatments = cuts}},
+        {"retain_pha",
+         at<&I::retain_pha>,
+         "so many of the thickest trees stay, per hectare (habitat trees); usually 5-10",
+         {.source = practice, .range = {.low = 0.0, .high = 1000.0}, .treatments = cuts}},
         {"crop_trees_pha",
          at<&I::crop, &forest::CropTreeThinning::crop_trees_pha>,
          "usually 100-200",

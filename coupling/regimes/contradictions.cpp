@@ -15,7 +15,7 @@ constexpr int years_looked_at = 500;
 
 bool thins(const Intervention& i) {
     return i.treatment == Treatment::thin_below || i.treatment == Treatment::thin_density ||
-           i.treatment == Treatment::thin_crop_trees;
+           i.treatment == Treatment::thin_crop_trees || i.treatment == Treatment::thin_to_basal_area;
 }
 
 /// Whether two interventions on the same ground in the same year contradict each other.
@@ -87,8 +87,8 @@ bool share_any(const std::vector<forest::PatchId>& a, const std::vector<forest::
 void find_followers_too_late(const Regime& regime, config::Problems& problems) {
     for (std::size_t i = 0; i < regime.interventions().size(); ++i) {
         const auto followed = regime.predecessor_of(i);
-        if (!followed) {
-            continue;
+        if (!followed || regime.cuts_of(i)) {
+            continue;  // cuts are new areas each time
         }
         const Intervention& row = regime.interventions()[i];
         const Intervention& first = regime.interventions()[*followed];

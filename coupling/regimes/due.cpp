@@ -45,7 +45,7 @@ private:
     [[nodiscard]] bool comes(std::size_t intervention, const Area& area) const {
         const Intervention& row = regime_.interventions()[intervention];
         if (const auto followed = regime_.predecessor_of(intervention)) {
-            const auto visited = last_visit(state_, *followed, area.number);
+            const auto visited = visit_of(*followed, intervention, area);
             return visited && year_ - *visited == row.after_years && year_ <= row.last_year.value_or(year_);
         }
         const std::optional<int> turn = turn_of(row, year_);
@@ -55,6 +55,18 @@ private:
         // With a condition but without a calendar: once until the area is cleared.
         const auto visited = last_visit(state_, intervention, area.number);
         return row.every_years || !visited || *visited <= cleared(intervention, area).value_or(*visited - 1);
+    }
+
+    /// When the row that another follows was on an area: this year too if it is due there. A row that cut is
+    /// where its cuts are.
+    [[nodiscard]] std::optional<int> visit_of(std::size_t followed, std::size_t follower,
+                                              const Area& area) const {
+        if (regime_.cuts_of(follower) == followed) {
+            return state_.cuts[area.number].year;
+        }
+        return regime_.interventions()[follower].after_years == 0 && is_due(followed, area)
+                   ? year_
+                   : last_visit(state_, followed, area.number);
     }
 
     [[nodiscard]] bool conditions_hold(std::size_t intervention, const Area& area) const {
@@ -88,7 +100,11 @@ private:
     }
 
     [[nodiscard]] std::optional<int> cleared(std::size_t intervention, const Area& area) const {
-        return last_clearing(state_, regime_.ground_of(intervention), area.number);
+        const auto cleared_in = last_clearing(state_, regime_.ground_of(intervention), area.number);
+        if (!cleared_in && regime_.cuts_of(intervention)) {
+            return state_.cuts[area.number].year;
+        }
+        return cleared_in;
     }
 
     const Regime& regime_;
@@ -137,14 +153,26 @@ double age_of(const forest::Stand& stand, std::span<const std::size_t> trees, do
     return stems > 0.0 ? years / stems : 0.0;
 }
 
+const Area& area_at(const Regime& regime, const RegimeState& state, std::size_t intervention,
+                    std::size_t place) {
+    return regime.cuts_of(intervention) ? state.cuts[place].area : regime.areas_of(intervention)[place];
+}
+
 std::vector<Due> due_in(const Regime& regime, int year, const forest::Stand& stand,
-                        const forest::SpeciesTable& species, const RegimeState& state) {
+                        const forest::SpeciesTable& species, const RegimeState& state, DueRows rows) {
     const Judge judge{regime, year, stand, species, state};
     std::vector<Due> due;
     for (std::size_t i = 0; i < regime.interventions().size(); ++i) {
+        const auto source = regime.cuts_of(i);
+        const bool is_late = source && !regime.interventions()[i].cuts();
+        if (rows != DueRows::all && is_late != (rows == DueRows::after_marking)) {
+            continue;
+        }
+        const std::size_t places = source ? state.cuts.size() : regime.areas_of(i).size();
         Due row{i, {}};
-        for (std::size_t a = 0; a < regime.areas_of(i).size(); ++a) {
-            if (judge.is_due(i, regime.areas_of(i)[a])) {
+        for (std::size_t a = 0; a < places; ++a) {
+            const bool is_its_own = !source || state.cuts[a].intervention == *source;
+            if (is_its_own && judge.is_due(i, area_at(regime, state, i, a))) {
                 row.areas.push_back(a);
             }
         }
@@ -160,7 +188,7 @@ void remember(const Regime& regime, int year, const std::vector<Due>& done, Regi
         const auto intervention = static_cast<std::uint32_t>(row.intervention);
         const auto ground = static_cast<std::uint32_t>(regime.ground_of(row.intervention));
         for (const std::size_t place : row.areas) {
-            const std::uint32_t area = regime.areas_of(row.intervention)[place].number;
+            const std::uint32_t area = area_at(regime, state, row.intervention, place).number;
             put(state.visits, {intervention, area, year}, [](const RegimeState::Visit& v) {
                 return std::pair{v.intervention, v.area};
             });

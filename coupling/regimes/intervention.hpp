@@ -14,39 +14,46 @@
 
 namespace coupling {
 
-/// What is done. The first eight cut trees.
+/// What is done. The first nine cut trees.
 enum class Treatment : std::uint8_t {
-    thin_below,       ///< the thinnest, to a share of the basal area
-    thin_density,     ///< the thinnest, down to a relative density
-    thin_crop_trees,  ///< competitors of crop trees
-    target_diameter,  ///< all from a diameter on
-    selection,        ///< single trees, towards a selection forest
-    shelter_cut,      ///< at random to a share of the basal area: opening of a shelterwood
-    group_cut,        ///< all trees in holes where most wood stands
-    clear_cut,        ///< all trees: of strips, slits, stands; clearance of a shelterwood
+    thin_below,          ///< the thinnest, to a share of the basal area
+    thin_density,        ///< the thinnest, down to a relative density
+    thin_crop_trees,     ///< competitors of crop trees
+    target_diameter,     ///< all from a diameter on
+    selection,           ///< single trees, towards a selection forest
+    shelter_cut,         ///< at random to a share of the basal area: opening of a shelterwood
+    group_cut,           ///< all trees in holes where most wood stands
+    thin_to_basal_area,  ///< the thinnest, down to a basal area
+    clear_cut,           ///< all trees: of strips, slits, stands; clearance of a shelterwood
     salvage,
     tend,
     fence,  ///< keeps deer out for some years
     plant,
     plant_clusters,
 };
-inline constexpr std::size_t treatment_count = 13;
+inline constexpr std::size_t treatment_count = 14;
 
 /// Where.
 enum class Where : std::uint8_t {
-    all,       ///< the whole forest as one area
-    stands,    ///< management units, each an area of its own
-    strips,    ///< side by side over the whole forest, each an area of its own
-    slits,     ///< rungs of ladders, each an area of its own
-    polygons,  ///< of a file, each an area of its own
+    all,        ///< the whole forest as one area
+    stands,     ///< management units, each an area of its own
+    strips,     ///< side by side over the whole forest, each an area of its own
+    slits,      ///< rungs of ladders, each an area of its own
+    polygons,   ///< of a file, each an area of its own
+    corridors,  ///< along lines of a file, each line an area of its own
+    cuts_of,    ///< where another row cut, each of its cuts an area of its own
 };
-inline constexpr std::size_t where_count = 5;
+inline constexpr std::size_t where_count = 7;
 
 /// How the areas of an intervention lie. Two interventions on the same ground have the same areas.
 struct Ground {
     Where where = Where::all;
     std::vector<std::uint32_t> stands{};  ///< management units; all of them where none is named
     std::string polygons{};               ///< name of a file
+    std::string lines{};                  ///< name of a file
+    std::string cuts_of{};                ///< name of the row whose cuts these are
+    double from_slope_deg = 0.0;          ///< patches less steep are left out
+    double to_slope_deg = 90.0;           ///< steeper ones too
     int entries = 1;                      ///< >= 1: parts of the ground that take turns
     double length_m = 50.0;
     double width_m = 15.0;
@@ -81,6 +88,10 @@ struct Intervention {
     bool of_volume = false;  ///< `share` is of the volume instead of the basal area
     double target_density = 0.65;
     double from_dbh_cm = 0.0;
+    double to_basal_area_m2pha = 0.0;                ///< that stays after thin_to_basal_area
+    std::vector<forest::SpeciesId> only_species{};   ///< that are cut; all where none is named
+    std::vector<forest::SpeciesId> spare_species{};  ///< that are not cut
+    double retain_pha = 0.0;                         ///< thickest trees that stay
     forest::CropTreeThinning crop{};
     forest::SelectionForest selection{};
     forest::Groups groups{};

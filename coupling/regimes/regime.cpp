@@ -18,7 +18,7 @@ Ground lie_of(Ground ground) {
 }  // namespace
 
 Regime Regime::read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
-                    const forest::PatchGrid& grid, const PolygonsOf& polygons_of, const RunYears& run) {
+                    const forest::PatchGrid& grid, const ShapesOf& shapes_of, const RunYears& run) {
     config::Problems problems;
     Regime regime;
     regime.name_ = std::move(name);
@@ -32,19 +32,26 @@ Regime Regime::read(const config::Table& table, std::string name, const forest::
         if (known == grounds.end()) {
             grounds.push_back(ground);
             regime.areas_.push_back(
-                coupling::areas_of(ground, grid, polygons_of, intervention.place, problems));
+                coupling::areas_of(ground, grid, shapes_of, intervention.place, problems));
         }
-        const auto followed =
-            std::find_if(regime.interventions_.begin(), regime.interventions_.end(),
-                         [&](const Intervention& other) { return other.name == intervention.after; });
-        regime.follows_.push_back(
-            intervention.after.empty()
-                ? std::nullopt
-                : std::optional{static_cast<std::size_t>(followed - regime.interventions_.begin())});
+        const auto row_named = [&](const std::string& wanted) -> std::optional<std::size_t> {
+            for (std::size_t i = 0; i < regime.interventions_.size(); ++i) {
+                if (!wanted.empty() && regime.interventions_[i].name == wanted) {
+                    return i;
+                }
+            }
+            return std::nullopt;
+        };
+        regime.follows_.push_back(row_named(intervention.after));
+        regime.cuts_of_.push_back(row_named(intervention.ground.cuts_of));
     }
     find_contradictions(regime, problems);
     problems.throw_if_any();
     return regime;
+}
+
+bool Regime::keeps_cuts_of(std::size_t intervention) const {
+    return std::find(cuts_of_.begin(), cuts_of_.end(), intervention) != cuts_of_.end();
 }
 
 std::optional<int> turn_of(const Intervention& intervention, int year) {

@@ -26,8 +26,7 @@ public:
     /// areas share: two cuts (a thinning may go with a cut of target diameters), a thinning and planting, one
     /// treatment twice. What conditions bring together stands in the report of the year as nothing to cut.
     static Regime read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
-                       const forest::PatchGrid& grid, const PolygonsOf& polygons_of,
-                       const RunYears& run = {});
+                       const forest::PatchGrid& grid, const ShapesOf& shapes_of, const RunYears& run = {});
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::vector<Intervention>& interventions() const { return interventions_; }
@@ -36,6 +35,12 @@ public:
     [[nodiscard]] const std::vector<Area>& areas_of(std::size_t intervention) const {
         return areas_[ground_of_[intervention]];
     }
+    /// The row on whose cuts an intervention acts (where = cuts_of): its areas are in RegimeState::cuts.
+    [[nodiscard]] std::optional<std::size_t> cuts_of(std::size_t intervention) const {
+        return cuts_of_[intervention];
+    }
+    /// Whether another row acts on the cuts of an intervention.
+    [[nodiscard]] bool keeps_cuts_of(std::size_t intervention) const;
     /// The row that an intervention follows.
     [[nodiscard]] std::optional<std::size_t> predecessor_of(std::size_t intervention) const {
         return follows_[intervention];
@@ -47,6 +52,7 @@ private:
     std::vector<std::size_t> ground_of_;
     std::vector<std::vector<Area>> areas_;
     std::vector<std::optional<std::size_t>> follows_;
+    std::vector<std::optional<std::size_t>> cuts_of_;
 };
 
 /// The entry whose turn it is in a year by the calendar of a row; nothing in other years. Rows with `after`

@@ -78,6 +78,9 @@ private:
         const bool known = fine_;
         set(intervention, "where");
         set(intervention, "after");
+        if (intervention.ground.where == Where::cuts_of) {
+            find_cuts(intervention, above);
+        }
         if (!intervention.after.empty()) {
             follow(intervention, above);
         }
@@ -106,16 +109,16 @@ private:
         const bool empty = !table_.has(name) || table_.text(row_, name).empty();
         const bool followed = !intervention.after.empty() && is_ground(column);
         if (!is_used(column, intervention) || followed) {
-            if (!empty && followed) {
+            if (!empty && followed && intervention.ground.where != Where::cuts_of) {
                 refuse(name, joined(name, " = ", config::in_quotes(table_.text(row_, name))),
                        "nothing: a row with `after` acts on the ground of the row it follows");
             } else if (!empty) {
+                const bool of_place = column.rules.places != 0 && column.rules.treatments == 0;
                 refuse(name, joined(name, " = ", config::in_quotes(table_.text(row_, name))),
-                       joined("nothing: it has no meaning for ",
-                              column.rules.places != 0 && column.rules.treatments == 0
-                                  ? joined("where = ", name_of(intervention.ground.where))
-                                  : name_of(intervention.treatment),
-                              " (but for ", users_text(column), ")"));
+                       joined("no value here: ",
+                              of_place ? joined("where = ", name_of(intervention.ground.where))
+                                       : name_of(intervention.treatment),
+                              " has no column ", name, ", it belongs to ", users_text(column)));
             }
             return;
         }
@@ -136,8 +139,7 @@ private:
     }
 
     static bool is_ground(const RegimeColumn& column) {
-        return column.name == "where" || column.name == "stands" || column.name == "entries" ||
-               column.rules.places != 0;
+        return column.name == "where" || column.rules.places != 0;
     }
 
     template <class T>
@@ -177,7 +179,8 @@ private:
             read_word(target, treatment_count, text, name);
         } else {
             static_assert(std::is_same_v<T, Where>);
-            read_word(target, where_count, text, name);
+            const std::string word{config::trimmed(std::string_view{text}.substr(0, text.find(':')))};
+            read_word(target, where_count, word == name_of(Where::cuts_of) ? word : text, name);
         }
     }
 
@@ -240,22 +243,86 @@ private:
         }
     }
 
-    void follow(Intervention& intervention, const std::vector<Intervention>& above) {
+    /// The row of that name above; a problem, or one reported already, where there is none.
+    const Intervention* row_above(const std::string& wanted, const std::string& column,
+                                  const std::vector<Intervention>& above) {
         std::vector<std::string> names;
         for (const Intervention& earlier : above) {
-            if (earlier.name == intervention.after) {
-                intervention.ground = earlier.ground;
-                return;
+            if (earlier.name == wanted) {
+                return &earlier;
             }
             names.push_back(earlier.name);
         }
-        if (std::find(refused_.begin(), refused_.end(), intervention.after) != refused_.end()) {
-            fine_ = false;  // its problems are reported already
+        if (std::find(refused_.begin(), refused_.end(), wanted) != refused_.end()) {
+            fine_ = false;
+            return nullptr;
+        }
+        const std::string nearest = config::nearest_word(wanted, names);
+        refuse(column, joined(column, " ", config::in_quotes(table_.text(row_, column))),
+               nearest.empty() ? "the name of a row above it" : config::in_quotes(nearest));
+        return nullptr;
+    }
+
+    bool is_given(const std::string& column) const {
+        return table_.has(column) && !table_.text(row_, column).empty();
+    }
+
+    /// where = cuts_of:ROW. Without any time of its own the row comes in the year of the cut, or after_years
+    /// later.
+    void find_cuts(Intervention& intervention, const std::vector<Intervention>& above) {
+        const std::string& text = table_.text(row_, "where");
+        const std::size_t colon = text.find(':');
+        const std::string wanted{
+            colon == std::string::npos ? "" : config::trimmed(std::string_view{text}.substr(colon + 1))};
+        if (wanted.empty()) {
+            refuse("where", joined("where ", config::in_quotes(text)),
+                   "cuts_of:ROW with the name of a row above it that cuts");
             return;
         }
-        const std::string nearest = config::nearest_word(intervention.after, names);
-        refuse("after", joined("after ", config::in_quotes(intervention.after)),
-               nearest.empty() ? "the name of a row above it" : config::in_quotes(nearest));
+        const Intervention* source = row_above(wanted, "where", above);
+        if (source == nullptr) {
+            return;
+        }
+        if (!source->cuts()) {
+            refuse(
+                "where",
+                joined("where ", config::in_quotes(text), ": ", wanted, " is a ", name_of(source->treatment)),
+                "a row above it that cuts trees");
+            return;
+        }
+        intervention.ground.cuts_of = wanted;
+        const std::vector<std::string> times{"first_year", "every_years", "last_year", "from_age_years",
+                                             "to_age_years"};
+        if (intervention.after.empty() &&
+            std::none_of(times.begin(), times.end(), [&](const std::string& c) { return is_given(c); })) {
+            intervention.after = wanted;
+        }
+    }
+
+    /// A row with `after` acts where the row it follows acted: of a group cut in its holes.
+    void follow(Intervention& intervention, const std::vector<Intervention>& above) {
+        const bool on_cuts = intervention.ground.where == Where::cuts_of;
+        if (!on_cuts && is_given("where")) {
+            refuse("where", joined("where = ", config::in_quotes(table_.text(row_, "where"))),
+                   "nothing beside `after`: the row acts where the row it follows acted; or where = "
+                   "cuts_of:ROW");
+        }
+        const Intervention* earlier = row_above(intervention.after, "after", above);
+        if (earlier == nullptr) {
+            return;
+        }
+        if (!on_cuts) {
+            intervention.ground = earlier->ground;
+            if (earlier->treatment == Treatment::group_cut) {
+                intervention.ground = {.where = Where::cuts_of, .cuts_of = earlier->name};
+            }
+        } else if (earlier->name != intervention.ground.cuts_of &&
+                   earlier->ground.cuts_of != intervention.ground.cuts_of) {
+            refuse("after",
+                   joined("after ", config::in_quotes(intervention.after),
+                          " beside where = cuts_of:", intervention.ground.cuts_of),
+                   joined("after = ", intervention.ground.cuts_of, ", or a row that acts on the same cuts"));
+        }
     }
 
     void name(Intervention& intervention, const std::vector<Intervention>& above) {
@@ -310,6 +377,15 @@ private:
         }
         if (std::fmod(i.spacing_m, forest::patch_side_m) != 0.0) {
             refuse("spacing_m", joined("spacing_m ", config::to_text(i.spacing_m)), "a multiple of 10 m");
+        }
+        if (i.ground.from_slope_deg > i.ground.to_slope_deg) {
+            refuse("from_slope_deg", joined("from_slope_deg ", config::to_text(i.ground.from_slope_deg)),
+                   joined("at most to_slope_deg (", config::to_text(i.ground.to_slope_deg), ")"));
+        }
+        for (const forest::SpeciesId species : i.only_species) {
+            if (std::find(i.spare_species.begin(), i.spare_species.end(), species) != i.spare_species.end()) {
+                refuse("spare_species", "a species in only_species and in spare_species", "one of the two");
+            }
         }
         if (i.from_height_m > i.to_height_m) {
             refuse("from_height_m", joined("from_height_m ", config::to_text(i.from_height_m)),

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
+#include <utility>
 
 #include "forest/light/direction.hpp"
 
@@ -63,6 +63,10 @@ private:
 
 bool in_units(const TreatmentArea& area, const Patch& patch) {
     const auto& units = area.management_units;
+    const double slope_deg = patch.slope.in_degrees();
+    if (slope_deg < area.from_slope_deg || slope_deg > area.to_slope_deg) {
+        return false;
+    }
     return units.empty() || std::find(units.begin(), units.end(), patch.management_unit) != units.end();
 }
 
@@ -164,6 +168,40 @@ config::Shape rectangle(config::Point2 centre, double length_m, double width_m, 
     };
     return {config::Shape::Kind::polygon,
             {{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), corner(-1, -1)}}};
+}
+
+std::vector<config::Shape> corridor(std::span<const config::Point2> line, double width_m) {
+    assert(line.size() >= 2 && width_m > 0.0);
+    std::vector<config::Shape> pieces;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const config::Point2 from = line[i];
+        const config::Point2 to = line[i + 1];
+        const double dx = to.x_m - from.x_m;
+        const double dy = to.y_m - from.y_m;
+        const double length_m = std::sqrt(dx * dx + dy * dy);
+        if (length_m <= 0.0) {
+            continue;  // a point of the line twice
+        }
+        const double left_x_m = -dy / length_m * 0.5 * width_m;
+        const double left_y_m = dx / length_m * 0.5 * width_m;
+        pieces.push_back({config::Shape::Kind::polygon,
+                          {{{from.x_m - left_x_m, from.y_m - left_y_m},
+                            {to.x_m - left_x_m, to.y_m - left_y_m},
+                            {to.x_m + left_x_m, to.y_m + left_y_m},
+                            {from.x_m + left_x_m, from.y_m + left_y_m},
+                            {from.x_m - left_x_m, from.y_m - left_y_m}}}});
+        if (i > 0) {
+            constexpr int corners = 16;
+            config::Shape joint{config::Shape::Kind::polygon, {{}}};
+            for (int k = 0; k <= corners; ++k) {
+                const Turn turn = turn_of(config::Angle::from_degrees(360.0 / corners * (k % corners)));
+                joint.parts.front().push_back(
+                    {from.x_m + 0.5 * width_m * turn.cos, from.y_m + 0.5 * width_m * turn.sin});
+            }
+            pieces.push_back(std::move(joint));
+        }
+    }
+    return pieces;
 }
 
 double open_length_m(const Slit& slit) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "config/geometry/shape.hpp"
@@ -10,11 +11,14 @@
 
 namespace forest {
 
-/// Where an intervention acts: what lies in one of the polygons and in one of the management units. An empty
-/// list leaves everything in.
+/// Where an intervention acts: what lies in one of the polygons, in one of the management units and on
+/// patches of a steepness. An empty list leaves everything in.
 struct TreatmentArea {
     std::vector<config::Shape> polygons{};
     std::vector<std::uint32_t> management_units{};
+    double from_slope_deg = 0.0;  ///< of the patch
+    double to_slope_deg = 90.0;
+    friend bool operator==(const TreatmentArea&, const TreatmentArea&) = default;
 };
 
 /// Whether a place of the forest belongs to an area; false off the patches.
@@ -26,6 +30,10 @@ std::vector<std::size_t> trees_in(const Stand& stand, const TreatmentArea& area)
 std::vector<PatchId> patches_in(const PatchGrid& grid, const TreatmentArea& area);
 /// Forest in an area on the map, to a 25th of a patch [ha].
 double area_ha(const PatchGrid& grid, const TreatmentArea& area);
+
+/// A corridor along a line: a rectangle for each piece, and a polygon of 16 corners where two of them meet.
+/// What lies in any of them lies in the corridor. Requires two points and more, width_m > 0.
+std::vector<config::Shape> corridor(std::span<const config::Point2> line, double width_m);
 
 /// A rectangle around a centre; `direction` of its length counter-clockwise from east.
 config::Shape rectangle(config::Point2 centre, double length_m, double width_m, config::Angle direction);

@@ -212,6 +212,39 @@ Picks thin_volume_from_below(const Stand& stand, const SpeciesTable& species,
                        [&](std::size_t place) { return volume_of(stand.trees()[place], species); });
 }
 
+Picks thin_to_basal_area(const Stand& stand, std::span<const std::size_t> candidates,
+                         std::span<const std::size_t> may_go, double area_ha, double target_m2pha) {
+    assert(area_ha > 0.0 || candidates.empty());
+    double standing_m2 = 0.0;
+    for (const std::size_t place : candidates) {
+        standing_m2 += basal_area_of(stand.trees()[place]);
+    }
+    Picks picks;
+    for (const std::size_t place : thinnest_first(stand, fellable(stand, may_go))) {
+        if (standing_m2 <= target_m2pha * area_ha) {
+            break;
+        }
+        standing_m2 -= basal_area_of(stand.trees()[place]);
+        picks.push_back(place);
+    }
+    return picks;
+}
+
+Picks thickest(const Stand& stand, std::span<const std::size_t> candidates, std::size_t stems) {
+    Picks order{candidates.begin(), candidates.end()};
+    std::stable_sort(order.begin(), order.end(), [&stand](std::size_t a, std::size_t b) {
+        return stand.trees()[a].dbh_cm > stand.trees()[b].dbh_cm;
+    });
+    std::size_t counted = 0;
+    std::size_t trees = 0;
+    while (trees < order.size() && counted < stems) {
+        counted += stand.trees()[order[trees]].stems;
+        ++trees;
+    }
+    order.resize(trees);
+    return order;
+}
+
 double relative_density(const Stand& stand, const SpeciesTable& species,
                         std::span<const std::size_t> candidates, double area_ha) {
     return density_of(stand, species, candidates, area_ha).value();

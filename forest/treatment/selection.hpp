@@ -24,6 +24,14 @@ Picks thin_from_below(const Stand& stand, std::span<const std::size_t> candidate
 Picks thin_volume_from_below(const Stand& stand, const SpeciesTable& species,
                              std::span<const std::size_t> candidates, double volume_share);
 
+/// The thinnest of the trees that may go, until the basal area of all candidates is no more than the target
+/// [m2/ha]; all of them where that is not enough. Requires an area above 0.
+Picks thin_to_basal_area(const Stand& stand, std::span<const std::size_t> candidates,
+                         std::span<const std::size_t> may_go, double area_ha, double target_m2pha);
+
+/// So many of the thickest stems, groups of young trees as a whole; of equal diameters the first.
+Picks thickest(const Stand& stand, std::span<const std::size_t> candidates, std::size_t stems);
+
 /// Relative density of trees on an area [-]: of those of 7 cm and more, sum over species of stems / most
 /// stems at the species' mean diameter (forest/self_thinning.hpp). Requires an area above 0.
 double relative_density(const Stand& stand, const SpeciesTable& species,

@@ -98,6 +98,72 @@ TEST(OwnRegimes, RefuseWhatCouldNeverActAndWarnOfWhatNeverDid) {
     EXPECT_EQ(felled_m3["calendar"], felled_m3["of_run"]) << "2003 is year 3";
 }
 
+TEST(OwnRegimes, TieWorkToTheGapsJustCut) {
+    const ForestProject project;
+    project.write(
+        "gaps.csv",
+        "name,treatment,first_year,side_m,area_share,where,after_years,fence_years,species,plants_pha\n"
+        "gaps,group_cut,1,20,0.2,,,,,\nfences,fence,,,,cuts_of:gaps,,10,,\n"
+        "plants,plant,,,,cuts_of:gaps,1,,abal,2500\n");
+    project.write("corridors.csv",
+                  "treatment,first_year,where,lines,width_m\nclear_cut,1,corridors,lines.csv,12\n");
+    // Straight down the middle of the forest, which lies in the east of the map.
+    project.write("lines.csv", "name,wkt\na,\"LINESTRING (" + std::string{"1070 2005, 1070 2095"} + ")\"\n");
+    const Outcome outcome =
+        call(project, std::string{own_regimes} + "--set regimes.list=gaps.csv,corridors.csv");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table work = table(project, "out/tables/interventions.csv");
+    std::map<std::string, double> area_ha;
+    std::map<std::string, std::string> years;
+    for (std::size_t row = 0; row < work.rows(); ++row) {
+        if (work.text(row, "replicate") == "1") {
+            const std::string& name = work.text(row, "intervention");
+            area_ha[name] = number(work, row, "area_ha");
+            years[name] += work.text(row, "year") + " ";
+            EXPECT_EQ(work.text(row, "found_nothing"), "no") << name;
+        }
+    }
+    EXPECT_GE(area_ha["gaps"], 0.04) << "holes of 20 m";
+    EXPECT_LE(area_ha["gaps"], 0.16) << "on at most a fifth of 0.8 ha";
+    EXPECT_EQ(area_ha["fences"], area_ha["gaps"]);
+    EXPECT_EQ(area_ha["plants"], area_ha["gaps"]);
+    EXPECT_EQ(years["gaps"], "1 ");
+    EXPECT_EQ(years["fences"], "1 ");
+    EXPECT_EQ(years["plants"], "2 ");
+    EXPECT_NEAR(area_ha["clear_cut"], 0.108, 0.01) << "12 x 90 m";
+    const config::Table money = table(project, "out/tables/margins.csv");
+    for (std::size_t row = 0; row < money.rows(); ++row) {
+        if (money.text(row, "year") == "2") {
+            // 2500 plants a hectare on a fifth of the forest, not on all of it.
+            EXPECT_LT(number(money, row, "young_growth_cost_eur_pha"), 0.25 * 2500.0 * 5.0);
+        }
+    }
+}
+
+TEST(OwnRegimes, AreRefusedWithOneClearErrorForAWrongValue) {
+    const ForestProject project;
+    const std::map<std::string, std::string> wrong{
+        {"treatment,where\nclear_cut,cuts_of:gap\n",
+         "where 'cuts_of:gap', expected the name of a row above it"},
+        {"treatment,where,lines,width_m\nclear_cut,corridors,nowhere.csv,12\n", "nowhere.csv"},
+        {"treatment,to_basal_area_m2pha\nthin_to_basal_area,-3\n", "to_basal_area_m2pha = '-3'"},
+        {"treatment,only_species\nclear_cut,oakk\n", "species 'oakk'"},
+        {"treatment,retain_pha\nclear_cut,many\n", "retain_pha = 'many'"},
+        {"treatment,from_slope_deg\nclear_cut,95\n", "from_slope_deg = '95'"}};
+    for (const auto& [text, expected] : wrong) {
+        project.write("wrong.csv", text);
+        const Outcome outcome = call(project, std::string{own_regimes} + "--set regimes.list=wrong.csv");
+        EXPECT_NE(outcome.code, 0) << text;
+        EXPECT_NE(outcome.err.find(expected), std::string::npos) << text << outcome.err;
+        std::size_t found = 0;
+        for (std::size_t at = outcome.err.find("expected"); at != std::string::npos;
+             at = outcome.err.find("expected", at + 1)) {
+            ++found;
+        }
+        EXPECT_LE(found, 1U) << outcome.err;
+    }
+}
+
 TEST(OwnRegimes, CountSalvagedTimberInComparisons) {
     const ForestProject project;
     project.write("salvage.csv", "treatment,first_year,every_years,share\nsalvage,1,1,0.9\n");

@@ -48,12 +48,15 @@ inline forest::Stand spruce_stand(int side) {
     return {two_stands(side), species_table().size(), spruces(side), 2000};
 }
 
-/// A polygon file that is always there: the south-western 20 x 20 m.
-inline std::vector<config::Shape> one_polygon(const std::string& file) {
-    if (file != "areas.csv") {
-        config::fail(config::ExitCode::file, {file}, "not there");
+/// Files that are always there: the south-western 20 x 20 m, and a line of 28 m to the north.
+inline std::vector<config::Shape> one_polygon(const std::string& file, config::Shape::Kind kind) {
+    if (file == "areas.csv" && kind == config::Shape::Kind::polygon) {
+        return {forest::rectangle({10.0, 10.0}, 20.0, 20.0, {})};
     }
-    return {forest::rectangle({10.0, 10.0}, 20.0, 20.0, {})};
+    if (file == "lines.csv" && kind == config::Shape::Kind::line) {
+        return {{config::Shape::Kind::line, {{{20.0, 0.0}, {20.0, 28.0}}}}};
+    }
+    config::fail(config::ExitCode::file, {file}, "not there");
 }
 
 inline config::Table table_of(const std::string& text) {

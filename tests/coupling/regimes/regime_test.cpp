@@ -62,13 +62,15 @@ TEST(Regime, KnowsStandsAndPolygons) {
     EXPECT_EQ(regime.areas_of(2)[0].patches.size(), 4U);
 }
 
-TEST(PolygonsIn, AreThoseOfTheColumnWkt) {
-    const auto polygons = polygons_in(table_of(
-        "name,wkt\na,\"POLYGON ((0 0, 20 0, 20 20, 0 0))\"\nb,\"POLYGON ((5 5, 9 5, 9 9, 5 5))\"\n"));
+TEST(ShapesIn, AreThoseOfTheColumnWkt) {
+    const auto polygons = shapes_in(
+        table_of("name,wkt\na,\"POLYGON ((0 0, 20 0, 20 20, 0 0))\"\nb,\"POLYGON ((5 5, 9 5, 9 9, 5 5))\"\n"),
+        config::Shape::Kind::polygon);
     ASSERT_EQ(polygons.size(), 2U);
     EXPECT_EQ(polygons[1].parts[0][0].x_m, 5.0);
-    EXPECT_THROW(polygons_in(table_of("name,wkt\na,POINT (1 1)\n")), config::InputError);
-    EXPECT_THROW(polygons_in(table_of("name,shape\na,b\n")), config::InputError);
+    EXPECT_THROW(shapes_in(table_of("name,wkt\na,POINT (1 1)\n"), config::Shape::Kind::polygon),
+                 config::InputError);
+    EXPECT_THROW(shapes_in(table_of("name,shape\na,b\n"), config::Shape::Kind::line), config::InputError);
 }
 
 TEST(Regime, RefusesGroundThatIsNotThere) {

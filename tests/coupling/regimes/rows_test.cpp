@@ -94,11 +94,13 @@ TEST(ReadInterventions, NamesEveryProblemWithItsLine) {
           "regime.csv:4:",
           "no share",
           "regime.csv:5:",
-          "share = '0.3', expected nothing: it has no meaning for thin_density",
+          "share = '0.3', expected no value here: thin_density has no column share",
           "regime.csv:6:",
           "no width_m",
           "regime.csv:7:",
-          "width_m = '30', expected nothing: it has no meaning for where = all (but for strips, slits)",
+          "width_m = '30', expected no value here: where = all has no column width_m, it belongs to strips, "
+          "slits, "
+          "corridors",
           "regime.csv:8:",
           "species 'pica'",
           "regime.csv:9:",
@@ -132,6 +134,22 @@ TEST(ReadInterventions, RefusesFieldsThatContradictEachOther) {
     refused("treatment,from_age_years,to_age_years", "clear_cut,60,40", "to_age_years 40");
     refused("treatment,where,width_m,angle_deg,entries", "clear_cut,strips,30,0,4",
             "4 entries without every_years");
+    refused("treatment,where", "clear_cut,cuts_of", "cuts_of:ROW with the name of a row above it");
+    refused("treatment,where", "clear_cut,cuts_of:group",
+            "where 'cuts_of:group', expected the name of a row");
+    refused("treatment,share,oldest_years,where", "salvage,0.5,2,\nfence,,,cuts_of:salvage",
+            "salvage is a salvage, expected a row above it that cuts trees");
+    refused("name,treatment,where,stands", "a,group_cut,,\nb,fence,cuts_of:a,2",
+            "cuts_of has no column stands");
+    refused("name,treatment,where,after", "a,group_cut,,\nb,clear_cut,stands,\nc,fence,cuts_of:a,b",
+            "expected after = a, or a row that acts on the same cuts");
+    refused("name,treatment,where,after", "a,clear_cut,,\nb,fence,stands,a",
+            "where = 'stands', expected nothing");
+    refused("treatment,where", "clear_cut,corridors", "a value for lines");
+    refused("treatment", "thin_to_basal_area", "a value for to_basal_area_m2pha");
+    refused("treatment,only_species,spare_species", "clear_cut,piab abal,abal", "expected one of the two");
+    refused("treatment,from_slope_deg,to_slope_deg", "clear_cut,40,30", "at most to_slope_deg (30)");
+    refused("treatment,retain_pha", "clear_cut,-5", "retain_pha = '-5'");
     refused("treatment,after_years", "clear_cut,5", "after_years without `after`");
     refused("treatment,after", "clear_cut,opening", "after 'opening'");
     refused("treatment,share", "tend,0.5", "tending without favoured species");

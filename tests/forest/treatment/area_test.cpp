@@ -94,6 +94,29 @@ TEST(LadderOfSlits, SetsSlitsOfAnEntryOnGap) {
     EXPECT_EQ(std::abs(*one.begin() - *other.begin()), 40) << "half of a cycle of 80 m";
 }
 
+TEST(Corridor, HoldsWhatIsWithinHalfItsWidthOfTheLine) {
+    const std::vector<config::Point2> line{
+        {20.0, 20.0}, {60.0, 20.0}, {60.0, 60.0}, {60.0, 60.0}, {90.0, 90.0}};
+    const std::vector<config::Shape> pieces = corridor(line, 12.0);
+    const auto is_inside = [&](config::Point2 point) {
+        return std::any_of(pieces.begin(), pieces.end(), [&](const config::Shape& piece) {
+            return config::point_in_polygon(piece, point);
+        });
+    };
+    for (double x_m = 10.25; x_m < 100.0; x_m += 1.0) {
+        for (double y_m = 10.25; y_m < 100.0; y_m += 1.0) {
+            const config::LinePosition at = config::position_along(line, {x_m, y_m});
+            const bool is_between = at.along_m > 0.0 && at.along_m < config::length_m(line);
+            // A joint of 16 corners lacks at most 2 % of its radius.
+            if (is_between && at.offset_m < 0.98 * 6.0) {
+                EXPECT_TRUE(is_inside({x_m, y_m})) << x_m << ' ' << y_m;
+            } else if (at.offset_m > 6.0 + 1e-9) {
+                EXPECT_FALSE(is_inside({x_m, y_m})) << x_m << ' ' << y_m;
+            }
+        }
+    }
+}
+
 TEST(Strips, CoverTheForestOnceInAllEntries) {
     const PatchGrid grid = square_of_forest(20);
     double sum_ha = 0.0;
