@@ -302,6 +302,12 @@ void Stand::recruit(std::span<const std::size_t> cohorts, std::span<const Tree> 
     add_trees(trees);
 }
 
+void Stand::begin_with(SnagsAndLogs dead_wood) {
+    assert(dead_wood_.snags.empty() && dead_wood_.logs.empty());
+    dead_wood_ = std::move(dead_wood);
+    dead_wood_at_start_kg_ = dead_wood_kg();
+}
+
 void Stand::add_snags(std::span<const Snag> snags) {
     for (const Snag& snag : snags) {
         balance_.dead_wood_in_kg += mass_kg(snag);

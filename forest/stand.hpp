@@ -102,6 +102,7 @@ public:
     [[nodiscard]] std::uint64_t saplings_standing() const;
     [[nodiscard]] std::uint64_t stems_at_start() const { return stems_at_start_; }
     [[nodiscard]] double mass_at_start_kg() const { return mass_at_start_kg_; }
+    [[nodiscard]] double dead_wood_at_start_kg() const { return dead_wood_at_start_kg_; }
     /// Trees that died or were felled this year, in the order of leaving. Dead wood is made of them.
     [[nodiscard]] std::span<const DeadTree> deaths() const { return deaths_; }
 
@@ -147,6 +148,9 @@ public:
     /// cohort's stems.
     void recruit(std::span<const std::size_t> cohorts, std::span<const Tree> trees);
 
+    /// Dead wood that an inventory found at the start; it is no gain of the balance. Requires a stand without
+    /// dead wood.
+    void begin_with(SnagsAndLogs dead_wood);
     void add_snags(std::span<const Snag> snags);
     void add_logs(std::span<const Log> logs);
     /// Dead wood after a year of decay and falls, or after people took some: what is gone by what.
@@ -170,6 +174,7 @@ private:
     std::uint64_t next_id_ = 0;
     std::uint64_t stems_at_start_ = 0;
     double mass_at_start_kg_ = 0.0;
+    double dead_wood_at_start_kg_ = 0.0;
 };
 
 }  // namespace forest

@@ -9,6 +9,7 @@
 #include "coupling/inputs/reading.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/text_layout.hpp"
 #include "coupling/run/messages.hpp"
 
 namespace coupling::decades {
@@ -33,10 +34,17 @@ void say_target(const DecadeResults& results, const Series& protection, const st
                                           : joined("– (", too_few_in_words(counts.bare()), ")");
             }
             const Band& band = value->band;
-            return joined(report::fixed(band.mean, 1), " %",
-                          band.has_interval() ? joined(" (", report::fixed(band.low, 1), " to ",
-                                                       report::fixed(band.high, 1), ")")
-                                              : "");
+            const auto interval = [](double low, double high) {
+                return joined(" (", report::fixed(low, 1), " to ", report::fixed(high, 1), ")");
+            };
+            if (band.has_interval()) {
+                return joined(report::fixed(band.mean, 1), " %", interval(band.low, band.high));
+            }
+            // One replicate, or all are equal: what their rocks say.
+            const auto effect = protection_effect(counts);
+            return joined(
+                report::fixed(band.mean, 1), " %",
+                effect ? interval(100.0 * effect->interval.low, 100.0 * effect->interval.high) : "");
         };
         std::printf("  %s, %s: stopped by the forest: %s in year %d, %s in year %d\n", name.c_str(),
                     results.names.course_name(course).c_str(), percent(first_year).c_str(), first_year,
@@ -81,8 +89,15 @@ void print_summary(const DecadeResults& results, const fs::path& folder,
             say_target(results, *protection, of.name, target);
         }
         if (results.scenario.forest.replicates > 1) {
-            std::printf("  mean of %s; in brackets its 90 %% interval\n",
-                        counted(results.scenario.forest.replicates, "replicate").c_str());
+            std::printf(
+                "  mean of %s; in brackets its 90 %% interval, where all are equal the 95 %% interval of "
+                "their rocks\n",
+                counted(results.scenario.forest.replicates, "replicate").c_str());
+        }
+    }
+    for (const std::string& sentence : verdict_of(results)) {
+        for (const std::string& line : wrapped(sentence, screen_columns - 2)) {
+            std::printf("  %s\n", line.c_str());
         }
     }
     print_files(folder, files, verbose);

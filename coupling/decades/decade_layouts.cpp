@@ -1,5 +1,6 @@
 #include "coupling/decades/decade_layouts.hpp"
 
+#include "coupling/decades/decision/decision_tables.hpp"
 #include "coupling/results/figure_columns.hpp"
 
 namespace coupling::decades {
@@ -337,7 +338,9 @@ TableLayout climate_differences() {
 }  // namespace
 
 const std::vector<TableLayout>& decade_layouts() {
-    static const std::vector<TableLayout> layouts{stands(),
+    static const std::vector<TableLayout> layouts{decision_layout(),
+                                                  decision_by_year_layout(),
+                                                  stands(),
                                                   dbh_classes(),
                                                   forest_years(),
                                                   mortality(),

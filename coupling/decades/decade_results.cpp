@@ -6,6 +6,9 @@
 #include "config/text/joined.hpp"
 #include "coupling/decades/comparison.hpp"
 #include "coupling/decades/decade_layouts.hpp"
+#include "coupling/decades/decision/decision_page.hpp"
+#include "coupling/decades/decision/decision_tables.hpp"
+#include "coupling/decades/decision/verdict.hpp"
 #include "coupling/decades/fall_tables.hpp"
 #include "coupling/decades/patch_maps.hpp"
 #include "coupling/decades/profile_tables.hpp"
@@ -74,7 +77,18 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
     return sections;
 }
 
+std::optional<Decision> decision_of(const DecadeResults& results, std::span<const Series> series) {
+    return decide(results.names, series, results.members, results.scenario.forest.decision,
+                  static_cast<std::int32_t>(results.scenario.forest.rockfall_every));
+}
+
 }  // namespace
+
+std::vector<std::string> verdict_of(const DecadeResults& results) {
+    const std::vector<Series> series = series_of(results.names, results.site, results.members, std::nullopt);
+    const std::optional<Decision> decision = decision_of(results, series);
+    return decision ? verdict(results.names, *decision) : std::vector<std::string>{};
+}
 
 std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder,
                                        const WriteWatch& watch) {
@@ -107,6 +121,10 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);
     watch("comparison");
     add(write_comparison(folder, results.names, series));
+    const std::optional<Decision> decision = decision_of(results, series);
+    if (decision) {
+        add(write_decision(folder, results.names, *decision, series));
+    }
     add_data_dictionary(folder, {decade_layouts(), together(raster_columns(), patch_raster_columns())},
                         files);
     add(write_gis_files(folder, results.scenario.gis, results.site, files, {}, {}, watch));
@@ -125,6 +143,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                                       .files = files,
                                       .version = results.version,
                                       .climate = climates_in_words(*results.site.forest),
+                                      .decision = decision ? decision_html(results.names, *decision) : "",
                                       .first = first_sections(results, series, profile),
                                       .site = &results.site});
     page.close();

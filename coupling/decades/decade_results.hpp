@@ -34,6 +34,10 @@ struct DecadeResults {
 std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder,
                                        const WriteWatch& watch = {});
 
+/// What the run says of the question which regime keeps protection, in sentences (decision/verdict.hpp); none
+/// without protection figures after the start.
+std::vector<std::string> verdict_of(const DecadeResults& results);
+
 /// In results/summary.cpp, where all summaries are written.
 void write_summary(std::ostream& out, const DecadeResults& results, const std::vector<WrittenFile>& files);
 

@@ -11,6 +11,7 @@
 #include "coupling/decades/parts.hpp"
 #include "coupling/decades/share_out.hpp"
 #include "coupling/decades/simulate.hpp"
+#include "coupling/decades/start_artefact.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -305,6 +306,9 @@ private:
         const DecadeResults results{scenario_, site_,    names_, years, rocks_ ? rocks_->rocks() : 0,
                                     warnings_, version()};
         warn_of_rocks_not_started(years, results.rocks, warnings_);
+        if (auto sentence = missing_dead_wood(names_, series_of(names_, site_, years, std::nullopt), years)) {
+            warnings_.add(std::move(*sentence));
+        }
         for (std::string& sentence : idle_interventions(names_, years)) {
             warnings_.add(std::move(sentence));
         }

@@ -65,6 +65,7 @@ void write_summary(std::ostream& out, const DecadeResults& results, const std::v
                       {"area_ha", json_number(grid.area_ha())},
                       {"map", json_map_frame(results.site.map_frame)},
                       {"patch_map", json_map_frame(grid.frame())}};
+    summary["verdict"] = verdict_of(results);
     summary["members"] = Json::array();
     for (const MemberYears& years : results.members) {
         summary["members"].push_back(member(results, years));

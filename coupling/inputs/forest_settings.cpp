@@ -58,7 +58,19 @@ void declare_stands(config::Options& options, ForestSettings& s) {
     options.text(
         "stands.records", s.stand_records,
         {.meaning = "CSV with stand, species, stems_pha, basal_area_m2pha, mean_dbh_cm, mean_height_m, "
-                    "age_years, structure; instead of trees.file"});
+                    "age_years, structure; instead of trees.file, or beside it with stands.tree_area"});
+    options.text(
+        "stands.tree_area", s.tree_area,
+        {.meaning = "CSV with wkt (POLYGON): inside, trees are those of trees.file, elsewhere those of "
+                    "stands.records"});
+    options.text(
+        "stands.dead_wood", s.dead_wood,
+        {.meaning = "CSV with stand, species, kind (snag, stump, log), volume_m3pha, dbh_cm, length_m, "
+                    "decay_class, log_angle_deg, anchored: dead wood at the start"});
+    options.text(
+        "stands.saplings", s.saplings,
+        {.meaning = "CSV with stand, species, height_m, stems_pha, age_years: trees below 1 cm at the "
+                    "start"});
 }
 
 void declare_soil(config::Options& options, ForestSettings& s) {
@@ -80,6 +92,26 @@ void declare_regimes(config::Options& options, ForestSettings& s) {
         {.meaning = "CSV of prices by species and diameter, with regimes.work_costs; none: shipped"});
     options.text("regimes.work_costs", s.work_costs,
                  {.meaning = "CSV of the costs of planting, tending and fencing"});
+}
+
+void declare_decision(config::Options& options, DecisionSettings& s) {
+    options.number("decision.protection_at_least", s.protection_at_least_percent,
+                   {.unit = "%",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "protection that a regime must keep in all years with rocks after the start",
+                    .source = "choice"});
+    options.number("decision.probability", s.probability,
+                   {.low = 0.01,
+                    .high = 0.99,
+                    .meaning = "probability with which it must keep it, as a share of replicates",
+                    .source = "choice"});
+    options.number("decision.discount_percent", s.discount_percent,
+                   {.unit = "%",
+                    .low = 0.0,
+                    .high = 20.0,
+                    .meaning = "interest a year by which money of later years counts less",
+                    .source = "choice"});
 }
 
 void declare_feedback(config::Options& options, ForestSettings& s) {
@@ -220,6 +252,7 @@ void declare(config::Options& options, ForestSettings& settings) {
     declare_stands(options, settings);
     declare_soil(options, settings);
     declare_regimes(options, settings);
+    declare_decision(options, settings.decision);
     declare_feedback(options, settings);
     declare_climate(options, settings);
     declare_output(options, settings);
@@ -259,8 +292,13 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
         checker.refuse(s.timber_prices.empty() ? "regimes.work_costs" : "regimes.timber_prices",
                        "only one of regimes.timber_prices and regimes.work_costs", "both, or neither");
     }
-    if (listed_trees && !s.stand_records.empty()) {
-        checker.refuse("stands.records", "stands.records beside trees.file", "only one of them");
+    if (listed_trees && !s.stand_records.empty() && s.tree_area.empty()) {
+        checker.refuse("stands.records", "stands.records beside trees.file",
+                       "only one of them, or stands.tree_area with the polygons in which the list holds");
+    }
+    if (!s.tree_area.empty() && (!listed_trees || s.stand_records.empty())) {
+        checker.refuse("stands.tree_area", "stands.tree_area without both trees.file and stands.records",
+                       "both of them: the list holds inside, the records elsewhere");
     }
     if (s.soil_map.empty() && s.soil_type.empty()) {
         checker.refuse("soil.type", "run.years above 0 without a soil",

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/options/options.hpp"
+#include "coupling/inputs/decision_settings.hpp"
 #include "forest/light/ground.hpp"
 #include "forest/parameters.hpp"
 
@@ -36,6 +37,9 @@ struct ForestSettings {
     std::string stand_map;       ///< grid of stand numbers, or
     std::string stand_polygons;  ///< CSV: stand, wkt
     std::string stand_records;   ///< CSV: stand, species, stems_pha, ...
+    std::string dead_wood;       ///< CSV: stand, species, kind, volume_m3pha, ...; empty: none at the start
+    std::string saplings;        ///< CSV: stand, species, height_m, stems_pha; empty: none at the start
+    std::string tree_area;       ///< CSV of polygons: the list of trees holds there, records elsewhere
 
     // [soil]
     std::string soil_map;    ///< grid of soil codes
@@ -59,6 +63,8 @@ struct ForestSettings {
     std::string regimes = "none";  ///< names of shipped regimes or CSV files, parted by commas
     std::string timber_prices;     ///< CSV, with
     std::string work_costs;        ///< CSV; both empty: the shipped ones
+
+    DecisionSettings decision;  ///< [decision]
 
     // [feedback]
     bool feedback = false;        ///< rocks break and wound trees

@@ -6,11 +6,14 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/patch_input.hpp"
+#include "coupling/inputs/shape_input.hpp"
 #include "coupling/inputs/soil_input.hpp"
 #include "coupling/inputs/stand_input.hpp"
+#include "coupling/inputs/start_input.hpp"
 #include "coupling/inputs/tree_input.hpp"
 #include "forest/height_growth.hpp"
 #include "forest/start/height_curve.hpp"
+#include "forest/treatment/area.hpp"
 
 namespace coupling {
 namespace {
@@ -19,6 +22,7 @@ using config::joined;
 
 /// Trees that come up later get numbers above all of these.
 constexpr double highest_listed_id = 1e12;
+constexpr std::uint64_t first_inventoried_id = 1'000'000'000'001;
 
 /// Everything as read from the files; what could not be read is missing.
 struct Files {
@@ -55,9 +59,11 @@ Files read_files(Reading& reading) {
     files.records.emplace();
     if (!scenario.trees.empty()) {
         files.rows = reading.attempt([&] { return read_rows(*files.species, reading); });
-    } else if (!scenario.forest.stand_records.empty()) {
+    }
+    if (!scenario.forest.stand_records.empty()) {
         files.records = read_records(*files.species, reading);
-    } else {
+    }
+    if (scenario.trees.empty() && scenario.forest.stand_records.empty()) {
         reading.note(joined("neither trees.file nor stands.records: the forest begins on bare ground"));
     }
     return files;
@@ -144,6 +150,56 @@ std::vector<std::uint64_t> numbers_of(const std::vector<ListedRow>& rows, const 
     return numbers;
 }
 
+/// The polygons in which the list of trees holds; none without stands.tree_area.
+std::optional<std::vector<config::Shape>> read_tree_area(Reading& reading) {
+    const std::string& name = reading.scenario().forest.tree_area;
+    std::vector<config::Shape> polygons;
+    if (name.empty()) {
+        return polygons;
+    }
+    return reading.attempt([&] {
+        const config::Table table = reading.table("stands.tree_area", "tree_area", name);
+        config::Problems problems;
+        if (table.require({"wkt"}, problems)) {
+            for (std::size_t row = 0; row < table.rows(); ++row) {
+                if (auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems)) {
+                    polygons.push_back(std::move(*shape));
+                }
+            }
+        }
+        problems.throw_if_any();
+        return polygons;
+    });
+}
+
+/// Patches of the tree area are no patches of the records.
+void leave_out(const std::vector<config::Shape>& tree_area, const forest::PatchGrid& grid,
+               std::vector<forest::StandRecord>& inventory) {
+    for (forest::StandRecord& record : inventory) {
+        std::erase_if(record.patches, [&](forest::PatchId patch) {
+            return forest::belongs({tree_area, {}}, grid, grid.x_centre_m(patch), grid.y_centre_m(patch));
+        });
+    }
+    std::erase_if(inventory, [](const forest::StandRecord& record) { return record.patches.empty(); });
+}
+
+/// Listed trees outside of the area would stand among those of the records.
+void keep_inside(const std::vector<config::Shape>& tree_area, std::optional<std::vector<ListedRow>>& rows,
+                 Reading& reading) {
+    if (!rows) {
+        return;
+    }
+    const std::size_t outside = std::erase_if(*rows, [&](const ListedRow& row) {
+        return std::none_of(tree_area.begin(), tree_area.end(), [&](const config::Shape& polygon) {
+            return config::point_in_polygon(polygon, {row.x_m, row.y_m});
+        });
+    });
+    if (outside > 0) {
+        reading.note(joined(reading.shown(reading.scenario().trees), ": ", counted(outside, "tree"),
+                            " outside of stands.tree_area left out: the records hold there"));
+    }
+}
+
 /// Puts the trees of the list where they grow, or among the obstacles.
 void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& reading) {
     const std::string file = reading.shown(reading.scenario().trees);
@@ -189,14 +245,19 @@ void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& readin
 
 forest::Stand ForestSite::start(std::uint64_t seed, std::uint32_t replicate) const {
     std::vector<forest::Tree> trees = listed;
-    std::uint64_t next_id = 1;
+    // Numbers of listed trees stay theirs.
+    std::uint64_t next_id = listed.empty() ? 1 : first_inventoried_id;
     for (const forest::StandRecord& record : inventory) {
         const auto of_stand =
             forest::trees_from_record(record, grid, species.table, seed, replicate, next_id);
         next_id += of_stand.size();
         trees.insert(trees.end(), of_stand.begin(), of_stand.end());
     }
-    return {grid, species.table.size(), std::move(trees), first_year() - 1};
+    forest::Stand stand{grid, species.table.size(), std::move(trees), first_year() - 1};
+    stand.begin_with(
+        forest::dead_wood_from_records(dead_wood, grid, species.table, first_year() - 1, seed, replicate));
+    stand.add_cohorts(forest::cohorts_from_records(saplings, seed, replicate));
+    return stand;
 }
 
 YearWeather ForestSite::weather(std::size_t climate, int calendar_year, std::uint32_t replicate) const {
@@ -220,8 +281,17 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     if (ground && files.records && !reading.scenario().forest.stand_records.empty()) {
         inventory = place_records(std::move(*files.records), ground->grid, *files.stands, reading);
     }
+    std::optional<std::vector<config::Shape>> tree_area = read_tree_area(reading);
+    if (ground && tree_area && !tree_area->empty()) {
+        leave_out(*tree_area, ground->grid, inventory);
+        keep_inside(*tree_area, files.rows, reading);
+    }
+    std::optional<StartingWood> wood;
+    if (ground && files.species) {
+        wood = read_starting_wood(*files.species, ground->grid, reading);
+    }
     if (!files.species || !files.parameters || files.climates.empty() || !ground || !files.rows ||
-        !files.records || !reading.problems().empty()) {
+        !files.records || !wood || !reading.problems().empty()) {
         return nullptr;
     }
     forest::Site place = site_on(*ground, files.climates.front().source, reading.scenario().forest);
@@ -232,6 +302,8 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
                                                         .climates = {},
                                                         .listed = {},
                                                         .inventory = std::move(inventory),
+                                                        .dead_wood = std::move(wood->dead_wood),
+                                                        .saplings = std::move(wood->saplings),
                                                         .obstacles = {}});
     for (NamedClimate& climate : files.climates) {
         std::vector<double> usual_summer_mm;
@@ -244,6 +316,9 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     const ClimateSource& first = site->climates.front().source;
     for (forest::StandRecord& record : site->inventory) {
         record.degree_days = first.degree_days(mean_elevation_m(site->grid, record.patches));
+    }
+    for (auto& stand : site->dead_wood) {
+        stand.degree_days = first.degree_days(mean_elevation_m(site->grid, stand.patches));
     }
     plant(*files.rows, *site, reading);
     return site;

@@ -11,6 +11,7 @@
 #include "coupling/inputs/forest_species.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/site.hpp"
+#include "forest/start/starting_dead_wood.hpp"
 #include "forest/start/starting_stand.hpp"
 #include "forest/year.hpp"
 
@@ -35,8 +36,10 @@ struct ForestSite {
     /// One or more. The first is that in which the forest of the start grew up: its warmth gives missing
     /// heights, its radiation the share of diffuse light in all of them.
     std::vector<SiteClimate> climates;
-    std::vector<forest::Tree> listed;            ///< trees of the list that grow, or
+    std::vector<forest::Tree> listed;            ///< trees of the list that grow, and
     std::vector<forest::StandRecord> inventory;  ///< by rising stand number; both empty: bare ground
+    std::vector<forest::OnPatches<forest::DeadWoodRecord>> dead_wood;  ///< at the start
+    std::vector<forest::OnPatches<forest::SaplingRecord>> saplings;    ///< at the start
     std::vector<TreeRecord>
         obstacles;  ///< trees of the list on no patch, which stand as they are; with rocks on the terrain
 

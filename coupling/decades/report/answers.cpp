@@ -280,7 +280,7 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     std::string html = joined(
         "<h1>",
         report::page_text("decades.answers.a_forest_over_years", {{"run_years", std::to_string(run.years)}}),
-        "</h1>\n<p class=\"lead\">",
+        "</h1>\n", content.decision, "<p class=\"lead\">",
         report::page_text(
             "decades.answers.scenario_replicates_differ_only",
             {{"content_file", escaped(content.scenario.file.filename().string())},

@@ -34,6 +34,7 @@ struct PageContent {
     const std::vector<WrittenFile>& files;
     std::string version;
     std::string climate;         ///< in words; may be empty
+    std::string decision = {};   ///< what stands first: verdict and table, as HTML; may be empty
     std::vector<Section> first;  ///< what stands before the forest, such as its protection over the years
     /// Settings that the page lists, all without it.
     std::function<bool(const std::string&)> shows_setting = {};

@@ -1,0 +1,192 @@
+#include "coupling/inputs/start_input.hpp"
+
+#include <map>
+
+#include "config/options/values.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+
+namespace coupling {
+namespace {
+
+using config::ExitCode;
+using config::joined;
+
+/// Above, young trees are trees: they belong into the records of the stand.
+constexpr double highest_sapling_m = 1.9;
+constexpr double highest_stand_number = 4e9;
+
+/// Patches by stand number; those of the whole forest under 0.
+std::map<std::uint32_t, std::vector<forest::PatchId>> patches_by_stand(const forest::PatchGrid& grid) {
+    std::map<std::uint32_t, std::vector<forest::PatchId>> patches;
+    for (std::uint32_t i = 0; i < grid.size(); ++i) {
+        patches[grid.patches()[i].management_unit].push_back(forest::PatchId{i});
+        patches[0].push_back(forest::PatchId{i});
+    }
+    return patches;
+}
+
+/// What the two tables share: stand, species and the rows' order.
+template <class Record>
+class StandTable {
+public:
+    StandTable(const config::Table& table, const ForestSpecies& species, const SpeciesLookup& lookup,
+               const forest::PatchGrid& grid)
+        : table_{table}, species_{species}, column_{table, lookup}, patches_{patches_by_stand(grid)} {}
+
+    template <class Fill>
+    std::vector<forest::OnPatches<Record>> read(Reading& reading, Fill fill) {
+        std::map<std::uint32_t, forest::OnPatches<Record>> stands;
+        for (std::size_t row = 0; row < table_.rows(); ++row) {
+            const std::size_t before = problems_.list().size();
+            const auto stand = stand_of(row);
+            const auto species = column_.find(row);
+            Record record;
+            fill(row, record);
+            if (!stand || !species || problems_.list().size() > before) {
+                continue;
+            }
+            record.species = forest::SpeciesId{static_cast<std::uint16_t>(*species)};
+            auto& here = stands[*stand];
+            here.patches = patches_[*stand];
+            here.records.push_back(record);
+        }
+        config::Problems shown;
+        column_.refuse_unknown(shown);
+        add_first(shown, problems_, table_.file());
+        shown.throw_if_any();
+        warn_of_stand_ins(column_, species_, table_.file(), reading);
+        std::vector<forest::OnPatches<Record>> all;
+        for (auto& [number, stand] : stands) {
+            all.push_back(std::move(stand));
+        }
+        return all;
+    }
+
+    [[nodiscard]] bool has(std::size_t row, const std::string& column) const {
+        return table_.has(column) && !table_.text(row, column).empty();
+    }
+    std::optional<double> optional(std::size_t row, const std::string& column,
+                                   const config::NumberRange& range) {
+        return has(row, column) ? table_.number(row, column, range, problems_) : std::nullopt;
+    }
+    const config::Table& table() const { return table_; }
+    config::Problems& problems() { return problems_; }
+
+private:
+    std::optional<std::uint32_t> stand_of(std::size_t row) {
+        if (table_.text(row, "stand") == "all") {
+            return 0;
+        }
+        const auto number = table_.whole(row, "stand", {1.0, highest_stand_number}, problems_);
+        if (number && !patches_.contains(static_cast<std::uint32_t>(*number))) {
+            problems_.add(ExitCode::data, table_.place(row, "stand"),
+                          joined("stand ", table_.text(row, "stand"), " which has no forest cell"),
+                          "a stand of the map, or all");
+            return std::nullopt;
+        }
+        return number ? std::optional{static_cast<std::uint32_t>(*number)} : std::nullopt;
+    }
+
+    const config::Table& table_;
+    const ForestSpecies& species_;
+    SpeciesColumn column_;
+    config::Problems problems_;
+    std::map<std::uint32_t, std::vector<forest::PatchId>> patches_;
+};
+
+config::Table table_with(const std::string& setting, const std::string& role, const std::string& name,
+                         const std::vector<std::string>& columns, Reading& reading) {
+    config::Table table = reading.table(setting, role, name);
+    config::Problems problems;
+    table.require(columns, problems);
+    problems.throw_if_any();
+    return table;
+}
+
+void fill_dead_wood(StandTable<forest::DeadWoodRecord>& rows, std::size_t row,
+                    forest::DeadWoodRecord& record) {
+    const config::Table& table = rows.table();
+    const std::string& kind = table.text(row, "kind");
+    if (kind == "snag" || kind == "stump" || kind == "log") {
+        record.kind = kind == "snag"    ? forest::DeadWoodKind::snag
+                      : kind == "stump" ? forest::DeadWoodKind::stump
+                                        : forest::DeadWoodKind::log;
+    } else {
+        rows.problems().add(ExitCode::data, table.place(row, "kind"),
+                            joined("kind ", config::in_quotes(kind)), "snag, stump or log");
+    }
+    record.volume_m3pha =
+        table.number(row, "volume_m3pha", {.low = 0.0, .high = 3000.0, .low_excluded = true}, rows.problems())
+            .value_or(1.0);
+    record.dbh_cm = rows.optional(row, "dbh_cm", {7.0, 300.0}).value_or(record.dbh_cm);
+    record.length_m = rows.optional(row, "length_m", {.low = 0.0, .high = 80.0, .low_excluded = true});
+    if (!record.length_m && record.kind == forest::DeadWoodKind::stump) {
+        constexpr double usual_stump_m = 0.3;
+        record.length_m = usual_stump_m;
+    }
+    if (rows.has(row, "decay_class")) {
+        record.decay_class =
+            static_cast<int>(table.whole(row, "decay_class", {1.0, 5.0}, rows.problems()).value_or(1));
+    }
+    record.to_fall_line_deg = rows.optional(row, "log_angle_deg", {0.0, 90.0});
+    if (record.to_fall_line_deg && record.kind != forest::DeadWoodKind::log) {
+        rows.problems().add(ExitCode::data, table.place(row, "log_angle_deg"),
+                            joined("log_angle_deg of a ", kind), "an angle of logs alone");
+    }
+    if (rows.has(row, "anchored")) {
+        const auto anchored = config::flag_in(table.text(row, "anchored"));
+        if (!anchored) {
+            rows.problems().add(ExitCode::data, table.place(row, "anchored"),
+                                joined("anchored ", config::in_quotes(table.text(row, "anchored"))),
+                                "yes or no");
+        }
+        record.anchored = anchored.value_or(false);
+    }
+}
+
+void fill_sapling(StandTable<forest::SaplingRecord>& rows, std::size_t row, forest::SaplingRecord& record) {
+    const config::Table& table = rows.table();
+    record.stems_pha =
+        table.number(row, "stems_pha", {.low = 0.0, .high = 1e6, .low_excluded = true}, rows.problems())
+            .value_or(1.0);
+    record.height_m =
+        table
+            .number(row, "height_m", {.low = 0.0, .high = highest_sapling_m, .low_excluded = true},
+                    rows.problems())
+            .value_or(1.0);
+    if (rows.has(row, "age_years")) {
+        record.age_years =
+            static_cast<int>(table.whole(row, "age_years", {0.0, 300.0}, rows.problems()).value_or(0));
+    }
+}
+
+}  // namespace
+
+std::optional<StartingWood> read_starting_wood(const ForestSpecies& species, const forest::PatchGrid& grid,
+                                               Reading& reading) {
+    const ForestSettings& settings = reading.scenario().forest;
+    return reading.attempt([&] {
+        const SpeciesLookup lookup = species.lookup();
+        StartingWood wood;
+        if (!settings.dead_wood.empty()) {
+            const config::Table table = table_with("stands.dead_wood", "dead_wood", settings.dead_wood,
+                                                   {"stand", "species", "kind", "volume_m3pha"}, reading);
+            StandTable<forest::DeadWoodRecord> rows{table, species, lookup, grid};
+            wood.dead_wood = rows.read(reading, [&](std::size_t row, forest::DeadWoodRecord& record) {
+                fill_dead_wood(rows, row, record);
+            });
+        }
+        if (!settings.saplings.empty()) {
+            const config::Table table = table_with("stands.saplings", "saplings", settings.saplings,
+                                                   {"stand", "species", "height_m", "stems_pha"}, reading);
+            StandTable<forest::SaplingRecord> rows{table, species, lookup, grid};
+            wood.saplings = rows.read(reading, [&](std::size_t row, forest::SaplingRecord& record) {
+                fill_sapling(rows, row, record);
+            });
+        }
+        return wood;
+    });
+}
+
+}  // namespace coupling

@@ -1,0 +1,113 @@
+// What the start of a run over years holds: dead wood and young trees of an inventory, a list beside records.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/runs/years.hpp"
+
+namespace coupling::start_test {
+namespace {
+
+constexpr const char* inventoried =
+    "run scenario.ini --quiet --set trees.file= --set stands.records=records.csv --set run.replicates=2 "
+    "--set run.rockfall_every=0 --set regimes.list=none ";
+
+/// The mean of a column at the start over replicates.
+double at_start(const config::Table& years, const std::string& column) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t row = 0; row < years.rows(); ++row) {
+        if (years.text(row, "year") == "0") {
+            sum += number(years, row, column);
+            count += 1.0;
+        }
+    }
+    return sum / count;
+}
+
+TEST(Start, HoldsTheDeadWoodAndSaplingsOfTheInventory) {
+    const ForestProject project;
+    project.write("deadwood.csv",
+                  "stand,species,kind,volume_m3pha,dbh_cm,length_m,decay_class,log_angle_deg\n"
+                  "7,PIAB,snag,30,20,,2,\nall,PIAB,log,50,20,6,3,70\n8,FASY,stump,2,30,0.4,1,\n");
+    project.write("saplings.csv", "stand,species,height_m,stems_pha,age_years\nall,ABAL,0.4,900,6\n");
+    const Outcome outcome = call(project, std::string{inventoried} +
+                                              "--set stands.dead_wood=deadwood.csv --set "
+                                              "stands.saplings=saplings.csv");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table years = table(project, "out/tables/forest_years.csv");
+    // Stands 7 and 8 have 0.4 ha each; snags are counted with stumps.
+    EXPECT_NEAR(at_start(years, "snags_m3pha"), 0.5 * 30.0 + 0.5 * 2.0, 0.8);
+    EXPECT_NEAR(at_start(years, "logs_m3pha"), 50.0, 0.8);
+    EXPECT_NEAR(at_start(years, "saplings_pha"), 900.0, 1.0);
+    EXPECT_GT(at_start(years, "dead_stems_tpha"), 5.0);
+    // The budget of dead wood closes from year to year; what the start held is no gain.
+    double before = 0.0;
+    for (std::size_t row = 0; row < years.rows(); ++row) {
+        const double stands = number(years, row, "dead_stems_tpha");
+        const double change =
+            number(years, row, "dead_wood_in_tpha") - number(years, row, "dead_wood_decayed_tpha") -
+            number(years, row, "dead_wood_to_soil_tpha") - number(years, row, "dead_wood_taken_tpha");
+        if (years.text(row, "year") == "0") {
+            EXPECT_EQ(change, 0.0);
+        } else {
+            EXPECT_NEAR(stands, before + change, 0.003) << "row " << row;
+        }
+        before = stands;
+    }
+    const Outcome without = call(project, std::string{inventoried} + "--out without");
+    ASSERT_EQ(without.code, 0) << without.err;
+    EXPECT_EQ(at_start(table(project, "without/tables/forest_years.csv"), "logs_m3pha"), 0.0);
+}
+
+TEST(Start, RefusesDeadWoodThatCannotBe) {
+    const ForestProject project;
+    const std::string head = "stand,species,kind,volume_m3pha,decay_class\n";
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"9,PIAB,log,20,1\n", "stand 9 which has no forest cell"},
+        {"7,PIAB,tree,20,1\n", "kind 'tree', expected snag, stump or log"},
+        {"7,PIAB,log,-2,1\n", "volume_m3pha"},
+        {"7,PIAB,log,20,6\n", "decay_class"},
+        {"7,OAKK,log,20,1\n", "OAKK"}};
+    for (const auto& [row, expected] : wrong) {
+        project.write("deadwood.csv", head + row);
+        const Outcome outcome =
+            call(project, std::string{inventoried} + "--set stands.dead_wood=deadwood.csv");
+        EXPECT_EQ(outcome.code, 4) << row;
+        EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("deadwood.csv:2"), std::string::npos) << outcome.err;
+    }
+}
+
+TEST(Start, TakesTheListInsideItsPolygonAndRecordsElsewhere) {
+    const ForestProject project;
+    // Stand 7 lies in the north of the forest, from x = 1040 on.
+    project.write("area.csv", "wkt\n\"POLYGON ((1050 2030, 1090 2030, 1090 2070, 1050 2070, 1050 2030))\"\n");
+    const std::string both =
+        "run scenario.ini --quiet --set stands.records=records.csv --set run.rockfall_every=0 "
+        "--set regimes.list=none --set output.tree_list_years=0 ";
+    const Outcome refused = call(project, both);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("stands.tree_area"), std::string::npos) << refused.err;
+    const Outcome outcome = call(project, both + "--set stands.tree_area=area.csv");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table trees = table(project, "out/tables/trees_0.csv");
+    std::size_t listed = 0;
+    std::size_t others = 0;
+    for (std::size_t row = 0; row < trees.rows(); ++row) {
+        const double x_m = number(trees, row, "x_m");
+        const double y_m = number(trees, row, "y_m");
+        const bool is_inside = x_m > 1050 && x_m < 1090 && y_m > 2030 && y_m < 2070;
+        (is_inside ? listed : others) += 1;
+        if (is_inside) {
+            EXPECT_LE(number(trees, row, "tree_id"), 3.0);
+        }
+    }
+    EXPECT_EQ(listed, 3U);
+    EXPECT_GT(others, 100U);
+}
+
+}  // namespace
+}  // namespace coupling::start_test
