@@ -216,10 +216,11 @@ TableLayout margins() {
 TableLayout work_by_year() {
     const std::vector<Column> rest{
         {"felled_m3pha", "m3/ha", "stem wood of living trees that were cut, taken or left", simulated},
-        {"salvaged_m3pha", "m3/ha", "stem wood of dead trees that salvage took", simulated},
+        {"salvaged_m3pha", "m3/ha", "stem wood of dead trees that salvage worked up, taken or left",
+         simulated},
         {"removed_m3pha", "m3/ha", "stem wood that left the forest; felled + salvaged = removed + left",
          simulated},
-        {"left_m3pha", "m3/ha", "felled stem wood that stayed as logs and stumps", simulated},
+        {"left_m3pha", "m3/ha", "felled or salvaged stem wood that stayed as logs and stumps", simulated},
         {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", prices},
         {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", prices},
         {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting, tending and fencing", prices},

@@ -12,9 +12,9 @@ namespace coupling::decades {
 /// felled + salvaged = removed + left.
 struct YearlyWork {
     double felled_m3pha = 0.0;    ///< of living trees that were cut, whether taken or left
-    double salvaged_m3pha = 0.0;  ///< of trees that were dead before
+    double salvaged_m3pha = 0.0;  ///< of trees that were dead before, taken or left
     double removed_m3pha = 0.0;   ///< left the forest
-    double left_m3pha = 0.0;      ///< of the felled stems, stayed as logs and stumps
+    double left_m3pha = 0.0;      ///< of felled and salvaged stems, stayed as logs and stumps
     double revenue_eur_pha = 0.0;
     double harvest_cost_eur_pha = 0.0;  ///< felling and hauling
     double young_cost_eur_pha = 0.0;    ///< planting, tending, fencing

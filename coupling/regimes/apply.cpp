@@ -68,7 +68,7 @@ private:
              [&](const Intervention& row, std::size_t i) {
                  for (const Area* area : areas_of(due[i])) {
                      add(forest::salvage(stand_, species_, area->place, row.share, row.oldest_years,
-                                         key_.seed, key_.replicate),
+                                         row.felling, key_.seed, key_.replicate),
                          report.entries[i], report);
                  }
              });

@@ -22,6 +22,8 @@ constexpr Uses uses(Values... values) {
 constexpr Uses cuts = uses(Treatment::thin_below, Treatment::thin_density, Treatment::thin_crop_trees,
                            Treatment::target_diameter, Treatment::selection, Treatment::shelter_cut,
                            Treatment::group_cut, Treatment::thin_to_basal_area, Treatment::clear_cut);
+/// What leaves stumps and logs.
+constexpr Uses felling = cuts | uses(Treatment::salvage);
 constexpr Uses planting = uses(Treatment::plant, Treatment::plant_clusters);
 constexpr Uses crop = uses(Treatment::thin_crop_trees);
 constexpr Uses selecting = uses(Treatment::selection);
@@ -91,6 +93,18 @@ std::vector<RegimeColumn> all_columns() {
          at<&I::from_relative_density>,
          "only where the forest is this dense (stems of 7 cm and more / most stems)",
          {.range = {.low = 0.0, .high = 2.0}}},
+        {"from_damage_m3pha",
+         at<&I::from_damage_m3pha>,
+         "only where storm, wet snow and beetles have just taken so much in the year",
+         {.range = {.low = 0.0, .high = 2000.0}}},
+        {"from_gap_m",
+         at<&I::from_gap_m>,
+         "only where the longest gap along the fall line (no stem from 12 cm) is this long",
+         {.range = {.low = 0.0, .high = 5000.0}}},
+        {"to_gap_m",
+         at<&I::to_gap_m>,
+         "only where it is no longer than this, such as 25: no cut that would lengthen it",
+         {.range = {.low = 0.0, .high = 5000.0}}},
         {"where", at<&I::ground, &Ground::where>,
          "which areas; with `after` those of that row; cuts_of:ROW where a row above cut, such as the holes "
          "of a group cut"},
@@ -236,22 +250,26 @@ std::vector<RegimeColumn> all_columns() {
         {"stump_height_m",
          at<&I::felling, &forest::Felling::stump_height_m>,
          "1.0-1.3 for high stumps",
-         {.source = "Italian manual", .range = {.low = 0.0, .high = 3.0}, .treatments = cuts}},
+         {.source = "Italian manual", .range = {.low = 0.0, .high = 3.0}, .treatments = felling}},
         {"left_share",
          at<&I::felling, &forest::Felling::left_share>,
-         "of the felled stems from 15 cm on that stay as logs; usually 0.2-0.5",
-         {.source = choice, .range = share, .treatments = cuts}},
+         "of the felled or salvaged stems from 15 cm on that stay as logs; usually 0.2-0.5",
+         {.source = choice, .range = share, .treatments = felling}},
         {"log_length_m",
          at<&I::felling, &forest::Felling::log_length_m>,
          "of logs that stay: the thick end of the stem; 0 for whole stems, else usually 5-10",
-         {.source = "Italian manual, BAFU aid", .range = {.low = 0.0, .high = 60.0}, .treatments = cuts}},
+         {.source = "Italian manual, BAFU aid", .range = {.low = 0.0, .high = 60.0}, .treatments = felling}},
         {"log_angle_deg",
          at<&I::felling, &forest::Felling::to_fall_line>,
          "of these logs to the fall line, either way",
-         {.source = "Italian manual, BAFU aid", .range = {.low = 0.0, .high = 90.0}, .treatments = cuts}},
+         {.source = "Italian manual, BAFU aid", .range = {.low = 0.0, .high = 90.0}, .treatments = felling}},
         {"anchored",
          at<&I::felling, &forest::Felling::anchored>,
          "yes: behind stumps; no: weak ones roll off",
+         {.treatments = felling}},
+        {"girdled",
+         at<&I::felling, &forest::Felling::girdled>,
+         "yes: trees are killed by a ring and stay standing, without timber; costs as felling",
          {.treatments = cuts}},
         {"damage_share",
          at<&I::felling, &forest::Felling::damage_share>,
@@ -372,6 +390,9 @@ std::string users_text(const RegimeColumn& column) {
     }
     if (column.rules.treatments == cuts) {
         return "all cuts";
+    }
+    if (column.rules.treatments == felling) {
+        return "all cuts, salvage";
     }
     return column.rules.treatments != 0 ? names_in(column.rules.treatments, treatment_names)
                                         : names_in(column.rules.places, where_names);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "forest/allometry.hpp"
+#include "forest/protection/gaps.hpp"
 #include "forest/tables.hpp"
 #include "forest/treatment/selection.hpp"
 
@@ -87,6 +89,16 @@ private:
             forest::relative_density(stand_, species_, places, area.area_ha) < *row.from_relative_density) {
             return false;
         }
+        if (row.from_damage_m3pha && damage_m3pha(area) < *row.from_damage_m3pha) {
+            return false;
+        }
+        if (row.from_gap_m || row.to_gap_m) {
+            const double longest_m = longest_gap_m(area);
+            if (longest_m < row.from_gap_m.value_or(longest_m) ||
+                longest_m > row.to_gap_m.value_or(longest_m)) {
+                return false;
+            }
+        }
         if (!row.from_dominant_height_m && !row.from_basal_area_m2pha) {
             return true;
         }
@@ -97,6 +109,34 @@ private:
         const forest::StandFigures figures = forest::figures_of(trees, species_, area.area_ha);
         return figures.dominant_height_m >= row.from_dominant_height_m.value_or(0.0) &&
                figures.basal_area_m2pha >= row.from_basal_area_m2pha.value_or(0.0);
+    }
+
+    /// Stem wood of trees that wind, snow and beetles took from an area this year.
+    [[nodiscard]] double damage_m3pha(const Area& area) const {
+        double sum_m3 = 0.0;
+        for (const auto& [tree, cause] : stand_.deaths()) {
+            const bool is_damage = cause == forest::Cause::wind || cause == forest::Cause::snow ||
+                                   cause == forest::Cause::beetle;
+            if (is_damage && forest::belongs(area.place, stand_.grid(), tree.x_m, tree.y_m)) {
+                sum_m3 += tree.stems * forest::stem_volume_m3(species_[tree.species].allometry, tree.dbh_cm,
+                                                              tree.height_m);
+            }
+        }
+        return sum_m3 / area.area_ha;
+    }
+
+    /// Of the gaps along the fall line that touch an area, each with its whole length.
+    [[nodiscard]] double longest_gap_m(const Area& area) const {
+        const forest::PatchGrid& grid = stand_.grid();
+        const std::vector<char> open = forest::open_patches(grid, stand_.trees());
+        const std::vector<forest::Gap> gaps = forest::gaps_along_fall_line(grid, open);
+        const forest::Patch* first = grid.patches().data();
+        return forest::figures_of(grid, open, gaps,
+                                  [&](const forest::Patch& patch) {
+                                      const forest::PatchId id{static_cast<std::uint32_t>(&patch - first)};
+                                      return std::binary_search(area.patches.begin(), area.patches.end(), id);
+                                  })
+            .max_m;
     }
 
     [[nodiscard]] std::optional<int> cleared(std::size_t intervention, const Area& area) const {

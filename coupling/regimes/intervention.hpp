@@ -81,6 +81,9 @@ struct Intervention {
     std::optional<double> from_dominant_height_m{};
     std::optional<double> from_basal_area_m2pha{};
     std::optional<double> from_relative_density{};
+    std::optional<double> from_damage_m3pha{};  ///< by wind, snow and beetles, in the year
+    std::optional<double> from_gap_m{};         ///< longest along the fall line
+    std::optional<double> to_gap_m{};
 
     Ground ground{};
 
@@ -112,7 +115,7 @@ struct Intervention {
     /// Whether the state of an area decides, beside the calendar.
     [[nodiscard]] bool has_condition() const {
         return from_age_years || to_age_years || from_dominant_height_m || from_basal_area_m2pha ||
-               from_relative_density;
+               from_relative_density || from_damage_m3pha || from_gap_m || to_gap_m;
     }
 };
 

@@ -47,16 +47,18 @@ Snag stump_of(const Tree& tree, double height_m, int year) {
             .sound_kg = tree.stem_kg * stem_part(tree.height_m, 0.0, height_m)};
 }
 
-/// The log that is left of a felled tree, obliquely to one side of the fall line or the other.
-Log left_log(const Stand& stand, const Tree& tree, const Felling& how, double side) {
-    const Snag stem = stump_of(tree, tree.height_m, stand.year());
-    const double to_m = how.log_length_m > 0.0
-                            ? std::min(tree.height_m, how.stump_height_m + how.log_length_m)
-                            : tree.height_m;
-    const Patch& patch = stand.grid()[tree.patch];
+/// Obliquely to one side of the fall line or the other.
+double across_rad(const Patch& patch, const Felling& how, double side) {
     const double turn_rad = how.to_fall_line.in_radians() * (side < 0.5 ? -1.0 : 1.0);
-    const double down_rad = 0.5 * std::numbers::pi - patch.aspect.in_radians();
-    Log log = log_of_piece(stem, how.stump_height_m, to_m, down_rad + turn_rad);
+    return 0.5 * std::numbers::pi - patch.aspect.in_radians() + turn_rad;
+}
+
+/// The log that is left of a felled tree, obliquely to one side of the fall line or the other.
+Log left_log(const Patch& patch, const Snag& stem, const Felling& how, double side) {
+    const double to_m = how.log_length_m > 0.0
+                            ? std::min(stem.height_m, how.stump_height_m + how.log_length_m)
+                            : stem.height_m;
+    Log log = log_of_piece(stem, how.stump_height_m, to_m, across_rad(patch, how, side));
     log.clearance_m = clearance_without_branches * fresh_clearance_m;
     log.origin = LogOrigin::felled_crosswise;
     log.anchored = how.anchored;
@@ -144,11 +146,18 @@ Timber fell(Stand& stand, const SpeciesTable& species, std::span<const std::size
             sum.left_m3 += tree.stems * stem_m3;  // too thin to be worth hauling, or to be followed
             continue;
         }
+        if (how.girdled) {
+            stumps.push_back(stump_of(tree, tree.height_m, stand.year()));
+            stumps.back().cut = false;
+            sum.left_m3 += tree.stems * stem_m3;
+            continue;
+        }
         double left_share = stem_part(tree.height_m, 0.0, how.stump_height_m);
         stumps.push_back(stump_of(tree, how.stump_height_m, stand.year()));
         const config::FourUniforms u = chance_of(stand, tree.id, 1, seed, replicate);
         if (tree.dbh_cm >= least_left_cm && u[0] < how.left_share && how.stump_height_m < tree.height_m) {
-            logs.push_back(left_log(stand, tree, how, u[1]));
+            logs.push_back(
+                left_log(stand.grid()[tree.patch], stump_of(tree, tree.height_m, stand.year()), how, u[1]));
             left_share +=
                 stem_part(tree.height_m, how.stump_height_m, how.stump_height_m + logs.back().length_m);
         }
@@ -167,11 +176,14 @@ Timber fell(Stand& stand, const SpeciesTable& species, std::span<const std::size
 }
 
 Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& area, double share,
-               int oldest_years, std::uint64_t seed, std::uint32_t replicate) {
+               int oldest_years, const Felling& how, std::uint64_t seed, std::uint32_t replicate) {
     Timber timber = empty_timber(species);
     const auto taken = [&](TreeId tree, double x_m, double y_m, int year) {
         return stand.year() - year <= oldest_years && belongs(area, stand.grid(), x_m, y_m) &&
                chance_of(stand, tree, 2, seed, replicate)[0] < share;
+    };
+    const auto is_left = [&](const config::FourUniforms& u, double thick_cm) {
+        return thick_cm >= least_left_cm && u[1] < how.left_share;
     };
     SnagsAndLogs left;
     DeadWoodLoss loss;
@@ -182,8 +194,30 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
         }
         TimberClass& sum = timber.by_species[index_of(snag.species)][dbh_class_of(snag.dbh_cm)];
         sum.stems += 1.0;
-        sum.taken_m3 += volume_m3(snag, species);
-        loss.taken_kg += mass_kg(snag);
+        const double whole_kg = mass_kg(snag);
+        double left_kg = 0.0;
+        const auto keep = [&](const auto& piece) {
+            sum.left_m3 += volume_m3(piece, species);
+            left_kg += mass_kg(piece);
+        };
+        if (how.stump_height_m > 0.0) {
+            Snag stump = snag;
+            stump.cut = true;
+            stump.height_m = std::min(snag.height_m, how.stump_height_m);
+            stump.sound_kg = snag.sound_kg * stem_part(snag.tree_height_m, 0.0, stump.height_m) /
+                             stem_part(snag.tree_height_m, 0.0, snag.height_m);
+            keep(stump);
+            left.snags.push_back(stump);
+        }
+        const config::FourUniforms u = chance_of(stand, snag.tree, 2, seed, replicate);
+        if (is_left(u, snag.dbh_cm) && how.stump_height_m < snag.height_m) {
+            const auto patch = stand.grid().at(snag.x_m, snag.y_m);
+            left.logs.push_back(left_log(stand.grid()[*patch], snag, how, u[2]));
+            left.logs.back().year = stand.year();
+            keep(left.logs.back());
+        }
+        sum.taken_m3 += volume_m3(snag, species) * (1.0 - left_kg / whole_kg);
+        loss.taken_kg += whole_kg - left_kg;
     }
     for (const Log& log : stand.dead_wood().logs) {
         if (log.origin == LogOrigin::felled_crosswise || !taken(log.tree, log.x_m, log.y_m, log.year)) {
@@ -192,6 +226,18 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
         }
         TimberClass& sum = timber.by_species[index_of(log.species)][dbh_class_of(log.thick_end_cm)];
         sum.stems += 1.0;
+        const config::FourUniforms u = chance_of(stand, log.tree, 2, seed, replicate);
+        if (is_left(u, log.thick_end_cm)) {
+            const auto patch = stand.grid().at(log.x_m, log.y_m);
+            Log turned = log;
+            turned.direction_rad = across_rad(stand.grid()[*patch], how, u[2]);
+            turned.clearance_m = clearance_without_branches * fresh_clearance_m;
+            turned.origin = LogOrigin::felled_crosswise;
+            turned.anchored = how.anchored;
+            sum.left_m3 += volume_m3(turned, species);
+            left.logs.push_back(turned);
+            continue;
+        }
         sum.taken_m3 += volume_m3(log, species);
         loss.taken_kg += mass_kg(log);
     }

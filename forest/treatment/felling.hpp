@@ -37,6 +37,7 @@ struct Felling {
     double log_length_m = 0.0;  ///< of what is left; 0 = whole stems, else the thickest piece of it
     config::Angle to_fall_line = config::Angle::from_degrees(70.0);  ///< of the logs that are left
     bool anchored = true;       ///< behind stumps: loose logs roll once they are weak
+    bool girdled = false;       ///< killed by a ring and left standing: no stump, no timber, no log
     double damage_share = 0.0;  ///< [0, 1], of standing trees within 5 m of a felled one that get a wound
 };
 
@@ -49,8 +50,10 @@ Timber fell(Stand& stand, const SpeciesTable& species, std::span<const std::size
             std::uint64_t seed, std::uint32_t replicate);
 
 /// Takes dead wood of at most `oldest_years` out of an area: each snag and log with the chance `share`
-/// (0-0.9, what access allows). Stumps and logs of felling stay.
+/// (0-0.9, what access allows). Stumps and logs of felling stay. Felled snags leave a stump; a share of the
+/// stems from 15 cm on is left lying obliquely across the slope as fell() leaves it: snags and thrown stems
+/// alike.
 Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& area, double share,
-               int oldest_years, std::uint64_t seed, std::uint32_t replicate);
+               int oldest_years, const Felling& how, std::uint64_t seed, std::uint32_t replicate);
 
 }  // namespace forest

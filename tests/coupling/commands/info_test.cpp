@@ -47,8 +47,9 @@ TEST(Info, PrintsShippedTables) {
 TEST(Info, ListsTheColumnsOfRegimesAndPrintsShippedOnes) {
     const std::string text = info_on("regimes");
     EXPECT_NE(text.find("  pfm1\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("\nstump_height_m          1.0-1.3 for high stumps; for all cuts; default 0.3"),
-              std::string::npos)
+    EXPECT_NE(
+        text.find("\nstump_height_m          1.0-1.3 for high stumps; for all cuts, salvage; default 0.3"),
+        std::string::npos)
         << text;
     EXPECT_NE(info_on("pfm1").find("slits,clear_cut,0,20"), std::string::npos);
 }

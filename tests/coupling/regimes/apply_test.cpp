@@ -52,7 +52,8 @@ TEST(Apply, AccountsForEveryKindOfCut) {
           "treatment,where,width_m,angle_deg,length_m,lines_m\nclear_cut,slits,10,45,30,30\n",
           "treatment,where,stands\nclear_cut,stands,2\n",
           "treatment,to_basal_area_m2pha\nthin_to_basal_area,10\n",
-          "treatment,only_species\nclear_cut,piab\n", "treatment,retain_pha\nclear_cut,50\n",
+          "treatment,only_species\nclear_cut,piab\n", "treatment,girdled\nclear_cut,yes\n",
+          "treatment,retain_pha\nclear_cut,50\n",
           "treatment,where,lines,width_m\nclear_cut,corridors,lines.csv,12\n",
           "treatment,where,polygons\nclear_cut,polygons,areas.csv\n"}) {
         SCOPED_TRACE(table);
@@ -178,7 +179,7 @@ TEST(Apply, SalvagesFreshDeadWood) {
     const Worked worked{"treatment,share,oldest_years\nsalvage,1,2\n", stand};
     EXPECT_EQ(worked.report.entries[0].stems, 1.0);
     EXPECT_GT(worked.report.entries[0].taken_m3, 0.5);
-    EXPECT_EQ(worked.stand.dead_wood().snags.size(), 1U);
+    EXPECT_EQ(worked.stand.dead_wood().snags.size(), 2U) << "the old one, and a stump";
 }
 
 TEST(Apply, FellsATreeOnceAndPlantsLast) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "forest/tables.hpp"
@@ -100,6 +101,54 @@ TEST(AgeOf, IsThatOfTheThickestHundredPerHectare) {
     EXPECT_NEAR(age_of(stand, all, 0.16, std::nullopt), 120.0, 1e-9);
     EXPECT_NEAR(age_of(stand, all, 0.16, 7), 7.0, 1e-9);
     EXPECT_EQ(age_of(stand, {}, 0.16, std::nullopt), 0.0);
+}
+
+TEST(DueIn, WaitsForDamageOfTheYear) {
+    const auto due = [](const forest::Stand& stand, double damage_m3pha) {
+        const Regime regime = regime_of("treatment,every_years,share,from_damage_m3pha\nsalvage,1,0.8," +
+                                            std::to_string(damage_m3pha) + '\n',
+                                        stand.grid());
+        return !due_in(regime, 3, stand, species_table(), {}).empty();
+    };
+    forest::Stand stand = spruce_stand(4);
+    EXPECT_FALSE(due(stand, 1.0)) << "nothing has fallen";
+    const double before_m3 = volume_m3(stand);
+    std::vector<forest::Removal> removals;
+    for (std::size_t i = 0; i < 10; ++i) {
+        removals.push_back({stand.trees()[i].id, forest::Cause::wind});
+    }
+    removals.push_back({stand.trees()[20].id, forest::Cause::self_thinning});
+    const forest::Tree& crowded = stand.trees()[20];
+    const double crowded_m3 =
+        forest::stem_volume_m3(species_table()[crowded.species].allometry, crowded.dbh_cm, crowded.height_m);
+    stand.remove_trees(removals);
+    const double thrown_m3pha = (before_m3 - volume_m3(stand) - crowded_m3) / stand.grid().area_ha();
+    EXPECT_TRUE(due(stand, thrown_m3pha - 0.01)) << "what stood too close does not count";
+    EXPECT_FALSE(due(stand, thrown_m3pha + 0.01));
+}
+
+TEST(DueIn, WaitsForTheLengthOfAGap) {
+    forest::Stand stand = spruce_stand(6);
+    const auto due = [&](const std::string& column, double gap_m) {
+        const Regime regime = regime_of(
+            "treatment,share," + column + "\nthin_below,0.2," + std::to_string(gap_m) + '\n', stand.grid());
+        return !due_in(regime, 0, stand, species_table(), {}).empty();
+    };
+    EXPECT_TRUE(due("to_gap_m", 5.0)) << "the stand is closed";
+    EXPECT_FALSE(due("from_gap_m", 5.0));
+    std::vector<forest::Removal> removals;
+    for (const forest::Tree& tree : stand.trees()) {
+        if (tree.x_m < 10.0 && tree.y_m < 40.0) {
+            removals.push_back({tree.id, forest::Cause::felled});
+        }
+    }
+    stand.remove_trees(removals);
+    // Four patches down a slope of 30 degrees.
+    const double length_m = 40.0 / std::cos(30.0 * M_PI / 180.0);
+    EXPECT_TRUE(due("from_gap_m", length_m - 1.0));
+    EXPECT_FALSE(due("from_gap_m", length_m + 1.0));
+    EXPECT_FALSE(due("to_gap_m", length_m - 1.0));
+    EXPECT_TRUE(due("to_gap_m", length_m + 1.0));
 }
 
 }  // namespace

@@ -126,13 +126,78 @@ TEST(Salvage, TakesItsShareOfFreshDeadWoodAndLeavesWhatWasLeftOnPurpose) {
                                      .species = spruce,
                                      .origin = LogOrigin::felled_crosswise,
                                      .year = 2000}});
-    const Timber timber = salvage(stand, table, {}, 0.6, 2, 1, 0);
+    const Timber timber = salvage(stand, table, {}, 0.6, 2, {.stump_height_m = 0.0}, 1, 0);
     EXPECT_NEAR(timber.total().stems / 1000.0, 0.6, 4.0 * std::sqrt(0.24 / 1000.0));
     EXPECT_EQ(static_cast<double>(stand.dead_wood().snags.size()), 2000.0 - timber.total().stems);
     EXPECT_EQ(stand.dead_wood().logs.size(), 1U);
     EXPECT_NEAR(stand.balance().dead_wood_taken_kg, 300.0 * timber.total().stems, 1e-6);
     EXPECT_NEAR(timber.total().taken_m3 * table[spruce].allometry.stem_density_kgpm3,
                 stand.balance().dead_wood_taken_kg, 1e-6);
+}
+
+TEST(Salvage, LeavesStumpsAndAShareOfTheStemsAcrossTheSlope) {
+    Stand stand = spruces(2);
+    std::vector<Snag> snags;
+    std::vector<Log> logs;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        snags.push_back({.tree = TreeId{100 + i},
+                         .x_m = 5.0,
+                         .y_m = 5.0,
+                         .species = spruce,
+                         .dbh_cm = 30.0,
+                         .tree_height_m = 25.0,
+                         .height_m = 25.0,
+                         .year = 2000,
+                         .sound_kg = 300.0});
+        logs.push_back({.tree = TreeId{2000 + i},
+                        .x_m = 5.0,
+                        .y_m = 5.0,
+                        .length_m = 20.0,
+                        .thick_end_cm = 30.0,
+                        .species = spruce,
+                        .origin = LogOrigin::windthrow,
+                        .year = 2000,
+                        .sound_kg = 280.0});
+    }
+    stand.add_snags(snags);
+    stand.add_logs(logs);
+    const double before_kg = stand.dead_wood_kg();
+    const Felling how{.stump_height_m = 1.0,
+                      .left_share = 0.3,
+                      .to_fall_line = config::Angle::from_degrees(60.0),
+                      .anchored = true};
+    const Timber timber = salvage(stand, table, {}, 1.0, 2, how, 1, 0);
+    EXPECT_EQ(timber.total().stems, 2000.0);
+    EXPECT_EQ(stand.dead_wood().snags.size(), 1000U) << "a stump of each snag";
+    for (const Snag& stump : stand.dead_wood().snags) {
+        EXPECT_TRUE(stump.cut);
+        EXPECT_EQ(stump.height_m, 1.0);
+    }
+    const auto left = static_cast<double>(stand.dead_wood().logs.size());
+    EXPECT_NEAR(left / 2000.0, 0.3, 4.0 * std::sqrt(0.21 / 2000.0));
+    const double down_rad = fall_line_of(stand.grid().patches().front()).in_radians();
+    for (const Log& log : stand.dead_wood().logs) {
+        EXPECT_EQ(log.origin, LogOrigin::felled_crosswise);
+        EXPECT_NEAR(std::abs(log.direction_rad - down_rad), 60.0 * M_PI / 180.0, 1e-9);
+    }
+    // What was there was taken or stays.
+    EXPECT_NEAR(stand.dead_wood_kg() + stand.balance().dead_wood_taken_kg, before_kg, 1e-6 * before_kg);
+    const double density_kgpm3 = table[spruce].allometry.stem_density_kgpm3;
+    EXPECT_NEAR(timber.total().taken_m3 * density_kgpm3, stand.balance().dead_wood_taken_kg,
+                1e-6 * before_kg);
+    EXPECT_NEAR(timber.total().left_m3 * density_kgpm3, stand.dead_wood_kg(), 1e-6 * before_kg);
+}
+
+TEST(Fell, LeavesGirdledTreesStanding) {
+    Stand stand = spruces(5);
+    const double height_m = stand.trees()[0].height_m;
+    const Timber timber = fell(stand, table, Picks{0}, {.left_share = 1.0, .girdled = true}, 1, 0);
+    ASSERT_EQ(stand.dead_wood().snags.size(), 1U);
+    EXPECT_TRUE(stand.dead_wood().logs.empty());
+    EXPECT_FALSE(stand.dead_wood().snags[0].cut) << "a snag, not a stump";
+    EXPECT_EQ(stand.dead_wood().snags[0].height_m, height_m);
+    EXPECT_EQ(timber.total().taken_m3, 0.0);
+    EXPECT_GT(timber.total().left_m3, 0.0);
 }
 
 TEST(Timber, AddsUp) {

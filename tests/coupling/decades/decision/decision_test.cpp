@@ -105,19 +105,20 @@ TEST(Verdict, NamesTheCheapestRegimeThatKeepsProtectionInAllClimates) {
     const SomeDecision some{{equal(20, 95.0), equal(20, 84.0), equal(20, 91.0), equal(20, 93.0)},
                             {0, 0, -100, -100}};
     const std::string words = some.words();
-    EXPECT_TRUE(has(words,
-                    "pfm1 is the cheapest regime that keeps protection of at least 90 % in all years with "
-                    "rocks (5 to 10) with a probability of 80 %, in each of 2 climates"))
+    EXPECT_TRUE(
+        has(words,
+            "Regime pfm1 is the cheapest regime that keeps protection of at least 90 % in all years with "
+            "rocks (5 to 10) with a probability of 80 %, in each of 2 climates"))
         << words;
-    EXPECT_FALSE(has(words, "none")) << "it fails in the warm climate: " << words;
+    EXPECT_FALSE(has(words, "regime none")) << "it fails in the warm climate: " << words;
 }
 
 TEST(Verdict, TakesTheCheaperOfTwoAndSaysHowMuchTheOtherCosts) {
     const SomeDecision some{{equal(20, 95.0), equal(20, 95.0), equal(20, 95.0), equal(20, 95.0)},
                             {0, 0, -100, -100}};
     const std::string words = some.words();
-    EXPECT_TRUE(has(words, "none is the cheapest regime")) << words;
-    EXPECT_TRUE(has(words, "pfm1 keeps it too")) << words;
+    EXPECT_TRUE(has(words, "Regime none is the cheapest regime")) << words;
+    EXPECT_TRUE(has(words, "Regime pfm1 keeps it too")) << words;
 }
 
 TEST(Verdict, SaysThatNoneKeepsIt) {
@@ -125,7 +126,7 @@ TEST(Verdict, SaysThatNoneKeepsIt) {
                             {0, 0, 0, 0}};
     const std::string words = some.words();
     EXPECT_TRUE(has(words, "No regime keeps protection of at least 90 %")) << words;
-    EXPECT_TRUE(has(words, "pfm1 loses least: where it is worst in climate warm, 0 of 20 replicates"))
+    EXPECT_TRUE(has(words, "Regime pfm1 loses least: where it is worst in climate warm, 0 of 20 replicates"))
         << words;
 }
 
@@ -133,7 +134,7 @@ TEST(Verdict, OfThreeReplicatesSaysHowManyWouldDecide) {
     const SomeDecision some{{equal(3, 80.0), equal(3, 80.0), equal(3, 95.0), equal(3, 95.0)}, {0, 0, 0, 0}};
     const std::string words = some.words();
     EXPECT_TRUE(has(words, "No regime is known to keep")) << words;
-    EXPECT_TRUE(has(words, "Undecided is pfm1")) << words;
+    EXPECT_TRUE(has(words, "Undecided is regime pfm1")) << words;
     EXPECT_TRUE(
         has(words, "3 of 3 replicates keep it (90 % interval 37 to 100 %); about 14 replicates would decide"))
         << words;

@@ -121,7 +121,7 @@ TEST(WriteDecadePage, TellsMeansOfStartMiddleAndEnd) {
         << row_of(page, "Increment, m³/ha a year");
     EXPECT_NE(row_of(page, "Felled, m³/ha a year").find("<td>1.50<"), std::string::npos);
     EXPECT_NE(row_of(page, "Removed from the forest, m³/ha a year").find("<td>1.20<"), std::string::npos);
-    EXPECT_NE(row_of(page, "Left lying of the felled, m³/ha a year").find("<td>0.30<"), std::string::npos);
+    EXPECT_NE(row_of(page, "Left of felled and salvaged, m³/ha a year").find("<td>0.30<"), std::string::npos);
     EXPECT_NE(row_of(page, "Mortality, m³/ha a year").find("<td>2.50<"), std::string::npos);
     EXPECT_NE(page.find("Volume 100 → <b>340</b>"), std::string::npos);
 }
