@@ -169,7 +169,7 @@ TEST(Rooms, KeepTheMathematicalLibraryOutOfFallAndForest) {
         "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|log|log2|log10|pow|cbrt|hypot)\\(";
     for (const std::string room :
          {"rockfall/motion", "rockfall/obstacles", "rockfall/tally", "rockfall/terrain", "rockfall/release",
-          "rockfall/virtual_surface", "forest"}) {
+          "rockfall/solids", "rockfall/virtual_surface", "forest"}) {
         EXPECT_EQ(users_of(elementary, room), nobody) << room;
     }
     EXPECT_EQ(users_of(elementary, "config/math"), nobody);
