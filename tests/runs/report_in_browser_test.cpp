@@ -107,7 +107,8 @@ TEST(ReportInBrowser, ShowsTheExampleOverYearsWithoutAComplaint) {
     const Outcome run = shell(project,
                               "\"$bannwald\" init x --example regimes-small > /dev/null && "
                               "\"$bannwald\" run x/scenario.ini --quiet --out out --set run.years=2 "
-                              "--set run.replicates=2 --set release.rocks=50 --set 'output.map_years=0, 2' "
+                              "--set run.replicates=2 --set run.rockfall_every=1 --set release.rocks=50 "
+                              "--set 'output.map_years=0, 2' "
                               "--set 'output.tree_list_years=0, 2' --set 'regimes.list=none, pfm1'\n");
     ASSERT_EQ(run.code, 0) << run.err;
     expect_readable_with_and_without_webgl(project);
