@@ -16,11 +16,15 @@ namespace rockfall {
 struct SurfaceType {
     int code = 0;  ///< in the user's surface grid
     std::string label;
-    Restitution restitution;         ///< published coefficients, below the reference speed
+    Restitution restitution;         ///< below the reference speed, with the laws of the default
+    std::optional<Restitution> published;  ///< of the paper, where fitted ones stand above
     double jump_angle_factor = 1.0;  ///< jump angles on this ground by those of the law [-]
     StopCurve stopping;              ///< probability that a ground impact stops a rock [-]
     StopCurve rolling_stops_per_m;   ///< rate at which a rolling rock is caught [1/m]
     std::optional<Soil> soil;        ///< for motion models that take the ground from soils
+
+    /// The coefficients before any fit.
+    [[nodiscard]] Restitution as_published() const { return published.value_or(restitution); }
 };
 
 /// The ground that rocks fall on.

@@ -130,7 +130,7 @@ void Options::free_section(std::string name) {
 
 bool Options::is_free(const std::string& section) const {
     return std::any_of(free_sections_.begin(), free_sections_.end(), [&](const std::string& name) {
-        return name == section || (name.ends_with(':') && section.starts_with(name));
+        return name == section || ((name.ends_with(':') || name.ends_with('.')) && section.starts_with(name));
     });
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/ground_changes.hpp"
 #include "coupling/inputs/profile_settings.hpp"
 #include "coupling/inputs/scenario_checks.hpp"
 #include "coupling/inputs/start_settings.hpp"
@@ -251,6 +252,7 @@ std::filesystem::path Scenario::resolve(const std::string& name) const {
 void declare(config::Options& options, Scenario& scenario) {
     declare_run(options, scenario);
     declare_terrain(options, scenario);
+    GroundChanges::declare(options);
     declare_profile(options, scenario);
     options.text("trees.file", scenario.trees,
                  {.meaning = "CSV with tree_id, x_m, y_m, species, dbh_cm, height_m; none: bare slope only"});

@@ -8,6 +8,7 @@
 #include "config/data/shipped_tables.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
+#include "coupling/inputs/ground_changes.hpp"
 #include "coupling/inputs/ground_soils.hpp"
 #include "coupling/inputs/stopping_input.hpp"
 
@@ -18,9 +19,6 @@ namespace {
 using config::joined;
 using Knots = std::vector<std::pair<double, double>>;
 
-constexpr config::NumberRange restitution_range{.low = 0.0, .high = rockfall::largest_restitution};
-constexpr config::NumberRange angle_factor_range{.low = 0.1, .high = 10.0};
-constexpr config::NumberRange probability_range{.low = 0.0, .high = 1.0};
 constexpr config::NumberRange code_range{.low = 0.0, .high = 1e6};
 constexpr std::size_t most_types = 255;  // the map keeps a byte for each cell, 255 for none
 
@@ -29,18 +27,37 @@ config::Table shipped(const std::string& name) {
     return config::Table::read(in, name);
 }
 
+std::vector<std::string> names_of(const std::vector<ShippedSurface>& surfaces) {
+    std::vector<std::string> names;
+    for (const ShippedSurface& surface : surfaces) {
+        names.push_back(surface.name);
+    }
+    return names;
+}
+
 /// Reads the table of ground types row by row.
 class TypeReader {
 public:
     TypeReader(const config::Table& table, std::map<std::string, StoppingCurves> stopping,
                std::vector<rockfall::Soil> soils, const rockfall::ModelDescription& model,
-               config::Problems& problems)
+               const config::Options& settings, config::Problems& problems)
         : table_{table},
           stopping_{std::move(stopping)},
           soils_{std::move(soils)},
           model_{model},
-          shipped_{shipped_surfaces()},
+          shipped_{shipped_surfaces(settings)},
+          changes_{settings, names_of(shipped_)},
           problems_{problems} {}
+
+    /// Of the codes in [ground.CODE] that no row has, the places.
+    [[nodiscard]] std::vector<config::Place> unused_changes(
+        const std::vector<rockfall::SurfaceType>& types) const {
+        std::vector<std::string> names = names_of(shipped_);
+        for (const rockfall::SurfaceType& type : types) {
+            names.push_back(std::to_string(type.code));
+        }
+        return changes_.of_others_than(names);
+    }
 
     std::vector<rockfall::SurfaceType> all() {
         std::vector<rockfall::SurfaceType> types;
@@ -81,10 +98,14 @@ private:
             value(row, "r_n", restitution_range, like ? &like->type.restitution.normal : nullptr);
         type.restitution.tangential =
             value(row, "r_t", restitution_range, like ? &like->type.restitution.tangential : nullptr);
+        if (like != nullptr && !has_value(table_, row, "r_n") && !has_value(table_, row, "r_t")) {
+            type.published = like->type.published;
+        }
         const double usual_angle = like ? like->type.jump_angle_factor : 1.0;
         type.jump_angle_factor = value(row, "jump_angle_factor", angle_factor_range, &usual_angle);
         read_stopping(row, like, type);
         type.soil = soil_of(row, like);
+        changes_.apply(std::to_string(type.code), type);
         return type;
     }
 
@@ -120,7 +141,7 @@ private:
         if (has_curves && curves->second.has_rolling) {
             type.rolling_stops_per_m = curves->second.rolling_stops_per_m;
         } else if (has_value(table_, row, "rolling_stops_per_m")) {
-            const double rate = value(row, "rolling_stops_per_m", {.low = 0.0, .high = 100.0}, nullptr);
+            const double rate = value(row, "rolling_stops_per_m", rolling_stops_range, nullptr);
             type.rolling_stops_per_m = rockfall::StopCurve{{{1.0, rate}}};
         } else if (like != nullptr) {
             type.rolling_stops_per_m = like->type.rolling_stops_per_m;
@@ -132,14 +153,12 @@ private:
             return nullptr;
         }
         const std::string& name = table_.text(row, "like");
-        std::vector<std::string> names;
-        for (const ShippedSurface& surface : shipped_) {
-            if (surface.name == name) {
-                return &surface;
-            }
-            names.push_back(surface.name);
+        const auto found = std::find_if(shipped_.begin(), shipped_.end(),
+                                        [&](const ShippedSurface& surface) { return surface.name == name; });
+        if (found != shipped_.end()) {
+            return &*found;
         }
-        const std::string nearest = config::nearest_word(name, names);
+        const std::string nearest = config::nearest_word(name, names_of(shipped_));
         refuse(row, "like", config::in_quotes(name),
                "a shipped ground type" + (nearest.empty() ? "" : " (" + nearest + "?)"),
                "`bannwald info surfaces` prints them");
@@ -172,6 +191,7 @@ private:
     std::vector<rockfall::Soil> soils_;
     const rockfall::ModelDescription& model_;
     std::vector<ShippedSurface> shipped_;
+    GroundChanges changes_;
     config::Problems& problems_;
 };
 
@@ -189,6 +209,17 @@ void doubt_sizes_beyond(const std::map<std::string, StoppingCurves>& stopping,
                               " m: beyond its ends a table keeps its last value");
         }
     }
+}
+
+/// Without a table of ground types there are no codes that a setting could change.
+void refuse_codes(const config::Options& settings) {
+    const std::vector<std::string> names = names_of(shipped_surfaces());
+    config::Problems problems;
+    for (const config::Place& place : GroundChanges{settings, names}.of_others_than(names)) {
+        problems.add(config::ExitCode::settings, place, "a code without terrain.surface_types",
+                     "a name of `bannwald info surfaces`");
+    }
+    problems.throw_if_any();
 }
 
 std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange& rocks, Reading& reading) {
@@ -213,8 +244,12 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const rockfall::ModelDescription& model =
         rockfall::description_of(reading.scenario().rockfall.fall.motion.model);
-    TypeReader reader{table, std::move(stopping), read_ground_soils(reading), model, problems};
+    TypeReader reader{table, std::move(stopping),           read_ground_soils(reading),
+                      model, *reading.scenario().options, problems};
     std::vector<rockfall::SurfaceType> types = reader.all();
+    for (const config::Place& place : reader.unused_changes(types)) {
+        problems.add(config::ExitCode::settings, place, "a code without a row", "a code of " + table.file());
+    }
     if (types.empty() || types.size() >= most_types) {
         problems.add(config::ExitCode::data, {table.file()}, counted(types.size(), "ground type"), "1 to 254",
                      "give each ground of the map a row, and similar grounds one code");
@@ -261,8 +296,12 @@ std::vector<ShippedSurface> shipped_surfaces() {
         ShippedSurface surface;
         surface.name = table.text(row, "name");
         surface.type.label = table.text(row, "label");
-        surface.type.restitution = {table.number(row, "r_n", restitution_range, problems).value_or(0.0),
-                                    table.number(row, "r_t", restitution_range, problems).value_or(0.0)};
+        const double r_n = table.number(row, "r_n", restitution_range, problems).value_or(0.0);
+        const auto restitution = [&](const char* r_t) {
+            return rockfall::Restitution{r_n, table.number(row, r_t, restitution_range, problems).value_or(0.0)};
+        };
+        surface.type.restitution = restitution("r_t");
+        surface.type.published = restitution("r_t_published");
         surface.type.jump_angle_factor =
             table.number(row, "jump_angle_factor", angle_factor_range, problems).value_or(1.0);
         surface.type.stopping = curves.at(surface.name).stopping;
@@ -274,10 +313,22 @@ std::vector<ShippedSurface> shipped_surfaces() {
     return surfaces;
 }
 
+std::vector<ShippedSurface> shipped_surfaces(const config::Options& settings) {
+    std::vector<ShippedSurface> surfaces = shipped_surfaces();
+    const GroundChanges changes{settings, names_of(surfaces)};
+    for (ShippedSurface& surface : surfaces) {
+        changes.apply(surface.name, surface.type);
+    }
+    return surfaces;
+}
+
 std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(const rockfall::DiameterRange& rocks,
                                                                      Reading& reading) {
     if (reading.scenario().surface_types.empty()) {
-        return std::vector<rockfall::SurfaceType>{};
+        return reading.attempt([&] {
+            refuse_codes(*reading.scenario().options);
+            return std::vector<rockfall::SurfaceType>{};
+        });
     }
     return reading.attempt([&] { return read_type_table(rocks, reading); });
 }
@@ -286,14 +337,14 @@ std::optional<rockfall::SurfaceType> uniform_ground(const Scenario& scenario) {
     if (scenario.ground.empty()) {
         return std::nullopt;
     }
-    std::vector<std::string> names;
-    for (const ShippedSurface& surface : shipped_surfaces()) {
-        if (surface.name == scenario.ground) {
-            return surface.type;
-        }
-        names.push_back(surface.name);
+    const std::vector<ShippedSurface> shipped = shipped_surfaces(*scenario.options);
+    const auto found =
+        std::find_if(shipped.begin(), shipped.end(),
+                     [&](const ShippedSurface& surface) { return surface.name == scenario.ground; });
+    if (found != shipped.end()) {
+        return found->type;
     }
-    const std::string nearest = config::nearest_word(scenario.ground, names);
+    const std::string nearest = config::nearest_word(scenario.ground, names_of(shipped));
     config::fail(config::ExitCode::settings, scenario.options->place_of("terrain.ground"),
                  "terrain.ground " + config::in_quotes(scenario.ground),
                  nearest.empty() ? "a name of `bannwald info surfaces`" : config::in_quotes(nearest));

@@ -12,6 +12,12 @@
 
 namespace coupling {
 
+/// What the columns of a ground type may hold.
+inline constexpr config::NumberRange restitution_range{.low = 0.0, .high = rockfall::largest_restitution};
+inline constexpr config::NumberRange angle_factor_range{.low = 0.1, .high = 10.0};
+inline constexpr config::NumberRange probability_range{.low = 0.0, .high = 1.0};
+inline constexpr config::NumberRange rolling_stops_range{.low = 0.0, .high = 100.0};
+
 /// A row of config/data/surfaces.csv with its rows of stopping.csv.
 struct ShippedSurface {
     std::string name;
@@ -19,6 +25,8 @@ struct ShippedSurface {
 };
 
 std::vector<ShippedSurface> shipped_surfaces();
+/// The same with what sections `[ground.NAME]` of these settings change. Throws as GroundChanges does.
+std::vector<ShippedSurface> shipped_surfaces(const config::Options& settings);
 
 /// Stopping probability by rock diameter where only that of a rock of 0.95 m is known: scaled by
 /// config/data/stopping_size.csv, at most 1.

@@ -22,10 +22,11 @@ constexpr std::size_t most_types = 255;
 /// Ground types by what the profile calls them: codes of terrain.surface_types, names of shipped types.
 class GroundTypes {
 public:
-    GroundTypes(std::vector<rockfall::SurfaceType> own, std::optional<rockfall::SurfaceType> elsewhere)
+    GroundTypes(std::vector<rockfall::SurfaceType> own, std::optional<rockfall::SurfaceType> elsewhere,
+                const config::Options& settings)
         : types_{std::move(own)},
           own_{types_.size()},
-          shipped_{shipped_surfaces()},
+          shipped_{shipped_surfaces(settings)},
           place_of_shipped_(shipped_.size()) {
         if (elsewhere) {
             elsewhere_ = types_.size();
@@ -234,7 +235,7 @@ std::optional<Files> read_files(Reading& reading) {
     }
     return reading.attempt([&] {
         const config::Table table = reading.table("terrain.profile", "profile", reading.scenario().profile);
-        GroundTypes types{std::move(*own), std::move(*elsewhere)};
+        GroundTypes types{std::move(*own), std::move(*elsewhere), *reading.scenario().options};
         config::Problems problems;
         Files files;
         files.corners = corners_of(table, types, problems);

@@ -18,7 +18,7 @@ namespace {
 /// The ground types of a profile, each once, moved as the recipe wants.
 class Ground {
 public:
-    Ground(const Recipe& recipe, const Profile& profile) : known_{shipped_surfaces()} {
+    Ground(const Recipe& recipe, const Profile& profile) : known_{shipped_surfaces(*recipe.options)} {
         for (const ProfileCorner& corner : profile) {
             if (index_of(corner.surface) == names_.size()) {
                 names_.push_back(corner.surface);
@@ -47,8 +47,12 @@ private:
             type.stopping = type.stopping.times(recipe.p_stop_factor, 1.0);
             type.rolling_stops_per_m = type.rolling_stops_per_m.times(recipe.p_stop_factor, most_per_m);
         }
-        type.restitution.tangential = std::clamp(type.restitution.tangential + recipe.rt_change, 0.0, most);
-        type.restitution.normal = std::clamp(type.restitution.normal + recipe.rn_change, 0.0, most);
+        const auto changed = [&](rockfall::Restitution restitution) {
+            return rockfall::Restitution{std::clamp(restitution.normal + recipe.rn_change, 0.0, most),
+                                         std::clamp(restitution.tangential + recipe.rt_change, 0.0, most)};
+        };
+        type.published = changed(type.as_published());
+        type.restitution = changed(type.restitution);
         return type;
     }
 
@@ -56,6 +60,22 @@ private:
     std::vector<std::string> names_;
     std::vector<rockfall::SurfaceType> types_;
 };
+
+/// The profile with corners where the relief has them, and its heights added.
+Profile with_relief(const Profile& profile, const Relief& relief) {
+    Profile rough;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const double to_m = i + 1 < profile.size() ? profile[i + 1].distance_m : profile[i].distance_m;
+        rough.push_back(profile[i]);
+        for (const double distance_m : relief.corners_m(profile[i].distance_m, to_m)) {
+            rough.push_back({distance_m, height_at(profile, distance_m), profile[i].surface});
+        }
+    }
+    for (ProfileCorner& corner : rough) {
+        corner.height_m += relief.at(corner.distance_m, 0.0);
+    }
+    return rough;
+}
 
 /// The profile with its first and last piece drawn out by the margin.
 Profile with_margins(const Profile& profile) {
@@ -70,7 +90,7 @@ Profile with_margins(const Profile& profile) {
 rockfall::Slope strip(const Recipe& recipe, const Profile& profile) {
     const Ground ground{recipe, profile};
     std::vector<rockfall::ProfilePoint> points;
-    for (const ProfileCorner& corner : with_margins(profile)) {
+    for (const ProfileCorner& corner : with_relief(with_margins(profile), recipe.relief)) {
         points.push_back({corner.distance_m, corner.height_m, ground.id_of(corner.surface)});
     }
     const rockfall::GroundLaw& law = recipe.rockfall.ground;
@@ -102,7 +122,8 @@ config::Raster<double> heights_of(const Recipe& recipe, const Profile& profile) 
         const double x_m = heights.frame.x_centre_m(cell.column);
         const double out =
             std::min(std::abs(heights.frame.y_centre_m(cell.row)) / recipe.channel_half_width_m, 1.0);
-        double height_m = height_at(profile, x_m) + recipe.channel_depth_m * out * out;
+        double height_m = height_at(profile, x_m) + recipe.channel_depth_m * out * out +
+                          recipe.relief.at(x_m, heights.frame.y_centre_m(cell.row));
         if (recipe.relief_m > 0.0) {
             config::RandomStream stream{{.seed = recipe.relief_seed, .id = i}, config::Purpose::relief};
             height_m += config::normal(stream.uniform(), 0.0, recipe.relief_m);

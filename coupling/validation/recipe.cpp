@@ -1,12 +1,16 @@
 #include "coupling/validation/recipe.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <sstream>
 #include <utility>
 
+#include "config/grid/ascii_grid.hpp"
 #include "config/options/ini.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/ground_changes.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/species_table.hpp"
 #include "coupling/inputs/start_settings.hpp"
@@ -72,6 +76,19 @@ void declare_terrain(config::Options& options, Recipe& r) {
     options.count(
         "terrain.relief_seed", r.relief_seed,
         {.low = 0.0, .high = 9007199254740992.0, .meaning = "key of the random heights of the relief"});
+    options.text("terrain.relief_file", r.relief_file,
+                 {.meaning = "grid of heights to lay on the slope: the relief of a real one; columns run down "
+                             "the slope, and its mirror image goes on beyond the grid"});
+    options.number("terrain.relief_shift_m", r.relief_shift_m,
+                   {.unit = "m",
+                    .low = -10'000.0,
+                    .high = 10'000.0,
+                    .meaning = "how far down the slope that grid is moved"});
+    options.number("terrain.relief_across_m", r.relief_across_m,
+                   {.unit = "m",
+                    .low = -10'000.0,
+                    .high = 10'000.0,
+                    .meaning = "how far to the left that grid is moved"});
     options.number("terrain.slope_change_deg", r.slope_change_deg,
                    {.unit = "deg",
                     .low = -14.0,
@@ -119,6 +136,28 @@ void declare_rest(config::Options& options, Recipe& r) {
                  {.meaning = "default, or a named set: strict, paper_rebound, paper_initial"});
     rockfall::declare(options, r.rockfall);
     options.free_section("factors");
+    GroundChanges::declare(options);
+}
+
+/// The relief that a recipe names.
+Relief read_relief(const CaseFiles& files, const Recipe& recipe) {
+    if (recipe.relief_file.empty()) {
+        return {};
+    }
+    const auto text = files.texts.find(recipe.relief_file);
+    if (text == files.texts.end()) {
+        config::fail(config::ExitCode::file, recipe.options->place_of("terrain.relief_file"),
+                     joined("no file ", config::in_quotes(recipe.relief_file), " in ", files.folder),
+                     "a grid of heights");
+    }
+    auto heights = std::make_shared<const config::Raster<double>>(
+        config::read_ascii_grid(text->second, files.shown(recipe.relief_file)));
+    if (std::any_of(heights->values.begin(), heights->values.end(),
+                    [](double height_m) { return std::isnan(height_m); })) {
+        config::fail(config::ExitCode::data, {files.shown(recipe.relief_file)}, "cells without a height",
+                     "a height in each cell: the relief is repeated over the slope");
+    }
+    return {std::move(heights), recipe.relief_shift_m, recipe.relief_across_m};
 }
 
 /// The words between commas, without blanks around them; an empty text has none.
@@ -160,9 +199,12 @@ private:
         if (recipe_.head.title.empty()) {
             refuse("case.title", "no case.title", "one line on what the case is");
         }
-        if (recipe_.head.kind != CaseKind::factors && !recipe_.options->free_entries().empty()) {
-            const config::FreeEntry& entry = recipe_.options->free_entries().front();
-            problems_.add(config::ExitCode::settings, entry.place, "section [factors]",
+        const std::vector<config::FreeEntry>& entries = recipe_.options->free_entries();
+        const auto factor = std::find_if(
+            entries.begin(), entries.end(),
+            [](const config::FreeEntry& entry) { return entry.section == "factors"; });
+        if (recipe_.head.kind != CaseKind::factors && factor != entries.end()) {
+            problems_.add(config::ExitCode::settings, factor->place, "section [factors]",
                           "case.kind = factors");
         }
         if (recipe_.head.kind == CaseKind::profile && recipe_.has_stand()) {
@@ -286,6 +328,7 @@ std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<st
     std::istringstream in{files.texts.at(recipe_file)};
     recipe->options->read(in, files.shown(recipe_file), overrides, "rockfall.preset");
     RecipeCheck{*recipe}.run();
+    recipe->relief = read_relief(files, *recipe);
     if (recipe->head.kind == CaseKind::profile) {
         rockfall::stay_in_plane(recipe->rockfall);
     }

@@ -7,6 +7,7 @@
 
 #include "config/options/options.hpp"
 #include "coupling/validation/case_files.hpp"
+#include "coupling/validation/relief.hpp"
 #include "rockfall/parameters.hpp"
 
 namespace coupling::validation {
@@ -74,6 +75,9 @@ struct Recipe {
     double cell_m = 2.5;
     double relief_m = 0.0;
     std::uint64_t relief_seed = 1;
+    std::string relief_file;
+    double relief_shift_m = 0.0;
+    double relief_across_m = 0.0;
     double slope_change_deg = 0.0;
 
     // [stand]
@@ -100,6 +104,7 @@ struct Recipe {
     // Worked out of the above.
     std::vector<Station> stations;
     std::vector<SpeciesShare> species;
+    Relief relief;  ///< of terrain.relief_file
     std::unique_ptr<config::Options> options;  ///< as declared, for listings and places
 
     [[nodiscard]] bool has_stand() const { return stems_per_ha > 0.0; }

@@ -10,11 +10,15 @@ struct Restitution {
     double tangential = 0.0;
 };
 
-/// How the published coefficients are varied.
+/// 30 ft/s, the constant of the Colorado Rockfall Simulation Program (Pfeiffer & Bowen 1989) [m/s].
+inline constexpr double pfeiffer_bowen_mps = 30.0 * 0.3048;
+
+/// How the coefficients of the ground are chosen and varied.
 struct RestitutionLaw {
+    bool fitted = true;   ///< shipped ground types with fitted coefficients; no: with published ones
     bool damping = true;  ///< both fall with impact speed, as picus/johnson_damping.hpp says
     /// Speed into the ground that halves the normal coefficient [m/s], see picus/normal_damping.hpp; 0: none.
-    double normal_halved_mps = 0.0;
+    double normal_halved_mps = pfeiffer_bowen_mps;
     double tangential_noise = 0.05;  ///< half width of the uniform noise on the tangential coefficient [-]
 };
 

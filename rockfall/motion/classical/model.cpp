@@ -15,15 +15,15 @@ constexpr std::array columns{
     GroundColumn<Law>{
         .name = "r_n",
         .from = types,
-        .value = [](const SurfaceType& type, const Law&, double) { return type.restitution.normal; }},
+        .value = [](const SurfaceType& type, const Law&, double) { return type.as_published().normal; }},
     GroundColumn<Law>{
         .name = "r_t",
         .from = types,
-        .value = [](const SurfaceType& type, const Law&, double) { return type.restitution.tangential; }},
+        .value = [](const SurfaceType& type, const Law&, double) { return type.as_published().tangential; }},
     GroundColumn<Law>{.name = "friction",
                       .from = "(1 - r_t) / r_t, or classical.friction_angle_deg",
                       .value = [](const SurfaceType& type, const Law& law,
-                                  double) { return friction_of(type.restitution, law); }},
+                                  double) { return friction_of(type.as_published(), law); }},
 };
 
 }  // namespace

@@ -23,8 +23,9 @@ double scattered(double mean, double deviation, double u) {
 Contact Motion::touch(const Eigen::Vector3d& velocity_mps, double, const Eigen::Vector3d& normal,
                       const SurfaceType& surface, const config::FourUniforms& draws) const {
     const Impact impact = split(velocity_mps, normal);
-    const double r_n = scattered(surface.restitution.normal, law_.restitution_deviation, draws[0]);
-    const double r_t = scattered(surface.restitution.tangential, law_.restitution_deviation, draws[1]);
+    const Restitution published = surface.as_published();
+    const double r_n = scattered(published.normal, law_.restitution_deviation, draws[0]);
+    const double r_t = scattered(published.tangential, law_.restitution_deviation, draws[1]);
     const config::Angle turn =
         config::Angle::from_radians((2.0 * draws[2] - 1.0) * law_.lateral.in_radians());
     const Eigen::Vector3d along_mps = r_t * impact.along_slope_mps * turned(impact.direction, normal, turn);
@@ -34,7 +35,7 @@ Contact Motion::touch(const Eigen::Vector3d& velocity_mps, double, const Eigen::
 }
 
 double Motion::friction(const SurfaceType& surface) const {
-    return friction_of(surface.restitution, law_);
+    return friction_of(surface.as_published(), law_);
 }
 
 EdgeWay Motion::way_over_edge(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& next_normal,

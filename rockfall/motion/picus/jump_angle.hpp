@@ -16,7 +16,7 @@ struct JumpAngleLaw {
     config::Angle coefficient = config::Angle::from_degrees(80.0);  ///< at 1 m/s
     double exponent = 0.74;                                         ///< [-]
     config::Angle cap = config::Angle::from_degrees(60.0);
-    double scatter = 0.3;  ///< standard deviation of ln(alpha) [-]; 0 gives the fitted curve
+    double scatter = 0.5;  ///< standard deviation of ln(alpha) [-]; 0 gives the fitted curve
 };
 
 /// Jump angle at a squared speed; `normal_draw` is a standard normal deviate that scatters it, `factor` that

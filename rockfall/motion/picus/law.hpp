@@ -22,7 +22,7 @@ struct Law {
     JumpAngleLaw jump_angle;
     bool jump_angle_by_ground = true;  ///< times the factor of the ground type
     bool stops_by_hop_length =
-        false;  ///< a hop counts for as many impacts as it is longer, see hop_share.hpp
+        true;  ///< a hop counts for as many impacts as it is longer, see hop_share.hpp
     bool blend_steep_impacts = true;
     LateralDeviation lateral;
     RollingLaw rolling;

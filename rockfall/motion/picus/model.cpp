@@ -21,11 +21,13 @@ constexpr std::array columns{
     GroundColumn<Law>{
         .name = "r_n",
         .from = types,
-        .value = [](const SurfaceType& type, const Law&, double) { return type.restitution.normal; }},
+        .value = [](const SurfaceType& type, const Law& law,
+                    double) { return restitution_of(type, law.restitution).normal; }},
     GroundColumn<Law>{
         .name = "r_t",
         .from = types,
-        .value = [](const SurfaceType& type, const Law&, double) { return type.restitution.tangential; }},
+        .value = [](const SurfaceType& type, const Law& law,
+                    double) { return restitution_of(type, law.restitution).tangential; }},
     GroundColumn<Law>{
         .name = "jump_angle_factor",
         .from = types,

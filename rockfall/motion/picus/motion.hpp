@@ -18,6 +18,11 @@
 
 namespace rockfall::picus {
 
+/// The coefficients of a ground type that the law asks for.
+inline Restitution restitution_of(const SurfaceType& surface, const RestitutionLaw& law) {
+    return law.fitted ? surface.restitution : surface.as_published();
+}
+
 /// One rock under the motion model of PICUS Rock'n'Roll; what a model must offer is in
 /// models.hpp.
 class Motion {
@@ -38,7 +43,8 @@ public:
 
     Contact touch(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
                   const SurfaceType& surface, const ContactDraws& draws) {
-        return meet_ground(velocity_mps, spin_radps, normal, surface.restitution,
+        const Restitution restitution = restitution_of(surface, law_.restitution);
+        return meet_ground(velocity_mps, spin_radps, normal, restitution,
                            surface_stops_.probability(surface), rock_, law_, draws,
                            surface.jump_angle_factor);
     }

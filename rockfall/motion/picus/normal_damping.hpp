@@ -4,9 +4,6 @@
 
 namespace rockfall::picus {
 
-/// 30 ft/s, the constant of the Colorado Rockfall Simulation Program (Pfeiffer & Bowen 1989) [m/s].
-inline constexpr double pfeiffer_bowen_mps = 30.0 * 0.3048;
-
 /// Restitution at the given speed into the ground: the normal coefficient is r_n / (1 + (v_n / v_half)^2).
 ///
 /// Pfeiffer & Bowen (1989), scaling factor of the Colorado Rockfall Simulation Program: a fast impact breaks

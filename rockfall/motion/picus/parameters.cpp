@@ -12,12 +12,18 @@ void declare_restitution(config::Options& options, Law& law) {
                   .source = "Rammer et al. 2010, Eqs. 7-8; Johnson 1985",
                   .presets = from_rebound_on("no"),
                   .formerly = "rockfall.damping"});
+    options.flag("picus.fitted_restitution", law.restitution.fitted,
+                 {.meaning = "shipped ground types have the r_t fitted to where rocks came to rest; no: that of "
+                             "the paper",
+                  .source = "fitted, see validation/README.md",
+                  .presets = published("no")});
     options.number("picus.normal_restitution_halved_mps", law.restitution.normal_halved_mps,
                    {.unit = "m/s",
                     .low = 0.0,
                     .high = 1000.0,
                     .meaning = "speed into the ground that halves the normal restitution; 0: none does",
-                    .source = "Pfeiffer & Bowen 1989, who have 9.14"});
+                    .source = "Pfeiffer & Bowen 1989",
+                    .presets = published("0")});
     options.number("picus.rt_noise", law.restitution.tangential_noise,
                    {.unit = "-",
                     .low = 0.0,
@@ -136,7 +142,8 @@ void declare_stopping(config::Options& options, Law& law) {
     options.flag(
         "picus.stops_by_hop_length", law.stops_by_hop_length,
         {.meaning = "a hop n times as long as the law's stops like n impacts; no: each impact counts",
-         .source = "choice, so that longer hops do not let more rocks pass"});
+         .source = "choice, so that longer hops do not let more rocks pass",
+         .presets = published("no")});
     options.number("picus.rest_speed_mps", law.stopping.slow_mps,
                    {.unit = "m/s",
                     .low = 0.0,
