@@ -30,6 +30,7 @@ constexpr std::array meaningless{
     Meaningless{"release.rocks_per_source", "release.rocks"},
     Meaningless{"release.random_place", "nothing: all rocks start at profile.start_m"},
     Meaningless{"release.start_scatter_deg", "nothing: rocks are not turned sideways along a profile"},
+    Meaningless{"observed.", "nothing: observed stops are compared on maps alone"},
     Meaningless{"targets.", "profile.stations_m or profile.stations"},
     Meaningless{"output.cell_size_m", "nothing: a profile has no maps"},
     Meaningless{"output.percentiles", "nothing: a profile has no maps"},

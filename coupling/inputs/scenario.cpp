@@ -268,6 +268,9 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_starts(options, scenario);
     options.text("targets.file", scenario.targets,
                  {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});
+    options.text("observed.stops", scenario.observed_stops,
+                 {.meaning = "where rocks of an event came to rest, to compare: x_m, y_m or wkt; perhaps "
+                             "zone, group, x_release_m, y_release_m"});
     declare_nets(options, scenario.nets);
     declare_hazard(options, scenario.hazard);
     declare_output(options, scenario);

@@ -83,6 +83,8 @@ struct Scenario {
     // [targets]
     std::string targets;  ///< CSV with WKT lines and polygons: target_id, name, wkt
 
+    std::string observed_stops;  ///< [observed]: where rocks came to rest; empty: unknown
+
     NetSettings nets;       ///< [nets]
     HazardSettings hazard;  ///< [hazard]
 

@@ -124,6 +124,22 @@ void check_hazard(const Scenario& s, SettingsChecker& checker) {
     }
 }
 
+/// Observed stops are held against rows of rocks.csv.
+void check_observed(const Scenario& s, SettingsChecker& checker) {
+    if (s.observed_stops.empty()) {
+        return;
+    }
+    if (s.years != 0 || wants_hazard_map(s)) {
+        checker.refuse("observed.stops",
+                       joined("observed.stops beside ", s.years != 0 ? "run.years" : "hazard.blocks"),
+                       "an assessment of today: the rocks of one event");
+    }
+    if (!s.rock_table) {
+        checker.refuse("observed.stops", "observed.stops beside output.rock_table = no",
+                       "output.rock_table = yes: its rows are compared");
+    }
+}
+
 void check_range(const Scenario& s, SettingsChecker& checker) {
     if (!(s.diameter_low_m > 0.0)) {
         checker.refuse("release.diameter_low_m",
@@ -197,6 +213,7 @@ void check(const Scenario& scenario) {
                        "one of them: a rock that a net holds breaks no trees for the rocks after it");
     }
     check_hazard(scenario, checker);
+    check_observed(scenario, checker);
     for (const double rock : scenario.path_rocks) {
         if (rock != std::floor(rock)) {
             checker.refuse("output.path_rocks", joined("rock ", config::to_text(rock)), "whole numbers");

@@ -10,6 +10,7 @@
 #include "coupling/inputs/log_input.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/observed_input.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
@@ -65,6 +66,7 @@ struct SiteFiles {
     std::optional<std::vector<LogRecord>> logs;
     std::optional<std::vector<rockfall::Target>> targets;
     std::optional<GivenNets> nets;
+    std::optional<std::vector<ObservedStop>> observed;
 };
 
 /// Sections that only a run over years reads.
@@ -147,6 +149,7 @@ SiteFiles read_site_files(Reading& reading) {
         files.logs = read_logs(reading);
         files.targets = read_targets(reading);
         files.nets = read_nets(reading);
+        files.observed = read_observed_stops(reading);
     }
     return files;
 }
@@ -233,6 +236,9 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     if (files.targets) {
         files.targets = on_terrain(std::move(*files.targets), terrain, reading);
     }
+    if (files.observed && sources) {
+        check_observed_stops(*files.observed, *sources, terrain, reading);
+    }
     std::vector<NetRecord> nets;
     if (files.nets) {
         nets = on_terrain(std::move(*files.nets), terrain, reading.problems());
@@ -262,6 +268,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .logs = std::move(files.logs).value_or(std::vector<LogRecord>{}),
             .sources = std::move(sources).value_or(std::vector<rockfall::ReleaseSource>{}),
             .targets = std::move(files.targets).value_or(std::vector<rockfall::Target>{}),
+            .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{}),
             .nets = std::move(nets),
             .inputs = reading.inputs(),
             .forest = std::move(forest)};

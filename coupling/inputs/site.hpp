@@ -9,6 +9,7 @@
 #include "config/errors/warnings.hpp"
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
+#include "coupling/inputs/observed_stop.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
@@ -54,6 +55,7 @@ struct Site {
     std::vector<LogRecord> logs;           ///< on the terrain, in file order
     std::vector<rockfall::ReleaseSource> sources;  ///< allotted, coordinates of the terrain
     std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
+    std::vector<ObservedStop> observed_stops;      ///< as seen in the field; none without such a file
     std::vector<NetRecord> nets;                   ///< coordinates of the terrain, in file order
     std::vector<InputFile> inputs;
     std::shared_ptr<const ForestSite> forest;  ///< with run.years > 0

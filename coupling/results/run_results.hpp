@@ -8,6 +8,7 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/observed/stops.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {
@@ -25,6 +26,7 @@ struct RunResults {
     std::uint64_t rocks = 0;
     bool with_forest = false;  ///< false: neither trees nor logs, only the bare slope was assessed
     std::string version;
+    std::vector<observed::StopComparison> observed_stops{};  ///< empty where none were observed
 };
 
 }  // namespace coupling

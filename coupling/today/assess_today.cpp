@@ -19,6 +19,7 @@
 #include "coupling/run/settings_hash.hpp"
 #include "coupling/run/writing_progress.hpp"
 #include "coupling/today/closing_summary.hpp"
+#include "coupling/today/observed_stops.hpp"
 #include "coupling/today/row_tables.hpp"
 #include "coupling/today/write_results.hpp"
 #include "coupling/version.hpp"
@@ -230,7 +231,11 @@ Ended AssessmentRun::write(OutputFolder& folder) {
                              warnings_,
                              released,
                              !assessment_.only_bare(),
-                             version()};
+                             version(),
+                             compare_stops(site_,
+                                           assessment_.only_bare() ? rockfall::Cover::bare
+                                                                   : rockfall::Cover::forest,
+                                           folder.parts())};
     std::vector<WrittenFile> written;
     try {
         WritingProgress progress{request_.quiet};

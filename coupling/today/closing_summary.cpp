@@ -62,6 +62,18 @@ void print_target(const RunResults& results, std::size_t i) {
     print_strong_rocks(results, i);
 }
 
+/// What a user who gave observed stops wants to see first.
+void print_observed(const std::vector<observed::StopComparison>& comparisons) {
+    for (const observed::StopComparison& one : comparisons) {
+        std::printf(
+            "  run-out of %s: observed %.1f ± %.1f m (%zu stops), simulated %.1f ± %.1f m; "
+            "KS %.2f (by chance %.2f)\n",
+            one.group.empty() ? "all stops" : one.group.c_str(), one.observed.mean_m,
+            one.observed.deviation_m, one.observed.rocks, one.simulated.mean_m, one.simulated.deviation_m,
+            one.largest_distance, one.distance_by_chance);
+    }
+}
+
 }  // namespace
 
 void print_summary(const RunResults& results, const std::filesystem::path& folder,
@@ -77,6 +89,7 @@ void print_summary(const RunResults& results, const std::filesystem::path& folde
             "  net %s\n",
             in_words(results.site.nets[figures.net], figures, results.scenario.nets.wanted_share).c_str());
     }
+    print_observed(results.observed_stops);
     print_files(folder, written, verbose);
 }
 

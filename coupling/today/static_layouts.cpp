@@ -119,6 +119,35 @@ TableLayout grounds() {
     return {"grounds.csv", "a ground type that occurs", together(first, ground_table_columns())};
 }
 
+TableLayout observed_stops() {
+    const auto run_out = [](const char* name, const std::string& of) {
+        return Column{name, "m", joined(of, " of the plan distance from release to stop"), "as the row says"};
+    };
+    return {"observed_stops.csv",
+            "a group of stops, observed or simulated",
+            {{"group", "text", "column group of the observed stops; all: every stop", "input observed.stops"},
+             {"side", "text", "observed or simulated", "definition"},
+             {"rocks", "-", "stops", counted},
+             run_out("run_out_mean_m", "mean"),
+             run_out("run_out_deviation_m", "standard deviation (n - 1)"),
+             run_out("run_out_p10_m", "10 % quantile"),
+             run_out("run_out_p25_m", "25 % quantile"),
+             run_out("run_out_p50_m", "median"),
+             run_out("run_out_p75_m", "75 % quantile"),
+             run_out("run_out_p90_m", "90 % quantile"),
+             run_out("run_out_longest_m", "largest value"),
+             {"sideways_deviation_m", "m",
+              "standard deviation of the distance from the axis, which leads from the mean release to the "
+              "mean observed stop",
+              "as the row says"},
+             {"left_terrain_share", "-", "share that left the terrain: their run-out ends there", simulated},
+             {"ks", "-", "largest distance between the distributions of run-out (Kolmogorov-Smirnov)",
+              "both distributions"},
+             {"ks_by_chance", "-", "what 5 % of samples of one distribution exceed", "Smirnov 1948"},
+             {"energy_distance_m", "m", "2 E|X - Y| - E|X - X'| - E|Y - Y'| of the run-outs",
+              "Szekely & Rizzo 2013"}}};
+}
+
 TableLayout rocks() {
     const std::vector<Column> first{
         rock_column(),
@@ -220,7 +249,8 @@ const std::vector<TableLayout>& static_layouts() {
                                      runs(),     run_out(),      tree_hits_per_rock(),
                                      grounds(),  stems(),        logs(),
                                      rocks(),    arrivals(),     tree_hits(),
-                                     log_hits(), trajectories(), trajectories_wkt()};
+                                     log_hits(), trajectories(), trajectories_wkt(),
+                                     observed_stops()};
         const std::vector<TableLayout> of_nets = net_layouts();
         all.insert(all.end(), of_nets.begin(), of_nets.end());
         return all;

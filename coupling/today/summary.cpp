@@ -3,6 +3,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/json.hpp"
+#include "coupling/today/observed_stops.hpp"
 
 namespace coupling {
 namespace {
@@ -100,6 +101,9 @@ void write_summary(std::ostream& out, const RunResults& results, const Figures& 
     summary["targets"] = targets(figures, covers);
     for (const Cover cover : covers) {
         summary["slopes"][name_of(cover)] = slope(figures.at(cover));
+    }
+    if (!results.observed_stops.empty()) {
+        summary["observed_stops"] = json_observed_stops(results.observed_stops);
     }
     summary["warnings"] = results.warnings.sentences();
     write_json_summary(out, std::move(summary), results.site.inputs, results.scenario, files);

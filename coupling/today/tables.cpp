@@ -8,6 +8,7 @@
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figure_columns.hpp"
 #include "coupling/today/grounds.hpp"
+#include "coupling/today/observed_stops.hpp"
 #include "coupling/today/rows.hpp"
 #include "coupling/today/static_layouts.hpp"
 
@@ -161,6 +162,10 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
           [&](std::ostream& out) { write_runs(out, figures, covers); });
     write("run_out.csv", "Rocks by run-out (plan distance from release to end) in bins of 10 m.",
           [&](std::ostream& out) { write_run_out(out, results); });
+    if (!results.observed_stops.empty()) {
+        write("observed_stops.csv", "Where rocks were seen to stop beside where the simulated ones do.",
+              [&](std::ostream& out) { write_observed_stops(out, results.observed_stops); });
+    }
     write("grounds.csv", "The ground types that occur, with the parameters that the motion model uses.",
           [&](std::ostream& out) { write_grounds(out, results); });
     if (results.with_forest && !results.site.logs.empty()) {

@@ -40,7 +40,7 @@ std::vector<CaseFiles> with_recipe(std::map<std::string, CaseFiles> folders) {
 }
 
 CaseFiles read_folder(const fs::path& folder, const std::string& name) {
-    CaseFiles files{.name = name, .folder = folder.string(), .texts = {}};
+    CaseFiles files{.name = name, .folder = folder.string(), .texts = {}, .path = folder};
     for (const fs::path& entry : entries_of(folder)) {
         if (is_file(entry)) {
             const FileBytes bytes = open_file(entry, {folder.string()}, "a file of a case");

@@ -12,6 +12,7 @@ struct CaseFiles {
     std::string name;                          ///< of its folder, such as "vaujany_open"
     std::string folder;                        ///< in messages
     std::map<std::string, std::string> texts;  ///< by file name
+    std::filesystem::path path{};              ///< of the folder; empty: built into the program
 
     [[nodiscard]] bool has(const std::string& file) const { return texts.contains(file); }
     /// Name of a file in messages.

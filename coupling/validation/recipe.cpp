@@ -27,6 +27,7 @@ const std::vector<std::pair<std::string, CaseKind>>& kinds() {
         {"slope", CaseKind::slope},
         {"profile", CaseKind::profile},
         {"factors", CaseKind::factors},
+        {"field", CaseKind::field},
         {"forest_production", CaseKind::forest_production},
         {"forest_light", CaseKind::forest_light},
         {"forest_yield", CaseKind::forest_yield},

@@ -16,6 +16,7 @@ enum class CaseKind : std::uint8_t {
     slope,              ///< a profile with a cross-section: rocks move in three dimensions, trees may stand
     profile,            ///< the two-dimensional mode: no deviation, no trees
     factors,            ///< forest against bare slope over several settings (factors.hpp)
+    field,              ///< rocks of a scenario against stops observed on real ground (field_case.hpp)
     forest_production,  ///< the production core against other programs (forest_cases)
     forest_light,       ///< light in a mapped stand against another program
     forest_yield,       ///< plantations against yield tables

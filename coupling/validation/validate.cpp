@@ -3,7 +3,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/validation/factors.hpp"
-#include "coupling/validation/forest_cases/comparison.hpp"
+#include "coupling/validation/comparison.hpp"
 #include "coupling/validation/outcome.hpp"
 #include "coupling/validation/verdict.hpp"
 
@@ -152,11 +152,11 @@ private:
     Progress progress_;
 };
 
-/// Computes a part of the forest model and holds it against its reference.
-CaseResult validate_forest(const ValidationCase& of, const ValidateRequest& request) {
-    Progress progress{of.files.name, of.forest->pieces, 0, request.quiet};
-    forest_cases::Outcome outcome =
-        of.forest->run({request.threads, [&progress](std::uint64_t pieces) { progress.add(pieces); }});
+/// Computes a part of the model and holds it against its reference.
+CaseResult compare(const ValidationCase& of, const ValidateRequest& request) {
+    Progress progress{of.files.name, of.comparison->pieces, 0, request.quiet};
+    Outcome outcome =
+        of.comparison->run({request.threads, [&progress](std::uint64_t pieces) { progress.add(pieces); }});
     VariantOutcome variant;
     variant.variant = "default";
     for (const auto& [name, value] : outcome.values) {
@@ -169,7 +169,7 @@ CaseResult validate_forest(const ValidationCase& of, const ValidateRequest& requ
     result.rebuilt = of.head.rebuilt;
     result.notes = of.notes;
     result.has_strict = of.has_strict();
-    result.extent = of.forest->extent;
+    result.extent = of.comparison->extent;
     result.rows = verdict_rows(of, {}, variant.values);
     result.variants = {std::move(variant)};
     result.plots = std::move(outcome.plots);
@@ -182,8 +182,8 @@ CaseResult validate_forest(const ValidationCase& of, const ValidateRequest& requ
 }  // namespace
 
 CaseResult validate(const ValidationCase& of, const ValidateRequest& request) {
-    if (is_forest(of.kind)) {
-        return validate_forest(of, request);
+    if (of.comparison) {
+        return compare(of, request);
     }
     return of.kind == CaseKind::factors ? validate_factors(of, request.threads, request.quiet)
                                         : CaseRun{of, request}.run();

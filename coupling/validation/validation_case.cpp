@@ -6,6 +6,7 @@
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/validation/field_case.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 
 namespace coupling::validation {
@@ -46,18 +47,18 @@ public:
         problems_.throw_if_any();
     }
 
-    /// The files of a case of the forest, which has read its own.
-    void read(const forest_cases::Comparison& comparison) {
-        for (const forest_cases::Figure& figure : comparison.figures) {
+    /// The files of a case that is a comparison, which has read its own.
+    void read(const Comparison& comparison) {
+        for (const Figure& figure : comparison.figures) {
             names_.push_back(figure.name);
         }
         read_criteria();
         for (const auto& [name, reference] : comparison.references) {
             out_.published[name] = {reference.value, {}, {}, reference.source};
         }
-        for (const std::string& name : names_) {
-            if (out_.published.contains(name)) {
-                add_figure(name);
+        for (const Figure& figure : comparison.figures) {
+            if (figure.listed && comparison.references.contains(figure.name)) {
+                add_figure(figure.name);
             }
         }
         problems_.throw_if_any();
@@ -335,8 +336,32 @@ void read_forest(ValidationCase& out) {
         config::fail(config::ExitCode::settings, options.place_of("case.title"), "no case.title",
                      "one line on what the case is");
     }
-    out.forest =
-        std::make_shared<const forest_cases::Comparison>(forest_cases::read(out.kind, out.files, settings));
+    out.comparison =
+        std::make_shared<const Comparison>(forest_cases::read(out.kind, out.files, settings));
+}
+
+/// Settings that the user asks for are those of its scenario.
+void read_field_case(ValidationCase& out) {
+    if (out.replaces_profile()) {
+        config::fail(config::ExitCode::settings, {}, joined("--profile for ", out.files.name),
+                     "a case with a profile: this one has a terrain");
+    }
+    if (out.changes.most_rocks) {
+        out.notes.emplace_back("--rocks changes nothing here: the scenario says how many rocks fall");
+    }
+    config::Options options;
+    FieldSettings settings;
+    declare(options, out.head);
+    options.text("field.scenario", settings.scenario,
+                 {.meaning = "scenario of `bannwald run` in the folder of the case, with observed.stops"});
+    std::istringstream in{out.files.texts.at("case.ini")};
+    options.read(in, out.files.shown("case.ini"), {});
+    if (out.head.title.empty()) {
+        config::fail(config::ExitCode::settings, options.place_of("case.title"), "no case.title",
+                     "one line on what the case is");
+    }
+    out.comparison = std::make_shared<const Comparison>(
+        read_field(out.files, settings, out.changes.overrides, out.notes));
 }
 
 }  // namespace
@@ -376,12 +401,12 @@ bool ValidationCase::needs_open() const {
 
 std::string ValidationCase::label_of(const std::string& figure) const {
     const auto name = parse_figure(figure);
-    return forest ? forest->figure(figure).label : name ? name->label() : "";
+    return comparison ? comparison->figure(figure).label : name ? name->label() : "";
 }
 
 std::string ValidationCase::unit_of(const std::string& figure) const {
     const auto name = parse_figure(figure);
-    return forest ? forest->figure(figure).unit : name ? name->unit() : "";
+    return comparison ? comparison->figure(figure).unit : name ? name->unit() : "";
 }
 
 ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
@@ -391,7 +416,12 @@ ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
     out.kind = head_of(files).kind;
     if (is_forest(out.kind)) {
         read_forest(out);
-        CaseReader{out}.read(*out.forest);
+        CaseReader{out}.read(*out.comparison);
+        return out;
+    }
+    if (out.kind == CaseKind::field) {
+        read_field_case(out);
+        CaseReader{out}.read(*out.comparison);
         return out;
     }
     const std::unique_ptr<Recipe> recipe = out.recipe("default");

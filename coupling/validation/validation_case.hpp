@@ -28,9 +28,7 @@ struct PublishedFigure {
     std::string source;
 };
 
-namespace forest_cases {
 struct Comparison;
-}
 
 /// What a figure has to keep to; set before the model was run.
 struct Criterion {
@@ -79,10 +77,10 @@ struct ValidationCase {
     std::vector<ChoiceSpec> choices;
     std::vector<std::string> notes;
     CaseHead head;
-    std::shared_ptr<const forest_cases::Comparison> forest;  ///< of a kind of the forest
+    std::shared_ptr<const Comparison> comparison;  ///< of a kind of the forest, and of the field
 
     /// Whether the settings of a paper are held against its figures beside ours.
-    [[nodiscard]] bool has_strict() const { return !is_forest(kind); }
+    [[nodiscard]] bool has_strict() const { return !comparison; }
     /// Of a figure for people; empty for a name that there is not.
     [[nodiscard]] std::string label_of(const std::string& figure) const;
     [[nodiscard]] std::string unit_of(const std::string& figure) const;

@@ -247,10 +247,10 @@ TEST(Ensemble, GivesTheSameCountsOnEveryMachine) {
     // here.
     const Scene scene{500};
     const EnsembleTally tally = tally_of(scene, plan_chunks(scene.sources), 1);
-    EXPECT_EQ(tally.runs[1].ground_impacts, 26227U);
-    EXPECT_EQ(tally.runs[1].run_out_sum_mm, 140579129U);
-    EXPECT_EQ(tally.runs[0].hits, 899U);
-    EXPECT_EQ(tally.runs[0].tree_energy_sum_j, 23414721U);
+    EXPECT_EQ(tally.runs[1].ground_impacts, 23713U);
+    EXPECT_EQ(tally.runs[1].run_out_sum_mm, 135522530U);
+    EXPECT_EQ(tally.runs[0].hits, 805U);
+    EXPECT_EQ(tally.runs[0].tree_energy_sum_j, 23652692U);
 }
 
 TEST(PlanChunks, CoversEachRockOnce) {

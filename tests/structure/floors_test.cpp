@@ -27,7 +27,7 @@ const std::vector<std::vector<std::string>> floors{
     {"today"},
     {"nets", "profile", "compare", "validation", "stopping", "calibrate", "collapse"},
     {"run", "exchange", "regimes", "rockyfor3d"},
-    {"results"},
+    {"results", "observed"},
     {"inputs"},
     {"page_scripts", "examples"}};
 

@@ -21,7 +21,7 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
     begin_page(out, frame);
     out << first_warnings(results.warnings) << opening(results, figures) << answers(results, figures)
         << nets(results) << slope_view(results) << maps(results) << charts(results, figures)
-        << along_paths(results) << key_figures(results, figures) << grounds(results) << warnings(results)
+        << observed_stops(results.observed_stops) << along_paths(results) << key_figures(results, figures) << grounds(results) << warnings(results)
         << settings(results) << sources_and_files(results, files);
     end_page(out, frame);
 }

@@ -27,6 +27,8 @@ std::string along_paths(const RunResults& results);
 std::string key_figures(const RunResults& results, const Figures& figures);
 /// The ground types that occur, with what the motion model uses of them.
 std::string grounds(const RunResults& results);
+/// Observed stops beside simulated ones; nothing where none were observed.
+std::string observed_stops(const std::vector<observed::StopComparison>& comparisons);
 std::string warnings(const RunResults& results);
 std::string settings(const RunResults& results);
 /// Input files with hashes, projection, files written, how to cite.

@@ -31,15 +31,6 @@ std::vector<int> rising(const std::string& key, const std::vector<double>& value
     return whole;
 }
 
-Figure Comparison::figure(const std::string& name) const {
-    for (const Figure& candidate : figures) {
-        if (candidate.name == name) {
-            return candidate;
-        }
-    }
-    return {};
-}
-
 void declare(config::Options& options, Settings& settings, CaseKind kind) {
     if (kind == CaseKind::forest_belts || kind == CaseKind::forest_yield ||
         kind == CaseKind::forest_demography) {
@@ -100,6 +91,7 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
         case CaseKind::slope:
         case CaseKind::profile:
         case CaseKind::factors:
+        case CaseKind::field:
             break;
     }
     throw std::logic_error{"no kind of the forest"};

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -11,51 +9,13 @@
 #include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/validation/case_files.hpp"
+#include "coupling/validation/comparison.hpp"
 #include "coupling/validation/interrupted.hpp"
-#include "coupling/validation/plot.hpp"
 #include "coupling/validation/recipe.hpp"
 #include "forest/parameters.hpp"
 #include "forest/species.hpp"
 
 namespace coupling::validation::forest_cases {
-
-/// A figure that a case of the forest computes.
-struct Figure {
-    std::string name;   ///< as criteria.csv has it
-    std::string label;  ///< for people
-    std::string unit;
-};
-
-/// What the reference says of a figure.
-struct Reference {
-    double value = 0.0;
-    std::string source;
-};
-
-/// How a case is worked through; none of it changes the outcome.
-struct Work {
-    int threads = 1;
-    std::function<void(std::uint64_t)> done;  ///< called with pieces as they come; one at a time
-};
-
-/// What a comparison has found.
-struct Outcome {
-    std::map<std::string, double> values;  ///< by the name of their figure
-    std::vector<PlotGroup> plots;
-    std::vector<PlainTable> tables;
-};
-
-/// A part of the forest model held against a reference: everything read and checked, nothing computed yet.
-struct Comparison {
-    std::string extent;           ///< what is compared, such as "333 trees on 3 slopes"
-    std::vector<Figure> figures;  ///< all that run() gives
-    std::map<std::string, Reference> references;
-    std::uint64_t pieces = 0;  ///< of work that Work::done will be called with
-    std::function<Outcome(const Work&)> run;
-
-    /// Empty for a name that there is not.
-    [[nodiscard]] Figure figure(const std::string& name) const;
-};
 
 /// How long, how often and how large forests grow in forest_belts.
 struct BeltSettings {

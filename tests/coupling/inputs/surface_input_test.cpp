@@ -88,12 +88,53 @@ TEST(SurfaceTypes, MayBeThoseThatAreShipped) {
     const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.site->slope.types[0].restitution.normal, 0.40);
-    EXPECT_EQ(opened.site->slope.types[1].restitution.tangential, 0.65);
+    EXPECT_EQ(opened.site->slope.types[1].as_published().tangential, 0.65);
+    EXPECT_NE(opened.site->slope.types[1].restitution.tangential, 0.65) << "fitted";
     EXPECT_NEAR(opened.site->slope.types[1].stopping.at(0.95), 0.05, 1e-12);
 
     project.replace("surface_types.csv", "solid_rock", "solidrock");
     EXPECT_NE(open(project).errors.find("found 'solidrock', expected a shipped ground type (solid_rock?)"),
               std::string::npos);
+}
+
+TEST(SurfaceTypes, AreTheUsersUnderThePublishedLawsTooWhereTheUserGivesThem) {
+    const SampleProject project;
+    project.write("surface_types.csv", "code,like,r_t\n1,solid_rock,\n3,coarse_debris,0.72\n");
+    const Opened opened = open(project, {"ground.solid_rock.r_t=0.8"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->slope.types[0].restitution.tangential, 0.8);
+    EXPECT_EQ(opened.site->slope.types[0].as_published().tangential, 0.8);
+    EXPECT_EQ(opened.site->slope.types[1].as_published().tangential, 0.72);
+}
+
+TEST(GroundChanges, ChangeOneColumnOfAShippedTypeOrOfACode) {
+    const SampleProject project;
+    project.write("surface_types.csv", "code,like,p_stop\n1,solid_rock,\n3,coarse_debris,0.05\n");
+    const Opened opened =
+        open(project, {"ground.solid_rock.r_n=0.2", "ground.3.p_stop=0.01", "ground.3.jump_angle_factor=2",
+                       "ground.1.rolling_stops_per_m=0.3", "ground.3.r_t=0.6"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const auto& types = opened.site->slope.types;
+    EXPECT_EQ(types[0].restitution.normal, 0.2);
+    EXPECT_EQ(types[0].rolling_stops_per_m.at(1.0), 0.3);
+    EXPECT_NEAR(types[1].stopping.at(0.95), 0.01, 1e-12);
+    EXPECT_EQ(types[1].jump_angle_factor, 2.0);
+    EXPECT_EQ(types[1].restitution.tangential, 0.6);
+    EXPECT_EQ(types[1].restitution.normal, 0.3) << "what is not named stays";
+}
+
+TEST(GroundChanges, TellWhatNoGroundHas) {
+    const SampleProject project;
+    EXPECT_EQ(open(project, {"ground.solidrock.r_t=0.8"}).errors,
+              "--set ground.solidrock.r_t=0.8: found ground type 'solidrock', expected 'solid_rock'");
+    EXPECT_EQ(open(project, {"ground.pasture.rt=0.8"}).errors,
+              "--set ground.pasture.rt=0.8: found key 'rt' of a ground type, expected one of r_n, r_t, "
+              "jump_angle_factor, p_stop, rolling_stops_per_m");
+    EXPECT_EQ(open(project, {"ground.pasture.r_t=1.8"}).errors,
+              "--set ground.pasture.r_t=1.8: found ground.pasture.r_t = '1.8', expected a number in [0, "
+              "0.99]");
+    EXPECT_EQ(open(project, {"ground.77.r_t=0.8"}).errors,
+              "--set ground.77.r_t=0.8: found a code without a row, expected a code of surface_types.csv");
 }
 
 TEST(SurfaceTypes, WithoutStoppingProbabilityAreRefused) {
@@ -190,8 +231,9 @@ TEST(ShippedSurfaces, AreThoseOfThePaper) {
     double normal = 0.0;
     double tangential = 0.0;
     for (const ShippedSurface& surface : surfaces) {
-        normal += surface.type.restitution.normal;
-        tangential += surface.type.restitution.tangential;
+        EXPECT_EQ(surface.type.restitution.normal, surface.type.as_published().normal) << surface.name;
+        normal += surface.type.as_published().normal;
+        tangential += surface.type.as_published().tangential;
         EXPECT_GT(surface.type.stopping.at(0.2), 0.0) << surface.name;  // every ground has stones
     }
     // Column sums of Tables 1 and 2 of Rammer et al. 2010.

@@ -15,10 +15,10 @@ CaseFiles small_case() {
     CaseFiles files{.name = "small", .folder = "validation/small", .texts = {}};
     files.texts["case.ini"] =
         "[case]\ntitle = small\nkind = factors\n[rock]\ndiameter_m = 0.95\n"
-        "[series]\nrocks = 50\nseries = 5\nrocks_per_series = 40\n"
+        "[series]\nrocks = 50\nseries = 20\nrocks_per_series = 40\n"
         "[terrain]\nwidth_m = 100\ncell_m = 5\n"
         "[stand]\nstems_per_ha = 300\ndbh_mean_cm = 30\ndbh_deviation_cm = 15\nspecies = ABAL:100\n"
-        "from_m = 0\nto_m = 100\nstands = 5\n";
+        "from_m = 0\nto_m = 100\nstands = 20\n";
     files.texts["profile.csv"] = "length_m,slope_deg,surface\n100,38,forest_soil\n";
     files.texts["factors.csv"] =
         "setting,values,how\nstand.stems_per_ha,100 300 900,crossed\nstand.dbh_mean_cm,20 40,crossed\n"
@@ -162,7 +162,7 @@ TEST(ValidateFactors, FindsProtectionRisingAndTheFreePathFalling) {
 
 TEST(ValidateFactors, MeetsTheAnalyticFreePath) {
     // Rocks also go sideways, which makes their way down the slope a little shorter than their path; the rest
-    // is chance: some 400 hits in five stands in which places near the start count again and again.
+    // is chance: some 1600 hits in twenty stands in which places near the start count again and again.
     for (const FactorRow& row : small_result(2).factors) {
         const double ratio =
             row.figures.at("free_path_m").value / row.figures.at("analytic_free_path_m").value;

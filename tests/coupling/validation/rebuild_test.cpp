@@ -56,7 +56,7 @@ TEST(Rebuild, PutsSurfacesWhereTheProfileHasThem) {
     const RebuiltSlope slope = rebuilt(read_case(files), {"surfaces.rt_change=0.05"});
     const auto tangential = [&](double distance_m) {
         const Eigen::Vector2d place = slope.on_terrain(distance_m, -20.0);
-        return slope.slope.type_at(place.x(), place.y()).restitution.tangential;
+        return slope.slope.type_at(place.x(), place.y()).as_published().tangential;
     };
     EXPECT_DOUBLE_EQ(tangential(149.9), 0.80);
     EXPECT_DOUBLE_EQ(tangential(150.1), 0.70);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupling/validation/case_files.hpp"
+#include "coupling/validation/comparison.hpp"
+
+namespace coupling::validation {
+
+/// What case.ini of a field case says beside [case].
+struct FieldSettings {
+    std::string scenario = "scenario.ini";  ///< a scenario of `bannwald run` in the folder of the case
+};
+
+/// Rocks of a scenario held against stops that were observed on real ground, once for each motion model.
+///
+/// The scenario is opened with each of the models; one that the scenario cannot serve (such as soils that
+/// are missing) is left out with a note. `overrides` are settings of the scenario. Throws InputError where
+/// the scenario has no observed.stops, or cannot be opened with its own model.
+Comparison read_field(const CaseFiles& files, const FieldSettings& settings,
+                      const std::vector<std::string>& overrides, std::vector<std::string>& notes);
+
+}  // namespace coupling::validation

@@ -1,0 +1,105 @@
+// Stops that were observed in the field, through the program.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/coupling/inputs/sample_project.hpp"
+#include "tests/runs/program.hpp"
+
+namespace coupling::observed_stops_test {
+namespace {
+
+
+const std::string with_stops = "run scenario.ini --quiet --set observed.stops=stops.csv ";
+
+TEST(ObservedStops, StandBesideTheSimulatedOnes) {
+    const SampleProject project;
+    project.write("stops.csv",
+                  "x_m,y_m,zone,group,x_release_m,y_release_m\n"
+                  "1100,2050,1,round,1025,2050\n1090,2045,1,round,1025,2045\n1060,2055,1,plate,1025,2055\n");
+    const Outcome run = call(project, with_stops + "--out out");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string table = project.read("out/tables/observed_stops.csv");
+    // Mean of 75, 65 and 35 m; standard deviation with n - 1.
+    EXPECT_NE(table.find("all,observed,3,58.33,20.82,"), std::string::npos) << table;
+    EXPECT_NE(table.find("plate,observed,1,35.00,,35.00,"), std::string::npos) << table;
+    EXPECT_NE(table.find("all,simulated,20,"), std::string::npos) << table;
+    EXPECT_NE(project.read("out/summary.json").find("\"observed_stops\""), std::string::npos);
+    EXPECT_NE(project.read("out/report.html").find("Observed and simulated stops"), std::string::npos);
+    EXPECT_NE(project.read("out/tables/data_dictionary.csv").find("observed_stops.csv,"), std::string::npos);
+
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --out without").code, 0);
+    EXPECT_EQ(project.read("out/tables/rocks.csv"), project.read("without/tables/rocks.csv"))
+        << "what was observed changes no rock";
+}
+
+TEST(ObservedStops, AreTheSameFromALayerOfPoints) {
+    const SampleProject project;
+    project.write("stops.csv", "x_m,y_m\n1100,2050\n1090,2045\n");
+    ASSERT_EQ(call(project, with_stops + "--out by_columns").code, 0);
+    project.write("stops.csv", "wkt\nPOINT (1100 2050)\nPOINT (1090 2045)\n");
+    ASSERT_EQ(call(project, with_stops + "--out by_points").code, 0);
+    EXPECT_EQ(project.read("by_columns/tables/observed_stops.csv"),
+              project.read("by_points/tables/observed_stops.csv"));
+}
+
+struct Fault {
+    std::string table;
+    std::string options;
+    std::string message;
+};
+
+TEST(ObservedStops, AreRefusedWhereTheyCannotBeMeant) {
+    const SampleProject project;
+    const std::string good = "x_m,y_m\n1100,2050\n";
+    for (const Fault& fault : {
+             Fault{"x_m,y_m,zone\n1100,2050,7\n", "",
+                   "stops.csv: found zone 7, from which no rock starts, expected zones of the release"},
+             Fault{"x_m,y_m\n2050,1100\n2045,1090\n", "",
+                   "stops.csv: found 2 of 2 stops off the terrain: x and y look swapped"},
+             Fault{"x_m,y_m\n", "", "stops.csv: found no stops, expected at least one"},
+             Fault{"x_m\n1100\n", "", "stops.csv:1:1: found no column 'y_m'"},
+             Fault{"wkt\n\"LINESTRING (0 0, 1 1)\"\n", "", "stops.csv:2:2: found 'LINESTRING (0 0, 1 1)'"},
+             Fault{good, "--set output.rock_table=no",
+                   "found observed.stops beside output.rock_table = no"},
+         }) {
+        project.write("stops.csv", fault.table);
+        const Outcome run = call(project, with_stops + fault.options);
+        EXPECT_NE(run.code, 0) << fault.message;
+        EXPECT_NE(run.err.find(fault.message), std::string::npos) << run.err << "\nnot " << fault.message;
+    }
+}
+
+TEST(ObservedStops, ShowInACaseOfTheirOwnForEachMotionModel) {
+    const SampleProject project;
+    project.write("stops.csv", "x_m,y_m,zone\n1100,2050,1\n1090,2045,1\n1060,2055,1\n");
+    project.write("scenario.ini", project.read("scenario.ini") + "[observed]\nstops = stops.csv\n");
+    project.write("case.ini", "[case]\ntitle = a meadow\nkind = field\n");
+    project.write("criteria.csv",
+                  "quantity,low,high,rests_on,rule\nrun_out_mean_m,0,500,independent,any\n"
+                  "pir3d.ks,0,1,independent,any\n");
+    const Outcome run = call(project, "validate --cases . --quiet --out results");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string verdicts = project.read("results/verdicts.csv");
+    EXPECT_NE(verdicts.find("run_out_mean_m"), std::string::npos) << verdicts;
+    EXPECT_NE(verdicts.find("pir3d.ks"), std::string::npos) << verdicts;
+    const std::string page = project.read("results/report.html");
+    for (const char* model : {"picus", "pir3d", "classical"}) {
+        EXPECT_NE(page.find(model), std::string::npos) << model;
+    }
+
+    const Outcome slower =
+        call(project, "validate --cases . --quiet --out slower --set ground.3.r_t=0.3");
+    ASSERT_EQ(slower.code, 0) << slower.err;
+    EXPECT_NE(project.read("slower/verdicts.csv"), verdicts) << "settings reach the scenario";
+
+    project.replace("scenario.ini", "[observed]\nstops = stops.csv\n", "");
+    const Outcome without = call(project, "validate --cases . --quiet --out nothing");
+    EXPECT_EQ(without.code, 2);
+    EXPECT_NE(without.err.find("found no observed.stops, expected a table of the stops"), std::string::npos)
+        << without.err;
+}
+
+}  // namespace
+}  // namespace coupling::observed_stops_test
