@@ -21,6 +21,7 @@ struct SurfaceType {
     double jump_angle_factor = 1.0;  ///< jump angles on this ground by those of the law [-]
     StopCurve stopping;              ///< probability that a ground impact stops a rock [-]
     StopCurve rolling_stops_per_m;   ///< rate at which a rolling rock is caught [1/m]
+    double rolling_friction = 0.0;   ///< of a rolling rock [-]; 0: that of the law
     std::optional<Soil> soil;        ///< for motion models that take the ground from soils
 
     /// The coefficients before any fit.

@@ -11,7 +11,10 @@ fitted together; no other ground type lies in two cases.
 A figure costs by its distance from the middle of its criterion, strongly near the ends; leaving the published r_t and
 a jump_angle_factor of 1 costs, too, so that a ground type which its cases do not ask for stays published.
 
-    validation/fit_grounds.py --program build/release/bannwald --trials 60 [--write]
+    validation/fit_grounds.py --program build/release/bannwald --trials 150 --from-published [--write]
+
+is how the shipped values were found (seed 1). They are not the only ones that serve: another seed finds other ground
+types of Vaujany as good, since seven grounds answer to ten figures there. Pasture comes out the same.
 """
 
 import argparse
@@ -91,7 +94,7 @@ def cost_of(rows, values, published):
             distance = value / high  # the smaller, the better
         cost += 0.1 * distance**2 + 3.0 * max(0.0, distance - 0.6)
     for ground, (r_t, factor) in values.items():
-        cost += 0.15 * ((r_t - published[ground]) / RT_SCALE) ** 2 + 0.1 * (math.log(factor) / FACTOR_SCALE) ** 2
+        cost += 0.5 * ((r_t - published[ground]) / RT_SCALE) ** 2 + 0.4 * (math.log(factor) / FACTOR_SCALE) ** 2
     return cost
 
 
@@ -137,7 +140,7 @@ def write(values):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", default=str(ROOT / "build/release/bannwald"))
-    parser.add_argument("--trials", type=int, default=60, help="for each site")
+    parser.add_argument("--trials", type=int, default=150, help="for each site")
     parser.add_argument("--rocks", type=int, default=3000, help="of each trial, on the profiles")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--site", choices=list(SITES), help="one of the sites alone")

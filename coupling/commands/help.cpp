@@ -78,7 +78,10 @@ Writes an example project into a new or empty folder, whole or not at all.
 
 constexpr std::string_view scenario_options = R"(  --set section.key=value   changes a setting; again for more
   --seed N                  the same as --set run.seed=N
-  --threads N               threads to use; results do not depend on it (default: all of the machine)
+)";
+
+constexpr std::string_view threads_option =
+    R"(  --threads N               threads to use; results do not depend on it (default: all of the machine)
 )";
 
 constexpr std::string_view check_help = R"(bannwald check SCENARIO [options]
@@ -222,6 +225,9 @@ void write_help(std::ostream& out, const std::string& command) {
     if (command == "check" || command == "run" || command == "merge") {
         out << scenario_options;
     }
+    if (command == "check" || command == "run") {
+        out << threads_option;
+    }
     if (command == "validate") {
         out << "\nFigures that a case may observe, publish or set a criterion for; with a stand also "
                "open.FIGURE (bare\nslope) and reduction.FIGURE (1 - forest / open):\n";
@@ -232,7 +238,7 @@ void write_help(std::ostream& out, const std::string& command) {
 void write_help_all(std::ostream& out) {
     out << short_help;
     for (const std::string_view text :
-         {init_help, check_help, run_help, merge_help, scenario_options, compare_help, net_help,
+         {init_help, check_help, run_help, threads_option, merge_help, scenario_options, compare_help, net_help,
           validate_help, stopping_table_help, info_help, completion_help}) {
         out << text << '\n';
     }

@@ -54,6 +54,8 @@ constexpr std::array columns{
            [](SurfaceType& type, double value) { type.jump_angle_factor = value; }},
     Column{"p_stop", probability_range, set_stopping},
     Column{"rolling_stops_per_m", rolling_stops_range, set_rolling_stops},
+    Column{"rolling_friction", rolling_friction_range,
+           [](SurfaceType& type, double value) { type.rolling_friction = value; }},
 };
 
 const Column* column_of(std::string_view name) {

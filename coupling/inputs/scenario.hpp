@@ -94,6 +94,7 @@ struct Scenario {
     bool rock_table = true;
     bool arrival_table = true;
     bool tree_hit_table = true;
+    bool impact_table = false;
     std::uint64_t sample_paths = 500;
     std::vector<double> path_rocks;  ///< numbers of rocks whose paths are kept too
     GisFiles gis;

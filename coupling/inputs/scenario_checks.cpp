@@ -140,6 +140,26 @@ void check_observed(const Scenario& s, SettingsChecker& checker) {
     }
 }
 
+/// The rocks of the table of impacts fall a second time.
+void check_impact_table(const Scenario& s, SettingsChecker& checker) {
+    if (!s.impact_table) {
+        return;
+    }
+    if (s.years != 0 || !s.profile.empty()) {
+        checker.refuse("output.impact_table",
+                       joined("output.impact_table beside ", s.years != 0 ? "run.years" : "terrain.profile"),
+                       "an assessment of today on a map");
+    }
+    if (s.sample_paths == 0 && s.path_rocks.empty()) {
+        checker.refuse("output.impact_table", "output.impact_table without paths",
+                       "rocks whose impacts are wanted", "set output.sample_paths or output.path_rocks");
+    }
+    if (s.rockfall.fall.tree.remove_broken) {
+        checker.refuse("output.impact_table", "output.impact_table beside tree_impact.remove_broken",
+                       "one of them: a rock that falls alone meets trees that others broke");
+    }
+}
+
 void check_range(const Scenario& s, SettingsChecker& checker) {
     if (!(s.diameter_low_m > 0.0)) {
         checker.refuse("release.diameter_low_m",
@@ -214,6 +234,7 @@ void check(const Scenario& scenario) {
     }
     check_hazard(scenario, checker);
     check_observed(scenario, checker);
+    check_impact_table(scenario, checker);
     for (const double rock : scenario.path_rocks) {
         if (rock != std::floor(rock)) {
             checker.refuse("output.path_rocks", joined("rock ", config::to_text(rock)), "whole numbers");

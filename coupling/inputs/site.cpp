@@ -95,7 +95,7 @@ void warn_of_idle_output(const Scenario& scenario, Reading& reading) {
     std::string names;
     for (const char* key :
          {"output.percentiles", "output.rock_table", "output.arrivals", "output.tree_hit_table",
-          "output.sample_paths", "output.path_rocks", "output.vtp", "nets.wanted_share"}) {
+          "output.impact_table", "output.sample_paths", "output.path_rocks", "output.vtp", "nets.wanted_share"}) {
         if (scenario.options->was_set(key)) {
             names += (names.empty() ? "" : ", ") + std::string{key};
         }
@@ -268,10 +268,10 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .logs = std::move(files.logs).value_or(std::vector<LogRecord>{}),
             .sources = std::move(sources).value_or(std::vector<rockfall::ReleaseSource>{}),
             .targets = std::move(files.targets).value_or(std::vector<rockfall::Target>{}),
-            .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{}),
             .nets = std::move(nets),
             .inputs = reading.inputs(),
-            .forest = std::move(forest)};
+            .forest = std::move(forest),
+            .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{})};
 }
 
 }  // namespace coupling

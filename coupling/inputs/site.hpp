@@ -55,10 +55,10 @@ struct Site {
     std::vector<LogRecord> logs;           ///< on the terrain, in file order
     std::vector<rockfall::ReleaseSource> sources;  ///< allotted, coordinates of the terrain
     std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
-    std::vector<ObservedStop> observed_stops;      ///< as seen in the field; none without such a file
     std::vector<NetRecord> nets;                   ///< coordinates of the terrain, in file order
     std::vector<InputFile> inputs;
     std::shared_ptr<const ForestSite> forest;  ///< with run.years > 0
+    std::vector<ObservedStop> observed_stops{};  ///< as seen in the field; none without such a file
 
     [[nodiscard]] Eigen::Vector2d origin_m() const { return slope.terrain.origin_m(); }
     /// The map frame in coordinates of the terrain.

@@ -103,6 +103,8 @@ private:
         }
         const double usual_angle = like ? like->type.jump_angle_factor : 1.0;
         type.jump_angle_factor = value(row, "jump_angle_factor", angle_factor_range, &usual_angle);
+        const double no_friction = like ? like->type.rolling_friction : 0.0;
+        type.rolling_friction = value(row, "rolling_friction", rolling_friction_range, &no_friction);
         read_stopping(row, like, type);
         type.soil = soil_of(row, like);
         changes_.apply(std::to_string(type.code), type);
@@ -239,7 +241,7 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
 
     doubt_columns(
         table,
-        {"code", "label", "r_n", "r_t", "jump_angle_factor", "p_stop", "rolling_stops_per_m", "like", "soil"},
+        {"code", "label", "r_n", "r_t", "jump_angle_factor", "p_stop", "rolling_stops_per_m", "rolling_friction", "like", "soil"},
         reading);
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const rockfall::ModelDescription& model =

@@ -10,6 +10,7 @@
 #include "coupling/inputs/site.hpp"
 #include "coupling/observed/stops.hpp"
 #include "rockfall/ensemble.hpp"
+#include "rockfall/tally/impact_log.hpp"
 
 namespace coupling {
 
@@ -27,6 +28,7 @@ struct RunResults {
     bool with_forest = false;  ///< false: neither trees nor logs, only the bare slope was assessed
     std::string version;
     std::vector<observed::StopComparison> observed_stops{};  ///< empty where none were observed
+    std::vector<rockfall::RockImpacts> impacts{};            ///< where wanted, of the rocks of `paths`
 };
 
 }  // namespace coupling

@@ -13,6 +13,7 @@
 #include "coupling/nets/net_paths.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/fall_rocks.hpp"
+#include "coupling/run/impacts_of_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
@@ -121,6 +122,7 @@ public:
 
 private:
     Ended keep_paths(const std::filesystem::path& file);
+    [[nodiscard]] std::vector<rockfall::RockImpacts> kept_impacts() const;
 
     const RunRequest& request_;
     const Scenario& scenario_;
@@ -204,6 +206,19 @@ Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
                            request_.threads > 0 ? request_.threads : omp_get_max_threads());
 }
 
+/// Of the rocks whose paths are kept, which fall once more.
+std::vector<rockfall::RockImpacts> AssessmentRun::kept_impacts() const {
+    std::vector<std::uint64_t> rocks;
+    if (scenario_.impact_table) {
+        for (const rockfall::PathRecord& path : state_.paths) {
+            rocks.push_back(path.rock);
+        }
+    }
+    std::sort(rocks.begin(), rocks.end());
+    rocks.erase(std::unique(rocks.begin(), rocks.end()), rocks.end());
+    return impacts_of(assessment_, rocks);
+}
+
 Ended AssessmentRun::write(OutputFolder& folder) {
     if (state_.not_started > 0) {
         warnings_.add(std::to_string(state_.not_started) +
@@ -235,7 +250,8 @@ Ended AssessmentRun::write(OutputFolder& folder) {
                              compare_stops(site_,
                                            assessment_.only_bare() ? rockfall::Cover::bare
                                                                    : rockfall::Cover::forest,
-                                           folder.parts())};
+                                           folder.parts()),
+                             kept_impacts()};
     std::vector<WrittenFile> written;
     try {
         WritingProgress progress{request_.quiet};

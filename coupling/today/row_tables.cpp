@@ -56,6 +56,12 @@ void cut_to(const fs::path& file, const KeptTable& kept) {
     }
 }
 
+/// Code of the ground type at a place, in coordinates of the terrain; none beyond it.
+std::optional<int> ground_at(const rockfall::Slope& slope, const Eigen::Vector3d& place_m) {
+    const auto triangle = slope.terrain.locate(place_m.x(), place_m.y());
+    return triangle ? std::optional{slope.type_at(*triangle, place_m.x(), place_m.y()).code} : std::nullopt;
+}
+
 }  // namespace
 
 /// One table: its file, or none if it is not wanted.
@@ -123,7 +129,7 @@ void RowTables::add_rocks(const rockfall::ChunkRows& rows, rockfall::Cover cover
     }
     for (const rockfall::RockRecord& record : rows.rocks[static_cast<std::size_t>(cover)]) {
         write_rock(tables_[rocks_table]->file->stream(), record, cover, site_.origin_m(),
-                   site_.sources[record.source].zone);
+                   site_.sources[record.source].zone, ground_at(site_.slope, record.end_m));
     }
 }
 

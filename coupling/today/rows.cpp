@@ -1,8 +1,11 @@
 #include "coupling/today/rows.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
+#include "config/units/angle.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
@@ -18,6 +21,15 @@ void add_place(CsvRow& row, const Eigen::Vector3d& place_m, const Eigen::Vector2
     row.number<2>(place_m.x() + origin_m.x());
     row.number<2>(place_m.y() + origin_m.y());
     row.number<2>(place_m.z());
+}
+
+/// Clockwise from north, 0 to 360; NaN without a direction.
+double azimuth_deg(const Eigen::Vector2d& way_m) {
+    if (way_m.norm() < 0.005) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const double degrees = config::Angle::from_radians(std::atan2(way_m.x(), way_m.y())).in_degrees();
+    return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 
 const char* log_outcome_name(rockfall::LogOutcome outcome) {
@@ -72,14 +84,17 @@ void write_rock_header(std::ostream& out) {
 }
 
 void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cover,
-                const Eigen::Vector2d& origin_m, std::uint32_t zone) {
+                const Eigen::Vector2d& origin_m, std::uint32_t zone, std::optional<int> end_ground) {
     static const std::size_t columns = columns_of("rocks.csv");
     CsvRow row{out, columns};
     row.whole(record.rock).text(coupling::name_of(cover)).whole(zone).whole(record.source);
     row.number<3>(static_cast<double>(record.diameter_m)).text(coupling::name_of(record.reason));
     add_place(row, record.start_m, origin_m);
     add_place(row, record.end_m, origin_m);
-    row.number<2>(record.run_out_m()).number<2>(record.path_m).number<2>(record.time_s);
+    row.number<2>(record.run_out_m());
+    row.number<1>(azimuth_deg((record.end_m - record.start_m).head<2>()));
+    end_ground ? row.whole(static_cast<unsigned>(*end_ground)) : row.empty();
+    row.number<2>(record.path_m).number<2>(record.time_s);
     row.number<3>(record.max_speed_mps).number<3>(record.mean_speed_mps());
     row.number<3>(record.max_energy_j / j_per_kj);
     row.number<3>(record.max_height_m).number<3>(record.mean_jump_height_m());

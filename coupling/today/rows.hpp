@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string_view>
@@ -15,10 +16,11 @@ namespace coupling {
 // The tables that grow while rocks fall, row by row: nothing of them is kept in memory. Positions come in
 // coordinates of the terrain and are written absolute: `origin_m` is added.
 
-/// tables/rocks.csv: one row a rock and slope.
+/// tables/rocks.csv: one row a rock and slope. `end_ground`: code of the ground type there; none beyond the
+/// terrain.
 void write_rock_header(std::ostream& out);
 void write_rock(std::ostream& out, const rockfall::RockRecord& record, rockfall::Cover cover,
-                const Eigen::Vector2d& origin_m, std::uint32_t zone);
+                const Eigen::Vector2d& origin_m, std::uint32_t zone, std::optional<int> end_ground);
 
 /// tables/arrivals.csv: one row a rock, slope and target that it reached.
 void write_arrival_header(std::ostream& out);

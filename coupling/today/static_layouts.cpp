@@ -119,6 +119,25 @@ TableLayout grounds() {
     return {"grounds.csv", "a ground type that occurs", together(first, ground_table_columns())};
 }
 
+TableLayout impacts() {
+    const std::vector<Column> first{rock_column(), cover_column(),
+                                    {"impact", "-", "number of the impact along the path, from 0", simulated}};
+    const std::vector<Column> rest{
+        {"ground", "-", "code of the ground type", "input terrain"},
+        {"speed_in_mps", "m/s", "speed before it", simulated},
+        {"angle_in_deg", "deg", "of the velocity before it below the face of the terrain", simulated},
+        {"onward", "text", "jumps, rolls or stops", simulated},
+        {"speed_out_mps", "m/s", "speed after it", simulated},
+        {"angle_out_deg", "deg", "of the velocity after it above the face of the terrain; 0 where it rolls",
+         simulated},
+        {"jump_length_m", "m", "straight length of the jump that ended here", simulated},
+        {"jump_plan_length_m", "m", "the same in plan", simulated},
+        {"jump_height_m", "m", "its largest height above the ground, vertical", simulated},
+        {"jump_time_s", "s", "its time", simulated}};
+    return {"impacts.csv", "an impact on the ground of a rock whose path is kept",
+            together(first, place_columns("", "the rock's underside"), rest)};
+}
+
 TableLayout observed_stops() {
     const auto run_out = [](const char* name, const std::string& of) {
         return Column{name, "m", joined(of, " of the plan distance from release to stop"), "as the row says"};
@@ -161,6 +180,9 @@ TableLayout rocks() {
          simulated}};
     const std::vector<Column> rest{
         {"run_out_m", "m", "plan distance from release to end", simulated},
+        {"azimuth_deg", "deg", "direction in plan from release to end, clockwise from north; empty on the spot",
+         simulated},
+        {"end_ground", "-", "code of the ground type at the end", "input terrain"},
         {"path_m", "m", "length of the path in space", simulated},
         {"time_s", "s", "time from release to end", simulated},
         {"max_speed_mps", "m/s", "highest speed", simulated},
@@ -250,7 +272,7 @@ const std::vector<TableLayout>& static_layouts() {
                                      grounds(),  stems(),        logs(),
                                      rocks(),    arrivals(),     tree_hits(),
                                      log_hits(), trajectories(), trajectories_wkt(),
-                                     observed_stops()};
+                                     observed_stops(), impacts()};
         const std::vector<TableLayout> of_nets = net_layouts();
         all.insert(all.end(), of_nets.begin(), of_nets.end());
         return all;

@@ -8,6 +8,7 @@
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figure_columns.hpp"
 #include "coupling/today/grounds.hpp"
+#include "coupling/today/impact_table.hpp"
 #include "coupling/today/observed_stops.hpp"
 #include "coupling/today/rows.hpp"
 #include "coupling/today/static_layouts.hpp"
@@ -179,6 +180,11 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
         write("stems.csv",
               "Every tree with the hits it took and the energy it absorbed: which trees protect.",
               [&](std::ostream& out) { write_stems(out, results); });
+    }
+    if (results.scenario.impact_table) {
+        write("impacts.csv",
+              "Each ground impact of the rocks whose paths are kept: place, speeds and angles, the jump before.",
+              [&](std::ostream& out) { write_impacts(out, results.impacts, results.site.origin_m()); });
     }
     if (!results.paths.empty()) {
         OutFile points{folder / "tables/trajectories.csv"};

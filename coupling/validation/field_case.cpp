@@ -70,7 +70,7 @@ constexpr std::array measures{
             [](const StopComparison& c) { return c.energy_distance_m; }},
 };
 
-/// "run_out_mean_m", "pir3d.run_out_mean_m:block 1": the model that the scenario itself names has no prefix.
+/// "run_out_mean_m", "MODEL.run_out_mean_m:block 1": the model that the scenario itself names has no prefix.
 std::string figure_name(const std::string& model, const Measure& measure, const std::string& group) {
     return joined(model, model.empty() ? "" : ".", measure.name, group.empty() ? "" : ":", group);
 }

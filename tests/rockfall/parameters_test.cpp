@@ -45,6 +45,10 @@ TEST(RockfallParameters, StrictIsWhatThePaperStates) {
     EXPECT_TRUE(strict.fall.motion.of<picus::Model>().restitution.damping);
     EXPECT_EQ(strict.fall.motion.of<picus::Model>().angle, ReboundAngle::jump_angle_law);
     EXPECT_TRUE(strict.fall.motion.of<picus::Model>().stopping.by_chance);
+    EXPECT_FALSE(strict.fall.motion.of<picus::Model>().stopping.catches_rolling);
+    EXPECT_FALSE(strict.fall.motion.of<picus::Model>().stops_by_hop_length);
+    EXPECT_FALSE(strict.fall.motion.of<picus::Model>().restitution.fitted);
+    EXPECT_EQ(strict.fall.motion.of<picus::Model>().restitution.normal_halved_mps, 0.0);
     EXPECT_EQ(strict.fall.motion.of<picus::Model>().restitution.tangential_noise, 0.05);
     EXPECT_EQ(strict.fall.motion.of<picus::Model>().noise, picus::NoiseScope::impact);
 }
@@ -57,7 +61,7 @@ TEST(RockfallParameters, TheEarlierVariantsOfThePaperLeaveOutItsLaterSteps) {
 
     const Parameters initial = preset("paper_initial");
     EXPECT_FALSE(initial.fall.motion.of<picus::Model>().restitution.damping);
-    EXPECT_EQ(initial.fall.motion.of<picus::Model>().angle, ReboundAngle::geometric);
+    EXPECT_EQ(initial.fall.motion.of<picus::Model>().jump_angle.exponent, 0.0) << "a constant angle";
     EXPECT_FALSE(initial.fall.motion.of<picus::Model>().stopping.by_chance);
     EXPECT_EQ(initial.ground.contact_support_m, 0.0);
 }

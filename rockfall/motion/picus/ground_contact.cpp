@@ -74,7 +74,7 @@ Eigen::Vector3d velocity_off_ground(const Impact& impact, Restitution restitutio
 /// What the impact does unless the ground catches the rock.
 Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
               Restitution published, const Rock& rock, const Law& law, const ContactDraws& draws,
-              double jump_angle_factor) {
+              double jump_angle_factor, double friction) {
     const double squared_speed = velocity_mps.squaredNorm();
     const double energy_before_j = kinetic_energy_j(rock, squared_speed, spin_radps);
     const Impact impact = split(velocity_mps, normal);
@@ -88,7 +88,7 @@ Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eige
         draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
     const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
 
-    if (speed_mps < law.stopping.slow_mps && holds_rocks(normal, law.rolling.friction)) {
+    if (speed_mps < law.stopping.slow_mps && holds_rocks(normal, friction > 0.0 ? friction : law.rolling.friction)) {
         return {Onward::rests, Eigen::Vector3d::Zero(), 0.0};
     }
     if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(normal.z(), rock.radius_m)) {
@@ -118,9 +118,9 @@ double rolling_speed_scale_mps(double normal_z, double radius_m) {
 
 Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
                     Restitution published, double stop_probability, const Rock& rock, const Law& law,
-                    const ContactDraws& draws, double jump_angle_factor) {
+                    const ContactDraws& draws, double jump_angle_factor, double friction) {
     const Contact contact =
-        go_on(velocity_mps, spin_radps, normal, published, rock, law, draws, jump_angle_factor);
+        go_on(velocity_mps, spin_radps, normal, published, rock, law, draws, jump_angle_factor, friction);
     if (law.stopping.by_chance && stop_probability > 0.0 &&
         is_stopped(draws.stop, stop_probability, impacts_of(contact, normal, law))) {
         return {Onward::caught, Eigen::Vector3d::Zero(), 0.0};

@@ -36,7 +36,11 @@ constexpr std::array columns{
     GroundColumn<Law>{.name = "p_stop", .from = stops, .value = if_by_chance<&SurfaceType::stopping>},
     GroundColumn<Law>{.name = "rolling_stops_per_m",
                       .from = stops,
-                      .value = if_by_chance<&SurfaceType::rolling_stops_per_m>},
+                      .value = [](const SurfaceType& type, const Law& law, double diameter_m) {
+                          return law.stopping.catches_rolling
+                                     ? if_by_chance<&SurfaceType::rolling_stops_per_m>(type, law, diameter_m)
+                                     : no_figure;
+                      }},
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ public:
         const Restitution restitution = restitution_of(surface, law_.restitution);
         return meet_ground(velocity_mps, spin_radps, normal, restitution,
                            surface_stops_.probability(surface), rock_, law_, draws,
-                           surface.jump_angle_factor);
+                           surface.jump_angle_factor, friction_on(surface));
     }
 
     ContactDraws next_draws() {
@@ -79,17 +79,17 @@ public:
 
     RollingPiece next_piece(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
                             const Eigen::Vector3d& position_m, const Eigen::Vector3d& velocity_mps,
-                            const SurfaceType&) {
+                            const SurfaceType& surface) {
         // Past the launch speed but with hops too short to matter: rolls on in pieces.
         const double next_launch_mps = std::max(launch_mps(plane.normal()), velocity_mps.norm() * 1.1);
-        return roll(terrain, triangle, plane, position_m, velocity_mps, law_.rolling.friction,
+        return roll(terrain, triangle, plane, position_m, velocity_mps, friction_on(surface),
                     next_launch_mps);
     }
 
     /// The share of a piece [0, 1] after which the ground catches the rock, if it does.
     std::optional<double> caught_on_the_way(const SurfaceType& surface, const RollingPiece& piece) {
         const double rate = surface_stops_.rolling_rate(surface);
-        if (rate <= 0.0 || !law_.stopping.by_chance) {
+        if (rate <= 0.0 || !law_.stopping.by_chance || !law_.stopping.catches_rolling) {
             return std::nullopt;
         }
         const double length_m = (piece.position_m(piece.duration_s) - piece.start_m).norm();
@@ -110,12 +110,16 @@ public:
         return off_mps > 0.0 ? EdgeWay::takes_off : EdgeWay::runs_into;
     }
 
-    [[nodiscard]] GrooveLaw groove_law(const SurfaceType&) const {
-        return {law_.rolling.friction, rolling_mass_factor, false};
+    [[nodiscard]] GrooveLaw groove_law(const SurfaceType& surface) const {
+        return {friction_on(surface), rolling_mass_factor, false};
     }
     [[nodiscard]] std::uint32_t most_impacts() const { return law_.stopping.most_impacts; }
 
 private:
+    /// Of rolling: the ground type's own, else that of the law.
+    [[nodiscard]] double friction_on(const SurfaceType& surface) const {
+        return surface.rolling_friction > 0.0 ? surface.rolling_friction : law_.rolling.friction;
+    }
     [[nodiscard]] double launch_mps(const Eigen::Vector3d& normal) const {
         return law_.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
     }

@@ -43,21 +43,22 @@ void declare_rebound(config::Options& options, Law& law, Written& written) {
                    {{"jump_angle", ReboundAngle::jump_angle_law}, {"geometric", ReboundAngle::geometric}},
                    {.meaning = "how steeply rocks leave the ground: by speed, or mirrored by restitution",
                     .source = "Rammer et al. 2010, Eq. 9",
-                    .presets = from_rebound_on("geometric"),
                     .formerly = "rockfall.rebound"});
     options.number("picus.jump_angle_coefficient_deg", written.jump_angle_coefficient_deg,
                    {.unit = "deg",
                     .low = 1.0,
                     .high = 180.0,
                     .meaning = "jump angle at 1 m/s",
-                    .source = "Rammer et al. 2010, Eq. 9",
+                    .source = "Rammer et al. 2010, Eq. 9; 14 of paper_initial is rebuilt",
+                    .presets = from_rebound_on("14"),
                     .formerly = "rockfall.jump_angle_coefficient_deg"});
     options.number("picus.jump_angle_exponent", law.jump_angle.exponent,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 3.0,
-                    .meaning = "the jump angle falls with speed to this power",
-                    .source = "Rammer et al. 2010, Eq. 9",
+                    .meaning = "the jump angle falls with speed to this power; 0: a constant angle",
+                    .source = "Rammer et al. 2010, Eq. 9; section 3.1 for paper_initial",
+                    .presets = from_rebound_on("0"),
                     .formerly = "rockfall.jump_angle_exponent"});
     options.number("picus.jump_angle_cap_deg", written.jump_angle_cap_deg,
                    {.unit = "deg",
@@ -114,7 +115,7 @@ void declare_rolling(config::Options& options, RollingLaw& law) {
                    {.unit = "-",
                     .low = 0.01,
                     .high = 2.0,
-                    .meaning = "rolling friction coefficient of every ground type",
+                    .meaning = "rolling friction coefficient of ground types without one of their own",
                     .source = "Azzoni et al. 1995; Rammer et al. 2010",
                     .formerly = "rockfall.rolling_friction"});
     options.number("picus.rolling_start_factor", law.start_factor,
@@ -139,6 +140,10 @@ void declare_stopping(config::Options& options, Law& law) {
                   .source = "Rammer et al. 2010, Eq. 10",
                   .presets = from_final_on("no"),
                   .formerly = "rockfall.stopping"});
+    options.flag("picus.rolling_stops", law.stopping.catches_rolling,
+                 {.meaning = "the ground also catches rolling rocks, at the rate rolling_stops_per_m",
+                  .source = "choice; the paper stops rocks at impacts alone",
+                  .presets = published("no")});
     options.flag(
         "picus.stops_by_hop_length", law.stops_by_hop_length,
         {.meaning = "a hop n times as long as the law's stops like n impacts; no: each impact counts",

@@ -33,7 +33,7 @@ TEST(WriteRock, HasAFieldForEveryColumnAndAbsoluteCoordinates) {
     record.jump_height_sum_m = 3.0;
     std::ostringstream out;
     write_rock_header(out);
-    write_rock(out, record, Cover::forest, origin_m, 7);
+    write_rock(out, record, Cover::forest, origin_m, 7, 3);
     const config::Table table = table_of(out);
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.text(0, "rock"), "123456789012");
@@ -45,6 +45,8 @@ TEST(WriteRock, HasAFieldForEveryColumnAndAbsoluteCoordinates) {
     EXPECT_EQ(table.text(0, "z_start_m"), "1500.13");
     EXPECT_EQ(table.text(0, "y_end_m"), "377060.00");
     EXPECT_EQ(table.text(0, "run_out_m"), "50.00");
+    EXPECT_EQ(table.text(0, "azimuth_deg"), "36.9");  // 30 m east, 40 m north
+    EXPECT_EQ(table.text(0, "end_ground"), "3");
     EXPECT_EQ(table.text(0, "mean_speed_mps"), "12.000");
     EXPECT_EQ(table.text(0, "max_energy_kj"), "12.345");
     EXPECT_EQ(table.text(0, "mean_jump_height_m"), "1.500");

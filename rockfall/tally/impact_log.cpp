@@ -1,0 +1,78 @@
+#include "rockfall/tally/impact_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rockfall {
+
+namespace {
+
+/// Between a velocity and a face, positive away from it.
+config::Angle angle_to(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal) {
+    const double speed_mps = velocity_mps.norm();
+    const double sine = speed_mps > 0.0 ? velocity_mps.dot(normal) / speed_mps : 0.0;
+    return config::Angle::from_radians(std::asin(std::clamp(sine, -1.0, 1.0)));
+}
+
+}  // namespace
+
+void ImpactLog::flew(const Rock& rock, const Flight& flight, double until_s,
+                     std::span<const Stretch> stretches, double spin_radps) {
+    go_on(GroundImpact::Onward::jumps, flight.velocity_mps);
+    jumps_.flew(rock, flight, until_s, stretches, spin_radps);
+    in_flight_ = !stretches.empty();
+    if (in_flight_) {
+        arriving_mps_ = flight.velocity_at(until_s);
+        triangle_ = stretches.back().triangle;
+        normal_ = slope_->terrain.plane_of(triangle_).normal();
+    }
+}
+
+void ImpactLog::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle) {
+    go_on(GroundImpact::Onward::rolls, piece.velocity_mps);
+    jumps_.rolled(rock, piece, triangle);
+    in_flight_ = false;
+}
+
+void ImpactLog::impacted(const Eigen::Vector3d& place_m) {
+    jumps_.impacted(place_m);
+    if (!in_flight_) {
+        return;  // a rolling rock that runs into rising ground
+    }
+    in_flight_ = false;
+    GroundImpact impact;
+    impact.place_m = place_m;
+    impact.ground = slope_->type_at(triangle_, place_m.x(), place_m.y()).code;
+    impact.speed_in_mps = arriving_mps_.norm();
+    impact.angle_in = config::Angle::from_radians(-angle_to(arriving_mps_, normal_).in_radians());
+    impact.jump = jumps_.jumps().back();
+    impacts_.push_back(impact);
+    open_ = true;
+}
+
+void ImpactLog::met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
+                         double energy_j) {
+    jumps_.met_stem(position_m, hit, impact, energy_j);
+    in_flight_ = false;
+}
+
+void ImpactLog::met_log(const Eigen::Vector3d& position_m, const LogHit& hit, const LogImpact& impact,
+                        double energy_j) {
+    jumps_.met_log(position_m, hit, impact, energy_j);
+    in_flight_ = false;
+}
+
+void ImpactLog::go_on(GroundImpact::Onward onward, const Eigen::Vector3d& velocity_mps) {
+    if (!open_) {
+        return;
+    }
+    open_ = false;
+    GroundImpact& impact = impacts_.back();
+    impact.onward = onward;
+    impact.speed_out_mps = velocity_mps.norm();
+    if (onward == GroundImpact::Onward::jumps) {
+        impact.angle_out = angle_to(velocity_mps, normal_);
+    }
+}
+
+}  // namespace rockfall
