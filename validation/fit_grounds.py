@@ -67,7 +67,7 @@ def copy_cases(folder, cases):
             (folder / case / beside).unlink(missing_ok=True)
 
 
-def verdicts(program, folder, cases, values, rocks):
+def verdicts(program, folder, cases, values, rocks, settings=()):
     """Rows of verdicts.csv for a trial."""
     out = folder / "out"
     shutil.rmtree(out, ignore_errors=True)
@@ -75,6 +75,8 @@ def verdicts(program, folder, cases, values, rocks):
                "--rocks", str(rocks)]
     for ground, (r_t, factor) in values.items():
         command += ["--set", f"ground.{ground}.r_t={r_t:.3f}", "--set", f"ground.{ground}.jump_angle_factor={factor:.2f}"]
+    for setting in settings:
+        command += ["--set", setting]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode not in (0, 5):
         raise SystemExit(f"{' '.join(command)}\n{run.stderr}")
@@ -108,16 +110,21 @@ def moved(values, published, width, chance):
     return trial
 
 
-def fit(program, folder, site, trials, rocks, seed, start):
+def fit(program, folder, site, start, options):
     grounds, cases = SITES[site]
     published = published_rt()
-    chance = random.Random(f"{seed} {site}")
+    chance = random.Random(f"{options.seed} {site}")
+    trials = options.trials
+
+    def cost_with(values):
+        return cost_of(verdicts(program, folder, cases, values, options.rocks, options.settings), values, published)
+
     best = {ground: start[ground] for ground in grounds}
-    best_cost = cost_of(verdicts(program, folder, cases, best, rocks), best, published)
+    best_cost = cost_with(best)
     print(f"{site}: cost {best_cost:.3f} at the start", flush=True)
     for number in range(trials):
         trial = moved(best, published, 0.5 if number < trials / 2 else 0.2, chance)
-        cost = cost_of(verdicts(program, folder, cases, trial, rocks), trial, published)
+        cost = cost_with(trial)
         if cost < best_cost:
             best, best_cost = trial, cost
             print(f"  {number + 1}: {cost:.3f} {trial}", flush=True)
@@ -145,6 +152,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--site", choices=list(SITES), help="one of the sites alone")
     parser.add_argument("--from-published", action="store_true", help="begin there; else with the shipped values")
+    parser.add_argument("--set", dest="settings", action="append", default=[], metavar="section.key=value",
+                        help="of all trials, to try another law: again for more")
     parser.add_argument("--write", action="store_true", help="put the result into config/data/surfaces.csv")
     options = parser.parse_args()
     published = published_rt()
@@ -154,7 +163,7 @@ def main():
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             copy_cases(folder, SITES[site][1])
-            found |= fit(options.program, folder, site, options.trials, options.rocks, options.seed, start)
+            found |= fit(options.program, folder, site, start, options)
     print("ground,r_t,jump_angle_factor")
     for ground, (r_t, factor) in found.items():
         print(f"{ground},{r_t:.3f},{factor:g}")

@@ -17,6 +17,7 @@ enum class Purpose : std::uint8_t {
     stand = 5,           ///< positions of artificial trees
     sampling = 6,        ///< which rocks a sample shows
     relief = 7,          ///< height of one node of a synthetic relief
+    facet = 8,           ///< facet of rough ground at one ground contact
     block = 20,          ///< size and place of one block of a virtual surface
     rock_throw = 21,     ///< start of one throw at a virtual surface
     tree_place = 40,     ///< where a tree stands that leaves a group of young ones

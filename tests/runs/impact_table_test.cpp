@@ -13,7 +13,7 @@
 namespace coupling::impact_table_test {
 namespace {
 
-config::Table table(const SampleProject& project, const std::string& name) {
+config::Table read_table(const SampleProject& project, const std::string& name) {
     std::istringstream in{project.read(name)};
     return config::Table::read(in, name);
 }
@@ -25,7 +25,7 @@ TEST(ImpactTable, HasTheImpactsOfTheRocksThatWereAskedFor) {
                    "output.sample_paths=0 --set \"output.path_rocks=3, 11\"")
                   .code,
               0);
-    const config::Table impacts = table(project, "out/tables/impacts.csv");
+    const config::Table impacts = read_table(project, "out/tables/impacts.csv");
     ASSERT_GT(impacts.rows(), 4U);
     std::set<std::string> rocks;
     for (std::size_t row = 0; row < impacts.rows(); ++row) {
@@ -36,7 +36,7 @@ TEST(ImpactTable, HasTheImpactsOfTheRocksThatWereAskedFor) {
     EXPECT_EQ(rocks, (std::set<std::string>{"3", "11"}));
 
     // The last impact of a rock that the ground stopped lies where rocks.csv has its end.
-    const config::Table ends = table(project, "out/tables/rocks.csv");
+    const config::Table ends = read_table(project, "out/tables/rocks.csv");
     for (std::size_t row = 0; row < ends.rows(); ++row) {
         for (std::size_t i = 0; i < impacts.rows(); ++i) {
             if (impacts.text(i, "rock") == ends.text(row, "rock") &&

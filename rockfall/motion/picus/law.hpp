@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "rockfall/motion/ground_deviation.hpp"
+#include "rockfall/motion/picus/facet.hpp"
 #include "rockfall/motion/picus/jump_angle.hpp"
 #include "rockfall/motion/rebound.hpp"
 #include "rockfall/motion/restitution.hpp"
@@ -23,6 +24,7 @@ struct Law {
     bool jump_angle_by_ground = true;  ///< times the factor of the ground type
     bool stops_by_hop_length =
         true;  ///< a hop counts for as many impacts as it is longer, see hop_share.hpp
+    FacetLaw facets;
     bool blend_steep_impacts = true;
     LateralDeviation lateral;
     RollingLaw rolling;
@@ -33,6 +35,7 @@ struct Law {
 struct Written {
     double jump_angle_coefficient_deg = 80.0;
     double jump_angle_cap_deg = 60.0;
+    double facet_roughness_deg = 0.0;
     double lateral_slow_deg = 16.0;
     double lateral_fast_deg = 11.0;
 };

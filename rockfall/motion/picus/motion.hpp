@@ -10,6 +10,7 @@
 #include "rockfall/motion/contact.hpp"
 #include "rockfall/motion/groove.hpp"
 #include "rockfall/motion/hop.hpp"
+#include "rockfall/motion/picus/facet.hpp"
 #include "rockfall/motion/picus/ground_contact.hpp"
 #include "rockfall/motion/picus/law.hpp"
 #include "rockfall/motion/rolling.hpp"
@@ -34,6 +35,7 @@ public:
           rock_{rock},
           ground_draws_{key, config::Purpose::ground_impact},
           rolling_draws_{key, config::Purpose::rolling},
+          facet_draws_{key, config::Purpose::facet},
           surface_stops_{rock.diameter_m} {
         if (law.noise == NoiseScope::rock) {
             constexpr std::uint32_t once_per_rock = 0xFFFFFF;
@@ -44,9 +46,15 @@ public:
     Contact touch(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
                   const SurfaceType& surface, const ContactDraws& draws) {
         const Restitution restitution = restitution_of(surface, law_.restitution);
-        return meet_ground(velocity_mps, spin_radps, normal, restitution,
-                           surface_stops_.probability(surface), rock_, law_, draws,
-                           surface.jump_angle_factor, friction_on(surface));
+        const auto meet = [&](const Eigen::Vector3d& face) {
+            return meet_ground(velocity_mps, spin_radps, face, restitution,
+                               surface_stops_.probability(surface), rock_, law_, draws,
+                               surface.jump_angle_factor, friction_on(surface));
+        };
+        return law_.facets.any() ? on_ground(meet(facet_normal(velocity_mps, normal, law_.facets,
+                                                               facet_draws_, contacts_)),
+                                             normal)
+                                 : meet(normal);
     }
 
     ContactDraws next_draws() {
@@ -128,6 +136,7 @@ private:
     Rock rock_;
     config::RandomStream ground_draws_;
     config::RandomStream rolling_draws_;
+    config::RandomStream facet_draws_;
     SurfaceStops surface_stops_;
     std::uint32_t contacts_ = 0;
     std::uint32_t rolls_ = 0;

@@ -79,6 +79,12 @@ void declare_rebound(config::Options& options, Law& law, Written& written) {
                  {.meaning = "jump angles are multiplied by jump_angle_factor of the ground type",
                   .source = "choice, from jumps observed on pasture",
                   .presets = published("no")});
+    options.number("picus.facet_roughness_deg", written.facet_roughness_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 30.0,
+                    .meaning = "rocks meet facets tilted by an angle of this standard deviation; 0: even ground",
+                    .source = "choice, research option; ground types are fitted without it"});
     options.flag("picus.blend_steep_impacts", law.blend_steep_impacts,
                  {.meaning = "impacts steeper than 60 deg go over to the geometric rebound",
                   .source = "choice",
@@ -172,6 +178,7 @@ void Model::take_over(const Written& written, const SharedSettings& shared, Law&
                       const config::Options& options, config::Problems& problems) {
     law.jump_angle.coefficient = config::Angle::from_degrees(written.jump_angle_coefficient_deg);
     law.jump_angle.cap = config::Angle::from_degrees(written.jump_angle_cap_deg);
+    law.facets.deviation = config::Angle::from_degrees(written.facet_roughness_deg);
     law.lateral.at_rest = config::Angle::from_degrees(written.lateral_slow_deg);
     law.lateral.when_fast = config::Angle::from_degrees(written.lateral_fast_deg);
     law.rolling.edge_angle_tangent = shared.edge_angle_tangent();
@@ -183,7 +190,8 @@ void Model::take_over(const Written& written, const SharedSettings& shared, Law&
     }
 }
 
-void Model::stay_in_plane(Law&, Written& written) {
+void Model::stay_in_plane(Law& law, Written& written) {
+    law.facets.across_path = true;
     written.lateral_slow_deg = 0.0;
     written.lateral_fast_deg = 0.0;
 }
