@@ -1,17 +1,13 @@
 #include "rockfall/tally/impact_log.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace rockfall {
 
 namespace {
 
-/// Between a velocity and a face, positive away from it.
-config::Angle angle_to(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal) {
-    const double speed_mps = velocity_mps.norm();
-    const double sine = speed_mps > 0.0 ? velocity_mps.dot(normal) / speed_mps : 0.0;
-    return config::Angle::from_radians(std::asin(std::clamp(sine, -1.0, 1.0)));
+/// A velocity against a face; `sign` is 1 for off it, -1 for into it.
+Speeds speeds_of(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, double sign) {
+    const double off_mps = velocity_mps.dot(normal);
+    return {(velocity_mps - off_mps * normal).norm(), sign * off_mps};
 }
 
 }  // namespace
@@ -43,8 +39,7 @@ void ImpactLog::impacted(const Eigen::Vector3d& place_m) {
     GroundImpact impact;
     impact.place_m = place_m;
     impact.ground = slope_->type_at(triangle_, place_m.x(), place_m.y()).code;
-    impact.speed_in_mps = arriving_mps_.norm();
-    impact.angle_in = config::Angle::from_radians(-angle_to(arriving_mps_, normal_).in_radians());
+    impact.before = speeds_of(arriving_mps_, normal_, -1.0);
     impact.jump = jumps_.jumps().back();
     impacts_.push_back(impact);
     open_ = true;
@@ -69,10 +64,8 @@ void ImpactLog::go_on(GroundImpact::Onward onward, const Eigen::Vector3d& veloci
     open_ = false;
     GroundImpact& impact = impacts_.back();
     impact.onward = onward;
-    impact.speed_out_mps = velocity_mps.norm();
-    if (onward == GroundImpact::Onward::jumps) {
-        impact.angle_out = angle_to(velocity_mps, normal_);
-    }
+    impact.after = onward == GroundImpact::Onward::jumps ? speeds_of(velocity_mps, normal_, 1.0)
+                                                         : Speeds{velocity_mps.norm(), 0.0};
 }
 
 }  // namespace rockfall

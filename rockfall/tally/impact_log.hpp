@@ -1,16 +1,26 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "config/units/angle.hpp"
 #include "rockfall/slope.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 #include "rockfall/tally/jump_log.hpp"
 
 namespace rockfall {
+
+/// A velocity against a face of the terrain.
+struct Speeds {
+    double along_mps = 0.0;   ///< in the face, not negative
+    double normal_mps = 0.0;  ///< into it before an impact, off it after one
+
+    [[nodiscard]] double whole_mps() const {
+        return std::sqrt(along_mps * along_mps + normal_mps * normal_mps);
+    }
+};
 
 /// A contact of a flying rock with the ground: how it came and how it went on.
 struct GroundImpact {
@@ -19,10 +29,8 @@ struct GroundImpact {
 
     Eigen::Vector3d place_m = Eigen::Vector3d::Zero();  ///< of the underside, coordinates of the terrain
     int ground = 0;                                     ///< code of the ground type
-    double speed_in_mps = 0.0;
-    double speed_out_mps = 0.0;  ///< 0 where it stops
-    config::Angle angle_in;      ///< of the velocity below the face of the terrain
-    config::Angle angle_out;     ///< above it; 0 where it rolls or stops
+    Speeds before;  ///< as it comes: into the ground
+    Speeds after;   ///< as it leaves: off the ground; none where it stops
     Onward onward = Onward::stops;
     Jump jump;  ///< that ended here
 };
@@ -36,8 +44,8 @@ struct RockImpacts {
 
 /// Watches one rock and keeps each impact on the ground that ends a flight. Reused from rock to rock.
 ///
-/// Angles are taken from the face of the terrain, not from the contact zone that the fall itself feels:
-/// that is what somebody measures on the ground.
+/// Velocities are split by the face of the terrain, not by the contact zone that the fall itself feels: that
+/// is what somebody measures on the ground.
 class ImpactLog {
 public:
     explicit ImpactLog(const Slope& slope) : slope_{&slope}, jumps_{slope.terrain} {}

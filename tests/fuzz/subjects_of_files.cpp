@@ -168,7 +168,7 @@ std::vector<Subject> validation_cases() {
         subject.read = [](const SampleProject& project) {
             for (const auto& files : coupling::validation::cases_in(project.file("case"))) {
                 const auto read = coupling::validation::read_case(files);
-                if (!is_forest(read.kind)) {
+                if (!read.comparison) {
                     (void)read.profile(*read.recipe("default"));
                 }
             }

@@ -85,6 +85,7 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
                                            "bin_high",
                                            "code",
                                            "ground",
+                                           "end_ground",
                                            "area_share",
                                            "soil",
                                            "r_n",

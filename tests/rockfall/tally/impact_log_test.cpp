@@ -31,8 +31,8 @@ TEST(ImpactLog, MeetsAFreeFallOntoALevelPlane) {
     const Slope slope = plane_slope(0.0, {0.30, 0.75}, 0.0, 200.0);
     const auto impacts = impacts_on(slope, deterministic_law(), start_at(slope, 20.0, 50.0, 5.0, {0.0, 0.0, 0.0}));
     ASSERT_FALSE(impacts.empty());
-    EXPECT_NEAR(impacts[0].speed_in_mps, std::sqrt(2.0 * 9.81 * 5.0), 0.01);
-    EXPECT_NEAR(impacts[0].angle_in.in_degrees(), 90.0, 1e-6);
+    EXPECT_NEAR(impacts[0].before.normal_mps, std::sqrt(2.0 * 9.81 * 5.0), 0.01);
+    EXPECT_NEAR(impacts[0].before.along_mps, 0.0, 1e-9);
     EXPECT_NEAR(impacts[0].jump.highest_m, 5.0, 1e-9);
     EXPECT_NEAR(impacts[0].jump.plan_length_m(), 0.0, 1e-9);
 }
@@ -50,10 +50,11 @@ TEST(ImpactLog, LeavesAtTheAngleOfTheLaw) {
             continue;
         }
         ++jumps;
-        EXPECT_NEAR(impact.angle_out.in_degrees(),
-                    picus::jump_angle(impact.speed_out_mps * impact.speed_out_mps, angles).in_degrees(), 1e-6);
-        EXPECT_LT(impact.speed_out_mps, impact.speed_in_mps);
-        EXPECT_GT(impact.angle_in.in_degrees(), 0.0);
+        const double speed_mps = impact.after.whole_mps();
+        EXPECT_NEAR(std::atan2(impact.after.normal_mps, impact.after.along_mps),
+                    picus::jump_angle(speed_mps * speed_mps, angles).in_radians(), 1e-8);
+        EXPECT_LT(speed_mps, impact.before.whole_mps());
+        EXPECT_GT(impact.before.normal_mps, 0.0);
     }
     EXPECT_GT(jumps, 10U);
 }
@@ -68,11 +69,11 @@ TEST(ImpactLog, EachJumpBeginsWhereTheOneBeforeEnded) {
         for (std::size_t i = 1; i < impacts.size(); ++i) {
             if (impacts[i - 1].onward == GroundImpact::Onward::jumps) {
                 EXPECT_LT((impacts[i].jump.from_m - impacts[i - 1].place_m).norm(), 1e-9);
-                EXPECT_NEAR(impacts[i].jump.launch_mps, impacts[i - 1].speed_out_mps, 1e-9);
+                EXPECT_NEAR(impacts[i].jump.launch_mps, impacts[i - 1].after.whole_mps(), 1e-9);
             }
         }
         if (!impacts.empty() && impacts.back().onward == GroundImpact::Onward::stops) {
-            EXPECT_EQ(impacts.back().speed_out_mps, 0.0);
+            EXPECT_EQ(impacts.back().after.whole_mps(), 0.0);
         }
     }
 }
