@@ -30,6 +30,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"stopping-table",
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
         {"compare", {"out", "page", "overwrite"}},
+        {"vary", {"set", "seed", "threads", "out", "overwrite"}},
         {"net", {"nets", "distances", "azimuth", "out", "overwrite"}},
         {"info", {}},
         {"completion", {}},
@@ -208,6 +209,22 @@ void add_stopping_table(CommandLine& line, const po::variables_map& values) {
     line.pictures = values.count("pictures") > 0;
 }
 
+/// A scenario and a table of settings.
+void add_vary(CommandLine& line, const po::variables_map& values) {
+    const std::vector<std::string> words =
+        values.count("argument") == 0 ? std::vector<std::string>{}
+                                      : values["argument"].as<std::vector<std::string>>();
+    if (words.size() != 2) {
+        refuse("`bannwald vary` with " + std::to_string(words.size()) + " files",
+               "a scenario and a table of settings: bannwald vary SCENARIO FACTORS.csv --out DIR");
+    }
+    if (values.count("out") == 0) {
+        refuse("`bannwald vary` without a folder for the results", "--out DIR");
+    }
+    line.argument = words[0];
+    line.factors = words[1];
+}
+
 /// "2/5": the second of five.
 Shard shard_of(const std::string& text) {
     const auto slash = text.find('/');
@@ -310,6 +327,8 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         add_info(line, values);
     } else if (command == "net") {
         add_net(line, values);
+    } else if (command == "vary") {
+        add_vary(line, values);
     } else if (command == "compare") {
         add_compare(line, values);
     } else {
@@ -361,7 +380,7 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty() ? "init, check, run, merge, compare, net, validate, stopping-table, info or "
+           nearest.empty() ? "init, check, run, merge, compare, vary, net, validate, stopping-table, info or "
                              "completion; see `bannwald --help`"
                            : config::in_quotes(nearest));
 }
@@ -370,7 +389,7 @@ CommandLine parse_general(const std::string& word) {
 
 const std::vector<std::string>& command_names() {
     static const std::vector<std::string> names{"init",    "check",     "run",      "merge",
-                                                "compare", "net",       "validate", "stopping-table",
+                                                "compare", "vary",      "net",      "validate",  "stopping-table",
                                                 "info",    "completion"};
     return names;
 }

@@ -37,6 +37,9 @@ struct CommandLine {
     std::vector<std::filesystem::path> folders;
     std::filesystem::path page;  ///< compare: HTML file; empty: none
 
+    // vary, where the argument is the scenario
+    std::filesystem::path factors;
+
     // net, where the argument is the folder of a run
     std::string action;  ///< try or place
     std::filesystem::path nets;

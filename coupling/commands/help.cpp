@@ -23,6 +23,7 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald check SCENARIO              reads everything, prints size, memory and time; writes nothing
   bannwald run SCENARIO                simulates rockfall and writes maps, tables and a report
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
+  bannwald vary SCENARIO FACTORS.csv   other settings one by one and crossed: what the answer hangs on
   bannwald compare DIR DIR...          puts finished runs side by side, with which differences are significant
   bannwald net try DIR --nets FILE     evaluates other nets without another simulation
   bannwald net place DIR --nets FILE   looks for the place of a net upslope of a line
@@ -124,6 +125,19 @@ targets or rocks differ.
   -q, --quiet               nothing on the screen
 )";
 
+constexpr std::string_view vary_help = R"(bannwald vary SCENARIO FACTORS.csv --out DIR [options]
+
+Lets the rocks of a scenario of today fall again and again with other settings, the same rocks as far as the
+settings leave them the same, and shows what the answer hangs on: a page with a tornado chart for each target,
+and all runs as vary.csv. FACTORS.csv has a row a setting:
+  setting,values,how
+  picus.jump_angle_scatter,0.3 0.5 0.7,alone       each value alone, all else as in the scenario
+  release.diameter_m,0.5 1.0,crossed               with each value of all other crossed settings
+Any setting may vary, files too: trees.file, terrain.dem; ground.pasture.r_t is a value of a ground type.
+  --out DIR                 folder of vary.csv and report.html
+  --overwrite               replaces a study that the folder holds
+)";
+
 constexpr std::string_view completion_help = R"help(bannwald completion bash
 
 Prints a script for the shell bash: the Tab key then completes commands, options, examples, settings and files.
@@ -214,6 +228,7 @@ void write_help(std::ostream& out, const std::string& command) {
         {"init", init_help},         {"check", check_help},
         {"run", run_help},           {"merge", merge_help},
         {"compare", compare_help},   {"completion", completion_help},
+        {"vary", vary_help},
         {"validate", validate_help}, {"stopping-table", stopping_table_help},
         {"info", info_help},         {"net", net_help}};
     const auto text = texts.find(command);
@@ -222,10 +237,10 @@ void write_help(std::ostream& out, const std::string& command) {
         return;
     }
     out << text->second;
-    if (command == "check" || command == "run" || command == "merge") {
+    if (command == "check" || command == "run" || command == "merge" || command == "vary") {
         out << scenario_options;
     }
-    if (command == "check" || command == "run") {
+    if (command == "check" || command == "run" || command == "vary") {
         out << threads_option;
     }
     if (command == "validate") {
@@ -238,7 +253,7 @@ void write_help(std::ostream& out, const std::string& command) {
 void write_help_all(std::ostream& out) {
     out << short_help;
     for (const std::string_view text :
-         {init_help, check_help, run_help, threads_option, merge_help, scenario_options, compare_help, net_help,
+         {init_help, check_help, run_help, threads_option, merge_help, scenario_options, compare_help, vary_help, net_help,
           validate_help, stopping_table_help, info_help, completion_help}) {
         out << text << '\n';
     }

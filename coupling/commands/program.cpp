@@ -25,6 +25,7 @@
 #include "coupling/run/messages.hpp"
 #include "coupling/run/ranks.hpp"
 #include "coupling/stopping/stopping_table.hpp"
+#include "coupling/vary/vary.hpp"
 
 namespace coupling {
 namespace {
@@ -129,6 +130,16 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
                                .quiet = line.quiet},
                               std::cout);
         return code(ExitCode::done);
+    }
+    if (line.command == "vary") {
+        return vary::vary_scenario({.scenario = line.argument,
+                                    .factors = line.factors,
+                                    .overrides = line.overrides,
+                                    .out = line.out,
+                                    .threads = line.threads,
+                                    .overwrite = line.overwrite,
+                                    .quiet = line.quiet},
+                                   std::cout);
     }
     if (line.command == "net" && line.action == "place") {
         place_nets({.run = line.argument,

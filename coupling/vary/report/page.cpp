@@ -1,0 +1,110 @@
+#include "coupling/vary/report/page.hpp"
+
+#include <cmath>
+
+#include "config/text/joined.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_text.hpp"
+#include "coupling/vary/report/tornado.hpp"
+#include "coupling/version.hpp"
+
+namespace coupling::vary::report {
+namespace {
+
+using config::joined;
+using coupling::report::escaped;
+using coupling::report::page_text;
+using coupling::report::percent;
+
+constexpr const char* style =
+    ".tornado{width:100%;max-width:860px;height:auto}.tornado text{font-size:13px;fill:var(--ink)}"
+    ".tornado .sway{fill:var(--forest)}.tornado .grid{stroke:var(--soft);stroke-width:.5}"
+    ".tornado .base{stroke:var(--ink);stroke-width:1.6}";
+
+std::string with_interval(double value, const Interval& interval) {
+    return std::isnan(value) ? "–"
+                             : joined(percent(value), " (", percent(interval.low), "–",
+                                      percent(interval.high), ")");
+}
+
+std::string protection_of(const TargetOutcome& target) {
+    return target.protection && !target.too_few ? with_interval(target.protection->value, target.protection->interval) : "–";
+}
+
+std::string table_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
+                     std::size_t target) {
+    const bool with_forest = outcomes.front().with_forest;
+    std::vector<std::string> head{page_text("vary.run")};
+    head.push_back(page_text("vary.settings"));
+    if (with_forest) {
+        head.push_back(page_text("vary.forest_stops"));
+    }
+    head.insert(head.end(), {page_text("vary.arrive_bare"), page_text("vary.energy_bare")});
+    if (with_forest) {
+        head.insert(head.end(), {page_text("vary.arrive_forest"), page_text("vary.energy_forest")});
+    }
+    coupling::report::HtmlTable table{page_text("vary.table_caption"), head};
+    table.text_columns({1});
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const Outcome& outcome = outcomes[i];
+        const TargetOutcome& found = outcome.targets[target];
+        std::string settings;
+        for (const std::string& one : outcome.combination.overrides(factors)) {
+            settings += joined(settings.empty() ? "" : "<br>", "<code>", escaped(one), "</code>");
+        }
+        std::vector<std::string> cells{std::to_string(i),
+                                       i == 0 ? page_text("vary.as_in_the_scenario") : settings};
+        if (with_forest) {
+            cells.push_back(protection_of(found));
+        }
+        cells.push_back(with_interval(found.bare.share.value, found.bare.share.interval));
+        cells.push_back(coupling::report::fixed(found.bare.energy_kj.mean, 1));
+        if (with_forest) {
+            cells.push_back(with_interval(found.forest.share.value, found.forest.share.interval));
+            cells.push_back(coupling::report::fixed(found.forest.energy_kj.mean, 1));
+        }
+        table.row(cells);
+    }
+    return joined("<section class=\"card\">", table.html(), "</section>\n");
+}
+
+std::string part_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
+                    std::size_t target) {
+    const Outcome& base = outcomes.front();
+    const double answer = base.targets[target].answer(base.with_forest);
+    const std::vector<Sway> sways = sways_of(factors, outcomes, target);
+    std::string html = joined("<h2>", escaped(base.targets[target].name), "</h2>\n");
+    if (std::isnan(answer)) {
+        html += joined("<p>", page_text("vary.too_few_arrive"), "</p>\n");
+    } else if (!sways.empty()) {
+        html += joined("<section class=\"card\"><p>",
+                       page_text(base.with_forest ? "vary.about_protection" : "vary.about_arrivals",
+                                 {{"answer", percent(answer)}}),
+                       "</p>", tornado(sways, answer, page_text(base.with_forest ? "vary.axis_protection"
+                                                                                 : "vary.axis_arrivals")),
+                       "</section>\n");
+    }
+    return joined(html, table_of(factors, outcomes, target));
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, const std::string& scenario, const std::vector<Factor>& factors,
+                const std::vector<Outcome>& outcomes) {
+    const std::string title = joined(page_text("vary.title"), " ", escaped(scenario));
+    coupling::report::begin_page(
+        out, {.title = title, .version = version(), .scripts = {}, .style = style, .before_main = {}});
+    out << "<h1>" << title << "</h1>\n<p>"
+        << page_text("vary.lead", {{"runs", std::to_string(outcomes.size())},
+                                   {"rocks", std::to_string(outcomes.front().rocks)}})
+        << "</p>\n";
+    for (std::size_t target = 0; target < outcomes.front().targets.size(); ++target) {
+        out << part_of(factors, outcomes, target);
+    }
+    coupling::report::end_page(out, {.title = title, .version = version(), .scripts = {}, .style = style,
+                                     .before_main = {}});
+}
+
+}  // namespace coupling::vary::report

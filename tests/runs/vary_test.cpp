@@ -1,0 +1,84 @@
+// A scenario under other settings, through the program.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "config/table/table.hpp"
+#include "tests/runs/program.hpp"
+
+namespace coupling::vary_runs_test {
+namespace {
+
+const std::string study = "vary scenario.ini factors.csv --quiet --set release.rocks=400 ";
+
+config::Table rows_of(const SampleProject& project, const std::string& folder) {
+    std::istringstream in{project.read(folder + "/vary.csv")};
+    return config::Table::read(in, "vary.csv");
+}
+
+TEST(Vary, RunsTheScenarioAndEachCombination) {
+    const SampleProject project;
+    project.write("factors.csv",
+                  "setting,values,how\nground.3.r_t,0.6 0.85,alone\nrelease.diameter_m,0.5 1,crossed\n"
+                  "rockfall.motion,picus pir3d,crossed\n");
+    ASSERT_EQ(call(project, study + "--threads 1 --out one").code, 0);
+    const config::Table rows = rows_of(project, "one");
+    ASSERT_EQ(rows.rows(), (1U + 2U + 4U) * 2U) << "two targets";
+    EXPECT_EQ(rows.text(0, "moved"), "none");
+    EXPECT_EQ(rows.text(2, "ground.3.r_t"), "0.6");
+    EXPECT_EQ(rows.text(2, "moved"), "alone");
+    EXPECT_EQ(rows.text(12, "rockfall.motion"), "pir3d");
+    // The scenario's own values, crossed, are the scenario.
+    for (const char* column : {"share_bare", "energy_mean_bare_kj", "protection_percent", "run_out_mean_m"}) {
+        EXPECT_EQ(rows.text(0, column), rows.text(6, column)) << column;
+    }
+    EXPECT_NE(rows.text(2, "run_out_mean_m"), rows.text(4, "run_out_mean_m"));
+    const std::string page = project.read("one/report.html");
+    EXPECT_NE(page.find("class=\"tornado\""), std::string::npos);
+    EXPECT_NE(page.find(">ground.3.r_t</text>"), std::string::npos);
+
+    ASSERT_EQ(call(project, study + "--threads 3 --out three").code, 0);
+    EXPECT_EQ(project.read("one/vary.csv"), project.read("three/vary.csv"));
+    EXPECT_EQ(page, project.read("three/report.html"));
+}
+
+TEST(Vary, GivesTheFiguresOfTheRunItself) {
+    const SampleProject project;
+    project.write("factors.csv", "setting,values,how\nrelease.diameter_m,0.8,alone\n");
+    ASSERT_EQ(call(project, study + "--out study").code, 0);
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=400 --set release.diameter_m=0.8 "
+                            "--out run")
+                  .code,
+              0);
+    const config::Table rows = rows_of(project, "study");
+    std::istringstream in{project.read("run/tables/protection.csv")};
+    const config::Table run = config::Table::read(in, "protection.csv");
+    EXPECT_NEAR(std::stod(rows.text(2, "protection_percent")), std::stod(run.text(0, "protection_percent")), 0.01);
+}
+
+TEST(Vary, TellsWhatIsWrongBeforeAnyRockFalls) {
+    const SampleProject project;
+    project.write("factors.csv", "setting,values,how\nrelease.diameter_m,0.5 x,alone\n");
+    const Outcome wrong = call(project, study + "--out study");
+    EXPECT_EQ(wrong.code, 2) << wrong.err;
+    EXPECT_NE(wrong.err.find("release.diameter_m = 'x'"), std::string::npos) << wrong.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("study")));
+
+    project.write("factors.csv", "setting,values,how\nrun.years,0 5,alone\n");
+    const Outcome years = call(project, study + "--out study");
+    EXPECT_NE(years.code, 0);
+    EXPECT_FALSE(std::filesystem::exists(project.file("study")));
+
+    project.write("factors.csv", "setting,values,how\nrelease.diameter_m,0.5,alone\n");
+    EXPECT_EQ(call(project, "vary scenario.ini --out study").code, 2);
+    EXPECT_EQ(call(project, "vary scenario.ini factors.csv").code, 2);
+    ASSERT_EQ(call(project, study + "--out study").code, 0);
+    EXPECT_EQ(call(project, study + "--out study").code, 2) << "a study is there already";
+    EXPECT_EQ(call(project, study + "--out study --overwrite").code, 0);
+}
+
+}  // namespace
+}  // namespace coupling::vary_runs_test
