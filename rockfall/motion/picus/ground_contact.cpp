@@ -121,7 +121,8 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
                     const ContactDraws& draws, double jump_angle_factor, double friction) {
     const Contact contact =
         go_on(velocity_mps, spin_radps, normal, published, rock, law, draws, jump_angle_factor, friction);
-    if (law.stopping.by_chance && stop_probability > 0.0 &&
+    // Most draws stop no rock however long its hop is: its length takes longer than all else here.
+    if (law.stopping.by_chance && draws.stop < most_impacts_of_a_hop * stop_probability &&
         is_stopped(draws.stop, stop_probability, impacts_of(contact, normal, law))) {
         return {Onward::caught, Eigen::Vector3d::Zero(), 0.0};
     }

@@ -16,6 +16,9 @@ inline double relative_hop_length(double sine, double cosine, double fall) {
     return sine * std::max(cosine + sine * fall, 0.05);
 }
 
+/// No hop stands for more impacts.
+inline constexpr double most_impacts_of_a_hop = 20.0;
+
 /// Length of the coming hop by that of one at the angle `usual` with the same speed: how many impacts it
 /// stands for [-].
 ///
@@ -23,7 +26,6 @@ inline double relative_hop_length(double sine, double cosine, double fall) {
 /// hops are longer than the law's there are fewer impacts, and the chance to pass the slope must not rise.
 inline double hop_share(const Eigen::Vector3d& leaving_mps, const Eigen::Vector3d& normal,
                         config::Angle usual) {
-    constexpr double most = 20.0;
     const double off_ground_mps = leaving_mps.dot(normal);
     const Eigen::Vector3d along_mps = leaving_mps - off_ground_mps * normal;
     const double along_ground_mps = along_mps.norm();
@@ -36,7 +38,7 @@ inline double hop_share(const Eigen::Vector3d& leaving_mps, const Eigen::Vector3
     const double usual_length = relative_hop_length(up.sin, up.cos, fall);
     return std::min(
         relative_hop_length(off_ground_mps / speed_mps, along_ground_mps / speed_mps, fall) / usual_length,
-        most);
+        most_impacts_of_a_hop);
 }
 
 /// Whether one of `impacts` impacts stops the rock, where one does with `probability`; `draw` on [0, 1).
