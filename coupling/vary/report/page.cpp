@@ -7,6 +7,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/vary/report/style.hpp"
 #include "coupling/vary/report/tornado.hpp"
 #include "coupling/version.hpp"
 
@@ -17,11 +18,6 @@ using config::joined;
 using coupling::report::escaped;
 using coupling::report::page_text;
 using coupling::report::percent;
-
-constexpr const char* style =
-    ".tornado{width:100%;max-width:860px;height:auto}.tornado text{font-size:13px;fill:var(--ink)}"
-    ".tornado .sway{fill:var(--forest)}.tornado .grid{stroke:var(--soft);stroke-width:.5}"
-    ".tornado .base{stroke:var(--ink);stroke-width:1.6}";
 
 std::string with_interval(double value, const Interval& interval) {
     return std::isnan(value) ? "–"
@@ -95,7 +91,7 @@ void write_page(std::ostream& out, const std::string& scenario, const std::vecto
                 const std::vector<Outcome>& outcomes) {
     const std::string title = joined(page_text("vary.title"), " ", escaped(scenario));
     coupling::report::begin_page(
-        out, {.title = title, .version = version(), .scripts = {}, .style = style, .before_main = {}});
+        out, {.title = title, .version = version(), .scripts = {}, .style = std::string{page_style()}, .before_main = {}});
     out << "<h1>" << title << "</h1>\n<p>"
         << page_text("vary.lead", {{"runs", std::to_string(outcomes.size())},
                                    {"rocks", std::to_string(outcomes.front().rocks)}})
@@ -103,7 +99,7 @@ void write_page(std::ostream& out, const std::string& scenario, const std::vecto
     for (std::size_t target = 0; target < outcomes.front().targets.size(); ++target) {
         out << part_of(factors, outcomes, target);
     }
-    coupling::report::end_page(out, {.title = title, .version = version(), .scripts = {}, .style = style,
+    coupling::report::end_page(out, {.title = title, .version = version(), .scripts = {}, .style = std::string{page_style()},
                                      .before_main = {}});
 }
 
