@@ -66,12 +66,13 @@ void keep(const Figures& figures, const std::string& name) {
 }
 
 /// "" if the reader took the input or refused it in the proper way, else what went wrong.
-std::string fault_of(const Target& target, const coupling::SampleProject& project, bool& refused) {
-    refused = false;
+/// `refused`: with which message it was refused, "" if not.
+std::string fault_of(const Target& target, const coupling::SampleProject& project, std::string& refused) {
+    refused.clear();
     try {
         target.subject.read(project);
     } catch (const config::InputError& error) {
-        refused = true;
+        refused = error.what();
         if (error.code() == config::ExitCode::internal || error.code() == config::ExitCode::done) {
             return "an error of the user with the code of a fault of the program";
         }
@@ -91,9 +92,9 @@ TEST_P(EveryReader, TakesOrRefusesWhateverItIsGiven) {
     const std::uint64_t count = from_environment("BANNWALD_FUZZ_INPUTS", 25);
     omp_set_num_threads(1);
     const std::unique_ptr<coupling::SampleProject> project = target.subject.make();
-    bool refused = false;
+    std::string refused;
     ASSERT_EQ(fault_of(target, *project, refused), "");
-    ASSERT_FALSE(refused) << target.name() << ": the input that is to be changed must be valid";
+    ASSERT_EQ(refused, "") << target.name() << ": the input that is to be changed must be valid";
 
     const std::string valid = project->read(target.file);
     Watch watch;
@@ -110,7 +111,7 @@ TEST_P(EveryReader, TakesOrRefusesWhateverItIsGiven) {
         EXPECT_EQ(fault, "") << repeat;
         EXPECT_LE(watch.grown_bytes(), most_bytes) << repeat;
         ++figures.inputs;
-        figures.refused += refused ? 1 : 0;
+        figures.refused += refused.empty() ? 0 : 1;
         figures.longest_s = std::max(figures.longest_s, watch.cpu_seconds());
         figures.most_bytes = std::max(figures.most_bytes, watch.grown_bytes());
     }

@@ -170,6 +170,8 @@ std::unique_ptr<SampleProject> stands() {
 /// The shipped regime with the most columns, as a file of the user's.
 std::unique_ptr<SampleProject> regime() {
     auto project = std::make_unique<ForestProject>();
+    project->replace("scenario.ini", "years = 4\n", "years = 100\n");  // interventions come within them
+    project->replace("scenario.ini", "elevation_m = 500\n", "elevation_m = 500\nsequence = repeat\n");
     append(*project, "scenario.ini", "[regimes]\nlist = shelter.csv, slits.csv\n");
     project->write("shelter.csv", std::string{coupling::shipped_regime("bau_shelterwood")});
     project->write("slits.csv", std::string{coupling::shipped_regime("pfm2")});
