@@ -131,7 +131,7 @@ Lets the rocks of a scenario of today fall again and again with other settings, 
 settings leave them the same, and shows what the answer hangs on: a page with a tornado chart for each target,
 and all runs as vary.csv. FACTORS.csv has a row a setting:
   setting,values,how
-  picus.jump_angle_scatter,0.3 0.5 0.7,alone       each value alone, all else as in the scenario
+  tree_impact.taper,yes no,alone                   each value alone, all else as in the scenario
   release.diameter_m,0.5 1.0,crossed               with each value of all other crossed settings
 Any setting may vary, files too: trees.file, terrain.dem; ground.pasture.r_t is a value of a ground type.
   --out DIR                 folder of vary.csv and report.html

@@ -150,9 +150,9 @@ TableLayout decision_layout() {
         {"replicates_to_decide", "-",
          "replicates after which a share of this size would be yes or no; empty: more than 5000", exact}};
     columns.insert(columns.end(), head.begin(), head.end());
-    add_mean(columns, "years_below", "yr",
+    add_mean(columns, "below_years", "years",
              "years with less protection, each year with rocks for those up to the next");
-    add_mean(columns, "percent_years_lost", "% yr",
+    add_mean(columns, "lost_percent_years", "% years",
              "what is missing to the protection asked for, summed over years");
     columns.push_back({"lowest_year", "-", "year after the start with the lowest mean", of_replicates});
     add_mean(columns, "lowest_percent", "%", "protection in that year");
