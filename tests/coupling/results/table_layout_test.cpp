@@ -53,13 +53,16 @@ std::string unit_of(const std::string& name) {
         {"kj", "kJ"},       {"percent", "%"}, {"pha", "1/ha"}, {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"},
         {"tpha", "t/ha"},   {"m3", "m3"},     {"ha", "ha"},    {"degc", "degC"},   {"kg", "kg"},
         {"years", "years"}, {"deg", "deg"}};
-    for (const char* interval : {"_low_90", "_high_90"}) {
+    for (const char* interval : {"_low_90", "_high_90", "_low_95", "_high_95"}) {
         if (name.ends_with(interval)) {
             return unit_of(name.substr(0, name.size() - std::string{interval}.size()));
         }
     }
     if (name.ends_with("_yr")) {
         return unit_of(name.substr(0, name.size() - 3)) + "/yr";
+    }
+    if (name == "eur_per_percent_year") {
+        return "EUR/ha/(% yr)";
     }
     if (name.ends_with("_percent_years")) {
         return "% years";
