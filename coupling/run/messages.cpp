@@ -11,11 +11,12 @@ namespace coupling {
 namespace {
 
 /// What people look at first, in all kinds of runs.
-constexpr std::array<std::string_view, 12> worth_opening{"report.html",
+constexpr std::array<std::string_view, 13> worth_opening{"report.html",
                                                          "results.qlr",
                                                          "tables/protection.csv",
                                                          "tables/targets.csv",
                                                          "tables/stations.csv",
+                                                         "tables/decision.csv",
                                                          "tables/regimes_by_year.csv",
                                                          "tables/stands.csv",
                                                          "tables/regime_differences.csv",

@@ -194,5 +194,33 @@ TEST(OwnRegimes, CountSalvagedTimberInComparisons) {
     EXPECT_NE(a["contribution_margin_eur_pha"], 0.0);
 }
 
+TEST(DecisionOfARun, StandsInTableSummaryPageAndClosingLines) {
+    const ForestProject project;
+    std::string loud{four_members};
+    loud.erase(loud.find("--quiet "), 8);
+    const Outcome outcome =
+        call(project, loud + "--set decision.protection_at_least=20 --set decision.probability=0.7");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table decision = table(project, "out/tables/decision.csv");
+    ASSERT_EQ(decision.rows(), 2U * table(project, "targets.csv").rows())
+        << "a row for each regime and target";
+    for (std::size_t row = 0; row < decision.rows(); ++row) {
+        EXPECT_EQ(number(decision, row, "protection_at_least_percent"), 20.0);
+        EXPECT_EQ(number(decision, row, "probability"), 0.7);
+        EXPECT_NE(decision.text(row, "keeps"), "yes") << "two replicates prove nothing";
+        EXPECT_EQ(number(decision, row, "first_year"), 2.0)
+            << "rocks fall every second year; the start is none";
+    }
+    const std::string asked = "protection of at least 20 % in all years with rocks (2 to 4)";
+    EXPECT_NE(project.read("out/report.html").find(asked), std::string::npos);
+    EXPECT_NE(project.read("out/summary.json").find(asked), std::string::npos);
+    EXPECT_NE(outcome.out.find("protection of at least 20 %"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("tables/decision.csv"), std::string::npos) << outcome.out;
+
+    const Outcome wrong = call(project, std::string{four_members} + "--set decision.probability=80");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.err.find("decision.probability"), std::string::npos) << wrong.err;
+}
+
 }  // namespace
 }  // namespace coupling::regimes_test
