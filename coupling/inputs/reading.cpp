@@ -1,6 +1,7 @@
 #include "coupling/inputs/reading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <utility>
@@ -107,6 +108,28 @@ void Reading::take_names(config::Table& table, const std::string& role, bool has
     }
 }
 
+namespace {
+
+/// Layers that a GIS wrote without shapes, where shapes are what is wanted.
+void refuse_layer_without_shapes(const config::Table& table, const std::string& role) {
+    constexpr std::array of_shapes{"targets",       "nets",      "stands",
+                                   "source_shapes", "tree_area", "surface_polygons"};
+    if (std::find(of_shapes.begin(), of_shapes.end(), role) == of_shapes.end()) {
+        return;
+    }
+    bool any = table.rows() == 0 && table.has("wkt");
+    for (std::size_t row = 0; table.has("wkt") && row < table.rows() && !any; ++row) {
+        any = !table.text(row, "wkt").empty();
+    }
+    if (!any) {
+        config::fail(config::ExitCode::data, {table.file()}, "a layer without geometry",
+                     "a layer of points, lines or polygons",
+                     "name another layer, or export this one again with its geometry");
+    }
+}
+
+}  // namespace
+
 config::Table Reading::table_at(const config::Place& place, const std::string& role,
                                 const std::string& name) {
     const formats::LayerName wanted = formats::split_layer_name(name);
@@ -117,6 +140,9 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
     config::Table& table = read.layer.table;
     if (!read.remark.empty()) {
         note(joined(table.file(), ": ", read.remark));
+    }
+    if (read.has_shapes_of_its_own) {
+        refuse_layer_without_shapes(table, role);
     }
     take_names(table, role, read.has_shapes_of_its_own);
     if (read.has_shapes_of_its_own && table.has("wkt")) {

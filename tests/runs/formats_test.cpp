@@ -44,6 +44,22 @@ Outcome run_and_compare(const SampleProject& project, const std::string& name, c
                      name + "/tables/targets.csv\n");
 }
 
+TEST(Formats, RefuseALayerWithoutGeometryByThatWord) {
+    const SampleProject project;
+    write_project(project);
+    project.write("road.geojson",
+                  "{\"type\": \"FeatureCollection\", \"features\": [{\"type\": \"Feature\", "
+                  "\"geometry\": null, \"properties\": {\"id\": \"road\"}}]}");
+    project.write("first.ini", scenario("dem.asc", "surface = surface.asc", "trees.csv",
+                                        "source = source.asc", "road.geojson"));
+    const Outcome outcome = call(project, "check first.ini");
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_NE(outcome.err.find("road.geojson: found a layer without geometry, expected a layer of points, "
+                               "lines or polygons; name another layer"),
+              std::string::npos)
+        << outcome.err;
+}
+
 TEST(Formats, GiveTheSameRastersWhateverTheFilesAre) {
     const SampleProject project;
     write_project(project);
