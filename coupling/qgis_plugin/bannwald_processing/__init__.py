@@ -1,0 +1,7 @@
+"""QGIS calls classFactory of this package when it loads the plugin."""
+
+
+def classFactory(iface):
+    from .plugin import Plugin
+
+    return Plugin()
