@@ -133,7 +133,7 @@ Comparison read_light(const CaseFiles& files) {
                                               joined(measure.label, ", ", slope_words(slope), fine), "-"});
             }
             comparison.references[joined(of.prefix, "ground_light:", slope.name)] = {
-                mean_of(slope.ground_light), "SamsaRaLight 1.0.0, mean of ground.csv"};
+                mean_of(slope.ground_light), "mean of ground.csv"};
         }
     }
     comparison.pieces = columns().size() * stand->slopes.size();

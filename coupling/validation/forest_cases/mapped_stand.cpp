@@ -32,8 +32,8 @@ using forest::slope_radiation;
 using forest::SlopeRadiation;
 using forest::turn_of;
 
-/// Prenovel, French Jura.
-constexpr double latitude_deg = 46.52666;
+/// Sides of stands are multiples of it: the width of the model's own columns.
+constexpr double widest_column_m = 10.0;
 
 /// SamsaRaLight leaves out rays flatter than this to the ground.
 constexpr double least_angle_deg = 10.0;
@@ -68,7 +68,12 @@ LightTree tree_of(const config::Table& trees, std::size_t row, const config::Tab
                      "expected one of " + leaves.file());
         return tree;
     }
-    tree.shape = leaves.text(kind, "crown") == "ellipsoid" ? CrownShape::ellipsoid : CrownShape::paraboloid;
+    const std::string& crown = leaves.text(kind, "crown");
+    if (crown != "ellipsoid" && crown != "paraboloid") {
+        problems.add(config::ExitCode::data, leaves.place(kind, "crown"), "crown '" + crown + "'",
+                     "ellipsoid or paraboloid");
+    }
+    tree.shape = crown == "ellipsoid" ? CrownShape::ellipsoid : CrownShape::paraboloid;
     tree.leaf_area_m2 = number(leaves, kind, "foliage_a", 0.0, 10.0, problems) *
                         config::pow_of(dbh_cm, number(leaves, kind, "foliage_b", 0.0, 5.0, problems)) *
                         number(leaves, kind, "sla_m2_per_kg", 0.1, 100.0, problems);
@@ -91,14 +96,19 @@ MappedSlope slope_of(const config::Table& slopes, std::size_t row, config::Probl
     slope.aspect = config::Angle::from_degrees(number(slopes, row, "aspect_deg", 0.0, 360.0, problems));
     slope.y_axis_azimuth =
         config::Angle::from_degrees(number(slopes, row, "y_axis_azimuth_deg", 0.0, 360.0, problems));
-    slope.direct_mjpm2 = number(slopes, row, "direct_mjpm2", 0.0, 2e4, problems);
-    slope.diffuse_mjpm2 = number(slopes, row, "diffuse_mjpm2", 0.0, 2e4, problems);
+    slope.direct_mjpm2 = number(slopes, row, "direct_mjpm2", 1.0, 2e4, problems);
+    slope.diffuse_mjpm2 = number(slopes, row, "diffuse_mjpm2", 1.0, 2e4, problems);
     return slope;
 }
 
 MonthlyRadiation radiation_of(const config::Table& table, config::Problems& problems) {
     MonthlyRadiation radiation;
-    for (std::size_t row = 0; row < std::min<std::size_t>(table.rows(), 12); ++row) {
+    if (table.rows() != radiation.direct_mjpm2.size()) {
+        problems.add(config::ExitCode::data, {table.file()}, std::to_string(table.rows()) + " rows",
+                     "one for each month, January first");
+        return radiation;
+    }
+    for (std::size_t row = 0; row < table.rows(); ++row) {
         const double global_mjpm2 = number(table, row, "global_mjpm2", 0.0, 2000.0, problems);
         const double diffuse = number(table, row, "diffuse_share", 0.0, 1.0, problems);
         radiation.diffuse_mjpm2[row] = diffuse * global_mjpm2;
@@ -114,15 +124,47 @@ bool columns_are_there(const config::Table& trees, const config::Table& ground, 
         {"species", "x_m", "y_m", "dbh_cm", "height_m", "crown_base_m", "crown_radius_m"}, problems);
     all = leaves.require({"species", "crown", "foliage_a", "foliage_b", "sla_m2_per_kg"}, problems) && all;
     all = radiation.require({"global_mjpm2", "diffuse_share"}, problems) && all;
-    all = slopes.require(
-              {"slope", "slope_deg", "aspect_deg", "y_axis_azimuth_deg", "direct_mjpm2", "diffuse_mjpm2"},
-              problems) &&
+    all = slopes.require({"slope", "latitude_deg", "side_m", "slope_deg", "aspect_deg", "y_axis_azimuth_deg",
+                          "direct_mjpm2", "diffuse_mjpm2"},
+                         problems) &&
           all;
     for (std::size_t row = 0; all && row < slopes.rows(); ++row) {
         const std::string light = "light_" + slopes.text(row, "slope");
         all = trees.require({light}, problems) && ground.require({light}, problems);
     }
     return all;
+}
+
+/// What holds for the stand on all slopes: where it lies and how large it is.
+void read_place(const config::Table& slopes, MappedStand& stand, config::Problems& problems) {
+    double first_latitude_deg = 0.0;
+    for (std::size_t row = 0; row < slopes.rows(); ++row) {
+        const double latitude_deg = number(slopes, row, "latitude_deg", -66.0, 66.0, problems);
+        const double side_m = number(slopes, row, "side_m", widest_column_m, 1000.0, problems);
+        if (row == 0) {
+            first_latitude_deg = latitude_deg;
+            stand.latitude = config::Angle::from_degrees(latitude_deg);
+            stand.side_m = side_m;
+        } else if (latitude_deg != first_latitude_deg || side_m != stand.side_m) {
+            problems.add(config::ExitCode::data, slopes.place(row, "latitude_deg"),
+                         "another latitude or side than in the first row",
+                         "one stand, laid on all slopes at one place",
+                         "repeat the values of the first row, or make a case for each stand");
+        }
+        if (std::fmod(side_m, widest_column_m) != 0.0) {
+            problems.add(config::ExitCode::data, slopes.place(row, "side_m"),
+                         "a side of " + slopes.text(row, "side_m") + " m",
+                         "a multiple of 10 m, the width of the columns of light",
+                         "cut the stand, and leave out the trees beyond");
+        }
+    }
+}
+
+/// Agreement is a mean over something.
+void check_rows(const config::Table& table, const std::string& of, config::Problems& problems) {
+    if (table.rows() == 0) {
+        problems.add(config::ExitCode::data, {table.file()}, "no rows", "a row for each " + of);
+    }
 }
 
 /// A plane that rises along the y axis, repeating itself.
@@ -195,11 +237,21 @@ MappedStand mapped_stand(const config::Table& trees, const config::Table& ground
                          const config::Table& radiation, const config::Table& slopes) {
     config::Problems problems;
     MappedStand stand;
-    stand.latitude = config::Angle::from_degrees(latitude_deg);
     if (columns_are_there(trees, ground, leaves, radiation, slopes, problems)) {
+        check_rows(trees, "tree", problems);
+        check_rows(ground, "place where light on the ground is known", problems);
+        check_rows(slopes, "slope", problems);
+        read_place(slopes, stand, problems);
         stand.radiation = radiation_of(radiation, problems);
         for (std::size_t row = 0; row < trees.rows(); ++row) {
             stand.trees.push_back(tree_of(trees, row, leaves, problems));
+            const LightTree& tree = stand.trees.back();
+            if (std::max(std::abs(tree.x_m - 0.5 * stand.side_m), std::abs(tree.y_m - 0.5 * stand.side_m)) >
+                0.5 * stand.side_m) {
+                problems.add(config::ExitCode::data, trees.place(row, "x_m"), "a tree off the stand",
+                             "x_m and y_m from 0 to side_m of the slopes",
+                             "shift the positions, or leave the tree out");
+            }
         }
         for (std::size_t row = 0; row < slopes.rows(); ++row) {
             MappedSlope slope = slope_of(slopes, row, problems);

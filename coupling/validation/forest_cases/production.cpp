@@ -115,10 +115,31 @@ bool is_stock(const check::Column& column) {
     return column.name.starts_with("biom_") && column.unit == "t/ha";
 }
 
+std::string month_words(const check::YearMonth& when) {
+    return joined(std::to_string(when.year), when.month < 10 ? "-0" : "-", std::to_string(when.month));
+}
+
+/// A run that is no number any more would agree with everything: no comparison with it holds. Throws
+/// InputError (data) with the first month and column.
+void require_numbers(const ReferenceRun& run, const std::vector<check::Row>& rows) {
+    for (const check::Row& row : rows) {
+        for (const check::Column& column : check::columns()) {
+            if (run.table.has(column.name) && !std::isfinite(column.of(row))) {
+                config::fail(config::ExitCode::data, {run.table.file()},
+                             joined("run ", run.name, " is not a number since ", month_words(row.when),
+                                    " in column ", column.name),
+                             "parameters and weather that give numbers in every month",
+                             "look at the parameters that the column depends on");
+            }
+        }
+    }
+}
+
 /// All figures of all months that both programs give. What has not been computed before the first month is 0
 /// in r3PG, and is not compared.
 RunOutcome compare(const ReferenceRun& run) {
     RunOutcome outcome{check::run(run.inputs, run.settings), {}};
+    require_numbers(run, outcome.rows);
     const std::size_t skipped = outcome.rows.size() - run.table.rows();
     for (const check::Column& column : check::columns()) {
         if (!run.table.has(column.name)) {
@@ -154,10 +175,6 @@ std::string difference_name(const ReferenceRun& run) {
 
 std::string biomass_name(const ReferenceRun& run) {
     return joined("largest_biomass_difference_gpha:", run.name);
-}
-
-std::string month_words(const check::YearMonth& when) {
-    return joined(std::to_string(when.year), when.month < 10 ? "-0" : "-", std::to_string(when.month));
 }
 
 /// The end of a month in years since the beginning of the first.

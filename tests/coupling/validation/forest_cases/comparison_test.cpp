@@ -66,6 +66,20 @@ CaseFiles small_yield() {
     return files;
 }
 
+TEST(ForestProduction, NamesTheMonthAndColumnThatAreNoNumberAnyMore) {
+    CaseFiles files = shipped("forest_production");
+    // Height is D^1000 then: beyond all numbers from the first month on.
+    replace(files.texts["demo_parameters.csv"], "nHB,0.5375352,0.4738211", "nHB,1000,1000");
+    try {
+        static_cast<void>(result_of(files));
+        ADD_FAILURE() << "compared what is no number";
+    } catch (const config::InputError& error) {
+        const std::string message = config::to_string(error.problems().front());
+        EXPECT_NE(message.find("is not a number since "), std::string::npos) << message;
+        EXPECT_NE(message.find("in column height"), std::string::npos) << message;
+    }
+}
+
 TEST(ProductionCase, MeetsAllOfItsCriteria) {
     const CaseResult result = result_of(shipped("forest_production"));
     EXPECT_EQ(result.rows.size(), 5U);

@@ -48,6 +48,49 @@ TEST(MappedStand, NamesASpeciesWithoutLeaves) {
         config::InputError);
 }
 
+/// The stand with a table of its own for the slopes or the radiation.
+MappedStand stand_with(const std::string& slopes, const std::string& radiation = {}) {
+    std::istringstream slopes_in{
+        "slope,latitude_deg,side_m,slope_deg,aspect_deg,y_axis_azimuth_deg,"
+        "direct_mjpm2,diffuse_mjpm2\n" +
+        slopes};
+    std::istringstream radiation_in{radiation};
+    return mapped_stand(
+        table("trees.csv"), table("ground.csv"), table("leaves.csv"),
+        radiation.empty() ? table("radiation.csv") : config::Table::read(radiation_in, "radiation.csv"),
+        config::Table::read(slopes_in, "slopes.csv"));
+}
+
+TEST(MappedStand, LiesWhereItsTableSays) {
+    const MappedStand stand = stand_with("slope_6,-33.5,110,6,144,324,2439.9,2095.3\n");
+    EXPECT_DOUBLE_EQ(stand.latitude.in_degrees(), -33.5);
+    EXPECT_DOUBLE_EQ(stand.side_m, 110.0);
+}
+
+TEST(MappedStand, GetsLessDirectLightOnANorthSlopeFurtherNorth) {
+    // The same radiation on the flat; a slope of 35 deg to the north faces away from a lower sun.
+    const auto direct = [](const std::string& latitude) {
+        const MappedStand stand = stand_with("slope_35_north," + latitude + ",100,35,0,0,1060.5,1844.6\n");
+        return compare_light(stand, stand.slopes[0]).energy_direct_ratio;
+    };
+    EXPECT_LT(direct("60"), 0.9 * direct("40"));
+}
+
+TEST(MappedStand, RefusesWhatDoesNotFitTogether) {
+    for (const char* slopes : {"slope_6,46.5,105,6,144,324,2439.9,2095.3\n",  // no whole columns
+                               "slope_6,46.5,90,6,144,324,2439.9,2095.3\n",   // trees beyond it
+                               "slope_6,75,100,6,144,324,2439.9,2095.3\n",    // no such latitude
+                               "slope_6,46.5,100,6,144,324,0,2095.3\n",       // nothing to divide by
+                               "slope_6,46.5,100,6,144,324,2439.9,2095.3\n"
+                               "slope_35_south,47,100,35,180,0,2974.4,1844.6\n",
+                               ""}) {
+        EXPECT_THROW(static_cast<void>(stand_with(slopes)), config::InputError) << slopes;
+    }
+    EXPECT_THROW(static_cast<void>(stand_with("slope_6,46.5,100,6,144,324,2439.9,2095.3\n",
+                                              "global_mjpm2,diffuse_share\n100,0.5\n")),
+                 config::InputError);
+}
+
 TEST(CompareLight, AgreesInColumnsOfTenMetres) {
     for (const MappedSlope& slope : prenovel().slopes) {
         const bool south = slope.name == "slope_35_south";
