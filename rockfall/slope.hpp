@@ -16,13 +16,13 @@ namespace rockfall {
 struct SurfaceType {
     int code = 0;  ///< in the user's surface grid
     std::string label;
-    Restitution restitution;         ///< below the reference speed, with the laws of the default
+    Restitution restitution;               ///< below the reference speed, with the laws of the default
     std::optional<Restitution> published;  ///< of the paper, where fitted ones stand above
-    double jump_angle_factor = 1.0;  ///< jump angles on this ground by those of the law [-]
-    StopCurve stopping;              ///< probability that a ground impact stops a rock [-]
-    StopCurve rolling_stops_per_m;   ///< rate at which a rolling rock is caught [1/m]
-    double rolling_friction = 0.0;   ///< of a rolling rock [-]; 0: that of the law
-    std::optional<Soil> soil;        ///< for motion models that take the ground from soils
+    double jump_angle_factor = 1.0;        ///< jump angles on this ground by those of the law [-]
+    StopCurve stopping;                    ///< probability that a ground impact stops a rock [-]
+    StopCurve rolling_stops_per_m;         ///< rate at which a rolling rock is caught [1/m]
+    double rolling_friction = 0.0;         ///< of a rolling rock [-]; 0: that of the law
+    std::optional<Soil> soil;              ///< for motion models that take the ground from soils
 
     /// The coefficients before any fit.
     [[nodiscard]] Restitution as_published() const { return published.value_or(restitution); }

@@ -108,8 +108,8 @@ public:
             std::move(info));
     }
 
-    /// Leaves a section unread for free_entries(). A name that ends in ':' or '.' stands for all sections that
-    /// begin with it: "regime:" for [regime:no_management].
+    /// Leaves a section unread for free_entries(). A name that ends in ':' or '.' stands for all sections
+    /// that begin with it: "regime:" for [regime:no_management].
     void free_section(std::string name);
 
     /// Reads an INI file, then the overrides ("section.key=value", later ones win), then sets the targets.

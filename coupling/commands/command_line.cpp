@@ -211,9 +211,9 @@ void add_stopping_table(CommandLine& line, const po::variables_map& values) {
 
 /// A scenario and a table of settings.
 void add_vary(CommandLine& line, const po::variables_map& values) {
-    const std::vector<std::string> words =
-        values.count("argument") == 0 ? std::vector<std::string>{}
-                                      : values["argument"].as<std::vector<std::string>>();
+    const std::vector<std::string> words = values.count("argument") == 0
+                                               ? std::vector<std::string>{}
+                                               : values["argument"].as<std::vector<std::string>>();
     if (words.size() != 2) {
         refuse("`bannwald vary` with " + std::to_string(words.size()) + " files",
                "a scenario and a table of settings: bannwald vary SCENARIO FACTORS.csv --out DIR");
@@ -388,9 +388,9 @@ CommandLine parse_general(const std::string& word) {
 }  // namespace
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init",    "check",     "run",      "merge",
-                                                "compare", "vary",      "net",      "validate",  "stopping-table",
-                                                "info",    "completion"};
+    static const std::vector<std::string> names{"init",           "check", "run",       "merge",
+                                                "compare",        "vary",  "net",       "validate",
+                                                "stopping-table", "info",  "completion"};
     return names;
 }
 

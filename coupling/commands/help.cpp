@@ -224,13 +224,17 @@ The tables that a run writes, with unit, meaning and source of every column:
 }  // namespace
 
 void write_help(std::ostream& out, const std::string& command) {
-    const std::map<std::string, std::string_view> texts{
-        {"init", init_help},         {"check", check_help},
-        {"run", run_help},           {"merge", merge_help},
-        {"compare", compare_help},   {"completion", completion_help},
-        {"vary", vary_help},
-        {"validate", validate_help}, {"stopping-table", stopping_table_help},
-        {"info", info_help},         {"net", net_help}};
+    const std::map<std::string, std::string_view> texts{{"init", init_help},
+                                                        {"check", check_help},
+                                                        {"run", run_help},
+                                                        {"merge", merge_help},
+                                                        {"compare", compare_help},
+                                                        {"completion", completion_help},
+                                                        {"vary", vary_help},
+                                                        {"validate", validate_help},
+                                                        {"stopping-table", stopping_table_help},
+                                                        {"info", info_help},
+                                                        {"net", net_help}};
     const auto text = texts.find(command);
     if (text == texts.end()) {
         out << short_help << exit_codes;
@@ -253,8 +257,8 @@ void write_help(std::ostream& out, const std::string& command) {
 void write_help_all(std::ostream& out) {
     out << short_help;
     for (const std::string_view text :
-         {init_help, check_help, run_help, threads_option, merge_help, scenario_options, compare_help, vary_help, net_help,
-          validate_help, stopping_table_help, info_help, completion_help}) {
+         {init_help, check_help, run_help, threads_option, merge_help, scenario_options, compare_help,
+          vary_help, net_help, validate_help, stopping_table_help, info_help, completion_help}) {
         out << text << '\n';
     }
     out << exit_codes << "\nSettings of a scenario file\n\n";

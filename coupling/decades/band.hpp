@@ -24,8 +24,8 @@ inline constexpr std::size_t least_for_percentiles = 10;
 /// A figure over replicates. NaN is unknown.
 struct Band {
     double mean = 0.0;
-    double low = 0.0;  ///< of the 90 % interval of the mean (Student's t), unknown for one replicate and
-                       ///< where all agree: equal values say nothing about chance
+    double low = 0.0;   ///< of the 90 % interval of the mean (Student's t), unknown for one replicate and
+                        ///< where all agree: equal values say nothing about chance
     double high = 0.0;  ///< of the same
     double p05 = 0.0;   ///< 5th percentile of ten and more replicates, linearly interpolated
     double p95 = 0.0;

@@ -35,10 +35,10 @@ std::optional<std::string> missing_dead_wood(const Names& names, std::span<const
     if (most_percent < noticeable_percent) {
         return std::nullopt;
     }
-    return config::joined("the start holds no dead wood, later logs stop up to ",
-                          report::fixed(most_percent, 1),
-                          " % of the rocks: part of the rise of protection comes from this; give the dead wood of "
-                          "the inventory (stands.dead_wood)");
+    return config::joined(
+        "the start holds no dead wood, later logs stop up to ", report::fixed(most_percent, 1),
+        " % of the rocks: part of the rise of protection comes from this; give the dead wood of "
+        "the inventory (stands.dead_wood)");
 }
 
 }  // namespace coupling::decades

@@ -133,8 +133,8 @@ std::optional<std::vector<ObservedStop>> read_observed_stops(Reading& reading) {
 }
 
 void check_observed_stops(std::span<const ObservedStop> stops,
-                          std::span<const rockfall::ReleaseSource> sources,
-                          const rockfall::Terrain& terrain, Reading& reading) {
+                          std::span<const rockfall::ReleaseSource> sources, const rockfall::Terrain& terrain,
+                          Reading& reading) {
     check_zones(stops, sources, reading);
     const Eigen::Vector2d origin_m = terrain.origin_m();
     std::vector<config::Point2> places;

@@ -18,7 +18,7 @@ std::optional<std::vector<ObservedStop>> read_observed_stops(Reading& reading);
 /// Refuses zones from which no rock starts, and stops of which most lie off the terrain; a few there are
 /// doubtful. Nothing is left out.
 void check_observed_stops(std::span<const ObservedStop> stops,
-                          std::span<const rockfall::ReleaseSource> sources,
-                          const rockfall::Terrain& terrain, Reading& reading);
+                          std::span<const rockfall::ReleaseSource> sources, const rockfall::Terrain& terrain,
+                          Reading& reading);
 
 }  // namespace coupling

@@ -223,8 +223,9 @@ void declare_output(config::Options& options, Scenario& s) {
                   .source = "choice"});
     options.flag("output.tree_hit_table", s.tree_hit_table,
                  {.meaning = "tables of every hit on a tree and on a log", .source = "choice"});
-    options.flag("output.impact_table", s.impact_table,
-                 {.meaning = "table of every ground impact of the rocks whose paths are kept", .source = "choice"});
+    options.flag(
+        "output.impact_table", s.impact_table,
+        {.meaning = "table of every ground impact of the rocks whose paths are kept", .source = "choice"});
     options.count("output.sample_paths", s.sample_paths,
                   {.low = 0.0,
                    .high = 1e6,

@@ -93,9 +93,9 @@ void warn_of_idle_settings(const Scenario& scenario, Reading& reading) {
 /// Settings of the output that only an assessment of today uses.
 void warn_of_idle_output(const Scenario& scenario, Reading& reading) {
     std::string names;
-    for (const char* key :
-         {"output.percentiles", "output.rock_table", "output.arrivals", "output.tree_hit_table",
-          "output.impact_table", "output.sample_paths", "output.path_rocks", "output.vtp", "nets.wanted_share"}) {
+    for (const char* key : {"output.percentiles", "output.rock_table", "output.arrivals",
+                            "output.tree_hit_table", "output.impact_table", "output.sample_paths",
+                            "output.path_rocks", "output.vtp", "nets.wanted_share"}) {
         if (scenario.options->was_set(key)) {
             names += (names.empty() ? "" : ", ") + std::string{key};
         }

@@ -57,7 +57,7 @@ struct Site {
     std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
     std::vector<NetRecord> nets;                   ///< coordinates of the terrain, in file order
     std::vector<InputFile> inputs;
-    std::shared_ptr<const ForestSite> forest;  ///< with run.years > 0
+    std::shared_ptr<const ForestSite> forest;    ///< with run.years > 0
     std::vector<ObservedStop> observed_stops{};  ///< as seen in the field; none without such a file
 
     [[nodiscard]] Eigen::Vector2d origin_m() const { return slope.terrain.origin_m(); }

@@ -239,14 +239,14 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     table.require({"code"}, problems);
     problems.throw_if_any();
 
-    doubt_columns(
-        table,
-        {"code", "label", "r_n", "r_t", "jump_angle_factor", "p_stop", "rolling_stops_per_m", "rolling_friction", "like", "soil"},
-        reading);
+    doubt_columns(table,
+                  {"code", "label", "r_n", "r_t", "jump_angle_factor", "p_stop", "rolling_stops_per_m",
+                   "rolling_friction", "like", "soil"},
+                  reading);
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const rockfall::ModelDescription& model =
         rockfall::description_of(reading.scenario().rockfall.fall.motion.model);
-    TypeReader reader{table, std::move(stopping),           read_ground_soils(reading),
+    TypeReader reader{table, std::move(stopping),         read_ground_soils(reading),
                       model, *reading.scenario().options, problems};
     std::vector<rockfall::SurfaceType> types = reader.all();
     for (const config::Place& place : reader.unused_changes(types)) {
@@ -300,7 +300,8 @@ std::vector<ShippedSurface> shipped_surfaces() {
         surface.type.label = table.text(row, "label");
         const double r_n = table.number(row, "r_n", restitution_range, problems).value_or(0.0);
         const auto restitution = [&](const char* r_t) {
-            return rockfall::Restitution{r_n, table.number(row, r_t, restitution_range, problems).value_or(0.0)};
+            return rockfall::Restitution{r_n,
+                                         table.number(row, r_t, restitution_range, problems).value_or(0.0)};
         };
         surface.type.restitution = restitution("r_t");
         surface.type.published = restitution("r_t_published");
@@ -340,9 +341,9 @@ std::optional<rockfall::SurfaceType> uniform_ground(const Scenario& scenario) {
         return std::nullopt;
     }
     const std::vector<ShippedSurface> shipped = shipped_surfaces(*scenario.options);
-    const auto found =
-        std::find_if(shipped.begin(), shipped.end(),
-                     [&](const ShippedSurface& surface) { return surface.name == scenario.ground; });
+    const auto found = std::find_if(shipped.begin(), shipped.end(), [&](const ShippedSurface& surface) {
+        return surface.name == scenario.ground;
+    });
     if (found != shipped.end()) {
         return found->type;
     }

@@ -71,9 +71,8 @@ double Distribution::quantile(double share) const {
 double largest_distance(const Distribution& a, const Distribution& b) {
     assert(a.count() > 0 && b.count() > 0);
     double largest = 0.0;
-    walk(a.values(), b.values(), [&](double, double, double difference) {
-        largest = std::max(largest, std::abs(difference));
-    });
+    walk(a.values(), b.values(),
+         [&](double, double, double difference) { largest = std::max(largest, std::abs(difference)); });
     return largest;
 }
 

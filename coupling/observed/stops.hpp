@@ -30,7 +30,7 @@ struct StopFigures {
     double deviation_m = 0.0;  ///< n - 1; NaN of one rock
     std::array<double, quantile_shares.size()> quantiles_m{};
     double longest_m = 0.0;
-    double sideways_m = 0.0;  ///< standard deviation of the distances from the axis
+    double sideways_m = 0.0;    ///< standard deviation of the distances from the axis
     double left_terrain = 0.0;  ///< share that left the terrain: their run-out ends there
 };
 
@@ -39,9 +39,9 @@ struct StopComparison {
     std::string group;  ///< "" of all
     StopFigures observed;
     StopFigures simulated;
-    double largest_distance = 0.0;    ///< between the distributions of run-out (Kolmogorov-Smirnov)
-    double distance_by_chance = 0.0;  ///< that 5 % of equal distributions exceed
-    double energy_distance_m = 0.0;   ///< between the distributions of run-out
+    double largest_distance = 0.0;            ///< between the distributions of run-out (Kolmogorov-Smirnov)
+    double distance_by_chance = 0.0;          ///< that 5 % of equal distributions exceed
+    double energy_distance_m = 0.0;           ///< between the distributions of run-out
     std::vector<double> observed_run_out_m;   ///< sorted
     std::vector<double> simulated_run_out_m;  ///< sorted
 };

@@ -8,7 +8,7 @@
 namespace coupling {
 
 std::vector<rockfall::RockImpacts> impacts_of(const rockfall::Assessment& assessment,
-                                    std::span<const std::uint64_t> rocks) {
+                                              std::span<const std::uint64_t> rocks) {
     std::vector<rockfall::RockImpacts> all;
     rockfall::ImpactLog log{assessment.slope};
     rockfall::FallScratch scratch;
@@ -19,8 +19,8 @@ std::vector<rockfall::RockImpacts> impacts_of(const rockfall::Assessment& assess
                                             });
         const auto number = static_cast<std::uint32_t>(after - assessment.sources.begin()) - 1;
         const config::StreamKey key{assessment.seed, assessment.replicate, assessment.year, rock};
-        const std::optional<rockfall::RockStart> start = rockfall::start_of(
-            assessment.slope, assessment.sources[number], number, assessment.start, key);
+        const std::optional<rockfall::RockStart> start =
+            rockfall::start_of(assessment.slope, assessment.sources[number], number, assessment.start, key);
         if (!start) {
             continue;  // its place lies outside the terrain
         }

@@ -13,6 +13,6 @@ namespace coupling {
 /// key gives the same fall. Requires rising numbers of rocks that exist, and an assessment in which nothing
 /// breaks for good.
 std::vector<rockfall::RockImpacts> impacts_of(const rockfall::Assessment& assessment,
-                                    std::span<const std::uint64_t> rocks);
+                                              std::span<const std::uint64_t> rocks);
 
 }  // namespace coupling

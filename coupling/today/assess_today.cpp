@@ -237,21 +237,20 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         streamed.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
     }
     const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
-    const RunResults results{scenario_,
-                             site_,
-                             total_,
-                             {histograms_.pointers()[0], histograms_.pointers()[1]},
-                             state_.paths,
-                             state_.net_rows,
-                             warnings_,
-                             released,
-                             !assessment_.only_bare(),
-                             version(),
-                             compare_stops(site_,
-                                           assessment_.only_bare() ? rockfall::Cover::bare
-                                                                   : rockfall::Cover::forest,
-                                           folder.parts()),
-                             kept_impacts()};
+    const RunResults results{
+        scenario_,
+        site_,
+        total_,
+        {histograms_.pointers()[0], histograms_.pointers()[1]},
+        state_.paths,
+        state_.net_rows,
+        warnings_,
+        released,
+        !assessment_.only_bare(),
+        version(),
+        compare_stops(site_, assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest,
+                      folder.parts()),
+        kept_impacts()};
     std::vector<WrittenFile> written;
     try {
         WritingProgress progress{request_.quiet};

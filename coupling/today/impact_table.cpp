@@ -21,7 +21,8 @@ double angle_deg(const rockfall::Speeds& speeds) {
 
 }  // namespace
 
-void write_impacts(std::ostream& out, std::span<const rockfall::RockImpacts> rocks, const Eigen::Vector2d& origin_m) {
+void write_impacts(std::ostream& out, std::span<const rockfall::RockImpacts> rocks,
+                   const Eigen::Vector2d& origin_m) {
     TableRows row{out, static_layouts(), "impacts.csv"};
     for (const rockfall::RockImpacts& rock : rocks) {
         for (std::size_t i = 0; i < rock.impacts.size(); ++i) {

@@ -50,8 +50,8 @@ public:
     }
 
 private:
-    static constexpr std::array<std::string_view, 7> names{
-        "cover", "zone", "x_start_m", "y_start_m", "x_end_m", "y_end_m", "stop_reason"};
+    static constexpr std::array<std::string_view, 7> names{"cover",   "zone",    "x_start_m",  "y_start_m",
+                                                           "x_end_m", "y_end_m", "stop_reason"};
     std::array<std::size_t, 7> places_{};
     std::size_t columns_ = 0;
 };

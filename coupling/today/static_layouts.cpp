@@ -120,8 +120,10 @@ TableLayout grounds() {
 }
 
 TableLayout impacts() {
-    const std::vector<Column> first{rock_column(), cover_column(),
-                                    {"impact", "-", "number of the impact along the path, from 0", simulated}};
+    const std::vector<Column> first{
+        rock_column(),
+        cover_column(),
+        {"impact", "-", "number of the impact along the path, from 0", simulated}};
     const std::vector<Column> rest{
         {"ground", "-", "code of the ground type", "input terrain"},
         {"speed_in_mps", "m/s", "speed before it", simulated},
@@ -180,8 +182,8 @@ TableLayout rocks() {
          simulated}};
     const std::vector<Column> rest{
         {"run_out_m", "m", "plan distance from release to end", simulated},
-        {"azimuth_deg", "deg", "direction in plan from release to end, clockwise from north; empty on the spot",
-         simulated},
+        {"azimuth_deg", "deg",
+         "direction in plan from release to end, clockwise from north; empty on the spot", simulated},
         {"end_ground", "-", "code of the ground type at the end", "input terrain"},
         {"path_m", "m", "length of the path in space", simulated},
         {"time_s", "s", "time from release to end", simulated},
@@ -267,11 +269,11 @@ TableLayout trajectories_wkt() {
 
 const std::vector<TableLayout>& static_layouts() {
     static const std::vector<TableLayout> layouts = [] {
-        std::vector<TableLayout> all{targets(),  protection(),   target_distributions(),
-                                     runs(),     run_out(),      tree_hits_per_rock(),
-                                     grounds(),  stems(),        logs(),
-                                     rocks(),    arrivals(),     tree_hits(),
-                                     log_hits(), trajectories(), trajectories_wkt(),
+        std::vector<TableLayout> all{targets(),        protection(),   target_distributions(),
+                                     runs(),           run_out(),      tree_hits_per_rock(),
+                                     grounds(),        stems(),        logs(),
+                                     rocks(),          arrivals(),     tree_hits(),
+                                     log_hits(),       trajectories(), trajectories_wkt(),
                                      observed_stops(), impacts()};
         const std::vector<TableLayout> of_nets = net_layouts();
         all.insert(all.end(), of_nets.begin(), of_nets.end());

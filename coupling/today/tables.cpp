@@ -183,7 +183,8 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
     }
     if (results.scenario.impact_table) {
         write("impacts.csv",
-              "Each ground impact of the rocks whose paths are kept: place, speeds and angles, the jump before.",
+              "Each ground impact of the rocks whose paths are kept: place, speeds and angles, the jump "
+              "before.",
               [&](std::ostream& out) { write_impacts(out, results.impacts, results.site.origin_m()); });
     }
     if (!results.paths.empty()) {

@@ -50,16 +50,16 @@ constexpr std::array measures{
     Measure{"run_out_mean_m", "mean run-out", "m", [](const StopFigures& f) { return f.mean_m; }, nullptr},
     Measure{"run_out_deviation_m", "standard deviation of run-outs", "m",
             [](const StopFigures& f) { return f.deviation_m; }, nullptr},
-    Measure{"run_out_p10_m", "10 % of run-outs", "m",
-            [](const StopFigures& f) { return f.quantiles_m[0]; }, nullptr},
-    Measure{"run_out_p25_m", "25 % of run-outs", "m",
-            [](const StopFigures& f) { return f.quantiles_m[1]; }, nullptr},
-    Measure{"run_out_p50_m", "median of run-outs", "m",
-            [](const StopFigures& f) { return f.quantiles_m[2]; }, nullptr},
-    Measure{"run_out_p75_m", "75 % of run-outs", "m",
-            [](const StopFigures& f) { return f.quantiles_m[3]; }, nullptr},
-    Measure{"run_out_p90_m", "90 % of run-outs", "m",
-            [](const StopFigures& f) { return f.quantiles_m[4]; }, nullptr},
+    Measure{"run_out_p10_m", "10 % of run-outs", "m", [](const StopFigures& f) { return f.quantiles_m[0]; },
+            nullptr},
+    Measure{"run_out_p25_m", "25 % of run-outs", "m", [](const StopFigures& f) { return f.quantiles_m[1]; },
+            nullptr},
+    Measure{"run_out_p50_m", "median of run-outs", "m", [](const StopFigures& f) { return f.quantiles_m[2]; },
+            nullptr},
+    Measure{"run_out_p75_m", "75 % of run-outs", "m", [](const StopFigures& f) { return f.quantiles_m[3]; },
+            nullptr},
+    Measure{"run_out_p90_m", "90 % of run-outs", "m", [](const StopFigures& f) { return f.quantiles_m[4]; },
+            nullptr},
     Measure{"run_out_longest_m", "longest run-out", "m", [](const StopFigures& f) { return f.longest_m; },
             nullptr},
     Measure{"sideways_deviation_m", "spread beside the axis", "m",
@@ -90,12 +90,11 @@ std::vector<observed::SimulatedStop> fall(const Opened& opened, const Work& work
     const rockfall::LogIndex logs{site.lying_logs(), site.slope.terrain, largest_radius_m,
                                   scenario.rockfall.fall.log.loose_share};
     const rockfall::NetIndex nets{site.standing_nets()};
-    rockfall::Assessment assessment{site.slope, stems,  site.sources,  site.targets,
-                                    start,      scenario.rockfall.fall, frame, scenario.seed};
+    rockfall::Assessment assessment{
+        site.slope, stems, site.sources, site.targets, start, scenario.rockfall.fall, frame, scenario.seed};
     assessment.logs = &logs;
     assessment.nets = &nets;
-    const rockfall::Cover cover =
-        assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
+    const rockfall::Cover cover = assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
     rockfall::EnsembleTally total{frame, site.targets.size(), stems.placed().size(), logs.count()};
     const Eigen::Vector2d origin_m = site.origin_m();
     std::vector<observed::SimulatedStop> stops;
@@ -153,15 +152,14 @@ Plot plot_of(const std::vector<ModelStops>& models, std::size_t group) {
         plot.caption += joined(i == 0 ? "KS: " : ", ", models[i].model, " ",
                                report::fixed(models[i].groups[group].largest_distance, 2));
     }
-    plot.caption += joined("; 5 % of samples of one distribution exceed ",
-                           report::fixed(first.distance_by_chance, 2));
+    plot.caption +=
+        joined("; 5 % of samples of one distribution exceed ", report::fixed(first.distance_by_chance, 2));
     return plot;
 }
 
 PlainTable table_of(const std::vector<ModelStops>& models) {
-    PlainTable table{.caption = "Observed and simulated stops",
-                     .head = {"stops", "figure", "observed"},
-                     .rows = {}};
+    PlainTable table{
+        .caption = "Observed and simulated stops", .head = {"stops", "figure", "observed"}, .rows = {}};
     for (const ModelStops& model : models) {
         table.head.push_back(model.model);
     }
@@ -285,10 +283,9 @@ Comparison read_field(const CaseFiles& files, const FieldSettings& settings,
     for (const Opened& opened : *all) {
         comparison.pieces += opened.rocks();
     }
-    comparison.extent =
-        joined(std::to_string(all->front().site.observed_stops.size()), " observed stops, ",
-               std::to_string(all->front().rocks()), " rocks for each of ", std::to_string(all->size()),
-               " motion models");
+    comparison.extent = joined(std::to_string(all->front().site.observed_stops.size()), " observed stops, ",
+                               std::to_string(all->front().rocks()), " rocks for each of ",
+                               std::to_string(all->size()), " motion models");
     name_figures(*all, comparison);
     comparison.run = [all](const Work& work) { return compare(*all, work); };
     return comparison;

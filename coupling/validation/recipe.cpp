@@ -10,8 +10,8 @@
 #include "config/options/ini.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/ground_changes.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/ground_changes.hpp"
 #include "coupling/inputs/species_table.hpp"
 #include "coupling/inputs/start_settings.hpp"
 
@@ -77,9 +77,10 @@ void declare_terrain(config::Options& options, Recipe& r) {
     options.count(
         "terrain.relief_seed", r.relief_seed,
         {.low = 0.0, .high = 9007199254740992.0, .meaning = "key of the random heights of the relief"});
-    options.text("terrain.relief_file", r.relief_file,
-                 {.meaning = "grid of heights to lay on the slope: the relief of a real one; columns run down "
-                             "the slope, and its mirror image goes on beyond the grid"});
+    options.text(
+        "terrain.relief_file", r.relief_file,
+        {.meaning = "grid of heights to lay on the slope: the relief of a real one; columns run down "
+                    "the slope, and its mirror image goes on beyond the grid"});
     options.number("terrain.relief_shift_m", r.relief_shift_m,
                    {.unit = "m",
                     .low = -10'000.0,
@@ -201,9 +202,9 @@ private:
             refuse("case.title", "no case.title", "one line on what the case is");
         }
         const std::vector<config::FreeEntry>& entries = recipe_.options->free_entries();
-        const auto factor = std::find_if(
-            entries.begin(), entries.end(),
-            [](const config::FreeEntry& entry) { return entry.section == "factors"; });
+        const auto factor = std::find_if(entries.begin(), entries.end(), [](const config::FreeEntry& entry) {
+            return entry.section == "factors";
+        });
         if (recipe_.head.kind != CaseKind::factors && factor != entries.end()) {
             problems_.add(config::ExitCode::settings, factor->place, "section [factors]",
                           "case.kind = factors");

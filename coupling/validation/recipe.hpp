@@ -105,7 +105,7 @@ struct Recipe {
     // Worked out of the above.
     std::vector<Station> stations;
     std::vector<SpeciesShare> species;
-    Relief relief;  ///< of terrain.relief_file
+    Relief relief;                             ///< of terrain.relief_file
     std::unique_ptr<config::Options> options;  ///< as declared, for listings and places
 
     [[nodiscard]] bool has_stand() const { return stems_per_ha > 0.0; }

@@ -2,8 +2,8 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/run/progress.hpp"
-#include "coupling/validation/factors.hpp"
 #include "coupling/validation/comparison.hpp"
+#include "coupling/validation/factors.hpp"
 #include "coupling/validation/outcome.hpp"
 #include "coupling/validation/verdict.hpp"
 

@@ -336,8 +336,7 @@ void read_forest(ValidationCase& out) {
         config::fail(config::ExitCode::settings, options.place_of("case.title"), "no case.title",
                      "one line on what the case is");
     }
-    out.comparison =
-        std::make_shared<const Comparison>(forest_cases::read(out.kind, out.files, settings));
+    out.comparison = std::make_shared<const Comparison>(forest_cases::read(out.kind, out.files, settings));
 }
 
 /// Settings that the user asks for are those of its scenario.
@@ -360,8 +359,8 @@ void read_field_case(ValidationCase& out) {
         config::fail(config::ExitCode::settings, options.place_of("case.title"), "no case.title",
                      "one line on what the case is");
     }
-    out.comparison = std::make_shared<const Comparison>(
-        read_field(out.files, settings, out.changes.overrides, out.notes));
+    out.comparison =
+        std::make_shared<const Comparison>(read_field(out.files, settings, out.changes.overrides, out.notes));
 }
 
 }  // namespace

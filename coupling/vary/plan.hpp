@@ -21,7 +21,7 @@ struct Factor {
 /// Settings of one run of the study.
 struct Combination {
     std::vector<std::string> values;  ///< of each factor; "": as in the scenario
-    std::string alone;                ///< the setting that is moved alone; "" of the scenario and crossed ones
+    std::string alone;  ///< the setting that is moved alone; "" of the scenario and crossed ones
 
     /// "section.key=value" of what differs from the scenario.
     [[nodiscard]] std::vector<std::string> overrides(const std::vector<Factor>& factors) const;

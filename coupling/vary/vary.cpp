@@ -62,8 +62,8 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
     const rockfall::LogIndex logs{site.lying_logs(), site.slope.terrain, largest_radius_m,
                                   scenario->rockfall.fall.log.loose_share};
     const rockfall::NetIndex nets{site.standing_nets()};
-    rockfall::Assessment assessment{site.slope, stems,  site.sources,  site.targets,
-                                    start,      scenario->rockfall.fall, frame, scenario->seed};
+    rockfall::Assessment assessment{
+        site.slope, stems, site.sources, site.targets, start, scenario->rockfall.fall, frame, scenario->seed};
     assessment.logs = &logs;
     assessment.nets = &nets;
     std::vector<std::uint8_t> gone;
@@ -137,7 +137,8 @@ void print_overview(const std::vector<Factor>& factors, const std::vector<Outcom
     for (std::size_t i = 0; i < base.targets.size(); ++i) {
         const auto answer = [&](const Outcome& outcome) {
             const double value = outcome.targets[i].answer(outcome.with_forest);
-            return std::isnan(value) ? std::string{"too few rocks arrive to say"} : coupling::report::percent(value);
+            return std::isnan(value) ? std::string{"too few rocks arrive to say"}
+                                     : coupling::report::percent(value);
         };
         screen << base.targets[i].name << ": "
                << (base.with_forest ? "the forest stops " : "rocks that arrive ") << answer(base) << '\n';

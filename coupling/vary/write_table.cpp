@@ -12,7 +12,8 @@ void add_share(CsvRow& row, const Share& share) {
 
 }  // namespace
 
-void write_table(std::ostream& out, const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes) {
+void write_table(std::ostream& out, const std::vector<Factor>& factors,
+                 const std::vector<Outcome>& outcomes) {
     CsvRow row{out};
     row.text("run").text("moved");
     for (const Factor& factor : factors) {

@@ -26,7 +26,7 @@ private:
 
 /// When a rock stops beside chance and trees.
 struct StoppingLaw {
-    bool by_chance = true;       ///< use the probabilities of the surfaces
+    bool by_chance = true;        ///< use the probabilities of the surfaces
     bool catches_rolling = true;  ///< those of rolling rocks too
     double slow_mps =
         0.5;  ///< after an impact on ground flatter than the friction angle, a slower rock rests

@@ -29,8 +29,8 @@ struct GroundImpact {
 
     Eigen::Vector3d place_m = Eigen::Vector3d::Zero();  ///< of the underside, coordinates of the terrain
     int ground = 0;                                     ///< code of the ground type
-    Speeds before;  ///< as it comes: into the ground
-    Speeds after;   ///< as it leaves: off the ground; none where it stops
+    Speeds before;                                      ///< as it comes: into the ground
+    Speeds after;                                       ///< as it leaves: off the ground; none where it stops
     Onward onward = Onward::stops;
     Jump jump;  ///< that ended here
 };

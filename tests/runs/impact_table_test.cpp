@@ -40,8 +40,7 @@ TEST(ImpactTable, HasTheImpactsOfTheRocksThatWereAskedFor) {
     for (std::size_t row = 0; row < ends.rows(); ++row) {
         for (std::size_t i = 0; i < impacts.rows(); ++i) {
             if (impacts.text(i, "rock") == ends.text(row, "rock") &&
-                impacts.text(i, "cover") == ends.text(row, "cover") &&
-                impacts.text(i, "onward") == "stops") {
+                impacts.text(i, "cover") == ends.text(row, "cover") && impacts.text(i, "onward") == "stops") {
                 EXPECT_EQ(impacts.text(i, "x_m"), ends.text(row, "x_end_m"));
                 EXPECT_EQ(impacts.text(i, "ground"), ends.text(row, "end_ground"));
             }
@@ -54,10 +53,12 @@ TEST(ImpactTable, HasTheImpactsOfTheRocksThatWereAskedFor) {
 
 TEST(ImpactTable, IsRefusedWhereItCannotBeMade) {
     const SampleProject project;
-    const Outcome none = call(project, "run scenario.ini --set output.impact_table=yes --set output.sample_paths=0");
+    const Outcome none =
+        call(project, "run scenario.ini --set output.impact_table=yes --set output.sample_paths=0");
     EXPECT_EQ(none.code, 2);
-    EXPECT_NE(none.err.find("found output.impact_table without paths, expected rocks whose impacts are wanted"),
-              std::string::npos)
+    EXPECT_NE(
+        none.err.find("found output.impact_table without paths, expected rocks whose impacts are wanted"),
+        std::string::npos)
         << none.err;
     const Outcome broken =
         call(project, "run scenario.ini --set output.impact_table=yes --set tree_impact.remove_broken=yes");

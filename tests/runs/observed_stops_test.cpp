@@ -10,7 +10,6 @@
 namespace coupling::observed_stops_test {
 namespace {
 
-
 const std::string with_stops = "run scenario.ini --quiet --set observed.stops=stops.csv ";
 
 TEST(ObservedStops, StandBesideTheSimulatedOnes) {
@@ -61,8 +60,7 @@ TEST(ObservedStops, AreRefusedWhereTheyCannotBeMeant) {
              Fault{"x_m,y_m\n", "", "stops.csv: found no stops, expected at least one"},
              Fault{"x_m\n1100\n", "", "stops.csv: no column 'y_m'"},
              Fault{"wkt\n\"LINESTRING (0 0, 1 1)\"\n", "", "stops.csv:2:2: found 'LINESTRING (0 0, 1 1)'"},
-             Fault{good, "--set output.rock_table=no",
-                   "found observed.stops beside output.rock_table = no"},
+             Fault{good, "--set output.rock_table=no", "found observed.stops beside output.rock_table = no"},
          }) {
         project.write("stops.csv", fault.table);
         const Outcome run = call(project, with_stops + fault.options);
@@ -89,8 +87,7 @@ TEST(ObservedStops, ShowInACaseOfTheirOwnForEachMotionModel) {
         EXPECT_NE(page.find(model), std::string::npos) << model;
     }
 
-    const Outcome slower =
-        call(project, "validate --cases . --quiet --out slower --set ground.3.r_t=0.3");
+    const Outcome slower = call(project, "validate --cases . --quiet --out slower --set ground.3.r_t=0.3");
     ASSERT_EQ(slower.code, 0) << slower.err;
     EXPECT_NE(project.read("slower/verdicts.csv"), verdicts) << "settings reach the scenario";
 

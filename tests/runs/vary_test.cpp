@@ -49,14 +49,16 @@ TEST(Vary, GivesTheFiguresOfTheRunItself) {
     const SampleProject project;
     project.write("factors.csv", "setting,values,how\nrelease.diameter_m,0.8,alone\n");
     ASSERT_EQ(call(project, study + "--out study").code, 0);
-    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=400 --set release.diameter_m=0.8 "
-                            "--out run")
+    ASSERT_EQ(call(project,
+                   "run scenario.ini --quiet --set release.rocks=400 --set release.diameter_m=0.8 "
+                   "--out run")
                   .code,
               0);
     const config::Table rows = rows_of(project, "study");
     std::istringstream in{project.read("run/tables/protection.csv")};
     const config::Table run = config::Table::read(in, "protection.csv");
-    EXPECT_NEAR(std::stod(rows.text(2, "protection_percent")), std::stod(run.text(0, "protection_percent")), 0.01);
+    EXPECT_NEAR(std::stod(rows.text(2, "protection_percent")), std::stod(run.text(0, "protection_percent")),
+                0.01);
 }
 
 TEST(Vary, TellsWhatIsWrongBeforeAnyRockFalls) {

@@ -176,7 +176,8 @@ ProtectionRange protection_range(const config::Table& by_year, const std::string
     for (std::size_t row = 0; row < by_year.rows(); ++row) {
         if (by_year.text(row, "regime") == regime && by_year.text(row, "quantity") == "protection_percent" &&
             by_year.text(row, "year") == std::to_string(year)) {
-            return {number(by_year, row, "mean"), number(by_year, row, "least"), number(by_year, row, "most")};
+            return {number(by_year, row, "mean"), number(by_year, row, "least"),
+                    number(by_year, row, "most")};
         }
     }
     ADD_FAILURE() << "no protection of " << regime << " in year " << year;

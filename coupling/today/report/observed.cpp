@@ -54,11 +54,10 @@ std::string chart_of(const StopComparison& comparison) {
     chart.add_line("forest", shares(comparison.simulated_run_out_m));
     chart.add_name("bare", page_text("today.observed.observed"));
     chart.add_name("forest", page_text("today.observed.simulated"));
-    return chart.figure(page_text(
-        "today.observed.distances",
-        {{"ks", fixed(comparison.largest_distance, 2)},
-         {"chance", fixed(comparison.distance_by_chance, 2)},
-         {"energy_distance_m", fixed(comparison.energy_distance_m, 1)}}));
+    return chart.figure(page_text("today.observed.distances",
+                                  {{"ks", fixed(comparison.largest_distance, 2)},
+                                   {"chance", fixed(comparison.distance_by_chance, 2)},
+                                   {"energy_distance_m", fixed(comparison.energy_distance_m, 1)}}));
 }
 
 }  // namespace
@@ -67,11 +66,11 @@ std::string observed_stops(const std::vector<StopComparison>& comparisons) {
     if (comparisons.empty()) {
         return "";
     }
-    HtmlTable table{page_text("today.observed.caption"),
-                    {page_text("today.observed.group"), page_text("today.observed.rocks"),
-                     page_text("today.observed.mean"), page_text("today.observed.deviation"), "10 %", "25 %",
-                     "50 %", "75 %", "90 %", page_text("today.observed.longest"),
-                     page_text("today.observed.sideways")}};
+    HtmlTable table{
+        page_text("today.observed.caption"),
+        {page_text("today.observed.group"), page_text("today.observed.rocks"),
+         page_text("today.observed.mean"), page_text("today.observed.deviation"), "10 %", "25 %", "50 %",
+         "75 %", "90 %", page_text("today.observed.longest"), page_text("today.observed.sideways")}};
     std::string charts;
     for (const StopComparison& comparison : comparisons) {
         const std::string name = name_of_group(comparison);

@@ -20,13 +20,15 @@ using coupling::report::page_text;
 using coupling::report::percent;
 
 std::string with_interval(double value, const Interval& interval) {
-    return std::isnan(value) ? "–"
-                             : joined(percent(value), " (", percent(interval.low), "–",
-                                      percent(interval.high), ")");
+    return std::isnan(value)
+               ? "–"
+               : joined(percent(value), " (", percent(interval.low), "–", percent(interval.high), ")");
 }
 
 std::string protection_of(const TargetOutcome& target) {
-    return target.protection && !target.too_few ? with_interval(target.protection->value, target.protection->interval) : "–";
+    return target.protection && !target.too_few
+               ? with_interval(target.protection->value, target.protection->interval)
+               : "–";
 }
 
 std::string table_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
@@ -78,8 +80,9 @@ std::string part_of(const std::vector<Factor>& factors, const std::vector<Outcom
         html += joined("<section class=\"card\"><p>",
                        page_text(base.with_forest ? "vary.about_protection" : "vary.about_arrivals",
                                  {{"answer", percent(answer)}}),
-                       "</p>", tornado(sways, answer, page_text(base.with_forest ? "vary.axis_protection"
-                                                                                 : "vary.axis_arrivals")),
+                       "</p>",
+                       tornado(sways, answer,
+                               page_text(base.with_forest ? "vary.axis_protection" : "vary.axis_arrivals")),
                        "</section>\n");
     }
     return joined(html, table_of(factors, outcomes, target));
@@ -90,8 +93,11 @@ std::string part_of(const std::vector<Factor>& factors, const std::vector<Outcom
 void write_page(std::ostream& out, const std::string& scenario, const std::vector<Factor>& factors,
                 const std::vector<Outcome>& outcomes) {
     const std::string title = joined(page_text("vary.title"), " ", escaped(scenario));
-    coupling::report::begin_page(
-        out, {.title = title, .version = version(), .scripts = {}, .style = std::string{page_style()}, .before_main = {}});
+    coupling::report::begin_page(out, {.title = title,
+                                       .version = version(),
+                                       .scripts = {},
+                                       .style = std::string{page_style()},
+                                       .before_main = {}});
     out << "<h1>" << title << "</h1>\n<p>"
         << page_text("vary.lead", {{"runs", std::to_string(outcomes.size())},
                                    {"rocks", std::to_string(outcomes.front().rocks)}})
@@ -99,7 +105,10 @@ void write_page(std::ostream& out, const std::string& scenario, const std::vecto
     for (std::size_t target = 0; target < outcomes.front().targets.size(); ++target) {
         out << part_of(factors, outcomes, target);
     }
-    coupling::report::end_page(out, {.title = title, .version = version(), .scripts = {}, .style = std::string{page_style()},
+    coupling::report::end_page(out, {.title = title,
+                                     .version = version(),
+                                     .scripts = {},
+                                     .style = std::string{page_style()},
                                      .before_main = {}});
 }
 

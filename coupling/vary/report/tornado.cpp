@@ -92,8 +92,8 @@ std::string tornado(const std::vector<Sway>& sways, double answer, const std::st
         const Sway& sway = sways[i];
         const double y = top + row_height * static_cast<double>(i);
         svg += joined("<rect class=\"sway\" x=\"", place(x_of(sway.low)), "\" y=\"", place(y + 6.0),
-                      "\" width=\"", place(std::max(x_of(sway.high) - x_of(sway.low), 1.0)),
-                      "\" height=\"", place(row_height - 12.0), "\"/>");
+                      "\" width=\"", place(std::max(x_of(sway.high) - x_of(sway.low), 1.0)), "\" height=\"",
+                      place(row_height - 12.0), "\"/>");
         svg += text(0.0, y + 22.0, "start", sway.setting);
         if (sway.width() == 0.0) {
             svg += text(x_of(answer) + 8.0, y + 22.0, "start", page_text("vary.changes_nothing"));

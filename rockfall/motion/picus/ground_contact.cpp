@@ -88,7 +88,8 @@ Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eige
         draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
     const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
 
-    if (speed_mps < law.stopping.slow_mps && holds_rocks(normal, friction > 0.0 ? friction : law.rolling.friction)) {
+    if (speed_mps < law.stopping.slow_mps &&
+        holds_rocks(normal, friction > 0.0 ? friction : law.rolling.friction)) {
         return {Onward::rests, Eigen::Vector3d::Zero(), 0.0};
     }
     if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(normal.z(), rock.radius_m)) {

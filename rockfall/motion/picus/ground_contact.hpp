@@ -30,8 +30,7 @@ ContactDraws contact_draws(const config::FourUniforms& uniforms, const Law& law)
 /// leaves of it, at most that of rolling. Requires velocity . normal < 0 and a unit normal.
 Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
                     Restitution published, double stop_probability, const Rock& rock, const Law& law,
-                    const ContactDraws& draws, double jump_angle_factor = 1.0,
-                    double friction = 0.0);
+                    const ContactDraws& draws, double jump_angle_factor = 1.0, double friction = 0.0);
 
 /// Velocity of a rolling rock that lifts off by itself, at the angle of the jump-angle law.
 Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, const Law& law,

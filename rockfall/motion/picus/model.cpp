@@ -18,16 +18,14 @@ double if_by_chance(const SurfaceType& type, const Law& law, double diameter_m) 
 }
 
 constexpr std::array columns{
-    GroundColumn<Law>{
-        .name = "r_n",
-        .from = types,
-        .value = [](const SurfaceType& type, const Law& law,
-                    double) { return restitution_of(type, law.restitution).normal; }},
-    GroundColumn<Law>{
-        .name = "r_t",
-        .from = types,
-        .value = [](const SurfaceType& type, const Law& law,
-                    double) { return restitution_of(type, law.restitution).tangential; }},
+    GroundColumn<Law>{.name = "r_n",
+                      .from = types,
+                      .value = [](const SurfaceType& type, const Law& law,
+                                  double) { return restitution_of(type, law.restitution).normal; }},
+    GroundColumn<Law>{.name = "r_t",
+                      .from = types,
+                      .value = [](const SurfaceType& type, const Law& law,
+                                  double) { return restitution_of(type, law.restitution).tangential; }},
     GroundColumn<Law>{
         .name = "jump_angle_factor",
         .from = types,
@@ -36,11 +34,13 @@ constexpr std::array columns{
     GroundColumn<Law>{.name = "p_stop", .from = stops, .value = if_by_chance<&SurfaceType::stopping>},
     GroundColumn<Law>{.name = "rolling_stops_per_m",
                       .from = stops,
-                      .value = [](const SurfaceType& type, const Law& law, double diameter_m) {
-                          return law.stopping.catches_rolling
-                                     ? if_by_chance<&SurfaceType::rolling_stops_per_m>(type, law, diameter_m)
-                                     : no_figure;
-                      }},
+                      .value =
+                          [](const SurfaceType& type, const Law& law, double diameter_m) {
+                              return law.stopping.catches_rolling
+                                         ? if_by_chance<&SurfaceType::rolling_stops_per_m>(type, law,
+                                                                                           diameter_m)
+                                         : no_figure;
+                          }},
 };
 
 }  // namespace

@@ -51,10 +51,10 @@ public:
                                surface_stops_.probability(surface), rock_, law_, draws,
                                surface.jump_angle_factor, friction_on(surface));
         };
-        return law_.facets.any() ? on_ground(meet(facet_normal(velocity_mps, normal, law_.facets,
-                                                               facet_draws_, contacts_)),
-                                             normal)
-                                 : meet(normal);
+        return law_.facets.any()
+                   ? on_ground(meet(facet_normal(velocity_mps, normal, law_.facets, facet_draws_, contacts_)),
+                               normal)
+                   : meet(normal);
     }
 
     ContactDraws next_draws() {

@@ -12,11 +12,12 @@ void declare_restitution(config::Options& options, Law& law) {
                   .source = "Rammer et al. 2010, Eqs. 7-8; Johnson 1985",
                   .presets = from_rebound_on("no"),
                   .formerly = "rockfall.damping"});
-    options.flag("picus.fitted_restitution", law.restitution.fitted,
-                 {.meaning = "shipped ground types have the r_t fitted to where rocks came to rest; no: that of "
-                             "the paper",
-                  .source = "fitted, see validation/README.md",
-                  .presets = published("no")});
+    options.flag(
+        "picus.fitted_restitution", law.restitution.fitted,
+        {.meaning = "shipped ground types have the r_t fitted to where rocks came to rest; no: that of "
+                    "the paper",
+         .source = "fitted, see validation/README.md",
+         .presets = published("no")});
     options.number("picus.normal_restitution_halved_mps", law.restitution.normal_halved_mps,
                    {.unit = "m/s",
                     .low = 0.0,
@@ -79,12 +80,13 @@ void declare_rebound(config::Options& options, Law& law, Written& written) {
                  {.meaning = "jump angles are multiplied by jump_angle_factor of the ground type",
                   .source = "choice, from jumps observed on pasture",
                   .presets = published("no")});
-    options.number("picus.facet_roughness_deg", written.facet_roughness_deg,
-                   {.unit = "deg",
-                    .low = 0.0,
-                    .high = 30.0,
-                    .meaning = "rocks meet facets tilted by an angle of this standard deviation; 0: even ground",
-                    .source = "choice, research option; ground types are fitted without it"});
+    options.number(
+        "picus.facet_roughness_deg", written.facet_roughness_deg,
+        {.unit = "deg",
+         .low = 0.0,
+         .high = 30.0,
+         .meaning = "rocks meet facets tilted by an angle of this standard deviation; 0: even ground",
+         .source = "choice, research option; ground types are fitted without it"});
     options.flag("picus.blend_steep_impacts", law.blend_steep_impacts,
                  {.meaning = "impacts steeper than 60 deg go over to the geometric rebound",
                   .source = "choice",

@@ -56,7 +56,8 @@ RC_GTEST_PROP(EnergyDistance, IsThatOfItsDefinition, (const std::vector<int>& a,
     RC_ASSERT(std::abs(energy_distance(Distribution{x}, Distribution{y}) - expected) < 1e-9);
 }
 
-RC_GTEST_PROP(LargestDistance, IsThatOfItsDefinition, (const std::vector<int>& a, const std::vector<int>& b)) {
+RC_GTEST_PROP(LargestDistance, IsThatOfItsDefinition,
+              (const std::vector<int>& a, const std::vector<int>& b)) {
     RC_PRE(!a.empty() && !b.empty());
     const std::vector<double> x = whole_numbers(a);
     const std::vector<double> y = whole_numbers(b);

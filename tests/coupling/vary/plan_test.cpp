@@ -39,8 +39,9 @@ TEST(Combinations, WithoutCrossedOnesAreNotRunTwice) {
 }
 
 TEST(ReadFactors, TellsWhatIsWrong) {
-    EXPECT_NE(problem_with("a.x,1,sometimes\n").find("factors.csv:2:7: found 'sometimes', expected alone or "
-                                                     "crossed"),
+    EXPECT_NE(problem_with("a.x,1,sometimes\n")
+                  .find("factors.csv:2:7: found 'sometimes', expected alone or "
+                        "crossed"),
               std::string::npos);
     EXPECT_NE(problem_with("a.x,1,alone\na.x,2,alone\n").find("'a.x' a second time"), std::string::npos);
     EXPECT_NE(problem_with("ax,1,alone\n").find("expected section.key"), std::string::npos);

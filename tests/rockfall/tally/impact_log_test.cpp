@@ -29,7 +29,8 @@ std::vector<GroundImpact> impacts_on(const Slope& slope, const FallLaw& law, con
 TEST(ImpactLog, MeetsAFreeFallOntoALevelPlane) {
     // Dropped 5 m at rest: v = sqrt(2 g h) straight down.
     const Slope slope = plane_slope(0.0, {0.30, 0.75}, 0.0, 200.0);
-    const auto impacts = impacts_on(slope, deterministic_law(), start_at(slope, 20.0, 50.0, 5.0, {0.0, 0.0, 0.0}));
+    const auto impacts =
+        impacts_on(slope, deterministic_law(), start_at(slope, 20.0, 50.0, 5.0, {0.0, 0.0, 0.0}));
     ASSERT_FALSE(impacts.empty());
     EXPECT_NEAR(impacts[0].before.normal_mps, std::sqrt(2.0 * 9.81 * 5.0), 0.01);
     EXPECT_NEAR(impacts[0].before.along_mps, 0.0, 1e-9);
@@ -63,8 +64,8 @@ TEST(ImpactLog, EachJumpBeginsWhereTheOneBeforeEnded) {
     const Slope slope = plane_slope(35.0, {0.30, 0.75}, 0.01, 600.0);
     for (std::uint64_t rock = 0; rock < 20; ++rock) {
         FallEnd end;
-        const auto impacts =
-            impacts_on(slope, FallLaw{}, start_at(slope, 20.0, 50.0, 1.5, {2.6, 0.0, -1.5}, 0.95, rock), &end);
+        const auto impacts = impacts_on(slope, FallLaw{},
+                                        start_at(slope, 20.0, 50.0, 1.5, {2.6, 0.0, -1.5}, 0.95, rock), &end);
         EXPECT_LE(impacts.size(), end.ground_impacts) << "rolling rocks have impacts too";
         for (std::size_t i = 1; i < impacts.size(); ++i) {
             if (impacts[i - 1].onward == GroundImpact::Onward::jumps) {

@@ -68,12 +68,12 @@ RC_GTEST_PROP(Facets, NeverAddEnergy, (std::uint32_t contact)) {
     const double impact = degrees(*rc::gen::inRange(2, 89)).in_radians();
     const Eigen::Vector3d along = normal.unitOrthogonal();
     const double speed_mps = *rc::gen::inRange(1, 300) / 10.0;
-    const Eigen::Vector3d velocity_mps =
-        speed_mps * (std::cos(impact) * along - std::sin(impact) * normal);
+    const Eigen::Vector3d velocity_mps = speed_mps * (std::cos(impact) * along - std::sin(impact) * normal);
     Law law;
     law.facets.deviation = degrees(15.0);
     const Rock rock = Rock::sphere(0.8, 2700.0);
-    const Eigen::Vector3d face = facet_normal(velocity_mps, normal, law.facets, draws_of_one, contact % 100'000);
+    const Eigen::Vector3d face =
+        facet_normal(velocity_mps, normal, law.facets, draws_of_one, contact % 100'000);
     const Contact after = on_ground(
         meet_ground(velocity_mps, 3.0, face, {0.4, 0.9}, 0.0, rock, law, {0.3, -0.4, 1.0, 0.7}), normal);
     RC_ASSERT(kinetic_energy_j(rock, after.velocity_mps.squaredNorm(), after.spin_radps) <=
