@@ -54,8 +54,8 @@ def stop(process):
 
 
 def call(arguments, feedback):
-    """Runs the program and returns its lines. Its progress goes to the feedback, a cancel ends it (a run keeps
-    its finished parts and goes on with the next call); an exit code other than 0 is an exception with the
+    """Runs the program and returns its lines. Its progress goes to the feedback, a cancel ends it (a run
+    of more than some 20 s keeps what it has, and goes on with the next call); an exit code other than 0 is an exception with the
     messages of the program."""
     path = program()
     feedback.pushCommandInfo(" ".join([path, *arguments]))
@@ -92,7 +92,9 @@ def call(arguments, feedback):
             (feedback.pushWarning if "warning: " in line else feedback.pushInfo)(line)
     code = process.wait()
     if stopped:
-        raise QgsProcessingException("Cancelled. Finished parts of a run are kept: the same call goes on from there.")
+        raise QgsProcessingException(
+            "Cancelled. The program said above whether anything of the run is kept; if so, the same call goes on from there."
+        )
     if code != 0:
         text = "\n".join(messages) or "no message"
         raise QgsProcessingException(f"bannwald ended with exit code {code}:\n{text}")
