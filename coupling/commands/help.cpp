@@ -23,7 +23,7 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald check SCENARIO              reads everything, prints size, memory and time; writes nothing
   bannwald run SCENARIO                simulates rockfall and writes maps, tables and a report
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
-  bannwald vary SCENARIO FACTORS.csv   other settings one by one and crossed: what the answer hangs on
+  bannwald vary SCENARIO FACTORS.csv   other settings one by one and crossed: which decide the result
   bannwald compare DIR DIR...          puts finished runs side by side, with which differences are significant
   bannwald net try DIR --nets FILE     evaluates other nets without another simulation
   bannwald net place DIR --nets FILE   looks for the place of a net upslope of a line
@@ -128,7 +128,7 @@ targets or rocks differ.
 constexpr std::string_view vary_help = R"(bannwald vary SCENARIO FACTORS.csv --out DIR [options]
 
 Lets the rocks of a scenario of today fall again and again with other settings, the same rocks as far as the
-settings leave them the same, and shows what the answer hangs on: a page with a tornado chart for each target,
+settings leave them the same, and shows which settings decide the result: a page with a tornado chart for each target,
 and all runs as vary.csv. FACTORS.csv has a row a setting:
   setting,values,how
   tree_impact.taper,yes no,alone                   each value alone, all else as in the scenario
