@@ -5,16 +5,17 @@ Drives the program itself: every trial runs `bannwald validate` on copies of the
 as settings (`--set ground.NAME.r_t=...`) and reads verdicts.csv. r_n and the stopping probabilities stay as they are.
 
 Seen by the fit: the figures that criteria.csv of a case marks `fitted` or `rebuilding`. Not seen: those marked
-`independent`, among them the largest speeds and heights, numbers of impacts, and Tschamut 2014 block by block. Steg and Tschamut share pasture and are
-fitted together; no other ground type lies in two cases.
+`independent`, among them the largest speeds and heights, numbers of impacts, and Tschamut 2014 block by block.
+Steg and Tschamut share pasture and are fitted together; no other ground type lies in two cases.
 
 A figure costs by its distance from the middle of its criterion, strongly near the ends; leaving the published r_t and
 a jump_angle_factor of 1 costs, too, so that a ground type which its cases do not ask for stays published.
 
     validation/fit_grounds.py --program build/release/bannwald --trials 150 --from-published [--write]
 
-is how the shipped values were found (seed 1). They are not the only ones that serve: another seed finds other ground
-types of Vaujany as good, since seven grounds answer to ten figures there. Pasture comes out the same.
+finds the shipped values of Vaujany with seed 1, and those of pasture but for the last digit with seeds 1 and 2.
+Vaujany's are not the only ones that serve: seven grounds answer to ten figures there, and other seeds end elsewhere,
+at a higher cost. Seed 1 was chosen for its cost, with all rows of the cases in view.
 """
 
 import argparse
@@ -38,6 +39,10 @@ SITES = {
 }
 SMALLEST_RT, LARGEST_RT = -0.06, 0.11  # change of r_t
 SMALLEST_FACTOR, LARGEST_FACTOR = 0.6, 2.4
+# What leaving the published values costs. Pasture is held more loosely: two sites of their own kind, a large rock and
+# small blocks, both ask for far more than the published 0.80, and held as the others are it meets neither.
+PULL, LOOSE_PULL = (0.5, 0.4), (0.15, 0.1)
+LOOSE = {"pasture", "pasture_wet"}
 RT_SCALE, FACTOR_SCALE = 0.025, math.log(1.5)  # changes that cost as much
 
 
@@ -96,7 +101,9 @@ def cost_of(rows, values, published):
             distance = value / high  # the smaller, the better
         cost += 0.1 * distance**2 + 3.0 * max(0.0, distance - 0.6)
     for ground, (r_t, factor) in values.items():
-        cost += 0.5 * ((r_t - published[ground]) / RT_SCALE) ** 2 + 0.4 * (math.log(factor) / FACTOR_SCALE) ** 2
+        of_rt, of_factor = LOOSE_PULL if ground in LOOSE else PULL
+        cost += of_rt * ((r_t - published[ground]) / RT_SCALE) ** 2
+        cost += of_factor * (math.log(factor) / FACTOR_SCALE) ** 2
     return cost
 
 

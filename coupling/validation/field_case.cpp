@@ -221,7 +221,7 @@ Opened open_with(const std::filesystem::path& file, const std::vector<std::strin
         all.push_back(joined("rockfall.motion=", model));
     }
     std::unique_ptr<Scenario> scenario = read_scenario(file, all);
-    config::Warnings warnings;  // those of the scenario itself: `bannwald check` tells them
+    config::Warnings warnings;  // those of the scenario itself: `bannwald check` prints them
     Site site = open_site(*scenario, warnings);
     const auto& description = rockfall::description_of(scenario->rockfall.fall.motion.model);
     Opened opened{std::string{description.name}, std::move(scenario), std::move(site)};

@@ -33,7 +33,7 @@ std::uint64_t rocks_on(const Site& site) {
     return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
 }
 
-/// A scenario with the settings of a combination. What is wrong with them is told with the combination.
+/// A scenario with the settings of a combination. Throws InputError for what is wrong with them.
 std::unique_ptr<Scenario> scenario_of(const VaryRequest& request, const std::vector<std::string>& overrides) {
     std::vector<std::string> all{request.overrides};
     all.insert(all.end(), overrides.begin(), overrides.end());
@@ -52,7 +52,7 @@ std::unique_ptr<Scenario> scenario_of(const VaryRequest& request, const std::vec
 std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination& combination,
                                   const std::vector<Factor>& factors, Progress& progress) {
     const std::unique_ptr<Scenario> scenario = scenario_of(request, combination.overrides(factors));
-    config::Warnings warnings;  // those of the scenario: `bannwald check` tells them
+    config::Warnings warnings;  // those of the scenario: `bannwald check` prints them
     const Site site = open_site(*scenario, warnings);
     const config::GridFrame frame = site.map_frame_on_terrain();
     const rockfall::StartLaw start = start_law(*scenario);
