@@ -19,6 +19,8 @@
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/gis_files.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -64,12 +66,12 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
                                     const std::optional<forest::TargetProfile>& profile) {
     std::vector<Section> sections;
     if (results.rocks > 0 && !results.site.targets.empty()) {
-        sections.push_back({"Protection over the years",
+        sections.push_back({report::page_text("decades.answers.protection_over_the_years"),
                             protection_over_years(results.names, results.site, series, results.members)});
     }
     if (results.rocks > 0) {
         sections.push_back(
-            {"Stands against rocks",
+            {report::page_text("decades.answers.stands_against_rocks"),
              stands_against_rocks(
                  results.names, series, profile,
                  rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m)});
@@ -134,6 +136,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     summary.close();
     watch("report.html");
     OutFile page{folder / "report.html"};
+    const report::WritingLanguage language{results.scenario.report.language};
     write_decade_page(page.stream(), {.scenario = results.scenario,
                                       .names = results.names,
                                       .grid = results.site.forest->grid,

@@ -8,7 +8,9 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -47,10 +49,12 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
 }  // namespace
 
 void write_decade_page(std::ostream& out, const PageContent& content) {
+    const report::WritingLanguage language{content.scenario.report.language};
     const RunView run = view_of(content.names, content.members, content.grid.area_ha());
     const report::PageFrame frame{
-        .title = joined(report::page_text("decades.decade_page.a_forest_over_years"),
-                        escaped(content.scenario.file.stem().string())),
+        .title = report::page_title(content.scenario.report,
+                                    joined(report::page_text("decades.decade_page.a_forest_over_years"),
+                                           escaped(content.scenario.file.stem().string()))),
         .version = content.version,
         .scripts = {page_scripts::charts(), page_scripts::slope()},
         .style = page_style(),

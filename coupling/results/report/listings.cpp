@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "config/text/joined.hpp"
-#include "config/text/numbers.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
@@ -26,23 +25,22 @@ std::string fact(std::string_view name, const std::string& value) {
 std::string rock_size(const Scenario& scenario) {
     switch (scenario.diameter_kind) {
         case DiameterKind::fixed:
-            return joined(config::to_text(scenario.diameter_m), " m");
+            return joined(exact(scenario.diameter_m), " m");
         case DiameterKind::classes: {
             const auto [low, high] =
                 std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
             return low == scenario.diameter_classes_m.end()
                        ? page_text("listings.in_classes")
                        : page_text("listings.to_m_in_classes",
-                                   {{"low", config::to_text(*low)}, {"high", config::to_text(*high)}});
+                                   {{"low", exact(*low)}, {"high", exact(*high)}});
         }
         case DiameterKind::uniform:
-            return page_text("listings.to_m",
-                             {{"diameter_low_m", config::to_text(scenario.diameter_low_m)},
-                              {"diameter_high_m", config::to_text(scenario.diameter_high_m)}});
+            return page_text("listings.to_m", {{"diameter_low_m", exact(scenario.diameter_low_m)},
+                                               {"diameter_high_m", exact(scenario.diameter_high_m)}});
         case DiameterKind::lognormal:
             break;
     }
-    return page_text("listings.log_normal_mean_m", {{"diameter_m", config::to_text(scenario.diameter_m)}});
+    return page_text("listings.log_normal_mean_m", {{"diameter_m", exact(scenario.diameter_m)}});
 }
 
 std::string motion_in_words(const Scenario& scenario) {

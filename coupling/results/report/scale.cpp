@@ -128,8 +128,8 @@ std::string ColourScale::legend(const std::string& id) const {
     const auto colours = colours_of(palette_);
     for (std::size_t i = 0; i < colours.size(); ++i) {
         svg += joined("<stop offset=\"",
-                      fixed(static_cast<double>(i) / static_cast<double>(colours.size() - 1), 3),
-                      "\" stop-color=\"", to_hex(colours[i]), "\"/>");
+                      place(100.0 * static_cast<double>(i) / static_cast<double>(colours.size() - 1)),
+                      "%\" stop-color=\"", to_hex(colours[i]), "\"/>");
     }
     svg += joined("</linearGradient><rect x=\"26\" y=\"6\" width=\"310\" height=\"14\" fill=\"url(#", id,
                   ")\" stroke=\"#555\" stroke-width=\".5\"/>");

@@ -5,6 +5,7 @@
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/today/report/sections.hpp"
 
@@ -40,10 +41,10 @@ std::string opening(const RunResults& results, const Figures&) {
     const Site& site = results.site;
     const config::GridFrame& frame = site.map_frame;
     std::string html = joined(
-        "<h1>",
-        results.with_forest ? page_text("today.opening.rockfall_with_and_without")
-                            : page_text("today.opening.rockfall_over_the_bare_slope"),
-        "</h1>\n<p class=\"lead\">",
+        page_head(scenario.report, results.with_forest
+                                       ? page_text("today.opening.rockfall_with_and_without")
+                                       : page_text("today.opening.rockfall_over_the_bare_slope")),
+        "<p class=\"lead\">",
         page_text(
             "today.opening.scenario_rocks_were_released",
             {{"file", escaped(scenario.file.filename().string())},
