@@ -16,6 +16,35 @@ std::string section_of(const std::string& key) {
     return key.substr(0, key.find('.'));
 }
 
+std::string settings_table(const Scenario& scenario, const std::string& caption,
+                           const std::function<bool(const config::ParameterRow&)>& is_shown) {
+    if (scenario.options == nullptr) {
+        return joined("<p>", page_text("listings.not_recorded"), "</p>\n");
+    }
+    HtmlTable table{caption,
+                    {page_text("listings.setting"), page_text("common.value"), page_text("listings.unit"),
+                     page_text("common.default"), page_text("listings.meaning")}};
+    table.text_columns({2, 4});
+    std::string section;
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        if (!is_shown(row)) {
+            continue;
+        }
+        if (section_of(row.key) != section) {
+            section = section_of(row.key);
+            table.group(joined("[", escaped(section), "]"));
+        }
+        table.row(
+            {joined("<code>", escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))),
+                    "</code>"),
+             row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
+             row.default_text.empty() ? "–" : escaped(row.default_text),
+             joined("<span lang=\"en\">", escaped(row.meaning), "</span>")},
+            row.changed ? "changed" : "");
+    }
+    return joined("<section class=\"card\">", table.html(), "</section>\n");
+}
+
 }  // namespace
 
 std::string fact(std::string_view name, const std::string& value) {
@@ -61,30 +90,18 @@ std::string list_of_warnings(const config::Warnings& warnings) {
 
 std::string table_of_settings(const Scenario& scenario,
                               const std::function<bool(const std::string&)>& is_shown) {
-    if (scenario.options == nullptr) {
-        return joined("<p>", page_text("listings.not_recorded"), "</p>\n");
-    }
-    HtmlTable table{page_text("listings.settings_marked_with_differ"),
-                    {page_text("listings.setting"), page_text("common.value"), page_text("listings.unit"),
-                     page_text("common.default"), page_text("listings.meaning")}};
-    table.text_columns({2, 4});
-    std::string section;
-    for (const config::ParameterRow& row : scenario.options->rows()) {
-        if (!is_shown(row.key)) {
-            continue;
-        }
-        if (section_of(row.key) != section) {
-            section = section_of(row.key);
-            table.group(joined("[", escaped(section), "]"));
-        }
-        table.row(
-            {joined("<code>", escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))),
-                    "</code>"),
-             row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
-             row.default_text.empty() ? "–" : escaped(row.default_text), escaped(row.meaning)},
-            row.changed ? "changed" : "");
-    }
-    return joined("<section class=\"card\">", table.html(), "</section>\n");
+    return settings_table(scenario, page_text("listings.settings_marked_with_differ"),
+                          [&](const config::ParameterRow& row) { return is_shown(row.key); });
+}
+
+std::string settings_section(const Scenario& scenario,
+                             const std::function<bool(const std::string&)>& is_shown) {
+    return joined(
+        "<h2>", page_text("listings.settings_that_differ"), "</h2>\n",
+        settings_table(scenario, "",
+                       [&](const config::ParameterRow& row) { return row.changed && is_shown(row.key); }),
+        "<details><summary>", page_text("listings.all_settings"), "</summary>",
+        table_of_settings(scenario, is_shown), "</details>\n");
 }
 
 std::string table_of_inputs(const std::vector<InputFile>& inputs) {

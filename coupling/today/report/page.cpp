@@ -2,7 +2,6 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/nets/net_page.hpp"
-#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
@@ -24,10 +23,12 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
         .style = {},
         .before_main = {}};
     begin_page(out, frame);
-    out << first_warnings(results.warnings) << opening(results, figures) << answers(results, figures)
-        << nets(results) << slope_view(results) << maps(results) << charts(results, figures)
+    out << first_screen(results, figures) << along_lines(results) << release_groups(results)
+        << forest_of_today(results) << nets(results) << slope_view(results) << "<div class=\"appendix\">\n"
+        << answers_in_detail(results, figures) << maps(results) << charts(results, figures)
         << observed_stops(results.observed_stops) << along_paths(results) << key_figures(results, figures)
-        << grounds(results) << warnings(results) << settings(results) << sources_and_files(results, files);
+        << grounds(results) << warnings(results) << settings(results) << sources_and_files(results, files)
+        << "</div>\n";
     end_page(out, frame);
 }
 
