@@ -25,15 +25,15 @@ std::string species_name(const std::string& code) {
 
 std::string facts_of(const ForestToday& found) {
     std::string html = "<dl class=\"facts\">";
-    html += fact(page_text("today.found.area"),
+    html += fact(page_text("today.forest.area"),
                  joined(fixed(found.area_ha, found.area_ha < 10.0 ? 2 : 1), " ha"));
-    html += fact(page_text("today.found.stems_pha"), fixed(found.stems_pha, 0));
-    html += fact(page_text("today.found.stems_from_12_cm_pha"), fixed(found.stems_from_12_cm_pha, 0));
+    html += fact(page_text("today.forest.stems_pha"), fixed(found.stems_pha, 0));
+    html += fact(page_text("today.forest.stems_from_12_cm_pha"), fixed(found.stems_from_12_cm_pha, 0));
     html += fact(page_text("common.basal_area_m_ha"), fixed(found.basal_area_m2pha, 1));
-    html += fact(page_text("today.found.mean_dbh_cm"), fixed(found.mean_dbh_cm, 1));
+    html += fact(page_text("today.forest.mean_dbh_cm"), fixed(found.mean_dbh_cm, 1));
     html +=
-        fact(page_text("today.found.longest_gap_m"), found.gaps.gaps == 0 ? "–" : fixed(found.gaps.max_m, 0));
-    html += fact(page_text("today.found.open_share"),
+        fact(page_text("today.forest.longest_gap_m"), found.gaps.gaps == 0 ? "–" : fixed(found.gaps.max_m, 0));
+    html += fact(page_text("today.forest.open_share"),
                  percent(static_cast<double>(found.gaps.open_patches) /
                          static_cast<double>(std::max<std::uint32_t>(1, found.gaps.patches))));
     return joined(html, "</dl>\n");
@@ -41,7 +41,7 @@ std::string facts_of(const ForestToday& found) {
 
 /// Whether something asked for is there.
 std::string verdict(bool met) {
-    return met ? page_text("today.found.met") : page_text("today.found.not_met");
+    return met ? page_text("today.forest.met") : page_text("today.forest.not_met");
 }
 
 std::string profile_of(const ForestToday& found) {
@@ -52,13 +52,13 @@ std::string profile_of(const ForestToday& found) {
             "</p>\n");
     }
     const forest::TargetProfile& profile = *found.profile;
-    HtmlTable table{page_text("today.found.profile_caption", {{"mean_block_m", block}}),
-                    {page_text("today.found.asked_for"), page_text("today.found.minimum"),
-                     page_text("today.found.ideal"), page_text("today.found.found"), ""}};
-    table.row({page_text("today.found.stems_from", {{"dbh_cm", fixed(profile.dbh_from_cm, 0)}}),
+    HtmlTable table{page_text("today.forest.profile_caption", {{"mean_block_m", block}}),
+                    {page_text("today.forest.asked_for"), page_text("today.forest.minimum"),
+                     page_text("today.forest.ideal"), page_text("today.forest.found"), ""}};
+    table.row({page_text("today.forest.stems_from", {{"dbh_cm", fixed(profile.dbh_from_cm, 0)}}),
                fixed(profile.least_stems_pha, 0), fixed(profile.ideal_stems_pha, 0),
                fixed(found.check.stems_pha, 0), verdict(found.check.has_stems)});
-    table.row({page_text("today.found.longest_gap_m"), fixed(profile.longest_gap_m, 0), "–",
+    table.row({page_text("today.forest.longest_gap_m"), fixed(profile.longest_gap_m, 0), "–",
                fixed(found.check.gap_m, 0), verdict(found.check.has_short_gaps)});
     return joined("<section class=\"card\">", table.html(), "<p class=\"soft\">", escaped(profile.source),
                   ".</p></section>\n");
@@ -81,8 +81,8 @@ std::string diameters_of(const ForestToday& found) {
 std::string species_of(const ForestToday& found) {
     constexpr std::size_t most_species = 8;
     HtmlTable table{"",
-                    {page_text("decades.answers.species"), page_text("today.found.stems_pha"),
-                     page_text("common.basal_area_m_ha"), page_text("today.found.share_of_basal_area")}};
+                    {page_text("decades.answers.species"), page_text("today.forest.stems_pha"),
+                     page_text("common.basal_area_m_ha"), page_text("today.forest.share_of_basal_area")}};
     for (std::size_t i = 0; i < std::min(most_species, found.species.size()); ++i) {
         const ForestToday::Species& species = found.species[i];
         table.row({joined("<i>", escaped(species_name(species.code)), "</i>"), fixed(species.stems_pha, 0),
@@ -153,13 +153,13 @@ std::string forest_of_today(const RunResults& results) {
     if (!results.with_forest || results.site.trees.empty()) {
         return "";
     }
-    std::string html = joined("<h2>", page_text("today.found.forest_of_today"), "</h2>\n");
+    std::string html = joined("<h2>", page_text("today.forest.forest_of_today"), "</h2>\n");
     if (const auto found = forest_today(results)) {
-        html += joined("<p class=\"soft\">", page_text("today.found.where"), "</p>\n", facts_of(*found),
+        html += joined("<p class=\"soft\">", page_text("today.forest.where"), "</p>\n", facts_of(*found),
                        profile_of(*found), "<div class=\"halves\">", diameters_of(*found), species_of(*found),
                        "</div>\n");
     } else {
-        html += joined("<p>", page_text("today.found.no_stems_where_rocks_cross"), "</p>\n");
+        html += joined("<p>", page_text("today.forest.no_stems_where_rocks_cross"), "</p>\n");
     }
     return joined(html, "<section class=\"card\">", trees_by_diameter(results), "</section>\n");
 }
