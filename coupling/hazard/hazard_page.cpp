@@ -357,7 +357,14 @@ std::string arrivals_table(const HazardResults& results) {
 }
 
 std::string maps(const HazardResults& results) {
-    const report::MapSheet sheet{results.site};
+    const report::MapSheet sheet{
+        results.site, report::window_around(results.site.map_frame, [&](config::Cell cell) {
+            return std::any_of(results.slopes.begin(), results.slopes.end(), [&](const SlopeHazard& slope) {
+                return std::any_of(
+                    slope.map.intensity.begin(), slope.map.intensity.end(),
+                    [&](const config::Raster<float>& intensity) { return intensity.at(cell) > 0.0F; });
+            });
+        })};
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(shown);
@@ -411,8 +418,7 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
         << maps(results) << about_the_map(results) << rocks_table(results)
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
-        << joined("<h2>", report::page_text("common.settings"), "</h2>\n")
-        << report::table_of_settings(results.scenario, [](const std::string&) { return true; })
+        << report::settings_section(results.scenario, [](const std::string&) { return true; })
         << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\">")
         << report::table_of_inputs(results.inputs)
         << joined("</section>\n<h2>", report::page_text("hazard_page.files"),

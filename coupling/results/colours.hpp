@@ -39,15 +39,16 @@ Colour colour_at(Palette palette, double place);
 inline constexpr std::array<double, 2> intensity_limits_kj{30.0, 300.0};
 inline constexpr std::array<Colour, 3> intensity_class_colours{
     Colour{0xfe, 0xe0, 0x8b}, Colour{0xf4, 0x6d, 0x43}, Colour{0x7f, 0x00, 0x2d}};
+/// In files for GIS programs.
+inline constexpr std::array<const char*, 3> intensity_class_names{"below 30 kJ", "30 to 300 kJ",
+                                                                  "above 300 kJ"};
 
-/// Classes of energy on maps: the limits of intensities, and between and above them those of usual nets.
+/// Classes of energy on pages: the limits of intensities, and between and above them those of usual nets.
+/// Their names are in report/energy_classes.hpp.
 inline constexpr std::array<double, 5> energy_class_limits_kj{30.0, 100.0, 300.0, 1000.0, 3000.0};
 inline constexpr std::array<Colour, 6> energy_class_colours{
     Colour{0xfe, 0xe0, 0x8b}, Colour{0xf5, 0x9a, 0x45}, Colour{0xe0, 0x60, 0x3a},
     Colour{0xbb, 0x2f, 0x2a}, Colour{0x86, 0x12, 0x2d}, Colour{0x42, 0x00, 0x1c}};
-/// In files for GIS programs; pages have their own (report/energy_classes.hpp).
-inline constexpr std::array<const char*, 6> energy_class_names{
-    "below 30 kJ", "30 to 100 kJ", "100 to 300 kJ", "300 to 1000 kJ", "1000 to 3000 kJ", "above 3000 kJ"};
 constexpr std::size_t energy_class(double energy_kj) {
     if (energy_kj < energy_class_limits_kj[0]) {
         return 0U;

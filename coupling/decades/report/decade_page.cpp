@@ -32,8 +32,7 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
     sections.push_back(
         {report::page_text("decades.decade_page.the_stand_seen_from_above_and"), pictures(content, run)});
     sections.push_back({report::page_text("common.warnings"), report::list_of_warnings(content.warnings)});
-    sections.push_back({report::page_text("common.settings"),
-                        report::table_of_settings(content.scenario, [&](const std::string& key) {
+    sections.push_back({"", report::settings_section(content.scenario, [&](const std::string& key) {
                             return !content.shows_setting || content.shows_setting(key);
                         })});
     sections.push_back(

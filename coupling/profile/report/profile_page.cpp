@@ -181,8 +181,7 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         << charts_along(results) << stations(results) << key_figures(results)
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
-        << joined("<h2>", report::page_text("common.settings"), "</h2>\n")
-        << report::table_of_settings(
+        << report::settings_section(
                results.scenario,
                [&](const std::string& key) { return !plays_no_part(key) || set_to_none.contains(key); })
         << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\"><p>",
