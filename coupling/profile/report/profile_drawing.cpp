@@ -11,6 +11,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
@@ -218,7 +219,7 @@ std::string legend(const ProfileResults& results, const std::vector<std::uint8_t
     for (std::size_t i = 0; i < types.size(); ++i) {
         items += legend_entry(
             joined("<path class=\"ground type", std::to_string(i % ground_colours), "\" d=\"M1 7h28\"/>"),
-            escaped(results.site.slope.types[types[i]].label));
+            escaped(report::in_page_language(results.site.slope.types[types[i]].label)));
     }
     if (!results.tally.paths.empty()) {
         for (std::size_t c = 0; c < energy_class_colours.size(); ++c) {
@@ -239,19 +240,20 @@ std::string drawing(const ProfileResults& results) {
     const std::size_t drawn = paths == 0 ? 0 : (paths + drawn_every(results) - 1) / drawn_every(results);
     // One unit is one pixel at most, so that letters stay those of the page.
     const std::string width = place(std::max(sheet.right(), 420.0) + 20.0);
-    return joined("<h2>", report::page_text("profile_drawing.the_profile"),
-                  "</h2>\n<figure class=\"chart map profile\"><figcaption>",
-                  report::page_text("profile_drawing.the_profile_at_true_vertical"), "</figcaption>",
-                  legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
-                  place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"",
-                  report::page_text("profile_drawing.the_profile_at_true_vertical_2"), "\">", axes_of(sheet),
-                  ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet),
-                  "</svg><p>",
-                  (drawn == 0 ? std::string{report::page_text("profile_drawing.no_paths_were_kept_output")}
-                              : report::page_text("profile_drawing.paths_of_the_underside_of_rocks",
-                                                  {{"drawn", report::grouped(drawn)},
-                                                   {"energies", rockfall::what_energies_count()}})),
-                  "</p></figure>\n");
+    return joined(
+        "<h2>", report::page_text("profile_drawing.the_profile"),
+        "</h2>\n<figure class=\"chart map profile\"><figcaption>",
+        report::page_text("profile_drawing.the_profile_at_true_vertical"), "</figcaption>",
+        legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
+        place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"",
+        report::page_text("profile_drawing.the_profile_at_true_vertical_2"), "\">", axes_of(sheet),
+        ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet), "</svg><p>",
+        (drawn == 0
+             ? std::string{report::page_text("profile_drawing.no_paths_were_kept_output")}
+             : report::page_text("profile_drawing.paths_of_the_underside_of_rocks",
+                                 {{"drawn", report::grouped(drawn)},
+                                  {"energies", report::in_page_language(rockfall::what_energies_count())}})),
+        "</p></figure>\n");
 }
 
 }  // namespace coupling::profile

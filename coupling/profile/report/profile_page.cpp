@@ -16,6 +16,7 @@
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/results/report/writing_language.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -99,7 +100,7 @@ std::string stations(const ProfileResults& results) {
     using namespace rockfall;
     HtmlTable table{
         report::page_text("profile_page.energy_is_translation_and",
-                          {{"energies", rockfall::what_energies_count()}}),
+                          {{"energies", report::in_page_language(rockfall::what_energies_count())}}),
         {report::page_text("profile_page.station"), report::page_text("profile_page.at_m_2"),
          report::page_text("profile_page.rocks_that_pass_95_interval"),
          report::page_text("profile_page.energy_kj_mean"), report::page_text("profile_page.sd"), "90 %",

@@ -8,6 +8,7 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 
 namespace coupling::report {
 namespace {
@@ -150,7 +151,7 @@ std::string spread_of_directions(const Scenario& scenario) {
                                                {{"start_scatter_deg", exact(scenario.start_scatter_deg)}}),
                                      {"release.start_scatter_deg"});
     const rockfall::SidewaysTurn turn = rockfall::sideways_turn(scenario.rockfall);
-    return joined(start, ", ", marked(scenario, turn.words, turn.settings));
+    return joined(start, ", ", marked(scenario, in_page_language(turn.words), turn.settings));
 }
 
 std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSource>& sources,

@@ -6,6 +6,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 
 namespace coupling::report {
 namespace {
@@ -74,7 +75,7 @@ std::string rock_size(const Scenario& scenario) {
 
 std::string motion_in_words(const Scenario& scenario) {
     const rockfall::ModelDescription& model = rockfall::description_of(scenario.rockfall.fall.motion.model);
-    return joined(model.title, ": ", model.rocks);
+    return joined(in_page_language(model.title), ": ", in_page_language(model.rocks));
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {

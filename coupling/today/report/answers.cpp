@@ -8,6 +8,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/today/report/sections.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -268,10 +269,10 @@ std::string answers_in_detail(const RunResults& results, const Figures& figures)
                              effect_on_energy(target), rates_at(target, covers), figures_at(target, covers));
         html += "</section>\n";
     }
-    return joined(
-        html, leaving(results, figures), "<p class=\"soft\">",
-        page_text("today.answers.energy_is_translation_and", {{"energies", rockfall::what_energies_count()}}),
-        "</p>\n");
+    return joined(html, leaving(results, figures), "<p class=\"soft\">",
+                  page_text("today.answers.energy_is_translation_and",
+                            {{"energies", in_page_language(rockfall::what_energies_count())}}),
+                  "</p>\n");
 }
 
 }  // namespace coupling::report

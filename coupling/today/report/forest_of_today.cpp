@@ -8,6 +8,7 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/today/forest_today.hpp"
 #include "coupling/today/report/sections.hpp"
 #include "forest/species.hpp"
@@ -31,8 +32,8 @@ std::string facts_of(const ForestToday& found) {
     html += fact(page_text("today.forest.stems_from_12_cm_pha"), fixed(found.stems_from_12_cm_pha, 0));
     html += fact(page_text("common.basal_area_m_ha"), fixed(found.basal_area_m2pha, 1));
     html += fact(page_text("today.forest.mean_dbh_cm"), fixed(found.mean_dbh_cm, 1));
-    html +=
-        fact(page_text("today.forest.longest_gap_m"), found.gaps.gaps == 0 ? "–" : fixed(found.gaps.max_m, 0));
+    html += fact(page_text("today.forest.longest_gap_m"),
+                 found.gaps.gaps == 0 ? "–" : fixed(found.gaps.max_m, 0));
     html += fact(page_text("today.forest.open_share"),
                  percent(static_cast<double>(found.gaps.open_patches) /
                          static_cast<double>(std::max<std::uint32_t>(1, found.gaps.patches))));
@@ -60,8 +61,8 @@ std::string profile_of(const ForestToday& found) {
                fixed(found.check.stems_pha, 0), verdict(found.check.has_stems)});
     table.row({page_text("today.forest.longest_gap_m"), fixed(profile.longest_gap_m, 0), "–",
                fixed(found.check.gap_m, 0), verdict(found.check.has_short_gaps)});
-    return joined("<section class=\"card\">", table.html(), "<p class=\"soft\">", escaped(profile.source),
-                  ".</p></section>\n");
+    return joined("<section class=\"card\">", table.html(), "<p class=\"soft\">",
+                  escaped(in_page_language(profile.source)), ".</p></section>\n");
 }
 
 std::string diameters_of(const ForestToday& found) {

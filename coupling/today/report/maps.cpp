@@ -8,6 +8,7 @@
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/today/report/sections.hpp"
 #include "coupling/today/report/shown_window.hpp"
 #include "rockfall/motion/models.hpp"
@@ -240,7 +241,7 @@ std::string maps(const RunResults& results) {
              page_text("today.maps.for_the_forest_effect_both_are"));
     page.row("E_95", page_text("common.energy_95th_percentile"), "kJ",
              page_text("today.maps.of_the_largest_kinetic_energy",
-                       {{"energies", rockfall::what_energies_count()}}),
+                       {{"energies", in_page_language(rockfall::what_energies_count())}}),
              page_text("today.maps.for_the_forest_effect_no_rock"));
     page.row("Nr_passages", page_text("common.rocks_that_pass"), page_text("common.rocks_unit"),
              page_text("common.each_rock_counts_once_in_a_cell"), "");
