@@ -1,6 +1,7 @@
 #include "coupling/decades/decade_results.hpp"
 
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "config/text/joined.hpp"
@@ -36,12 +37,13 @@ std::string change_in_words(const ClimateSource& climate) {
     const auto mean = [](const std::array<double, 12>& months) {
         return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
     };
-    const std::string factor = report::fixed(mean(climate.change.precipitation), 2);
-    return joined(", changed by ", report::fixed(mean(climate.change.temperature_k), 1), " K",
-                  factor == "1.00" ? "" : joined(" and precipitation × ", factor),
-                  climate.change_years > 0
-                      ? joined(" within ", counted(static_cast<std::size_t>(climate.change_years), "year"))
-                      : "");
+    const double factor = mean(climate.change.precipitation);
+    return joined(
+        ", changed by ", report::fixed(mean(climate.change.temperature_k), 1), " K",
+        std::abs(factor - 1.0) < 0.005 ? "" : joined(" and precipitation × ", report::fixed(factor, 2)),
+        climate.change_years > 0
+            ? joined(" within ", counted(static_cast<std::size_t>(climate.change_years), "year"))
+            : "");
 }
 
 /// Which years of which series the forest lived in; of several climates each with its name.
