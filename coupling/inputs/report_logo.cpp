@@ -61,7 +61,7 @@ std::string fault_of_jpeg(std::string_view bytes) {
     return "a JPEG that ends before its pixels";
 }
 
-std::string lower_case(std::string_view text) {
+std::string small_letters(std::string_view text) {
     std::string lower{text};
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -100,7 +100,7 @@ bool leads_out(std::string_view lower, std::string_view before) {
 }
 
 std::string fault_of_svg(std::string_view bytes) {
-    const std::string lower = lower_case(bytes);
+    const std::string lower = small_letters(bytes);
     constexpr std::array scripts{"<script", "javascript:", "<foreignobject", "<!entity", "@import"};
     for (const char* script : scripts) {
         if (lower.find(script) != std::string::npos) {
@@ -137,7 +137,7 @@ Logo read_logo(std::string_view bytes, const config::Place& place) {
     if (bytes.starts_with("\xff\xd8\xff")) {
         return checked("image/jpeg", fault_of_jpeg(bytes));
     }
-    if (lower_case(bytes.substr(root_of(bytes), 4)) == "<svg") {
+    if (small_letters(bytes.substr(root_of(bytes), 4)) == "<svg") {
         return checked("image/svg+xml", fault_of_svg(bytes));
     }
     refuse(bytes.empty() ? "an empty file" : "a file that is no picture of these kinds");

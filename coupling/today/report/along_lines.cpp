@@ -132,7 +132,7 @@ std::string energy_chart(const RunResults& results, const AlongLine& line) {
     return chart.figure(page_text("today.road.energy_caption"));
 }
 
-std::string part_of(const RunResults& results, const AlongLine& line) {
+std::string part_of_line(const RunResults& results, const AlongLine& line) {
     const rockfall::Target& target = results.site.targets[line.target];
     const std::string name = escaped(target.name.empty() ? target.id : target.name);
     const bool any = std::any_of(line.stretches.begin(), line.stretches.end(), [](const Stretch& stretch) {
@@ -166,7 +166,7 @@ std::string along_lines(const RunResults& results) {
     std::string html;
     for (const AlongLine& line : breakdown.lines) {
         if (!line.stretches.empty()) {
-            html += part_of(results, line);
+            html += part_of_line(results, line);
         }
     }
     return html.empty() ? "" : joined("<h2>", page_text("today.road.along_lines"), "</h2>\n", html);
