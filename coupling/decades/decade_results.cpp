@@ -1,6 +1,7 @@
 #include "coupling/decades/decade_results.hpp"
 
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "config/text/joined.hpp"
@@ -19,6 +20,8 @@
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/gis_files.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -34,12 +37,13 @@ std::string change_in_words(const ClimateSource& climate) {
     const auto mean = [](const std::array<double, 12>& months) {
         return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
     };
-    const std::string factor = report::fixed(mean(climate.change.precipitation), 2);
-    return joined(", changed by ", report::fixed(mean(climate.change.temperature_k), 1), " K",
-                  factor == "1.00" ? "" : joined(" and precipitation × ", factor),
-                  climate.change_years > 0
-                      ? joined(" within ", counted(static_cast<std::size_t>(climate.change_years), "year"))
-                      : "");
+    const double factor = mean(climate.change.precipitation);
+    return joined(
+        ", changed by ", report::fixed(mean(climate.change.temperature_k), 1), " K",
+        std::abs(factor - 1.0) < 0.005 ? "" : joined(" and precipitation × ", report::fixed(factor, 2)),
+        climate.change_years > 0
+            ? joined(" within ", counted(static_cast<std::size_t>(climate.change_years), "year"))
+            : "");
 }
 
 /// Which years of which series the forest lived in; of several climates each with its name.
@@ -64,12 +68,12 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
                                     const std::optional<forest::TargetProfile>& profile) {
     std::vector<Section> sections;
     if (results.rocks > 0 && !results.site.targets.empty()) {
-        sections.push_back({"Protection over the years",
+        sections.push_back({report::page_text("decades.answers.protection_over_the_years"),
                             protection_over_years(results.names, results.site, series, results.members)});
     }
     if (results.rocks > 0) {
         sections.push_back(
-            {"Stands against rocks",
+            {report::page_text("decades.answers.stands_against_rocks"),
              stands_against_rocks(
                  results.names, series, profile,
                  rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m)});
@@ -134,6 +138,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     summary.close();
     watch("report.html");
     OutFile page{folder / "report.html"};
+    const report::WritingLanguage language{results.scenario.report.language};
     write_decade_page(page.stream(), {.scenario = results.scenario,
                                       .names = results.names,
                                       .grid = results.site.forest->grid,

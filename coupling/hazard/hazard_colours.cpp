@@ -17,8 +17,8 @@ std::vector<ClassColour> intensity_colours(const Matrix& matrix) {
     for (std::size_t i = 0; i < count; ++i) {
         const double place = static_cast<double>(i + 1) / static_cast<double>(count);
         colours.push_back({static_cast<double>(i + 1), matrix.intensity_name(i),
-                           count == energy_class_colours.size() ? energy_class_colours[i]
-                                                                : colour_at(Palette::deposits, place)});
+                           count == intensity_class_colours.size() ? intensity_class_colours[i]
+                                                                   : colour_at(Palette::deposits, place)});
     }
     return colours;
 }

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "config/text/joined.hpp"
-#include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/results/few_rocks.hpp"
@@ -15,7 +14,9 @@
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -31,8 +32,8 @@ const std::string& words_of(Cover cover) {
 }
 
 std::string years_text(double years) {
-    return joined(config::to_text(years), years == 1.0 ? report::page_text("hazard_page.year")
-                                                       : report::page_text("hazard_page.years"));
+    return joined(report::exact(years), years == 1.0 ? report::page_text("hazard_page.year")
+                                                     : report::page_text("hazard_page.years"));
 }
 
 std::string energy_in_words(HazardEnergy energy) {
@@ -113,22 +114,22 @@ std::string opening(const HazardResults& results) {
     std::string periods;
     std::uint64_t rocks = 0;
     for (const FinishedPeriod& period : results.periods) {
-        periods += joined(periods.empty() ? "" : ", ", config::to_text(period.return_period_years));
+        periods += joined(periods.empty() ? "" : ", ", report::exact(period.return_period_years));
         rocks += period.rocks;
     }
     std::string html = joined(
-        "<h1>", report::page_text("hazard_page.rockfall_hazard_map", {{"name", name}}),
-        "</h1>\n<dl class=\"facts\">",
+        report::page_head(results.scenario.report,
+                          report::page_text("hazard_page.rockfall_hazard_map", {{"name", name}})),
+        "<dl class=\"facts\">",
         report::fact(report::page_text("hazard_page.return_periods_of_the_release"),
                      report::page_text("hazard_page.years_2", {{"periods", periods}})),
         report::fact(report::page_text("hazard_page.intensity"),
                      report::marked(results.scenario, energy_in_words(results.scenario.hazard.energy),
                                     {"hazard.energy"})),
-        report::fact(
-            report::page_text("hazard_page.least_reach_of_a_cell"),
-            report::marked(results.scenario,
-                           joined(config::to_text(results.scenario.hazard.least_reach_percent), " %"),
-                           {"hazard.least_reach_percent"})),
+        report::fact(report::page_text("hazard_page.least_reach_of_a_cell"),
+                     report::marked(results.scenario,
+                                    joined(report::exact(results.scenario.hazard.least_reach_percent), " %"),
+                                    {"hazard.least_reach_percent"})),
         report::deciding_facts(results.scenario, results.site.sources, report::grouped(rocks),
                                sizes_of_rocks(results)),
         results.site.nets.empty()
@@ -194,7 +195,7 @@ std::string matrix_drawing(const HazardResults& results) {
         std::string here;
         for (const FinishedPeriod& period : results.periods) {
             if (matrix.frequency_of(period.return_period_years) == k) {
-                here += joined(here.empty() ? "" : ", ", config::to_text(period.return_period_years));
+                here += joined(here.empty() ? "" : ", ", report::exact(period.return_period_years));
             }
         }
         text(x, height * rows + 38.0, "middle",
@@ -209,7 +210,7 @@ std::string about_the_map(const HazardResults& results) {
     const std::string rim =
         hazard.least_reach_percent > 0.0
             ? report::page_text("hazard_page.cells_that_fewer_than_of_the",
-                                {{"hazard_least_reach_percent", config::to_text(hazard.least_reach_percent)}})
+                                {{"hazard_least_reach_percent", report::exact(hazard.least_reach_percent)}})
             : report::page_text("hazard_page.a_cell_counts_as_soon_as_one");
     const std::string source =
         hazard.matrix.empty()
@@ -356,7 +357,14 @@ std::string arrivals_table(const HazardResults& results) {
 }
 
 std::string maps(const HazardResults& results) {
-    const report::MapSheet sheet{results.site};
+    const report::MapSheet sheet{
+        results.site, report::window_around(results.site.map_frame, [&](config::Cell cell) {
+            return std::any_of(results.slopes.begin(), results.slopes.end(), [&](const SlopeHazard& slope) {
+                return std::any_of(
+                    slope.map.intensity.begin(), slope.map.intensity.end(),
+                    [&](const config::Raster<float>& intensity) { return intensity.at(cell) > 0.0F; });
+            });
+        })};
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(shown);
@@ -396,19 +404,21 @@ std::string maps(const HazardResults& results) {
 }  // namespace
 
 void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
-    const report::PageFrame frame{.title = joined(report::page_text("hazard_page.rockfall_hazard_map_2"),
-                                                  escaped(results.scenario.file.stem().string())),
-                                  .version = results.version,
-                                  .scripts = {},
-                                  .style = {},
-                                  .before_main = {}};
+    const report::WritingLanguage language{results.scenario.report.language};
+    const report::PageFrame frame{
+        .title = report::page_title(results.scenario.report,
+                                    joined(report::page_text("hazard_page.rockfall_hazard_map_2"),
+                                           escaped(results.scenario.file.stem().string()))),
+        .version = results.version,
+        .scripts = {},
+        .style = {},
+        .before_main = {}};
     report::begin_page(out, frame);
     out << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
         << maps(results) << about_the_map(results) << rocks_table(results)
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
-        << joined("<h2>", report::page_text("common.settings"), "</h2>\n")
-        << report::table_of_settings(results.scenario, [](const std::string&) { return true; })
+        << report::settings_section(results.scenario, [](const std::string&) { return true; })
         << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\">")
         << report::table_of_inputs(results.inputs)
         << joined("</section>\n<h2>", report::page_text("hazard_page.files"),

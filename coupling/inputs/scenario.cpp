@@ -277,6 +277,7 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_nets(options, scenario.nets);
     declare_hazard(options, scenario.hazard);
     declare_output(options, scenario);
+    declare(options, scenario.report);
     options.text("rockfall.preset", scenario.preset,
                  {.meaning = "default, or a named set: strict, paper_rebound, paper_initial"});
     rockfall::declare(options, scenario.rockfall);
@@ -294,6 +295,11 @@ std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
     std::istringstream in{std::string{bytes.text()}};
     scenario->options->read(in, file.string(), overrides, "rockfall.preset");
     check(*scenario);
+    if (const std::string& logo = scenario->report.logo; !logo.empty()) {
+        const config::Place place = scenario->options->place_of("report.logo");
+        const FileBytes picture = open_file(scenario->resolve(logo), place, "a PNG, JPEG or SVG file");
+        scenario->report.picture = read_logo(picture.text(), {scenario->resolve(logo).string()});
+    }
     if (!scenario->profile.empty()) {
         profile::turn_deviation_off(*scenario);
     }

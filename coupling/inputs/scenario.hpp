@@ -10,6 +10,7 @@
 #include "coupling/inputs/forest_settings.hpp"
 #include "coupling/inputs/hazard_settings.hpp"
 #include "coupling/inputs/nets/net_settings.hpp"
+#include "coupling/inputs/report_settings.hpp"
 #include "rockfall/parameters.hpp"
 #include "rockfall/release/release.hpp"
 
@@ -87,6 +88,7 @@ struct Scenario {
 
     NetSettings nets;       ///< [nets]
     HazardSettings hazard;  ///< [hazard]
+    ReportSettings report;  ///< [report]
 
     // [output]
     double cell_size_m = 0.0;  ///< of the maps; 0: that of the DEM

@@ -233,6 +233,7 @@ void check(const Scenario& scenario) {
                        "one of them: a rock that a net holds breaks no trees for the rocks after it");
     }
     check_hazard(scenario, checker);
+    check(scenario.report, *scenario.options, checker.problems());
     check_observed(scenario, checker);
     check_impact_table(scenario, checker);
     for (const double rock : scenario.path_rocks) {

@@ -203,6 +203,14 @@ std::vector<rockfall::Net> Site::standing_nets() const {
     return standing;
 }
 
+void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs) {
+    const ReportSettings& report = scenario.report;
+    if (!report.logo.empty()) {
+        inputs.push_back({role_of_logo, report.logo, hash_text(report.picture.bytes),
+                          static_cast<std::uint64_t>(report.picture.bytes.size())});
+    }
+}
+
 Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     Reading reading{scenario, warnings};
     reading.note_renamed_settings();
@@ -259,6 +267,8 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     }
     rockfall::SurfaceMap surface = surface_map(*ground, terrain.origin_m());
     config::Raster<double> heights = heights_on_map(*files.heights, terrain);
+    std::vector<InputFile> inputs = reading.inputs();
+    add_logo(scenario, inputs);
     return {.slope = {std::move(terrain), std::move(surface), std::move(ground->types)},
             .heights = std::move(heights),
             .surface = on_frame(ground->ids, files.heights->map_frame),
@@ -269,7 +279,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .sources = std::move(sources).value_or(std::vector<rockfall::ReleaseSource>{}),
             .targets = std::move(files.targets).value_or(std::vector<rockfall::Target>{}),
             .nets = std::move(nets),
-            .inputs = reading.inputs(),
+            .inputs = std::move(inputs),
             .forest = std::move(forest),
             .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{})};
 }

@@ -43,6 +43,12 @@ struct InputFile {
     std::uint64_t bytes = 0;
 };
 
+/// The role of the logo of pages, which is part of no fall.
+inline constexpr const char* role_of_logo = "logo";
+
+/// The logo that was read with the scenario joins the files of a run.
+void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs);
+
 /// A slope with everything on it, read, checked and valid. Without rocks (run.rockfall_every = 0) it has no
 /// ground types, sources and targets.
 struct Site {

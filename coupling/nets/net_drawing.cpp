@@ -8,6 +8,7 @@
 #include "coupling/nets/net_figures.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/energy_classes.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
 
@@ -159,8 +160,8 @@ std::string developed_view_legend() {
     for (std::size_t i = 0; i < words.size(); ++i) {
         add(shape_of(static_cast<rockfall::NetOutcome>(i), 1, 15.0, 7.0), page_text(words[i]));
     }
-    for (std::size_t i = 0; i < energy_class_names.size(); ++i) {
-        add(shape_of(rockfall::NetOutcome::held, i, 15.0, 7.0), energy_class_names[i]);
+    for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
+        add(shape_of(rockfall::NetOutcome::held, i, 15.0, 7.0), energy_class_name(i));
     }
     add("<rect x=\"2\" y=\"2\" width=\"26\" height=\"10\" fill=\"#2458ad\" fill-opacity=\"0.13\" "
         "stroke=\"#2458ad\" stroke-width=\"1.6\"/>",

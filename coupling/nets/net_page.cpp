@@ -76,7 +76,7 @@ std::string histogram(const RunResults& results, std::uint32_t net, const std::s
     }
     if (with_classes) {
         const double capacity_kj = results.site.nets[net].net.capacity_j / j_per_kj;
-        for (const double limit_kj : energy_class_limits_kj) {
+        for (const double limit_kj : intensity_limits_kj) {
             if (std::abs(x_of.share_of(limit_kj) - x_of.share_of(capacity_kj)) > room_for_a_label) {
                 chart.add_mark(limit_kj, page_text("common.kj", {{"limit_kj", tick_text(limit_kj)}}));
             }

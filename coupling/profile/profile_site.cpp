@@ -315,6 +315,7 @@ ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
                      .start_m = start_m,
                      .stations = std::move(stations),
                      .inputs = reading.inputs()};
+    add_logo(scenario, site.inputs);
     doubt_start(site, scenario, reading);
     reading.problems().throw_if_any();
     return site;

@@ -35,13 +35,29 @@ std::span<const Colour> colours_of(Palette palette);
 /// Colour at a place [0, 1] along a palette, straight between its steps.
 Colour colour_at(Palette palette, double place);
 
-/// Intensity classes by energy: below 30 kJ, 30 to 300 kJ, above 300 kJ (the Swiss federal recommendation).
-inline constexpr std::array<double, 2> energy_class_limits_kj{30.0, 300.0};
-inline constexpr std::array<Colour, 3> energy_class_colours{
+/// Intensities by energy: below 30 kJ, 30 to 300 kJ, above 300 kJ (the Swiss federal recommendation).
+inline constexpr std::array<double, 2> intensity_limits_kj{30.0, 300.0};
+inline constexpr std::array<Colour, 3> intensity_class_colours{
     Colour{0xfe, 0xe0, 0x8b}, Colour{0xf4, 0x6d, 0x43}, Colour{0x7f, 0x00, 0x2d}};
-inline constexpr std::array<const char*, 3> energy_class_names{"below 30 kJ", "30 to 300 kJ", "above 300 kJ"};
+/// In files for GIS programs.
+inline constexpr std::array<const char*, 3> intensity_class_names{"below 30 kJ", "30 to 300 kJ",
+                                                                  "above 300 kJ"};
+
+/// Classes of energy on pages: the limits of intensities, and between and above them those of usual nets.
+/// Their names are in report/energy_classes.hpp.
+inline constexpr std::array<double, 5> energy_class_limits_kj{30.0, 100.0, 300.0, 1000.0, 3000.0};
+inline constexpr std::array<Colour, 6> energy_class_colours{
+    Colour{0xfe, 0xe0, 0x8b}, Colour{0xf5, 0x9a, 0x45}, Colour{0xe0, 0x60, 0x3a},
+    Colour{0xbb, 0x2f, 0x2a}, Colour{0x86, 0x12, 0x2d}, Colour{0x42, 0x00, 0x1c}};
 constexpr std::size_t energy_class(double energy_kj) {
-    return energy_kj < energy_class_limits_kj[0] ? 0U : energy_kj <= energy_class_limits_kj[1] ? 1U : 2U;
+    if (energy_kj < energy_class_limits_kj[0]) {
+        return 0U;
+    }
+    std::size_t place = 1;
+    while (place < energy_class_limits_kj.size() && energy_kj > energy_class_limits_kj[place]) {
+        ++place;
+    }
+    return place;
 }
 
 /// A class of a map in its colour.

@@ -87,11 +87,11 @@ std::optional<EnergyRise> energy_rise(const ArrivalFigures& forest, const Arriva
     const Distribution& without = bare.energy_kj;
     if (is_a_rise(with.p95, without.p95)) {
         return EnergyRise{report::page_text("effect_words.95_energy"), 100.0 * (with.p95 / without.p95 - 1.0),
-                          with.p95_interval.low >= without.p95_interval.high};
+                          with.p95_interval.low >= without.p95_interval.high, true};
     }
     if (is_a_rise(with.mean, without.mean)) {
         return EnergyRise{report::page_text("common.mean_energy"), 100.0 * (with.mean / without.mean - 1.0),
-                          false};
+                          false, false};
     }
     return std::nullopt;
 }
@@ -123,13 +123,12 @@ std::string rise_in_words(const ArrivalFigures& forest, const ArrivalFigures& ba
     if (!rise) {
         return "";
     }
-    const bool has_interval = std::string_view{rise->figure}.starts_with("95");
     const std::string change = change_of_strong_rocks(forest, bare);
     return report::page_text("effect_words.the_of_those_that_still_arrive",
                              {{"rise_figure", rise->figure},
                               {"percent_text_rise", percent_text(rise->percent)},
                               {"note", note},
-                              {"part", has_interval && !rise->is_certain
+                              {"part", rise->has_interval && !rise->is_certain
                                            ? report::page_text("effect_words.within_the_uncertainty_of_few")
                                            : ""},
                               {"part_2", change.empty() ? "" : joined("; ", change)}});

@@ -21,6 +21,7 @@ struct EnergyRise {
     std::string figure;       ///< "95 % energy" or "mean energy"
     double percent = 0.0;     ///< above that over the bare slope
     bool is_certain = false;  ///< the intervals do not overlap; of a mean: not known
+    bool has_interval = false;
 };
 
 /// The 95 % energy, where it is known on both slopes and not higher the mean. Nothing where a forest raises

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "config/units/constants.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling {
 namespace {
@@ -120,8 +121,8 @@ std::vector<Cover> covers_of(const RunResults& results) {
                                : std::vector<Cover>{Cover::bare};
 }
 
-const char* title_of(Cover cover) {
-    return cover == Cover::forest ? "with forest" : "bare slope";
+const std::string& title_of(Cover cover) {
+    return report::page_text(cover == Cover::forest ? "common.with_forest" : "common.bare_slope");
 }
 
 const char* name_of(rockfall::StopReason reason) {

@@ -21,8 +21,8 @@ constexpr std::size_t index_of(Cover cover) {
 /// "forest" or "bare": in file names and columns.
 const char* name_of(Cover cover);
 
-/// Over charts and maps: "with forest" or "bare slope".
-const char* title_of(Cover cover);
+/// Over charts and maps: "with forest" or "bare slope", in the language of the page.
+const std::string& title_of(Cover cover);
 /// The slopes that were assessed: both, or the bare one alone.
 std::vector<Cover> covers_of(const RunResults& results);
 

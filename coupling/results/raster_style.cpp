@@ -77,11 +77,11 @@ void write_style(std::ostream& out, const RasterKind& kind, ValueRange range) {
     switch (kind.style) {
         case RasterStyle::energy_classes: {
             std::vector<Step> steps;
-            for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
-                const bool last = i == energy_class_limits_kj.size();
-                std::string label = energy_class_names[i];
-                steps.push_back({last ? std::numeric_limits<double>::infinity() : energy_class_limits_kj[i],
-                                 label, energy_class_colours[i]});
+            for (std::size_t i = 0; i < intensity_class_colours.size(); ++i) {
+                const bool last = i == intensity_limits_kj.size();
+                std::string label = intensity_class_names[i];
+                steps.push_back({last ? std::numeric_limits<double>::infinity() : intensity_limits_kj[i],
+                                 label, intensity_class_colours[i]});
             }
             write(out, steps, "DISCRETE", 0.0, high);
             break;

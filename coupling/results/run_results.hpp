@@ -9,6 +9,7 @@
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/observed/stops.hpp"
+#include "coupling/results/breakdown.hpp"
 #include "rockfall/ensemble.hpp"
 #include "rockfall/tally/impact_log.hpp"
 
@@ -29,6 +30,7 @@ struct RunResults {
     std::string version;
     std::vector<observed::StopComparison> observed_stops{};  ///< empty where none were observed
     std::vector<rockfall::RockImpacts> impacts{};            ///< where wanted, of the rocks of `paths`
+    Breakdown breakdown{};                                   ///< arrivals by place, zone and size
 };
 
 }  // namespace coupling

@@ -9,11 +9,15 @@
 namespace coupling {
 namespace {
 
-/// Changes no fall: the hazard map is made from finished ones, and how often a run is saved concerns nobody
-/// else.
+/// Changes no fall: the hazard map is made from finished ones, how often a run is saved concerns nobody else,
+/// and what stands over its pages is written last.
 const std::set<std::string>& settings_beside_the_falls() {
-    static const std::set<std::string> keys{"hazard.energy", "hazard.least_reach_percent", "hazard.matrix",
-                                            "run.rocks_per_part"};
+    static const std::set<std::string> keys{"hazard.energy",  "hazard.least_reach_percent",
+                                            "hazard.matrix",  "run.rocks_per_part",
+                                            "report.title",   "report.client",
+                                            "report.author",  "report.place",
+                                            "report.date",    "report.logo",
+                                            "report.language"};
     return keys;
 }
 
@@ -24,6 +28,9 @@ std::string settings_hash(const Scenario& scenario, std::span<const InputFile> i
     text << version() << '\n';
     scenario.options->write_ini(text, false, settings_beside_the_falls());
     for (const InputFile& input : inputs) {
+        if (input.role == role_of_logo) {
+            continue;
+        }
         text << input.role << ' ' << input.hash << '\n';
     }
     return hash_text(text.str());

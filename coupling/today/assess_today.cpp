@@ -19,6 +19,7 @@
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
 #include "coupling/run/writing_progress.hpp"
+#include "coupling/today/arrival_breakdown.hpp"
 #include "coupling/today/closing_summary.hpp"
 #include "coupling/today/observed_stops.hpp"
 #include "coupling/today/row_tables.hpp"
@@ -250,7 +251,8 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         version(),
         compare_stops(site_, assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest,
                       folder.parts()),
-        kept_impacts()};
+        kept_impacts(),
+        breakdown_of(folder.parts(), scenario_, site_)};
     std::vector<WrittenFile> written;
     try {
         WritingProgress progress{request_.quiet};

@@ -169,6 +169,36 @@ TableLayout observed_stops() {
               "Szekely & Rizzo 2013"}}};
 }
 
+TableLayout along_lines() {
+    const std::vector<Column> place{
+        {"from_m", "m", "where the stretch begins, in plan along the line from its first vertex",
+         "stretches of 10 m"},
+        {"to_m", "m", "where it ends", "stretches of 10 m"},
+        {"x_m", "m", "easting of the middle of the stretch", "input targets.file"},
+        {"y_m", "m", "northing of the middle of the stretch", "input targets.file"},
+        cover_column()};
+    return {"along_lines.csv", "a stretch of 10 m of a line on one slope",
+            together(target_columns(), place, arrival_columns())};
+}
+
+TableLayout by_zone() {
+    const std::vector<Column> zone{{"zone", "-",
+                                    "release zone; shares are those of the rocks that it released",
+                                    "input release.source"}};
+    return {
+        "by_zone.csv", "a release zone, a target and a slope",
+        together(together(zone, target_columns()), std::vector<Column>{cover_column()}, arrival_columns())};
+}
+
+TableLayout by_size() {
+    const std::vector<Column> size{
+        {"diameter_low_m", "m", "smallest diameter of the class; shares are those of its rocks", simulated},
+        {"diameter_high_m", "m", "largest diameter of the class", simulated}};
+    return {
+        "by_size.csv", "a class of block size, a target and a slope",
+        together(together(size, target_columns()), std::vector<Column>{cover_column()}, arrival_columns())};
+}
+
 TableLayout rocks() {
     const std::vector<Column> first{
         rock_column(),
@@ -274,7 +304,8 @@ const std::vector<TableLayout>& static_layouts() {
                                      grounds(),        stems(),        logs(),
                                      rocks(),          arrivals(),     tree_hits(),
                                      log_hits(),       trajectories(), trajectories_wkt(),
-                                     observed_stops(), impacts()};
+                                     observed_stops(), impacts(),      along_lines(),
+                                     by_zone(),        by_size()};
         const std::vector<TableLayout> of_nets = net_layouts();
         all.insert(all.end(), of_nets.begin(), of_nets.end());
         return all;

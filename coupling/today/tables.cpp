@@ -7,6 +7,7 @@
 
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figure_columns.hpp"
+#include "coupling/today/arrival_breakdown.hpp"
 #include "coupling/today/grounds.hpp"
 #include "coupling/today/impact_table.hpp"
 #include "coupling/today/observed_stops.hpp"
@@ -153,6 +154,20 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
         write("target_distributions.csv",
               "Energy, speed and height of the arrivals at each target in fine bins.",
               [&](std::ostream& out) { write_target_distributions(out, results); });
+    }
+    if (std::any_of(results.breakdown.lines.begin(), results.breakdown.lines.end(),
+                    [](const AlongLine& line) { return !line.stretches.empty(); })) {
+        write("along_lines.csv",
+              "What arrives on each stretch of 10 m of a line: share of rocks, energy, speed and height.",
+              [&](std::ostream& out) { write_along_lines(out, results); });
+    }
+    if (!results.breakdown.zones.empty()) {
+        write("by_zone.csv", "What arrives at each target from each release zone.",
+              [&](std::ostream& out) { write_by_zone(out, results); });
+    }
+    if (!results.breakdown.sizes.empty()) {
+        write("by_size.csv", "What arrives at each target by block size.",
+              [&](std::ostream& out) { write_by_size(out, results); });
     }
     if (!figures.targets.empty() && results.with_forest) {
         write("protection.csv", "Protection effect of the forest at each target with its 95 % interval.",

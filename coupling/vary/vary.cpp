@@ -192,7 +192,7 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     write_table(rows.stream(), factors, outcomes);
     rows.close();
     OutFile html{page};
-    report::write_page(html.stream(), request.scenario.stem().string(), factors, outcomes);
+    report::write_page(html.stream(), *scenario_of(request, {}), factors, outcomes);
     html.close();
     if (!request.quiet) {
         print_overview(factors, outcomes, screen);

@@ -46,8 +46,9 @@ std::vector<PageSource> page_sources(const std::string& pattern) {
 }
 
 /// Key -> placeholders of its text.
-std::map<std::string, Names> table_of_texts() {
-    std::ifstream in{std::string{BANNWALD_SOURCE_DIR} + "/coupling/results/report/texts_en.csv"};
+std::map<std::string, Names> table_of_texts(const std::string& language = "en") {
+    std::ifstream in{std::string{BANNWALD_SOURCE_DIR} + "/coupling/results/report/texts_" + language +
+                     ".csv"};
     std::map<std::string, Names> table;
     std::string line;
     std::getline(in, line);
@@ -62,6 +63,72 @@ std::map<std::string, Names> table_of_texts() {
         }
     }
     return table;
+}
+
+TEST(PageTexts, HaveTheSameKeysAndPlaceholdersInAllLanguages) {
+    const std::map<std::string, Names> english = table_of_texts();
+    ASSERT_GT(english.size(), 800U);
+    for (const std::string language : {"de", "fr", "it"}) {
+        const std::map<std::string, Names> table = table_of_texts(language);
+        for (const auto& [key, names] : english) {
+            const auto row = table.find(key);
+            ASSERT_NE(row, table.end()) << language << " lacks " << key;
+            EXPECT_EQ(row->second, names) << language << ": " << key;
+        }
+        for (const auto& [key, names] : table) {
+            EXPECT_TRUE(english.contains(key)) << language << " alone has " << key;
+        }
+    }
+}
+
+std::string lines_of_texts(const std::string& language) {
+    return text_of_file(page_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/report" /
+                        ("texts_" + language + ".csv"));
+}
+
+/// Key -> tags of its text, and whether the text begins and ends with a blank.
+std::map<std::string, std::string> shapes_of_texts(const std::string& language) {
+    std::istringstream in{lines_of_texts(language)};
+    std::map<std::string, std::string> shapes;
+    std::string line;
+    const std::regex tag{"<[^>]*>"};
+    while (std::getline(in, line)) {
+        const std::string key = line.substr(0, line.find(','));
+        std::multiset<std::string> tags;
+        for (std::sregex_iterator at{line.begin(), line.end(), tag}; at != std::sregex_iterator{}; ++at) {
+            tags.insert(at->str());
+        }
+        for (const std::string& one : tags) {
+            shapes[key] += one;
+        }
+        shapes[key] += line.ends_with(" \"") ? "|" : "";
+    }
+    return shapes;
+}
+
+TEST(PageTexts, HaveTheSameTagsInAllLanguages) {
+    const auto english = shapes_of_texts("en");
+    for (const std::string language : {"de", "fr", "it"}) {
+        EXPECT_EQ(shapes_of_texts(language), english) << language;
+    }
+}
+
+TEST(PageTexts, AreTranslated) {
+    // Names, units and words that are the same in two languages are a small part of the sentences.
+    std::istringstream english{lines_of_texts("en")};
+    std::set<std::string> sentences;
+    for (std::string line; std::getline(english, line);) {
+        if (std::count(line.begin(), line.end(), ' ') >= 4) {
+            sentences.insert(line);
+        }
+    }
+    ASSERT_GT(sentences.size(), 200U);
+    for (const std::string language : {"de", "fr", "it"}) {
+        std::istringstream in{lines_of_texts(language)};
+        for (std::string line; std::getline(in, line);) {
+            EXPECT_FALSE(sentences.contains(line)) << language << ": " << line;
+        }
+    }
 }
 
 /// Where a string literal that begins at `begin` ends: at its closing quote.
@@ -155,8 +222,40 @@ TEST(PageTexts, AreAllUsed) {
         }
     }
     for (const auto& [key, names] : table_of_texts()) {
-        EXPECT_TRUE(used.contains(key) || scripts.find('"' + key + '"') != std::string::npos) << key;
+        EXPECT_TRUE(used.contains(key) || key.starts_with("phrase.") ||
+                    scripts.find('"' + key + '"') != std::string::npos)
+            << key;
     }
+}
+
+/// All sources and shipped tables of the rooms that know no pages.
+std::string words_of_the_rooms() {
+    const page_fs::path root{BANNWALD_SOURCE_DIR};
+    std::string all;
+    for (const char* room : {"rockfall", "forest", "config"}) {
+        for (const auto& entry : page_fs::recursive_directory_iterator{root / room}) {
+            const std::string ending = entry.path().extension().string();
+            if (ending == ".cpp" || ending == ".csv") {
+                all += text_of_file(entry.path());
+            }
+        }
+    }
+    return all;
+}
+
+TEST(PageTexts, KnowThePhrasesThatOtherRoomsStillSay) {
+    const std::string words = words_of_the_rooms();
+    std::istringstream english{lines_of_texts("en")};
+    std::size_t phrases = 0;
+    for (std::string line; std::getline(english, line);) {
+        if (line.starts_with("phrase.")) {
+            const std::size_t first = line.find(",\"") + 2;
+            const std::string phrase = line.substr(first, line.size() - first - 1);
+            EXPECT_NE(words.find(phrase), std::string::npos) << line;
+            ++phrases;
+        }
+    }
+    EXPECT_GT(phrases, 20U);
 }
 
 /// Names in `{{"a", ...}, {"b", ...}}`, whose outer brace stands at `open`.

@@ -10,6 +10,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
@@ -278,9 +279,10 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     }
     const std::string replicates = std::to_string(run.replicates());
     std::string html = joined(
-        "<h1>",
-        report::page_text("decades.answers.a_forest_over_years", {{"run_years", std::to_string(run.years)}}),
-        "</h1>\n", content.decision, "<p class=\"lead\">",
+        report::page_head(content.scenario.report,
+                          report::page_text("decades.answers.a_forest_over_years",
+                                            {{"run_years", std::to_string(run.years)}})),
+        content.decision, "<p class=\"lead\">",
         report::page_text(
             "decades.answers.scenario_replicates_differ_only",
             {{"content_file", escaped(content.scenario.file.filename().string())},

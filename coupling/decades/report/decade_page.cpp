@@ -8,7 +8,9 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -30,8 +32,7 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
     sections.push_back(
         {report::page_text("decades.decade_page.the_stand_seen_from_above_and"), pictures(content, run)});
     sections.push_back({report::page_text("common.warnings"), report::list_of_warnings(content.warnings)});
-    sections.push_back({report::page_text("common.settings"),
-                        report::table_of_settings(content.scenario, [&](const std::string& key) {
+    sections.push_back({"", report::settings_section(content.scenario, [&](const std::string& key) {
                             return !content.shows_setting || content.shows_setting(key);
                         })});
     sections.push_back(
@@ -47,10 +48,12 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
 }  // namespace
 
 void write_decade_page(std::ostream& out, const PageContent& content) {
+    const report::WritingLanguage language{content.scenario.report.language};
     const RunView run = view_of(content.names, content.members, content.grid.area_ha());
     const report::PageFrame frame{
-        .title = joined(report::page_text("decades.decade_page.a_forest_over_years"),
-                        escaped(content.scenario.file.stem().string())),
+        .title = report::page_title(content.scenario.report,
+                                    joined(report::page_text("decades.decade_page.a_forest_over_years"),
+                                           escaped(content.scenario.file.stem().string()))),
         .version = content.version,
         .scripts = {page_scripts::charts(), page_scripts::slope()},
         .style = page_style(),

@@ -10,6 +10,7 @@
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::decades {
@@ -82,7 +83,8 @@ constexpr std::array quantities{
 
 std::string meaning_of(const Quantity& quantity) {
     return quantity.names_energies
-               ? report::page_text(quantity.meaning, {{"energies", rockfall::what_energies_count()}})
+               ? report::page_text(quantity.meaning,
+                                   {{"energies", report::in_page_language(rockfall::what_energies_count())}})
                : report::page_text(quantity.meaning);
 }
 

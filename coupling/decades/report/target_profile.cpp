@@ -9,6 +9,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/results/stop_causes.hpp"
 
 namespace coupling::decades {
@@ -72,7 +73,7 @@ std::string profile_in_words(const Names& names, const Series& met, const forest
                                          {"profile_dbh_from_cm", fixed(profile.dbh_from_cm, 0)},
                                          {"profile_ideal_stems_pha", fixed(profile.ideal_stems_pha, 0)},
                                          {"profile_longest_gap_m", fixed(profile.longest_gap_m, 0)}}));
-    html += joined("<small>", escaped(profile.source), ".</small></p>\n");
+    html += joined("<small>", escaped(report::in_page_language(profile.source)), ".</small></p>\n");
     const std::vector<std::int32_t> years = three_of(years_of(met));
     for (std::size_t course = 0; course < names.courses(); ++course) {
         if (splits_charts(names) && names.climate_of(course) > 0) {

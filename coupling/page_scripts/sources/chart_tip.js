@@ -2,6 +2,7 @@
 
 import { labelAt, rows, threeDigits, tickText } from "./numbers.js";
 import { sampleOf } from "./style.js";
+import { text } from "./texts.js";
 
 function nearest(all, x) {
     let best = null;
@@ -44,7 +45,7 @@ function placeText(chart, x) {
         return `${chart.x.title}: ${tickText(x)}`; // a bar around a whole number
     }
     return bin
-        ? `${chart.x.title}: ${threeDigits(bin[0])} to ${threeDigits(bin[1])}`
+        ? `${chart.x.title}: ${text("script.charts.range", { from: threeDigits(bin[0]), to: threeDigits(bin[1]) })}`
         : `${chart.x.title}: ${labelAt(chart.x, x)}`;
 }
 
@@ -64,9 +65,9 @@ function entries(chart, hidden, x) {
         const texts = [];
         for (const part of mine) {
             const stacked = part.kind === "band" && !hasLine;
-            const text = stacked ? thicknessAt(part, x, reach) : valueAt(part, x, reach);
-            if (text !== null && !(sample === "dot" && part.kind === "line")) {
-                texts.push(part.kind === "band" && hasLine ? `(${text})` : text);
+            const shown = stacked ? thicknessAt(part, x, reach) : valueAt(part, x, reach);
+            if (shown !== null && !(sample === "dot" && part.kind === "line")) {
+                texts.push(part.kind === "band" && hasLine ? `(${shown})` : shown);
             }
         }
         if (texts.length > 0) {

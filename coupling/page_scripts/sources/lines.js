@@ -7,11 +7,14 @@ import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeome
 
 import { bytes, shorts } from "./unpack.js";
 
-/** Below 30 kJ, to 300 kJ, above: colours and widths of the maps of paths. */
+/** By energy class: colours and widths of the maps of paths (coupling/results/report/page.css). */
 export const classLooks = [
-    { colour: 0x2c7fb8, width: 1.2 },
-    { colour: 0xe66101, width: 1.8 },
-    { colour: 0x67001f, width: 2.8 },
+    { colour: 0x4a9fd8, width: 1.2 },
+    { colour: 0x1d5fa8, width: 1.4 },
+    { colour: 0xe8a020, width: 1.8 },
+    { colour: 0xe05010, width: 2.1 },
+    { colour: 0xb0122b, width: 2.5 },
+    { colour: 0x4d0016, width: 3.0 },
 ];
 export const targetColour = 0x111111;
 export const restColour = 0xffd400;

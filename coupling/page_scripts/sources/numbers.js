@@ -1,10 +1,12 @@
 // Numbers as the pages write them (coupling/results/report/markup.cpp).
 
-/** Whole digits in groups of three with narrow blanks, a true minus sign. */
-function grouped(text) {
+const decimalSign = document.documentElement.lang === "en" ? "." : ",";
+
+/** Whole digits in groups of three with narrow blanks, a true minus sign, the decimal sign of the page's language. */
+export function grouped(text) {
     const [whole, fraction] = text.replace("-", "").split(".");
     const groups = whole.replace(/\B(?=(\d{3})+$)/g, "\u202f");
-    return (text.startsWith("-") ? "\u2212" : "") + groups + (fraction ? "." + fraction : "");
+    return (text.startsWith("-") ? "\u2212" : "") + groups + (fraction ? decimalSign + fraction : "");
 }
 
 /** Three significant digits without an exponent. */

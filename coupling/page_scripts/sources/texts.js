@@ -1,4 +1,6 @@
-// Texts of the page's language: the keys script.* of coupling/results/report/texts_en.csv, which the page carries.
+// Texts of the page's language: the keys script.* of coupling/results/report/texts_en.csv and its like, which the page carries.
+
+import { grouped } from "./numbers.js";
 
 let texts = null;
 
@@ -8,7 +10,7 @@ export function text(key, fields = {}) {
     return texts[key].replace(/\{(\w+)\}/g, (_, name) => fields[name]);
 }
 
-/** A whole number as the page's language writes it. */
+/** A whole number as the pages write it. */
 export function counted(number) {
-    return number.toLocaleString(document.documentElement.lang);
+    return grouped(String(number));
 }

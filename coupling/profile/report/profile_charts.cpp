@@ -11,6 +11,7 @@
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/results/report/rebin.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -206,11 +207,11 @@ std::string charts_along(const ProfileResults& results) {
         envelope(results, report::page_text("profile_charts.height_above_the_ground"),
                  report::page_text("common.height_m"), rockfall::height_bins, &StretchTally::height_m, 1.0,
                  report::page_text("profile_charts.largest_height_of_each_rock_in")),
-        envelope(results, report::page_text("profile_charts.kinetic_energy"),
-                 report::page_text("common.energy_kj"), rockfall::energy_bins, &StretchTally::energy_j,
-                 j_per_kj,
-                 report::page_text("profile_charts.largest_energy_of_each_rock_in",
-                                   {{"energies", rockfall::what_energies_count()}})),
+        envelope(
+            results, report::page_text("profile_charts.kinetic_energy"),
+            report::page_text("common.energy_kj"), rockfall::energy_bins, &StretchTally::energy_j, j_per_kj,
+            report::page_text("profile_charts.largest_energy_of_each_rock_in",
+                              {{"energies", report::in_page_language(rockfall::what_energies_count())}})),
         "</div>\n");
 }
 

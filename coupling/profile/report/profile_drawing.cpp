@@ -7,9 +7,11 @@
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/energy_classes.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
@@ -137,22 +139,17 @@ std::string ground_of(const ProfileResults& results, const Sheet& sheet,
     return joined(svg, "</g>");
 }
 
-std::size_t energy_class(float energy_j) {
-    const double energy_kj = static_cast<double>(energy_j) / j_per_kj;
-    return energy_kj < energy_class_limits_kj[0] ? 0 : energy_kj < energy_class_limits_kj[1] ? 1 : 2;
-}
-
 std::size_t drawn_every(const ProfileResults& results) {
     return (results.tally.paths.size() + most_drawn_paths - 1) / most_drawn_paths;
 }
 
 std::string paths_of(const ProfileResults& results, const Sheet& sheet) {
-    std::array<report::PathText, 3> by_class;
+    std::array<report::PathText, energy_class_colours.size()> by_class;
     for (std::size_t i = 0; i < results.tally.paths.size(); i += drawn_every(results)) {
         const auto& points = results.tally.paths[i].points;
         for (std::size_t k = 0; k + 1 < points.size(); ++k) {
             const float energy_j = std::max(points[k].energy_j, points[k + 1].energy_j);
-            by_class[energy_class(energy_j)].line(
+            by_class[energy_class(static_cast<double>(energy_j) / j_per_kj)].line(
                 sheet.x_of(points[k].position_m.x()), sheet.y_of(points[k].position_m.z()),
                 sheet.x_of(points[k + 1].position_m.x()), sheet.y_of(points[k + 1].position_m.z()));
         }
@@ -222,16 +219,13 @@ std::string legend(const ProfileResults& results, const std::vector<std::uint8_t
     for (std::size_t i = 0; i < types.size(); ++i) {
         items += legend_entry(
             joined("<path class=\"ground type", std::to_string(i % ground_colours), "\" d=\"M1 7h28\"/>"),
-            escaped(results.site.slope.types[types[i]].label));
+            escaped(report::in_page_language(results.site.slope.types[types[i]].label)));
     }
     if (!results.tally.paths.empty()) {
-        const std::array<std::string, 3> names{report::page_text("profile_drawing.rock_below_30_kj"),
-                                               report::page_text("profile_drawing.30_to_300_kj"),
-                                               report::page_text("profile_drawing.above_300_kj")};
-        for (std::size_t c = 0; c < names.size(); ++c) {
+        for (std::size_t c = 0; c < energy_class_colours.size(); ++c) {
             items += legend_entry(joined("<g class=\"paths\"><path class=\"class", std::to_string(c),
                                          "\" d=\"M1 11Q15 -4 29 11\"/></g>"),
-                                  names[c]);
+                                  report::energy_class_name(c));
         }
     }
     return joined("<ul class=\"names\">", items, "</ul>");
@@ -246,19 +240,20 @@ std::string drawing(const ProfileResults& results) {
     const std::size_t drawn = paths == 0 ? 0 : (paths + drawn_every(results) - 1) / drawn_every(results);
     // One unit is one pixel at most, so that letters stay those of the page.
     const std::string width = place(std::max(sheet.right(), 420.0) + 20.0);
-    return joined("<h2>", report::page_text("profile_drawing.the_profile"),
-                  "</h2>\n<figure class=\"chart map profile\"><figcaption>",
-                  report::page_text("profile_drawing.the_profile_at_true_vertical"), "</figcaption>",
-                  legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
-                  place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"",
-                  report::page_text("profile_drawing.the_profile_at_true_vertical_2"), "\">", axes_of(sheet),
-                  ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet),
-                  "</svg><p>",
-                  (drawn == 0 ? std::string{report::page_text("profile_drawing.no_paths_were_kept_output")}
-                              : report::page_text("profile_drawing.paths_of_the_underside_of_rocks",
-                                                  {{"drawn", report::grouped(drawn)},
-                                                   {"energies", rockfall::what_energies_count()}})),
-                  "</p></figure>\n");
+    return joined(
+        "<h2>", report::page_text("profile_drawing.the_profile"),
+        "</h2>\n<figure class=\"chart map profile\"><figcaption>",
+        report::page_text("profile_drawing.the_profile_at_true_vertical"), "</figcaption>",
+        legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
+        place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"",
+        report::page_text("profile_drawing.the_profile_at_true_vertical_2"), "\">", axes_of(sheet),
+        ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet), "</svg><p>",
+        (drawn == 0
+             ? std::string{report::page_text("profile_drawing.no_paths_were_kept_output")}
+             : report::page_text("profile_drawing.paths_of_the_underside_of_rocks",
+                                 {{"drawn", report::grouped(drawn)},
+                                  {"energies", report::in_page_language(rockfall::what_energies_count())}})),
+        "</p></figure>\n");
 }
 
 }  // namespace coupling::profile

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
-#include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/inputs/profile_settings.hpp"
 #include "coupling/results/indicators.hpp"
@@ -15,7 +14,10 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
+#include "coupling/results/report/writing_language.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
@@ -46,15 +48,16 @@ std::string opening(const ProfileResults& results) {
     const double length_m = site.last_m() - site.first_m();
     const double drop_m = site.corners.front().height_m - site.corners.back().height_m;
     constexpr double deg_per_rad = 57.295779513082321;
-    std::string html = joined(
-        "<h1>", report::page_text("profile_page.rockfall_along_a_profile"), "</h1>\n<p class=\"lead\">",
-        report::page_text("profile_page.scenario_rocks_fell_along_one",
-                          {{"file", escaped(scenario.file.filename().string())},
-                           {"tally_rocks", grouped(results.tally.rocks)},
-                           {"run_out_m_mean", fixed(results.tally.run_out_m.mean(), 1)},
-                           {"run_out_m_deviation", fixed(results.tally.run_out_m.deviation(), 1)},
-                           {"left_in_words", left_in_words(results)}}),
-        "</p>\n<dl class=\"facts\">");
+    std::string html =
+        joined(report::page_head(scenario.report, report::page_text("profile_page.rockfall_along_a_profile")),
+               "<p class=\"lead\">",
+               report::page_text("profile_page.scenario_rocks_fell_along_one",
+                                 {{"file", escaped(scenario.file.filename().string())},
+                                  {"tally_rocks", grouped(results.tally.rocks)},
+                                  {"run_out_m_mean", fixed(results.tally.run_out_m.mean(), 1)},
+                                  {"run_out_m_deviation", fixed(results.tally.run_out_m.deviation(), 1)},
+                                  {"left_in_words", left_in_words(results)}}),
+               "</p>\n<dl class=\"facts\">");
     html += fact(report::page_text("profile_page.profile"), escaped(scenario.profile));
     html += fact(report::page_text("profile_page.length_in_plan"), joined(fixed(length_m, 1), " m"));
     html +=
@@ -63,11 +66,11 @@ std::string opening(const ProfileResults& results) {
                                {{"drop_m", fixed(drop_m, 1)},
                                 {"drop_m_length_m", fixed(deg_per_rad * std::atan2(drop_m, length_m), 1)}}));
     html += fact(report::page_text("profile_page.corners"), grouped(site.corners.size()));
-    html += fact(
-        report::page_text("common.release"),
-        report::marked(scenario,
-                       report::page_text("profile_page.at_m", {{"start_m", config::to_text(site.start_m)}}),
-                       {"profile.start_m"}));
+    html +=
+        fact(report::page_text("common.release"),
+             report::marked(
+                 scenario, report::page_text("profile_page.at_m", {{"start_m", report::exact(site.start_m)}}),
+                 {"profile.start_m"}));
     html += report::deciding_facts(scenario, {}, grouped(results.tally.rocks));
     return joined(html,
                   fact(report::page_text("common.program"),
@@ -97,7 +100,7 @@ std::string stations(const ProfileResults& results) {
     using namespace rockfall;
     HtmlTable table{
         report::page_text("profile_page.energy_is_translation_and",
-                          {{"energies", rockfall::what_energies_count()}}),
+                          {{"energies", report::in_page_language(rockfall::what_energies_count())}}),
         {report::page_text("profile_page.station"), report::page_text("profile_page.at_m_2"),
          report::page_text("profile_page.rocks_that_pass_95_interval"),
          report::page_text("profile_page.energy_kj_mean"), report::page_text("profile_page.sd"), "90 %",
@@ -109,8 +112,7 @@ std::string stations(const ProfileResults& results) {
         const auto energy_kj = [&](double share) {
             return three_digits(tally.energy_j.quantile(fine_energy_bins, share) / j_per_kj);
         };
-        table.row({escaped(results.site.stations[i].name),
-                   config::to_text(results.site.stations[i].distance_m),
+        table.row({escaped(results.site.stations[i].name), report::exact(results.site.stations[i].distance_m),
                    share_in_words(share_of(tally.energy_j.moments.count(), results.tally.rocks)),
                    three_digits(tally.energy_j.moments.mean() / j_per_kj),
                    three_digits(tally.energy_j.moments.deviation() / j_per_kj), energy_kj(0.90),
@@ -164,11 +166,13 @@ std::string key_figures(const ProfileResults& results) {
 }  // namespace
 
 void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
+    const report::WritingLanguage language{results.scenario.report.language};
     const std::vector<std::string> turns = rockfall::sideways_settings();
     const std::set<std::string> set_to_none{turns.begin(), turns.end()};
     const report::PageFrame frame{
-        .title = joined(report::page_text("profile_page.rockfall_along_a_profile_2"),
-                        escaped(results.scenario.file.stem().string())),
+        .title = report::page_title(results.scenario.report,
+                                    joined(report::page_text("profile_page.rockfall_along_a_profile_2"),
+                                           escaped(results.scenario.file.stem().string()))),
         .version = results.version,
         .scripts = {page_scripts::charts()},
         .style = std::string{style_of_profile()},
@@ -178,8 +182,7 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         << charts_along(results) << stations(results) << key_figures(results)
         << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
-        << joined("<h2>", report::page_text("common.settings"), "</h2>\n")
-        << report::table_of_settings(
+        << report::settings_section(
                results.scenario,
                [&](const std::string& key) { return !plays_no_part(key) || set_to_none.contains(key); })
         << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\"><p>",

@@ -102,13 +102,13 @@ std::string by_energy(Mark mark, std::string_view column, double least_size_mm, 
     if (none != nullptr) {
         ranges.push_back({0.0, 0.0, *none});
     }
-    for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
-        const double low = i == 0 ? 0.0 : energy_class_limits_kj[i - 1];
-        const double high = i < energy_class_limits_kj.size() ? energy_class_limits_kj[i] : no_limit_kj;
+    for (std::size_t i = 0; i < intensity_class_colours.size(); ++i) {
+        const double low = i == 0 ? 0.0 : intensity_limits_kj[i - 1];
+        const double high = i < intensity_limits_kj.size() ? intensity_limits_kj[i] : no_limit_kj;
         constexpr double per_mm = 100.0;  // no false digits, as in 1.9800000000000002
         const double size_mm =
             std::round(per_mm * least_size_mm * (1.0 + 0.6 * static_cast<double>(i))) / per_mm;
-        ranges.push_back({low, high, {energy_class_names[i], energy_class_colours[i], size_mm}});
+        ranges.push_back({low, high, {intensity_class_names[i], intensity_class_colours[i], size_mm}});
     }
     return graduated(mark, column, ranges);
 }

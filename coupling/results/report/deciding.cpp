@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "config/text/joined.hpp"
-#include "config/text/numbers.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 
 namespace coupling::report {
 namespace {
@@ -31,8 +31,7 @@ bool is_preset(const config::Options& options, const std::vector<std::string>& k
 }
 
 std::string mark(const std::string& word, bool is_default) {
-    return joined(" <span class=\"mark", is_default ? "" : page_text("deciding.given"), "\">", word,
-                  "</span>");
+    return joined(" <span class=\"mark", is_default ? "" : " given", "\">", word, "</span>");
 }
 
 bool starts_differ(const std::vector<ReleaseSource>& sources) {
@@ -128,21 +127,18 @@ std::string marked(const Scenario& scenario, const std::string& value, const std
 std::string start_of_rocks(const Scenario& scenario) {
     const StartLaw law = start_law(scenario);
     if (scenario.fall_height_m > 0.0) {
-        return marked(
-            scenario,
-            page_text("deciding.dropped_at_rest_from_m", {{"law_height_m", config::to_text(law.height_m)}}),
-            {"release.fall_height_m"});
+        return marked(scenario,
+                      page_text("deciding.dropped_at_rest_from_m", {{"law_height_m", exact(law.height_m)}}),
+                      {"release.fall_height_m"});
     }
     const std::string height =
-        law.height_m <= 0.0
-            ? std::string{page_text("deciding.rolling_from_the_ground")}
-            : page_text("deciding.m_above_ground_2", {{"law_height_m", config::to_text(law.height_m)}});
+        law.height_m <= 0.0 ? std::string{page_text("deciding.rolling_from_the_ground")}
+                            : page_text("deciding.m_above_ground_2", {{"law_height_m", exact(law.height_m)}});
     return joined(
         marked(scenario, height, {"release.start_height_m"}), ", ",
-        marked(scenario, joined(config::to_text(law.speed_mps), " m/s"), {"release.start_speed_mps"}), ", ",
+        marked(scenario, joined(exact(law.speed_mps), " m/s"), {"release.start_speed_mps"}), ", ",
         marked(scenario,
-               page_text("deciding.below_the_horizon_2",
-                         {{"start_dip_deg", config::to_text(scenario.start_dip_deg)}}),
+               page_text("deciding.below_the_horizon_2", {{"start_dip_deg", exact(scenario.start_dip_deg)}}),
                {"release.start_dip_deg"}));
 }
 
@@ -150,13 +146,12 @@ std::string spread_of_directions(const Scenario& scenario) {
     if (!scenario.profile.empty()) {
         return page_text("deciding.none_two_dimensions");
     }
-    const std::string start =
-        marked(scenario,
-               page_text("deciding.around_the_fall_line_at_the",
-                         {{"start_scatter_deg", config::to_text(scenario.start_scatter_deg)}}),
-               {"release.start_scatter_deg"});
+    const std::string start = marked(scenario,
+                                     page_text("deciding.around_the_fall_line_at_the",
+                                               {{"start_scatter_deg", exact(scenario.start_scatter_deg)}}),
+                                     {"release.start_scatter_deg"});
     const rockfall::SidewaysTurn turn = rockfall::sideways_turn(scenario.rockfall);
-    return joined(start, ", ", marked(scenario, turn.words, turn.settings));
+    return joined(start, ", ", marked(scenario, in_page_language(turn.words), turn.settings));
 }
 
 std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSource>& sources,

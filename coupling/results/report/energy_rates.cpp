@@ -12,8 +12,10 @@ namespace {
 using config::joined;
 
 std::string rate_text(const Share& share) {
-    return joined(rate_per_1000(share.value), " <span class=\"soft\">(", rate_per_1000(share.interval.low),
-                  " to ", rate_per_1000(share.interval.high), ")</span>");
+    return joined(rate_per_1000(share.value), " <span class=\"soft\">(",
+                  page_text("energy_rates.to", {{"low", rate_per_1000(share.interval.low)},
+                                                {"high", rate_per_1000(share.interval.high)}}),
+                  ")</span>");
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "config/text/joined.hpp"
-#include "config/text/numbers.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 
 namespace coupling::report {
 namespace {
@@ -15,6 +15,35 @@ using config::joined;
 
 std::string section_of(const std::string& key) {
     return key.substr(0, key.find('.'));
+}
+
+std::string settings_table(const Scenario& scenario, const std::string& caption,
+                           const std::function<bool(const config::ParameterRow&)>& is_shown) {
+    if (scenario.options == nullptr) {
+        return joined("<p>", page_text("listings.not_recorded"), "</p>\n");
+    }
+    HtmlTable table{caption,
+                    {page_text("listings.setting"), page_text("common.value"), page_text("listings.unit"),
+                     page_text("common.default"), page_text("listings.meaning")}};
+    table.text_columns({2, 4});
+    std::string section;
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        if (!is_shown(row)) {
+            continue;
+        }
+        if (section_of(row.key) != section) {
+            section = section_of(row.key);
+            table.group(joined("[", escaped(section), "]"));
+        }
+        table.row(
+            {joined("<code>", escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))),
+                    "</code>"),
+             row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
+             row.default_text.empty() ? "–" : escaped(row.default_text),
+             joined("<span lang=\"en\">", escaped(row.meaning), "</span>")},
+            row.changed ? "changed" : "");
+    }
+    return joined("<section class=\"card\">", table.html(), "</section>\n");
 }
 
 }  // namespace
@@ -26,28 +55,27 @@ std::string fact(std::string_view name, const std::string& value) {
 std::string rock_size(const Scenario& scenario) {
     switch (scenario.diameter_kind) {
         case DiameterKind::fixed:
-            return joined(config::to_text(scenario.diameter_m), " m");
+            return joined(exact(scenario.diameter_m), " m");
         case DiameterKind::classes: {
             const auto [low, high] =
                 std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
             return low == scenario.diameter_classes_m.end()
                        ? page_text("listings.in_classes")
                        : page_text("listings.to_m_in_classes",
-                                   {{"low", config::to_text(*low)}, {"high", config::to_text(*high)}});
+                                   {{"low", exact(*low)}, {"high", exact(*high)}});
         }
         case DiameterKind::uniform:
-            return page_text("listings.to_m",
-                             {{"diameter_low_m", config::to_text(scenario.diameter_low_m)},
-                              {"diameter_high_m", config::to_text(scenario.diameter_high_m)}});
+            return page_text("listings.to_m", {{"diameter_low_m", exact(scenario.diameter_low_m)},
+                                               {"diameter_high_m", exact(scenario.diameter_high_m)}});
         case DiameterKind::lognormal:
             break;
     }
-    return page_text("listings.log_normal_mean_m", {{"diameter_m", config::to_text(scenario.diameter_m)}});
+    return page_text("listings.log_normal_mean_m", {{"diameter_m", exact(scenario.diameter_m)}});
 }
 
 std::string motion_in_words(const Scenario& scenario) {
     const rockfall::ModelDescription& model = rockfall::description_of(scenario.rockfall.fall.motion.model);
-    return joined(model.title, ": ", model.rocks);
+    return joined(in_page_language(model.title), ": ", in_page_language(model.rocks));
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {
@@ -63,30 +91,18 @@ std::string list_of_warnings(const config::Warnings& warnings) {
 
 std::string table_of_settings(const Scenario& scenario,
                               const std::function<bool(const std::string&)>& is_shown) {
-    if (scenario.options == nullptr) {
-        return joined("<p>", page_text("listings.not_recorded"), "</p>\n");
-    }
-    HtmlTable table{page_text("listings.settings_marked_with_differ"),
-                    {page_text("listings.setting"), page_text("common.value"), page_text("listings.unit"),
-                     page_text("common.default"), page_text("listings.meaning")}};
-    table.text_columns({2, 4});
-    std::string section;
-    for (const config::ParameterRow& row : scenario.options->rows()) {
-        if (!is_shown(row.key)) {
-            continue;
-        }
-        if (section_of(row.key) != section) {
-            section = section_of(row.key);
-            table.group(joined("[", escaped(section), "]"));
-        }
-        table.row(
-            {joined("<code>", escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))),
-                    "</code>"),
-             row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
-             row.default_text.empty() ? "–" : escaped(row.default_text), escaped(row.meaning)},
-            row.changed ? "changed" : "");
-    }
-    return joined("<section class=\"card\">", table.html(), "</section>\n");
+    return settings_table(scenario, page_text("listings.settings_marked_with_differ"),
+                          [&](const config::ParameterRow& row) { return is_shown(row.key); });
+}
+
+std::string settings_section(const Scenario& scenario,
+                             const std::function<bool(const std::string&)>& is_shown) {
+    return joined(
+        "<h2>", page_text("listings.settings_that_differ"), "</h2>\n",
+        settings_table(scenario, "",
+                       [&](const config::ParameterRow& row) { return row.changed && is_shown(row.key); }),
+        "<details><summary>", page_text("listings.all_settings"), "</summary>",
+        table_of_settings(scenario, is_shown), "</details>\n");
 }
 
 std::string table_of_inputs(const std::vector<InputFile>& inputs) {

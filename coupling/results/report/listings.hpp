@@ -24,6 +24,10 @@ std::string motion_in_words(const Scenario& scenario);
 /// All warnings, for the section of that name.
 std::string list_of_warnings(const config::Warnings& warnings);
 /// Settings by section; those that `is_shown` refuses are left out.
+/// The settings that differ from their defaults under a heading, and all of them folded.
+std::string settings_section(const Scenario& scenario,
+                             const std::function<bool(const std::string&)>& is_shown);
+
 std::string table_of_settings(const Scenario& scenario,
                               const std::function<bool(const std::string&)>& is_shown);
 std::string table_of_inputs(const std::vector<InputFile>& inputs);

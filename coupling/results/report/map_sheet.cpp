@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
+#include "coupling/results/line_places.hpp"
+#include "coupling/results/report/contours.hpp"
 #include "coupling/results/report/hillshade.hpp"
 #include "coupling/results/report/labels.hpp"
 #include "coupling/results/report/map_furniture.hpp"
@@ -65,12 +67,21 @@ config::Raster<float> in_blocks(const config::Raster<float>& raster, int block) 
     return blocks;
 }
 
-MapSheet::MapSheet(const Site& site)
+MapSheet::MapSheet(const Site& site) : MapSheet{site, whole_of(site.map_frame)} {}
+
+MapSheet::MapSheet(const Site& site, const MapWindow& window)
     : site_{site},
-      frame_{site.map_frame},
+      window_{window},
+      frame_{part_of(site.map_frame, window)},
       block_{block_for(frame_)},
       units_per_m_{sheet_width / (frame_.x_east_m() - frame_.x_west_m)},
-      height_{(frame_.y_north_m() - frame_.y_south_m) * units_per_m_} {}
+      height_{(frame_.y_north_m() - frame_.y_south_m) * units_per_m_},
+      heights_m_{thinned(site.heights.frame.columns == site.map_frame.columns &&
+                                 site.heights.frame.rows == site.map_frame.rows
+                             ? part_of(site.heights, window)
+                             : site.heights,
+                         block_)},
+      contour_step_m_{report::contour_step_m(heights_m_)} {}
 
 std::string MapSheet::image(const std::string& attributes, const std::string& png_bytes) const {
     // Blocks at the eastern and southern rim reach over it.
@@ -82,16 +93,18 @@ std::string MapSheet::image(const std::string& attributes, const std::string& pn
 }
 
 std::string MapSheet::definitions() const {
-    const std::string shade = png(hillshade(illumination(thinned(site_.heights, block_))));
+    const std::string shade = png(hillshade(illumination(heights_m_)));
     return joined("<svg class=\"definitions\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>",
                   image("id=\"shade\"", shade), "<clipPath id=\"sheet\"><rect",
                   attribute("width", sheet_width), attribute("height", height_),
-                  "/></clipPath><g id=\"sources\">", source_outlines(), source_lines(),
-                  "</g><g id=\"targets\">", target_lines(true), target_lines(false), "</g></defs></svg>\n");
+                  "/></clipPath><path id=\"contours\" class=\"contour\" d=\"", contour_lines(), "\"/>",
+                  stems(), "<g id=\"sources\">", source_outlines(), source_lines(), "</g><g id=\"targets\">",
+                  target_lines(true), target_lines(false), "</g></defs></svg>\n");
 }
 
 std::string MapSheet::picture(const config::Raster<float>& raster, const ColourScale& scale) const {
-    const config::Raster<float> shown = in_blocks(raster, block_);
+    const bool whole = window_ == whole_of(raster.frame);
+    const config::Raster<float> shown = in_blocks(whole ? raster : part_of(raster, window_), block_);
     IndexedPicture drawn{shown.frame.columns, shown.frame.rows,
                          std::vector<std::uint8_t>(shown.values.size()), scale.palette()};
     std::transform(shown.values.begin(), shown.values.end(), drawn.pixels.begin(),
@@ -127,6 +140,42 @@ std::string MapSheet::paths(std::span<const rockfall::PathRecord* const> chosen)
     std::string svg = "<g class=\"paths\">";
     for (std::size_t k = 0; k < by_class.size(); ++k) {
         svg += joined("<path class=\"class", std::to_string(k), "\" d=\"", by_class[k].text(), "\"/>");
+    }
+    return joined(svg, "</g>");
+}
+
+std::string MapSheet::contour_lines() const {
+    // A line every few pixels is fine enough: of large maps every second or third height.
+    constexpr int most_heights_a_side = 200;
+    const int step = (std::max(heights_m_.frame.columns, heights_m_.frame.rows) + most_heights_a_side - 1) /
+                     most_heights_a_side;
+    return contours(step > 1 ? thinned(heights_m_, step) : heights_m_, contour_step_m_,
+                    [&](double x_m, double y_m) {
+                        return DrawnPoint{x_of(x_m), y_of(y_m)};
+                    });
+}
+
+std::size_t MapSheet::stems_a_dot() const {
+    constexpr std::size_t most_dots = 12'000;
+    return site_.trees.size() / most_dots + 1;
+}
+
+/// Dots in three sizes by diameter; a dot is a line without length under a round pen.
+std::string MapSheet::stems() const {
+    constexpr std::array<double, 2> limits_cm{20.0, 40.0};
+    std::array<std::string, limits_cm.size() + 1> dots;
+    for (std::size_t i = 0; i < site_.trees.size(); i += stems_a_dot()) {
+        const rockfall::Stem& stem = site_.trees[i].stem;
+        const double x = x_of(stem.x_m);
+        const double y = y_of(stem.y_m);
+        if (x >= 0.0 && x <= sheet_width && y >= 0.0 && y <= height_) {
+            const std::size_t size = stem.dbh_cm < limits_cm[0] ? 0 : stem.dbh_cm < limits_cm[1] ? 1 : 2;
+            dots[size] += joined("M", place(std::round(x)), " ", place(std::round(y)), "h0");
+        }
+    }
+    std::string svg = "<g id=\"stems\">";
+    for (std::size_t size = 0; size < dots.size(); ++size) {
+        svg += joined("<path class=\"stems", std::to_string(size), "\" d=\"", dots[size], "\"/>");
     }
     return joined(svg, "</g>");
 }
@@ -232,6 +281,31 @@ std::string MapSheet::target_names(double lettering) const {
     return svg;
 }
 
+std::string MapSheet::distance_marks(double lettering) const {
+    constexpr double least_step_m = 10.0;
+    const Eigen::Vector2d origin_m = site_.origin_m();
+    std::string svg;
+    for (const rockfall::Target& target : site_.targets) {
+        const LinePlaces line{target};
+        const double step_m = std::max(least_step_m, nice_step(line.length_m() / 8.0));
+        if (target.is_area || line.length_m() < 2.0 * step_m || units_per_m_ * step_m < 4.0 * lettering) {
+            continue;
+        }
+        for (double at_m = 0.0; at_m <= line.length_m(); at_m += step_m) {
+            const Eigen::Vector2d here = line.at(at_m) + origin_m;
+            const double x = x_of(here.x());
+            const double y = y_of(here.y());
+            if (x < 0.0 || x > sheet_width || y < 0.0 || y > height_) {
+                continue;
+            }
+            svg += joined("<circle class=\"mark\"", attribute("cx", x), attribute("cy", y),
+                          " r=\"5\"/><text class=\"distance\"", attribute("font-size", 0.75 * lettering),
+                          attribute("x", x + 8.0), attribute("y", y - 7.0), ">", tick_text(at_m), "</text>");
+        }
+    }
+    return svg;
+}
+
 std::string MapSheet::coordinates(double lettering) const {
     const double step_m = nice_step(170.0 / units_per_m_);
     std::string marks;
@@ -263,17 +337,21 @@ std::string MapSheet::figure(const MapContent& content, MapSize size) const {
                                    ? ""
                                    : joined(" data-group=\"", escaped(content.group), "\" data-layer=\"",
                                             escaped(content.title), "\"");
-    return joined("<figure class=\"map\"", choice, "><figcaption><b>", escaped(content.title),
-                  "</b></figcaption>", content.legend, "<svg class=\"sheet\" viewBox=\"", box,
-                  "\" role=\"img\" aria-label=\"", escaped(content.title),
-                  "\"><g clip-path=\"url(#sheet)\"><use class=\"shade\" href=\"#shade\"/>", content.drawing,
-                  "<use class=\"sources\" href=\"#sources\"/><use class=\"targets\" href=\"#targets\"/></g>",
-                  "<rect class=\"neat\"", attribute("width", sheet_width), attribute("height", height_), "/>",
-                  (large ? coordinates(lettering) : ""),
-                  (large ? joined("<g class=\"targets\">", target_names(lettering), "</g>") : ""),
-                  scale_bar({sheet_width, height_, units_per_m_, lettering}),
-                  north_arrow({sheet_width, height_, units_per_m_, lettering}), "</svg>",
-                  (content.caption.empty() ? "" : joined("<p>", content.caption, "</p>")), "</figure>\n");
+    return joined(
+        "<figure class=\"map\"", choice, "><figcaption><b>", escaped(content.title), "</b></figcaption>",
+        content.legend, "<svg class=\"sheet\" viewBox=\"", box, "\" role=\"img\" aria-label=\"",
+        escaped(content.title), "\"><rect class=\"paper\"", attribute("width", sheet_width),
+        attribute("height", height_), "/><g clip-path=\"url(#sheet)\"><use class=\"shade\" href=\"#shade\"/>",
+        content.drawing,
+        "<use class=\"contours\" href=\"#contours\"/><use class=\"stems\" href=\"#stems\"/>"
+        "<use class=\"sources\" href=\"#sources\"/><use class=\"targets\" href=\"#targets\"/></g>",
+        "<rect class=\"neat\"", attribute("width", sheet_width), attribute("height", height_), "/>",
+        (large ? coordinates(lettering) : ""),
+        (large ? joined("<g class=\"targets\">", distance_marks(lettering), target_names(lettering), "</g>")
+               : ""),
+        scale_bar({sheet_width, height_, units_per_m_, lettering}),
+        north_arrow({sheet_width, height_, units_per_m_, lettering}), "</svg>",
+        (content.caption.empty() ? "" : joined("<p>", content.caption, "</p>")), "</figure>\n");
 }
 
 }  // namespace coupling::report

@@ -7,6 +7,7 @@
 
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/results/report/map_window.hpp"
 #include "coupling/results/report/scale.hpp"
 #include "rockfall/ensemble.hpp"
 
@@ -25,7 +26,8 @@ struct MapContent {
     std::string group{};  ///< what the map shows, for choosing it by script; empty: it cannot be chosen
 };
 
-/// The sheet that all maps of a run share: frame, hillshade, sources, targets, scale bar, north.
+/// The sheet that all maps of a run share: frame, hillshade, contours, stems, sources, targets, scale bar,
+/// north.
 ///
 /// Drawings use units of a thousandth of the sheet's width, y down. A grid of more than 700 cells a side is
 /// drawn in blocks of cells: a block shows the value of its cells that lies farthest from 0.
@@ -33,8 +35,10 @@ class MapSheet {
 public:
     /// Refers to the site as long as it lives.
     explicit MapSheet(const Site& site);
+    /// Shows a part of the map. Grids are still handed over whole.
+    MapSheet(const Site& site, const MapWindow& window);
 
-    /// Hillshade and lines that every map refers to. Once on a page, before the first map.
+    /// Hillshade, stems and lines that every map refers to. Once on a page, before the first map.
     [[nodiscard]] std::string definitions() const;
     /// A grid as a picture in the colours of a scale.
     [[nodiscard]] std::string picture(const config::Raster<float>& raster, const ColourScale& scale) const;
@@ -44,6 +48,9 @@ public:
 
     /// How many cells a side a drawn block has: 1 where nothing is left out.
     [[nodiscard]] int block() const { return block_; }
+    /// One stem in so many is drawn.
+    [[nodiscard]] std::size_t stems_a_dot() const;
+    [[nodiscard]] double contour_step_m() const { return contour_step_m_; }
 
 private:
     [[nodiscard]] double x_of(double x_m) const { return (x_m - frame_.x_west_m) * units_per_m_; }
@@ -52,14 +59,20 @@ private:
     [[nodiscard]] std::string source_lines() const;
     [[nodiscard]] std::string target_lines(bool halo) const;
     [[nodiscard]] std::string target_names(double lettering) const;
+    [[nodiscard]] std::string distance_marks(double lettering) const;
+    [[nodiscard]] std::string contour_lines() const;
+    [[nodiscard]] std::string stems() const;
     [[nodiscard]] std::string coordinates(double lettering) const;
     [[nodiscard]] std::string image(const std::string& attributes, const std::string& png_bytes) const;
 
     const Site& site_;
-    config::GridFrame frame_;
+    MapWindow window_;
+    config::GridFrame frame_;  ///< of the window
     int block_;
     double units_per_m_;
-    double height_;  ///< of the sheet in its units
+    double height_;                     ///< of the sheet in its units
+    config::Raster<double> heights_m_;  ///< thinned
+    double contour_step_m_;
 };
 
 /// Blocks of `block` x `block` cells: of each the value farthest from 0, NaN where all are.

@@ -6,22 +6,18 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
+#include "config/text/language.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::report {
 namespace {
 
 using config::joined;
 
-constexpr std::string_view narrow_blank = "\u202f";  // no-break
-
-std::string with_groups(std::string digits) {
-    const std::size_t first = digits.starts_with('-') ? 1 : 0;
-    std::size_t at = std::min(digits.find('.'), digits.size());
-    while (at > first + 3) {
-        at -= 3;
-        digits.insert(at, narrow_blank);
-    }
-    return first == 1 ? joined("\u2212", digits.substr(1)) : digits;
+/// As the language of the page writes it.
+std::string with_groups(std::string_view digits) {
+    return config::for_people(digits, language_in_use());
 }
 
 std::string plain(double value, int decimals) {
@@ -79,13 +75,18 @@ std::string three_digits(double value) {
 
 std::string tick_text(double value) {
     std::string digits = three_digits(value);
-    if (digits.find('.') != std::string::npos) {
+    if (digits.find(config::decimal_sign(language_in_use())) != std::string::npos) {
         digits.erase(digits.find_last_not_of('0') + 1);
-        if (digits.ends_with('.')) {
+        if (digits.ends_with(config::decimal_sign(language_in_use()))) {
             digits.pop_back();
         }
     }
     return digits;
+}
+
+std::string exact(double value) {
+    const std::string digits = config::to_text(value);
+    return digits.find('e') == std::string::npos ? with_groups(digits) : digits;
 }
 
 std::string grouped(std::uint64_t value) {

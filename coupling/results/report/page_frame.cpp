@@ -4,6 +4,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::report {
 namespace {
@@ -22,7 +23,8 @@ std::string texts_of_scripts() {
 }  // namespace
 
 void begin_page(std::ostream& out, const PageFrame& frame) {
-    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+    out << "<!DOCTYPE html>\n<html lang=\"" << config::tag_of(language_in_use())
+        << "\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         << page_scripts::policy(frame.scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "

@@ -1,13 +1,18 @@
 #include "coupling/results/report/page_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <stdexcept>
 
 #include "config/text/embedded.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
-BANNWALD_EMBED(texts_en, BANNWALD_EMBEDDED_FILE)
+BANNWALD_EMBED(texts_en, BANNWALD_TEXTS_DIR "/texts_en.csv")
+BANNWALD_EMBED(texts_de, BANNWALD_TEXTS_DIR "/texts_de.csv")
+BANNWALD_EMBED(texts_fr, BANNWALD_TEXTS_DIR "/texts_fr.csv")
+BANNWALD_EMBED(texts_it, BANNWALD_TEXTS_DIR "/texts_it.csv")
 
 namespace coupling::report {
 namespace {
@@ -58,9 +63,12 @@ Texts read_texts(std::string_view table) {
     return texts;
 }
 
+/// Those of the language in use.
 const Texts& texts() {
-    static const Texts all = read_texts(BANNWALD_EMBEDDED(texts_en));
-    return all;
+    static const std::array<Texts, 4> all{
+        read_texts(BANNWALD_EMBEDDED(texts_en)), read_texts(BANNWALD_EMBEDDED(texts_de)),
+        read_texts(BANNWALD_EMBEDDED(texts_fr)), read_texts(BANNWALD_EMBEDDED(texts_it))};
+    return all[static_cast<std::size_t>(language_in_use())];
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
+#include "coupling/results/report/energy_classes.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
 
 namespace coupling::report {
 namespace {
@@ -14,18 +16,32 @@ using config::joined;
 constexpr int ramp_steps = 64;
 
 std::string class_legend(const std::vector<ClassColour>& classes) {
-    std::string svg = "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\">";
-    const double apart = 396.0 / static_cast<double>(std::max<std::size_t>(3, classes.size()));
-    for (std::size_t i = 0; i < classes.size(); ++i) {
-        const double x = 4.0 + apart * static_cast<double>(i);
-        svg += joined("<rect x=\"", place(x), "\" y=\"6\" width=\"26\" height=\"14\" fill=\"",
-                      to_hex(classes[i].colour), "\" stroke=\"#555\" stroke-width=\".5\"/><text x=\"",
-                      place(x + 31.0), "\" y=\"18\">", escaped(classes[i].label), "</text>");
-    }
-    return joined(svg, "</svg>");
+    return class_legend_of(
+        classes.size(), classes.size() > 4 ? 3 : std::max<std::size_t>(3, classes.size()), "",
+        [&](std::size_t i) {
+            return LegendEntry{joined("<rect y=\"-12\" width=\"26\" height=\"14\" fill=\"",
+                                      to_hex(classes[i].colour), "\" stroke=\"#555\" stroke-width=\".5\"/>"),
+                               classes[i].label};
+        });
 }
 
 }  // namespace
+
+std::string class_legend_of(std::size_t count, std::size_t a_row, const std::string& style,
+                            const std::function<LegendEntry(std::size_t)>& entry_of) {
+    const std::size_t rows = (count + a_row - 1) / a_row;
+    const double apart = 396.0 / static_cast<double>(a_row);
+    std::string svg =
+        joined("<svg class=\"legend", style, "\" viewBox=\"0 0 400 ", place(26.0 * static_cast<double>(rows)),
+               "\" role=\"img\" aria-label=\"", page_text("scale.legend"), "\">");
+    for (std::size_t i = 0; i < count; ++i) {
+        const LegendEntry entry = entry_of(i);
+        svg += joined("<g transform=\"translate(", place(4.0 + apart * static_cast<double>(i % a_row)), " ",
+                      place(18.0 + 26.0 * static_cast<double>(i / a_row)), ")\">", entry.sample,
+                      "<text x=\"31\">", escaped(entry.name), "</text></g>");
+    }
+    return joined(svg, "</svg>");
+}
 
 ColourScale::ColourScale(Kind kind, Palette palette, double low, double high, std::string unit)
     : kind_{kind}, palette_{palette}, low_{low}, high_{high}, unit_{std::move(unit)} {}
@@ -33,7 +49,7 @@ ColourScale::ColourScale(Kind kind, Palette palette, double low, double high, st
 ColourScale ColourScale::energy_classes() {
     ColourScale scale{Kind::energy, Palette::deposits, 0.0, 0.0, "kJ"};
     for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
-        scale.classes_.push_back({static_cast<double>(i), energy_class_names[i], energy_class_colours[i]});
+        scale.classes_.push_back({static_cast<double>(i), energy_class_name(i), energy_class_colours[i]});
     }
     return scale;
 }
@@ -121,15 +137,13 @@ std::string ColourScale::legend(const std::string& id) const {
     }
     constexpr double left = 26.0;
     constexpr double width = 310.0;
-    std::string svg = joined(
-        "<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\"><linearGradient "
-        "id=\"",
-        id, "\">");
+    std::string svg = joined("<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"",
+                             page_text("scale.legend"), "\"><linearGradient id=\"", id, "\">");
     const auto colours = colours_of(palette_);
     for (std::size_t i = 0; i < colours.size(); ++i) {
         svg += joined("<stop offset=\"",
-                      fixed(static_cast<double>(i) / static_cast<double>(colours.size() - 1), 3),
-                      "\" stop-color=\"", to_hex(colours[i]), "\"/>");
+                      place(100.0 * static_cast<double>(i) / static_cast<double>(colours.size() - 1)),
+                      "%\" stop-color=\"", to_hex(colours[i]), "\"/>");
     }
     svg += joined("</linearGradient><rect x=\"26\" y=\"6\" width=\"310\" height=\"14\" fill=\"url(#", id,
                   ")\" stroke=\"#555\" stroke-width=\".5\"/>");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,20 @@
 
 namespace coupling::report {
 
+/// An entry of a legend: a drawing of about 26 x 14 units above its baseline, and its name.
+struct LegendEntry {
+    std::string sample;
+    std::string name;
+};
+
+/// The legend of classes in rows of `a_row`, as an SVG drawing.
+std::string class_legend_of(std::size_t count, std::size_t a_row, const std::string& style,
+                            const std::function<LegendEntry(std::size_t)>& entry_of);
+
 /// How the values of a map become colours, and their legend.
 class ColourScale {
 public:
-    /// Classes of energy: below 30, 30 to 300, above 300 kJ.
+    /// The classes of energy of colours.hpp.
     static ColourScale energy_classes();
     /// Values that stand for classes; no other value is drawn.
     static ColourScale classes(std::vector<ClassColour> classes);

@@ -7,6 +7,7 @@
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/colours.hpp"
+#include "coupling/results/report/energy_classes.hpp"
 #include "coupling/results/report/markup.hpp"
 
 namespace coupling::report {
@@ -249,7 +250,10 @@ std::string json_of(const Scene& scene) {
     const auto different = std::count_if(scene.stands.begin(), scene.stands.end(),
                                          [](const SceneStand& stand) { return !stand.same_as; });
     const auto stands = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, different));
-    const std::vector<const char*> classes{energy_class_names.begin(), energy_class_names.end()};
+    std::vector<std::string> classes;
+    for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
+        classes.push_back(energy_class_name(i));
+    }
     return JsonObject{}
         .add("ground", ground_json(scene.heights, box))
         .add("x", box.x.json())
@@ -263,7 +267,8 @@ std::string json_of(const Scene& scene) {
                                         .flag("conifer", species.conifer)
                                         .json();
                                 }))
-        .add("classes", list_of(classes, [](const char* name) { return page_scripts::json_string(name); }))
+        .add("classes",
+             list_of(classes, [](const std::string& name) { return page_scripts::json_string(name); }))
         .add("stands",
              list_of(scene.stands,
                      [&](const SceneStand& stand) { return stand_json(stand, box, scene.origin_m, stands); }))

@@ -8,6 +8,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/today/report/sections.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -207,6 +208,10 @@ std::string rates_at(const TargetFigures& target, const std::vector<Cover>& cove
     return energy_rates_table(page_text("today.answers.at_this_target"), rows);
 }
 
+std::string name_of_target(const TargetFigures& target) {
+    return escaped(target.name.empty() ? target.id : target.name);
+}
+
 std::string without_targets(const RunResults& results, const Figures& figures) {
     const SlopeFigures& bare = figures.at(Cover::bare);
     std::string text = joined("<section class=\"card\"><p class=\"answer\">",
@@ -226,27 +231,48 @@ std::string without_targets(const RunResults& results, const Figures& figures) {
 }  // namespace
 
 std::string answers(const RunResults& results, const Figures& figures) {
+    if (figures.targets.empty()) {
+        return without_targets(results, figures);
+    }
+    constexpr std::size_t most_answers = 4;
+    const std::vector<Cover> covers = covers_of(results);
+    std::string html;
+    for (std::size_t i = 0; i < std::min(most_answers, figures.targets.size()); ++i) {
+        const TargetFigures& target = figures.targets[i];
+        html += joined("<section class=\"card\"><h3>", name_of_target(target), "</h3>",
+                       nothing_arrives(target) ? nothing(target, results)
+                                               : joined(answer(target, results), share_bars(target, covers)),
+                       "</section>\n");
+    }
+    return figures.targets.size() <= most_answers
+               ? html
+               : joined(html, "<p class=\"soft\">",
+                        page_text("today.first.more_targets",
+                                  {{"more", grouped(figures.targets.size() - most_answers)}}),
+                        "</p>\n");
+}
+
+std::string answers_in_detail(const RunResults& results, const Figures& figures) {
+    if (figures.targets.empty()) {
+        return "";
+    }
     std::string html = results.with_forest
                            ? joined("<h2>", page_text("today.answers.what_arrives_and_what_the"), "</h2>\n")
                            : joined("<h2>", page_text("today.answers.what_arrives"), "</h2>\n");
-    if (figures.targets.empty()) {
-        return html + without_targets(results, figures);
-    }
     const std::vector<Cover> covers = covers_of(results);
+    const bool all_are_above = figures.targets.size() == 1;
     for (const TargetFigures& target : figures.targets) {
-        html += joined("<section class=\"card\"><h3>", escaped(target.name.empty() ? target.id : target.name),
-                       "</h3>");
+        html += joined("<section class=\"card\"><h3>", name_of_target(target), "</h3>");
         html += nothing_arrives(target)
                     ? nothing(target, results)
-                    : joined(answer(target, results), "<div class=\"two\">", share_bars(target, covers),
-                             certainty(target, results), "</div>\n", effect_on_energy(target),
-                             rates_at(target, covers), figures_at(target, covers));
+                    : joined(all_are_above ? "" : answer(target, results), certainty(target, results),
+                             effect_on_energy(target), rates_at(target, covers), figures_at(target, covers));
         html += "</section>\n";
     }
-    return joined(
-        html, leaving(results, figures), "<p class=\"soft\">",
-        page_text("today.answers.energy_is_translation_and", {{"energies", rockfall::what_energies_count()}}),
-        "</p>\n");
+    return joined(html, leaving(results, figures), "<p class=\"soft\">",
+                  page_text("today.answers.energy_is_translation_and",
+                            {{"energies", in_page_language(rockfall::what_energies_count())}}),
+                  "</p>\n");
 }
 
 }  // namespace coupling::report

@@ -60,8 +60,8 @@ std::string histogram(const RunResults& results, const std::string& title, Axis 
         chart.add_name(name_of(covers[i]), title_of(covers[i]));
     }
     if (energy_marks) {
-        chart.add_mark(energy_class_limits_kj[0], page_text("common.30_kj"));
-        chart.add_mark(energy_class_limits_kj[1], page_text("common.300_kj"));
+        chart.add_mark(intensity_limits_kj[0], page_text("common.30_kj"));
+        chart.add_mark(intensity_limits_kj[1], page_text("common.300_kj"));
     }
     return chart.figure(caption);
 }
@@ -136,8 +136,8 @@ std::string exceedance(const RunResults& results, std::size_t target) {
         chart.add_line(name_of(cover), points);
         chart.add_name(name_of(cover), title_of(cover));
     }
-    chart.add_mark(energy_class_limits_kj[0], page_text("common.30_kj"));
-    chart.add_mark(energy_class_limits_kj[1], page_text("common.300_kj"));
+    chart.add_mark(intensity_limits_kj[0], page_text("common.30_kj"));
+    chart.add_mark(intensity_limits_kj[1], page_text("common.300_kj"));
     return chart.figure(page_text("today.charts.both_axes_by_powers_of_ten_a"));
 }
 

@@ -7,6 +7,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/today/ground_columns.hpp"
 #include "coupling/today/report/sections.hpp"
 #include "rockfall/motion/models.hpp"
@@ -43,7 +44,8 @@ std::string cell_of(const GroundFigures& ground, std::size_t place) {
 
 std::string caption_of(const RunResults& results, const std::vector<std::size_t>& shown) {
     const auto& model = rockfall::description_of(results.scenario.rockfall.fall.motion.model);
-    std::string caption = page_text("today.grounds.what_the_model_uses", {{"model", model.title}});
+    std::string caption =
+        page_text("today.grounds.what_the_model_uses", {{"model", in_page_language(model.title)}});
     for (const std::size_t place : shown) {
         const std::string_view note = ground_columns()[place].page_note;
         caption += note.empty() ? "" : joined(" ", page_text(note));
@@ -68,7 +70,7 @@ std::string grounds(const RunResults& results) {
         table.text_columns({3});
     }
     for (const GroundFigures& ground : all) {
-        std::vector<std::string> cells{escaped(ground.label), std::to_string(ground.code),
+        std::vector<std::string> cells{escaped(in_page_language(ground.label)), std::to_string(ground.code),
                                        percent(ground.area_share)};
         for (const std::size_t place : shown) {
             cells.push_back(cell_of(ground, place));

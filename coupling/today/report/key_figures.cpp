@@ -74,61 +74,6 @@ constexpr std::array key_figure_rows{
               [](const SlopeFigures& s) { return three_digits(s.log_energy_per_rock_kj); }},
 };
 
-/// Sums over the trees of a diameter class.
-struct DiameterClass {
-    std::string name;
-    double low_cm;
-    std::uint64_t trees = 0;
-    std::uint64_t hit = 0;
-    std::uint64_t hits = 0;
-    std::uint64_t broken = 0;
-    std::uint64_t energy_j = 0;
-};
-
-std::string share_text(std::uint64_t part, std::uint64_t whole) {
-    return whole == 0 ? "–" : percent(static_cast<double>(part) / static_cast<double>(whole));
-}
-
-std::string trees_by_diameter(const RunResults& results) {
-    std::array<DiameterClass, 6> classes{{{page_text("today.key_figures.below_8_cm"), 0.0},
-                                          {page_text("today.key_figures.8_to_20_cm"), 8.0},
-                                          {page_text("today.key_figures.20_to_36_cm"), 20.0},
-                                          {page_text("today.key_figures.36_to_52_cm"), 36.0},
-                                          {page_text("today.key_figures.52_to_72_cm"), 52.0},
-                                          {page_text("today.key_figures.72_cm_and_more"), 72.0}}};
-    DiameterClass all{page_text("common.all"), 0.0};
-    for (std::size_t i = 0; i < results.site.trees.size(); ++i) {
-        const rockfall::StemTally& tally = results.tally.stems[i];
-        auto at = classes.begin();
-        while (at + 1 != classes.end() && results.site.trees[i].stem.dbh_cm >= (at + 1)->low_cm) {
-            ++at;
-        }
-        for (DiameterClass* sums : {&*at, &all}) {
-            ++sums->trees;
-            sums->hit += tally.hits > 0 ? 1U : 0U;
-            sums->hits += tally.hits;
-            sums->broken += tally.broken;
-            sums->energy_j += tally.energy_j;
-        }
-    }
-    HtmlTable table{page_text("today.key_figures.which_trees_take_the_energy"),
-                    {page_text("today.key_figures.diameter_at_breast_height"),
-                     page_text("today.key_figures.trees"), page_text("today.key_figures.hit_at_least_once"),
-                     page_text("today.key_figures.hits"), page_text("today.key_figures.of_them_breaking"),
-                     page_text("today.key_figures.share_of_all_energy_taken")}};
-    const auto add = [&](const DiameterClass& c) {
-        table.row({c.name, grouped(c.trees), grouped(c.hit), grouped(c.hits), share_text(c.broken, c.hits),
-                   share_text(c.energy_j, all.energy_j)});
-    };
-    for (const DiameterClass& c : classes) {
-        if (c.trees > 0) {
-            add(c);
-        }
-    }
-    add(all);
-    return table.html();
-}
-
 }  // namespace
 
 std::string key_figures(const RunResults& results, const Figures& figures) {
@@ -147,10 +92,7 @@ std::string key_figures(const RunResults& results, const Figures& figures) {
         table.row(cells);
     }
     return joined("<h2>", page_text("common.key_figures"), "</h2>\n<section class=\"card\">", table.html(),
-                  "</section>\n",
-                  (results.with_forest && !results.site.trees.empty()
-                       ? joined("<section class=\"card\">", trees_by_diameter(results), "</section>\n")
-                       : ""));
+                  "</section>\n");
 }
 
 }  // namespace coupling::report

@@ -3,11 +3,14 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/rasters.hpp"
+#include "coupling/results/report/energy_classes.hpp"
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/phrases.hpp"
 #include "coupling/today/report/sections.hpp"
+#include "coupling/today/report/shown_window.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::report {
@@ -21,9 +24,10 @@ constexpr std::size_t most_drawn_paths = 500;
 class MapPage {
 public:
     explicit MapPage(const RunResults& results)
-        : results_{results}, sheet_{results.site}, covers_{covers_of(results)} {
-        html_ = sheet_.definitions();
-    }
+        : results_{results}, sheet_{results.site, shown_window(results)}, covers_{covers_of(results)} {}
+
+    /// What maps refer to, and the energies on each slope in common classes.
+    void first_maps();
 
     void paths();
     /// A quantity on each slope in common colours, and what the forest changes.
@@ -31,6 +35,7 @@ public:
              const std::string& meaning, const std::string& about_effect);
     void rests_and_hits();
     [[nodiscard]] std::string about() const;
+    [[nodiscard]] std::string lines_in_words() const;
     [[nodiscard]] std::string html() const { return html_; }
 
 private:
@@ -48,15 +53,10 @@ private:
 };
 
 std::string path_legend() {
-    std::string svg =
-        "<svg class=\"legend paths\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"legend\">";
-    for (std::size_t i = 0; i < energy_class_names.size(); ++i) {
-        const double x = 4.0 + 132.0 * static_cast<double>(i);
-        svg += joined("<path class=\"class", std::to_string(i), "\" d=\"M", place(x),
-                      " 15l9 -5l9 6l9 -4\"/><text x=\"", place(x + 32.0), "\" y=\"18\">",
-                      escaped(energy_class_names[i]), "</text>");
-    }
-    return joined(svg, "</svg>");
+    return class_legend_of(energy_class_colours.size(), 3, " paths", [](std::size_t i) {
+        return LegendEntry{joined("<path class=\"class", std::to_string(i), "\" d=\"M0 -3l9 -5l9 6l9 -4\"/>"),
+                           energy_class_name(i)};
+    });
 }
 
 /// At most `most_drawn_paths` of the paths on one slope, evenly chosen.
@@ -75,6 +75,37 @@ std::vector<const rockfall::PathRecord*> drawn_paths(const RunResults& results, 
         chosen.push_back(kept[i * kept.size() / most_drawn_paths]);
     }
     return chosen;
+}
+
+void MapPage::first_maps() {
+    const bool has_percentiles = results_.histograms[index_of(Cover::bare)] != nullptr;
+    const RasterKind& kind = raster_kind(has_percentiles ? "E_95" : "E_max");
+    const ColourScale scale = scale_for(kind, common_range(kind));
+    const std::string& name =
+        has_percentiles ? page_text("common.energy_95th_percentile") : page_text("today.maps.energy_largest");
+    html_ = joined(sheet_.definitions(), "<div class=\"maps\">");
+    for (const Cover cover : covers_) {
+        const config::Raster<float> shown = without_zeros(raster_of(kind, results_, cover));
+        html_ += sheet_.figure({joined(name, ", ", title_of(cover)),
+                                joined(name, ", ", title_of(cover)),
+                                sheet_.picture(shown, scale),
+                                scale.legend(next_legend()),
+                                "",
+                                {}},
+                               covers_.size() > 1 ? MapSize::third : MapSize::half);
+    }
+    html_ += joined("<p class=\"soft\">", lines_in_words(), "</p></div>\n");
+}
+
+std::string MapPage::lines_in_words() const {
+    return page_text(
+        "today.maps.lines_in_words",
+        {{"contour_step_m", tick_text(sheet_.contour_step_m())},
+         {"stems", results_.site.trees.empty() ? std::string{}
+                   : sheet_.stems_a_dot() > 1
+                       ? page_text("today.maps.one_stem_in", {{"stems", grouped(sheet_.stems_a_dot())}})
+                       : page_text("today.maps.green_dots_stems")},
+         {"nets", results_.site.nets.empty() ? "" : page_text("today.maps.blue_broken_lines_nets")}});
 }
 
 void MapPage::paths() {
@@ -180,7 +211,7 @@ std::string MapPage::about() const {
     std::string text = page_text(
         "today.maps.north_is_up_coordinates_and",
         {{"map_frame_cell_width_m", three_digits(results_.site.map_frame.cell_width_m)},
-         {"part", results_.site.nets.empty() ? "" : page_text("today.maps.blue_broken_lines_nets")},
+         {"part", joined(" ", lines_in_words())},
          {"part_2", results_.with_forest ? page_text("today.maps.colours_of_a_forest_effect_end") : ""}});
     if (sheet_.block() > 1) {
         const std::string side = std::to_string(sheet_.block());
@@ -196,6 +227,12 @@ std::string switch_for(const char* what, const std::string& label) {
 
 }  // namespace
 
+std::string first_maps(const RunResults& results) {
+    MapPage page{results};
+    page.first_maps();
+    return page.html();
+}
+
 std::string maps(const RunResults& results) {
     MapPage page{results};
     page.paths();
@@ -204,7 +241,7 @@ std::string maps(const RunResults& results) {
              page_text("today.maps.for_the_forest_effect_both_are"));
     page.row("E_95", page_text("common.energy_95th_percentile"), "kJ",
              page_text("today.maps.of_the_largest_kinetic_energy",
-                       {{"energies", rockfall::what_energies_count()}}),
+                       {{"energies", in_page_language(rockfall::what_energies_count())}}),
              page_text("today.maps.for_the_forest_effect_no_rock"));
     page.row("Nr_passages", page_text("common.rocks_that_pass"), page_text("common.rocks_unit"),
              page_text("common.each_rock_counts_once_in_a_cell"), "");
@@ -213,6 +250,8 @@ std::string maps(const RunResults& results) {
                   "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n<fieldset "
                   "class=\"switches\">",
                   switch_for("hillshade", page_text("today.maps.hillshade")),
+                  switch_for("contours", page_text("today.maps.contours")),
+                  results.site.trees.empty() ? "" : switch_for("stems", page_text("today.maps.stems")),
                   switch_for("sources", page_text("today.maps.sources")),
                   switch_for("targets", page_text("today.maps.targets")), "</fieldset>\n", page.html());
 }

@@ -2,27 +2,33 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/nets/net_page.hpp"
-#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 #include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
 
 void write_page(std::ostream& out, const RunResults& results, const Figures& figures,
                 const std::vector<WrittenFile>& files) {
-    const PageFrame frame{.title = config::joined(page_text("today.page.rockfall_with_and_without"),
-                                                  escaped(results.scenario.file.stem().string())),
-                          .version = results.version,
-                          .scripts = {page_scripts::charts(), page_scripts::slope()},
-                          .style = {},
-                          .before_main = {}};
+    const WritingLanguage language{results.scenario.report.language};
+    const PageFrame frame{
+        .title = page_title(results.scenario.report,
+                            config::joined(page_text("today.page.rockfall_with_and_without"),
+                                           escaped(results.scenario.file.stem().string()))),
+        .version = results.version,
+        .scripts = {page_scripts::charts(), page_scripts::slope()},
+        .style = {},
+        .before_main = {}};
     begin_page(out, frame);
-    out << first_warnings(results.warnings) << opening(results, figures) << answers(results, figures)
-        << nets(results) << slope_view(results) << maps(results) << charts(results, figures)
+    out << first_screen(results, figures) << along_lines(results) << release_groups(results)
+        << forest_of_today(results) << nets(results) << slope_view(results) << "<div class=\"appendix\">\n"
+        << answers_in_detail(results, figures) << maps(results) << charts(results, figures)
         << observed_stops(results.observed_stops) << along_paths(results) << key_figures(results, figures)
-        << grounds(results) << warnings(results) << settings(results) << sources_and_files(results, files);
+        << grounds(results) << warnings(results) << settings(results) << sources_and_files(results, files)
+        << "</div>\n";
     end_page(out, frame);
 }
 

@@ -126,7 +126,7 @@ std::string chart(const std::vector<ChosenPath>& chosen, const std::string& titl
                                           {"chosen_why", chosen[i].why}}));
     }
     if (energy_marks) {
-        for (const double limit_kj : energy_class_limits_kj) {
+        for (const double limit_kj : intensity_limits_kj) {
             if (limit_kj < highest && limit_kj > 0.1 * highest) {  // else it covers the lines
                 drawn.add_label(0.0, limit_kj, page_text("common.kj", {{"limit_kj", tick_text(limit_kj)}}));
             }

@@ -24,8 +24,7 @@ std::string warnings(const RunResults& results) {
 }
 
 std::string settings(const RunResults& results) {
-    return joined("<h2>", page_text("common.settings"), "</h2>\n",
-                  table_of_settings(results.scenario, [](const std::string&) { return true; }));
+    return settings_section(results.scenario, [](const std::string&) { return true; });
 }
 
 std::string sources_and_files(const RunResults& results, const std::vector<WrittenFile>& files) {
@@ -33,9 +32,9 @@ std::string sources_and_files(const RunResults& results, const std::vector<Writt
         "<h2>", page_text("common.data"), "</h2>\n<section class=\"card\"><p>",
         page_text("today.settings_and_files.projection_input_files_named_as",
                   {{"projection_name_projection", escaped(projection_name(results.site.projection))}}),
-        "</p>", table_of_inputs(results.site.inputs), "</section>\n<h2>",
-        page_text("common.files_of_this_run"), "</h2>\n<section class=\"card\">",
-        table_of_files(page_text("common.grids_have_their_projection_prj"), files), "</section>\n",
+        "</p>", table_of_inputs(results.site.inputs), "</section>\n<details><summary>",
+        page_text("common.files_of_this_run"), "</summary><section class=\"card\">",
+        table_of_files(page_text("common.grids_have_their_projection_prj"), files), "</section></details>\n",
         citation(results.version, results.scenario));
 }
 

@@ -6,6 +6,7 @@
 #include "coupling/results/report/scene.hpp"
 #include "coupling/results/report/species_colours.hpp"
 #include "coupling/today/report/sections.hpp"
+#include "coupling/today/report/shown_window.hpp"
 #include "forest/species.hpp"
 
 namespace coupling::report {
@@ -59,9 +60,8 @@ void add_trees(const Site& site, Scene& scene) {
 }  // namespace
 
 std::string slope_view(const RunResults& results) {
-    Scene scene{.heights = results.site.heights,
-                .targets = results.site.targets,
-                .origin_m = results.site.origin_m()};
+    const config::Raster<double> heights = part_of(results.site.heights, shown_window(results));
+    Scene scene{.heights = heights, .targets = results.site.targets, .origin_m = results.site.origin_m()};
     if (results.with_forest) {
         add_trees(results.site, scene);
     }

@@ -6,7 +6,9 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 #include "coupling/vary/report/style.hpp"
 #include "coupling/vary/report/tornado.hpp"
 #include "coupling/version.hpp"
@@ -90,26 +92,24 @@ std::string part_of(const std::vector<Factor>& factors, const std::vector<Outcom
 
 }  // namespace
 
-void write_page(std::ostream& out, const std::string& scenario, const std::vector<Factor>& factors,
+void write_page(std::ostream& out, const Scenario& scenario, const std::vector<Factor>& factors,
                 const std::vector<Outcome>& outcomes) {
-    const std::string title = joined(page_text("vary.title"), " ", escaped(scenario));
-    coupling::report::begin_page(out, {.title = title,
-                                       .version = version(),
-                                       .scripts = {},
-                                       .style = std::string{page_style()},
-                                       .before_main = {}});
-    out << "<h1>" << title << "</h1>\n<p>"
-        << page_text("vary.lead", {{"runs", std::to_string(outcomes.size())},
-                                   {"rocks", std::to_string(outcomes.front().rocks)}})
+    const coupling::report::WritingLanguage language{scenario.report.language};
+    const std::string about = joined(page_text("vary.title"), " ", escaped(scenario.file.stem().string()));
+    const coupling::report::PageFrame frame{.title = coupling::report::page_title(scenario.report, about),
+                                            .version = version(),
+                                            .scripts = {},
+                                            .style = std::string{page_style()},
+                                            .before_main = {}};
+    coupling::report::begin_page(out, frame);
+    out << coupling::report::page_head(scenario.report, about) << "<p>"
+        << page_text("vary.lead", {{"runs", coupling::report::grouped(outcomes.size())},
+                                   {"rocks", coupling::report::grouped(outcomes.front().rocks)}})
         << "</p>\n";
     for (std::size_t target = 0; target < outcomes.front().targets.size(); ++target) {
         out << part_of(factors, outcomes, target);
     }
-    coupling::report::end_page(out, {.title = title,
-                                     .version = version(),
-                                     .scripts = {},
-                                     .style = std::string{page_style()},
-                                     .before_main = {}});
+    coupling::report::end_page(out, frame);
 }
 
 }  // namespace coupling::vary::report

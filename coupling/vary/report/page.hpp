@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "coupling/inputs/scenario.hpp"
 #include "coupling/vary/vary.hpp"
 
 namespace coupling::vary::report {
 
 /// The page of a study: for each target a tornado chart of the settings that were moved alone, and a table
 /// of all combinations.
-void write_page(std::ostream& out, const std::string& scenario, const std::vector<Factor>& factors,
+void write_page(std::ostream& out, const Scenario& scenario, const std::vector<Factor>& factors,
                 const std::vector<Outcome>& outcomes);
 
 }  // namespace coupling::vary::report

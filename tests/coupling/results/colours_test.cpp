@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace coupling::colours_test {
 namespace {
 
@@ -17,15 +19,31 @@ TEST(Palettes, GrowDarkerFromEndToEndSoThatBlackAndWhiteKeepsTheirOrder) {
 }
 
 TEST(EnergyClassColours, GrowDarkerWithEnergy) {
-    EXPECT_GT(luminance(energy_class_colours[0]), 2.0 * luminance(energy_class_colours[1]));
-    EXPECT_GT(luminance(energy_class_colours[1]), 2.0 * luminance(energy_class_colours[2]));
+    // Six steps share the range that three had: each still darkens by more than two fifths.
+    for (std::size_t i = 1; i < energy_class_colours.size(); ++i) {
+        EXPECT_GT(luminance(energy_class_colours[i - 1]), 1.7 * luminance(energy_class_colours[i])) << i;
+    }
+    for (std::size_t i = 1; i < intensity_class_colours.size(); ++i) {
+        EXPECT_GT(luminance(intensity_class_colours[i - 1]), 2.0 * luminance(intensity_class_colours[i]));
+    }
 }
 
-TEST(EnergyClass, ChangesAtThirtyAndAboveThreeHundredKilojoules) {
+TEST(EnergyClass, ChangesAtThirtyAndAboveTheLimitsThatFollow) {
+    EXPECT_EQ(energy_class(0.0), 0U);
     EXPECT_EQ(energy_class(29.9), 0U);
     EXPECT_EQ(energy_class(30.0), 1U);
-    EXPECT_EQ(energy_class(300.0), 1U);
-    EXPECT_EQ(energy_class(300.1), 2U);
+    for (std::size_t i = 1; i < energy_class_limits_kj.size(); ++i) {
+        EXPECT_EQ(energy_class(energy_class_limits_kj[i]), i);
+        EXPECT_EQ(energy_class(energy_class_limits_kj[i] + 0.1), i + 1);
+    }
+    EXPECT_EQ(energy_class(1e9), 5U);
+}
+
+TEST(EnergyClass, KeepsTheLimitsOfIntensities) {
+    for (const double limit_kj : intensity_limits_kj) {
+        EXPECT_NE(std::find(energy_class_limits_kj.begin(), energy_class_limits_kj.end(), limit_kj),
+                  energy_class_limits_kj.end());
+    }
 }
 
 TEST(ColourAt, MeetsTheEndsAndTheMiddleOfAPalette) {

@@ -56,9 +56,31 @@ TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
     const MapSheet sheet{run.site};
     const std::string paths =
         sheet.paths(std::array{static_cast<const rockfall::PathRecord*>(&run.paths[0])});
-    // 1 to 50 kJ on the first stretch, up to 400 kJ on the second.
+    // 1 to 50 kJ on the first stretch (30 to 100 kJ), up to 400 kJ on the second (300 to 1000 kJ).
     EXPECT_NE(paths.find("class=\"class1\" d=\"M438 63"), std::string::npos) << paths;
-    EXPECT_NE(paths.find("class=\"class2\" d=\"M450 500"), std::string::npos) << paths;
+    EXPECT_NE(paths.find("class=\"class3\" d=\"M450 500"), std::string::npos) << paths;
+}
+
+TEST(MapSheet, ShowsAPartOfTheMapAtTheSameScaleOfMetres) {
+    const testing::SmallRun run;
+    const MapSheet part{run.site, {2, 1, 4, 6}};
+    // Stems at 25, 35 and 45 m east, 45 m north: 5, 15 and 25 of 40 m from the western edge of the part, 25
+    // of 60 m from its northern one.
+    const std::string definitions = part.definitions();
+    for (const char* dot : {"M125 625h0", "M375 625h0", "M625 625h0"}) {
+        EXPECT_NE(definitions.find(dot), std::string::npos) << dot << definitions;
+    }
+    EXPECT_NE(part.figure({"Title", "Label", "", "", ""}, MapSize::half).find("height=\"1500\""),
+              std::string::npos);
+    EXPECT_EQ(testing::markup_fault(definitions), "");
+}
+
+TEST(MapSheet, DrawsContoursAtRoundHeights) {
+    const testing::SmallRun run;
+    const MapSheet sheet{run.site};
+    // The slope rises evenly by 0.75 to the north: a contour every 5 m of height lies 6.67 m from the next.
+    EXPECT_EQ(sheet.contour_step_m(), 5.0);
+    EXPECT_NE(sheet.definitions().find("class=\"contour\" d=\"M"), std::string::npos);
 }
 
 }  // namespace

@@ -14,12 +14,13 @@ TEST(ColourScale, ShowsNothingWhereThereIsNoValue) {
     EXPECT_EQ(ColourScale::linear(Palette::height, 10.0, "m").index_of(std::nanf("")), 0);
 }
 
-TEST(ColourScale, OfClassesHasThreeColours) {
+TEST(ColourScale, OfEnergyHasSixColours) {
     const ColourScale scale = ColourScale::energy_classes();
-    EXPECT_EQ(scale.palette().size(), 4U);
+    EXPECT_EQ(scale.palette().size(), 7U);
     EXPECT_EQ(scale.index_of(10.0F), 1);
     EXPECT_EQ(scale.index_of(30.0F), 2);
-    EXPECT_EQ(scale.index_of(1000.0F), 3);
+    EXPECT_EQ(scale.index_of(1000.0F), 4);
+    EXPECT_EQ(scale.index_of(5000.0F), 6);
 }
 
 TEST(ColourScale, ByPowersOfTenPutsTheGeometricMeanInTheMiddle) {
@@ -40,7 +41,7 @@ TEST(Legend, NamesUnitAndRoundNumbers) {
     const std::string legend = ColourScale::linear(Palette::height, 73.0, "m").legend("ramp1");
     EXPECT_NE(legend.find(">m</text>"), std::string::npos) << legend;
     EXPECT_NE(legend.find(">100</text>"), std::string::npos) << legend;
-    EXPECT_NE(ColourScale::energy_classes().legend("ramp2").find("30 to 300 kJ"), std::string::npos);
+    EXPECT_NE(ColourScale::energy_classes().legend("ramp2").find("30 to 100 kJ"), std::string::npos);
 }
 
 TEST(Legend, IsWellFormed) {

@@ -146,6 +146,78 @@ TEST(WritePage, MarksChangedSettings) {
     EXPECT_NE(page.find("<tr><td><code>seed</code></td><td>1</td>"), std::string::npos);
 }
 
+TEST(WritePage, AnswersAboveTheFoldBeforeAnythingElse) {
+    const std::string page = page_of(some_rocks());
+    const std::string first_screen = page.substr(0, page.find("<h2>"));
+    std::size_t last = 0;
+    for (const char* part : {"<h1>", "class=\"lead question\"", "The forest stops <b>75.0", "class=\"sheet\"",
+                             "What decides it", "class=\"alert\""}) {
+        const std::size_t at = first_screen.find(part);
+        ASSERT_NE(at, std::string::npos) << part;
+        EXPECT_GT(at, last) << part;
+        last = at;
+    }
+}
+
+TEST(WritePage, ListsChangedSettingsAndFoldsTheRest) {
+    const std::string page = page_of(some_rocks());
+    const std::size_t changed = page.find("<h2>Settings that differ from the defaults");
+    const std::size_t all = page.find("<details><summary>All settings");
+    ASSERT_LT(changed, all);
+    const std::string differing = page.substr(changed, all - changed);
+    EXPECT_NE(differing.find("density_kgpm3"), std::string::npos);
+    EXPECT_EQ(differing.find("<code>seed</code>"), std::string::npos);
+}
+
+TEST(WritePage, HasTheHeadThatTheUserGave) {
+    SmallRun run = some_rocks();
+    EXPECT_EQ(page_of(run).find("<header"), std::string::npos);
+    run.scenario->report.title = "Rockfall <Kot>";
+    run.scenario->report.client = "Commune & canton";
+    run.scenario->report.date = "2026-11-24";
+    run.scenario->report.picture = {"image/png", "abc"};
+    run.scenario->report.logo = "logo.png";
+    const std::string page = page_of(run);
+    EXPECT_NE(page.find("<title>Rockfall &lt;Kot&gt;</title>"), std::string::npos);
+    EXPECT_NE(page.find("<h1>Rockfall &lt;Kot&gt;</h1>"), std::string::npos);
+    EXPECT_NE(page.find("<dt>Client</dt><dd>Commune &amp; canton</dd>"), std::string::npos);
+    EXPECT_NE(page.find("<dd>24 November 2026</dd>"), std::string::npos);
+    EXPECT_NE(page.find("src=\"data:image/png;base64,YWJj\""), std::string::npos);
+    EXPECT_EQ(page.find("<dt>Author</dt>"), std::string::npos);
+    EXPECT_EQ(testing::markup_fault(page), "");
+}
+
+TEST(WritePage, SpeaksTheLanguageOfTheScenario) {
+    using config::Language;
+    struct Spoken {
+        Language language;
+        const char* tag;
+        const char* answer;
+        const char* date;
+    };
+    for (const Spoken& spoken :
+         {Spoken{Language::de, "<html lang=\"de\">", "Der Wald hält <b>75,0\u00a0%</b>", "24.11.2026"},
+          Spoken{Language::fr, "<html lang=\"fr\">", "La forêt arrête <b>75,0\u00a0%</b>", "24.11.2026"},
+          Spoken{Language::it, "<html lang=\"it\">", "Il bosco arresta il <b>75,0\u00a0%</b>",
+                 "24.11.2026"}}) {
+        SmallRun run = some_rocks();
+        run.scenario->report.language = spoken.language;
+        run.scenario->report.date = "2026-11-24";
+        const std::string page = page_of(run);
+        for (const char* text : {spoken.tag, spoken.answer, spoken.date}) {
+            EXPECT_NE(page.find(text), std::string::npos) << text;
+        }
+        EXPECT_EQ(testing::markup_fault(page), "") << spoken.tag;
+        // English is what settings mean and what the model calls its parts; headings are none of that.
+        const std::string words = testing::without_scripts(page);
+        for (const char* english : {"<h2>What", "<h2>Settings", "<h2>The forest", "with forest<",
+                                    "bare slope<", "rocks</small>", "of the rocks"}) {
+            EXPECT_EQ(words.find(english), std::string::npos) << spoken.tag << english;
+        }
+    }
+    EXPECT_NE(page_of(some_rocks()).find("<html lang=\"en\">"), std::string::npos) << "nothing is left over";
+}
+
 TEST(WritePage, CarriesHashesProjectionVersionAndSeed) {
     const std::string page = page_of(some_rocks());
     for (const char* text :

@@ -1,0 +1,65 @@
+#include <algorithm>
+
+#include "config/text/joined.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
+#include "coupling/today/report/arrival_rows.hpp"
+#include "coupling/today/report/sections.hpp"
+
+namespace coupling::report {
+namespace {
+
+using config::joined;
+
+std::string name_of_zone(const ReleaseGroup& group) {
+    return page_text("today.groups.zone", {{"zone", std::to_string(group.zone)}});
+}
+
+std::string name_of_size(const ReleaseGroup& group) {
+    return group.smallest_m == group.largest_m
+               ? joined(exact(group.smallest_m), " m")
+               : page_text("listings.to_m", {{"diameter_low_m", tick_text(group.smallest_m)},
+                                             {"diameter_high_m", tick_text(group.largest_m)}});
+}
+
+/// A table of groups: for each target its arrivals, the rocks released first.
+std::string table_of_groups(const RunResults& results, const std::vector<ReleaseGroup>& groups,
+                            const std::string& first, const std::string& caption,
+                            std::string (*name)(const ReleaseGroup&)) {
+    std::vector<std::string> heads = arrival_heads(first, results.with_forest);
+    heads.insert(heads.begin() + 1, page_text("today.groups.released"));
+    HtmlTable table{caption, heads};
+    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
+        const rockfall::Target& of = results.site.targets[target];
+        if (results.site.targets.size() > 1) {
+            table.group(escaped(of.name.empty() ? of.id : of.name));
+        }
+        for (const ReleaseGroup& group : groups) {
+            std::vector<std::string> cells{name(group), grouped(group.released)};
+            add_arrival_cells(cells, group.targets[target], group.released, results.with_forest);
+            table.row(cells);
+        }
+    }
+    return joined("<section class=\"card\">", table.html(), "</section>\n");
+}
+
+}  // namespace
+
+std::string release_groups(const RunResults& results) {
+    const Breakdown& breakdown = results.breakdown;
+    std::string html;
+    if (breakdown.zones.size() > 1) {
+        html += joined("<h2>", page_text("today.groups.by_zone"), "</h2>\n",
+                       table_of_groups(results, breakdown.zones, page_text("today.groups.release_zone"),
+                                       page_text("today.groups.zone_caption"), name_of_zone));
+    }
+    if (!breakdown.sizes.empty()) {
+        html += joined("<h2>", page_text("today.groups.by_size"), "</h2>\n",
+                       table_of_groups(results, breakdown.sizes, page_text("today.groups.diameter"),
+                                       page_text("today.groups.size_caption"), name_of_size));
+    }
+    return html;
+}
+
+}  // namespace coupling::report
