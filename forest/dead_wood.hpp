@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "forest/deadwood/volume_loss.hpp"
 #include "forest/tree.hpp"
 
 namespace forest {
@@ -43,13 +44,19 @@ struct Log {
     double sound_kg = 0.0;  ///< dry mass of the piece, as it was when the tree died
 };
 
-/// Dry mass [kg] that decay has left. A stem keeps its mass when it dies, falls or breaks.
+/// Dry mass [kg] that decay has left: of density and of volume. A stem keeps its mass when it dies, falls or
+/// breaks.
 constexpr double mass_kg(const Snag& snag) {
-    return snag.density_share * snag.sound_kg;
+    return snag.density_share * volume_left(snag.density_share) * snag.sound_kg;
 }
 constexpr double mass_kg(const Log& log) {
-    return log.density_share * log.sound_kg;
+    return log.density_share * volume_left(log.density_share) * log.sound_kg;
 }
+
+/// Diameters of a piece relative to those of the tree that died [-]: it shrinks in thickness, not in length
+/// [choice].
+double diameter_left(const Snag& snag);
+double diameter_left(const Log& log);
 
 /// All dead wood of a stand, oldest first.
 struct SnagsAndLogs {

@@ -100,7 +100,8 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
     options.flag("disturbance.wind", law.wind,
                  {.meaning = "storms uproot or break trees", .source = "Barrere et al. 2023; off: choice"});
     options.flag("disturbance.snow", law.snow,
-                 {.meaning = "wet snow breaks slender conifers at 500 to 1300 m", .source = "choice"});
+                 {.meaning = "wet snow breaks slender conifers; by the days near 0 degC of each winter",
+                  .source = "choice"});
     options.flag("disturbance.beetle", law.beetle,
                  {.meaning = "bark beetles kill spruces of 15 cm and more",
                   .source = "iLand bark beetle module, PHENIPS; off: choice"});

@@ -58,6 +58,7 @@ struct PatchState {
     std::uint16_t fenced_years = 0;  ///< for which a fence still keeps deer out
     float herb_cover = 0.0F;         ///< [0, 1]
     std::uint16_t beetle_years = 0;  ///< age of the outbreak whose bark beetles winter here, 0 = none do
+    float beetle_brood = 0.0F;       ///< [0, 1], how many they are, relative to a patch of spruces
 };
 
 /// The patches of a forest on a raster of 10 m cells. Cells without forest have no patch.

@@ -66,8 +66,16 @@ StandFigures figures_of(std::span<const Tree> trees, const SpeciesTable& species
         figures.stems_pha_by_class[dbh_class_of(tree.dbh_cm)] += stems_pha;
         figures.basal_area_m2pha += basal_area;
         basal_area_height_m3 += basal_area * tree.height_m;
-        figures.volume_m3pha +=
+        const double volume_m3pha =
             stems_pha * stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m);
+        figures.volume_m3pha += volume_m3pha;
+        for (std::size_t i = 0; i < counted_from_cm.size(); ++i) {
+            if (tree.dbh_cm >= counted_from_cm[i]) {
+                figures.from[i].stems_pha += stems_pha;
+                figures.from[i].basal_area_m2pha += basal_area;
+                figures.from[i].volume_m3pha += volume_m3pha;
+            }
+        }
         figures.above_ground_tpha += stems_pha * reported_kg(tree, species) / kg_per_t;
         figures.leaf_area_index += stems_pha * tree.crown.leaf_area_m2 / m2_per_ha;
     }
@@ -101,23 +109,34 @@ StandYear year_of(const Stand& stand, const SpeciesTable& species, double volume
     year.by_species = figures_by_species(stand.trees(), species, area_ha);
     year.volume_increment_m3pha = volume_increment_m3 / area_ha;
     year.ingrowth_stems_pha = static_cast<double>(stand.balance().all_stems_in()) / area_ha;
+    year.losses_by_species.resize(species.size());
     for (const auto& [tree, cause] : stand.deaths()) {
         const double stems_pha = tree.stems / area_ha;
-        Loss& loss = year.losses[index_of(cause)];
-        loss.stems_pha += stems_pha;
-        loss.volume_m3pha +=
+        const double volume_m3pha =
             stems_pha * stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m);
-        loss.above_ground_tpha += stems_pha * reported_kg(tree, species) / kg_per_t;
+        for (Loss* loss : {&year.losses[index_of(cause)],
+                           &year.losses_by_species[index_of(tree.species)][index_of(cause)]}) {
+            loss->stems_pha += stems_pha;
+            loss->volume_m3pha += volume_m3pha;
+            loss->above_ground_tpha += stems_pha * reported_kg(tree, species) / kg_per_t;
+        }
     }
     year.saplings_pha = static_cast<double>(stand.saplings_standing()) / area_ha;
     const SnagsAndLogs& dead = stand.dead_wood();
     year.snags_pha = static_cast<double>(dead.snags.size()) / area_ha;
     year.logs_pha = static_cast<double>(dead.logs.size()) / area_ha;
+    const auto by_class = [&year](double density_share) -> double& {
+        return year.dead_wood_m3pha[static_cast<std::size_t>(decay_class_of(density_share) - 1)];
+    };
     for (const Snag& snag : dead.snags) {
-        year.snags_m3pha += volume_m3(snag, species) / area_ha;
+        const double snag_m3pha = volume_m3(snag, species) / area_ha;
+        year.snags_m3pha += snag_m3pha;
+        by_class(snag.density_share) += snag_m3pha;
     }
     for (const Log& log : dead.logs) {
-        year.logs_m3pha += volume_m3(log, species) / area_ha;
+        const double log_m3pha = volume_m3(log, species) / area_ha;
+        year.logs_m3pha += log_m3pha;
+        by_class(log.density_share) += log_m3pha;
     }
     year.dead_stems_tpha = stand.dead_wood_kg() / kg_per_t / area_ha;
     return year;

@@ -50,7 +50,7 @@ bool has_unit(const ParameterRow& row) {
 /// "rolling friction; strict: 0.4 (Azzoni et al. 1995)": what there is to say beside the columns.
 std::string description(const ParameterRow& row) {
     std::string text = row.meaning;
-    if (row.kind.starts_with("one of") || row.kind == "yes/no" || row.kind == "list of numbers") {
+    if (row.kind.starts_with("one of") || row.kind == "yes/no" || row.kind.starts_with("list of")) {
         text.append(text.empty() ? "" : "; ").append(row.kind);
     }
     for (const Preset& preset : row.presets) {

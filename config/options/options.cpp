@@ -107,6 +107,18 @@ void Options::numbers(std::string key, std::vector<double>& target, ParameterInf
     declare(std::move(parameter));
 }
 
+void Options::whole_numbers(std::string key, std::vector<double>& target, ParameterInfo info) {
+    const NumberRange range{info.low, info.high};
+    Parameter parameter{.key = std::move(key), .info = info, .kind = "list of whole numbers"};
+    parameter.expected = with_unit(describe("whole numbers", range), info);
+    parameter.accepts = [range](std::string_view text) { return whole_numbers_in(text, range).has_value(); };
+    parameter.set = [range, &target](std::string_view text) {
+        target = whole_numbers_in(text, range).value();
+    };
+    parameter.get = [&target] { return list_text(target); };
+    declare(std::move(parameter));
+}
+
 void Options::declare_choice(std::string key, std::vector<std::string> words,
                              std::function<void(std::size_t)> set, std::function<std::string()> get,
                              ParameterInfo info) {

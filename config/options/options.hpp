@@ -85,7 +85,8 @@ public:
     void count(std::string key, std::uint64_t& target, ParameterInfo info);
     void flag(std::string key, bool& target, ParameterInfo info);  ///< yes/no, true/false, on/off, 1/0
     void text(std::string key, std::string& target, ParameterInfo info);
-    void numbers(std::string key, std::vector<double>& target, ParameterInfo info);  ///< "0.5, 1.0 1.5"
+    void numbers(std::string key, std::vector<double>& target, ParameterInfo info);        ///< "0.5, 1.0 1.5"
+    void whole_numbers(std::string key, std::vector<double>& target, ParameterInfo info);  ///< "0,5 10"
 
     template <class Enum>
     void choice(std::string key, Enum& target, std::vector<std::pair<std::string, Enum>> names,

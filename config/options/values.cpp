@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 #include "config/text/reading.hpp"
 
@@ -19,6 +20,27 @@ bool decimal_commas_possible(std::string_view text) {
         }
     }
     return false;
+}
+
+std::optional<std::vector<double>> listed_numbers(std::string_view text, const NumberRange& range) {
+    std::vector<double> values;
+    std::string_view rest = trimmed(text);
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find_first_of(", \t"), rest.size());
+        const std::optional<double> value = number_in(rest.substr(0, end), range);
+        if (!value) {
+            return std::nullopt;
+        }
+        values.push_back(*value);
+        rest = trimmed(rest.substr(end));
+        if (rest.starts_with(',')) {
+            rest = trimmed(rest.substr(1));
+            if (rest.empty()) {
+                return std::nullopt;
+            }
+        }
+    }
+    return values;
 }
 
 }  // namespace
@@ -56,27 +78,14 @@ std::optional<bool> flag_in(std::string_view text) {
 }
 
 std::optional<std::vector<double>> numbers_in(std::string_view text, const NumberRange& range) {
-    std::vector<double> values;
-    std::string_view rest = trimmed(text);
-    if (decimal_commas_possible(rest)) {
-        return std::nullopt;
-    }
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find_first_of(", \t"), rest.size());
-        const std::optional<double> value = number_in(rest.substr(0, end), range);
-        if (!value) {
-            return std::nullopt;
-        }
-        values.push_back(*value);
-        rest = trimmed(rest.substr(end));
-        if (rest.starts_with(',')) {
-            rest = trimmed(rest.substr(1));
-            if (rest.empty()) {
-                return std::nullopt;
-            }
-        }
-    }
-    return values;
+    return decimal_commas_possible(trimmed(text)) ? std::nullopt : listed_numbers(text, range);
+}
+
+std::optional<std::vector<double>> whole_numbers_in(std::string_view text, const NumberRange& range) {
+    std::optional<std::vector<double>> values = listed_numbers(text, range);
+    const bool are_whole = values && std::all_of(values->begin(), values->end(),
+                                                 [](double value) { return value == std::floor(value); });
+    return are_whole ? values : std::nullopt;
 }
 
 std::string list_text(const std::vector<double>& values) {

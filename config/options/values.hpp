@@ -24,6 +24,10 @@ std::optional<bool> flag_in(std::string_view text);
 /// "0,5 1,0" and "1,5" have no decimal point and no blank after a comma.
 std::optional<std::vector<double>> numbers_in(std::string_view text, const NumberRange& range);
 
+/// Whole numbers between commas or blanks, with or without a blank after a comma: no comma can be a decimal
+/// one.
+std::optional<std::vector<double>> whole_numbers_in(std::string_view text, const NumberRange& range);
+
 /// "0.5, 1, 1.5", as numbers_in reads it back.
 std::string list_text(const std::vector<double>& values);
 

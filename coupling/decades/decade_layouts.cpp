@@ -51,7 +51,13 @@ TableLayout stands() {
         {"lorey_height_m", "m", "mean height weighted by basal area; 0 without trees", simulated},
         {"dominant_height_m", "m",
          "mean height of the 100 thickest stems per hectare, of all where there are fewer", simulated},
-        {"leaf_area_index", "-", "projected leaf area over ground area", simulated}};
+        {"leaf_area_index", "-", "projected leaf area over ground area", simulated},
+        {"stems_from_7cm_pha", "1/ha", "stems from 7 cm diameter on", simulated},
+        {"basal_area_from_7cm_m2pha", "m2/ha", "their basal area", simulated},
+        {"volume_from_7cm_m3pha", "m3/ha", "their stem wood over bark", simulated},
+        {"stems_from_12cm_pha", "1/ha", "stems from 12 cm diameter on", simulated},
+        {"basal_area_from_12cm_m2pha", "m2/ha", "their basal area", simulated},
+        {"volume_from_12cm_m3pha", "m3/ha", "their stem wood over bark", simulated}};
     return {"stands.csv", "a stand, or all, and a species, or all, at the end of a year",
             together(member_columns(), rest)};
 }
@@ -73,10 +79,15 @@ TableLayout forest_years() {
         {"ingrowth_stems_pha", "1/ha", "trees that passed 1 cm or were planted", simulated},
         {"saplings_pha", "1/ha", "young trees below 1 cm", simulated},
         {"snags_pha", "1/ha", "standing dead stems, stumps of felling included", simulated},
-        {"snags_m3pha", "m3/ha", "their volume", simulated},
+        {"snags_m3pha", "m3/ha", "their volume, as far as decay has left it", simulated},
         {"logs_pha", "1/ha", "lying dead stems", simulated},
-        {"logs_m3pha", "m3/ha", "their volume", simulated},
+        {"logs_m3pha", "m3/ha", "their volume, as far as decay has left it", simulated},
         {"dead_stems_tpha", "t/ha", "dry mass of both, as far as it has not rotted", simulated},
+        {"dead_wood_class1_m3pha", "m3/ha", "volume of both in decay class 1, fresh", simulated},
+        {"dead_wood_class2_m3pha", "m3/ha", "in decay class 2, hard", simulated},
+        {"dead_wood_class3_m3pha", "m3/ha", "in decay class 3, soft outside", simulated},
+        {"dead_wood_class4_m3pha", "m3/ha", "in decay class 4, soft", simulated},
+        {"dead_wood_class5_m3pha", "m3/ha", "in decay class 5, falling to pieces", simulated},
         {"precipitation_mm", "mm", "precipitation of the year, mean of the patches",
          "input climate.file, moved to the patches"},
         {"evapotranspiration_mm", "mm", "evapotranspiration of the year", simulated},
@@ -104,10 +115,12 @@ TableLayout mortality() {
     const std::vector<Column> rest{
         {"cause", "text",
          "background, stress, self_thinning, wind, snow, beetle, rock, wound, felled or browsing", simulated},
+        species_column("species code"),
         {"stems_pha", "1/ha", "stems that left the forest in the year", simulated},
         {"volume_m3pha", "m3/ha", "their stem wood over bark", simulated},
         {"above_ground_tpha", "t/ha", "their dry mass above ground", simulated}};
-    return {"mortality.csv", "a cause in a year that took trees", together(member_columns(), rest)};
+    return {"mortality.csv", "a species in a year that lost trees of it to a cause",
+            together(member_columns(), rest)};
 }
 
 std::vector<Column> tree_columns() {

@@ -26,6 +26,9 @@ void write_stands(std::ostream& out, const Names& names, std::span<const MemberY
             row.number<1>(f.stems_pha).number<3>(f.basal_area_m2pha).number<2>(f.volume_m3pha);
             row.number<3>(f.above_ground_tpha).number<2>(f.mean_dbh_cm).number<2>(f.lorey_height_m);
             row.number<2>(f.dominant_height_m).number<3>(f.leaf_area_index);
+            for (const forest::ThickTrees& from : f.from) {
+                row.number<1>(from.stems_pha).number<3>(from.basal_area_m2pha).number<2>(from.volume_m3pha);
+            }
             row.end();
         }
     }
@@ -65,6 +68,9 @@ void write_years(std::ostream& out, const Names& names, std::span<const MemberYe
             }
             row.number<1>(y.saplings_pha).number<2>(y.snags_pha).number<3>(y.snags_m3pha);
             row.number<2>(y.logs_pha).number<3>(y.logs_m3pha).number<3>(y.dead_stems_tpha);
+            for (const double m3pha : y.dead_wood_m3pha) {
+                row.number<3>(m3pha);
+            }
             if (y.year == 0) {
                 row.empty().empty().empty().empty().empty();
             } else {
@@ -86,8 +92,11 @@ void write_losses(std::ostream& out, const Names& names, std::span<const MemberY
     TableRows row{out, decade_layouts(), "mortality.csv"};
     for (const MemberYears& member : members) {
         for (const LossRow& loss : member.losses) {
+            if (loss.species == all) {
+                continue;
+            }
             begin_row(row, names, member.member, loss.year);
-            row.text(forest::name_of(loss.cause));
+            row.text(forest::name_of(loss.cause)).text(species_of(names, loss.species));
             row.number<3>(loss.loss.stems_pha).number<4>(loss.loss.volume_m3pha);
             row.number<4>(loss.loss.above_ground_tpha);
             row.end();

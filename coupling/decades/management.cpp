@@ -55,8 +55,43 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
     const RunYears run = is_file(entry)
                              ? RunYears{forest.first_year() - 1, static_cast<int>(reading.scenario().years)}
                              : RunYears{};
-    return Regime::read(table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid,
-                        shapes_of, run);
+    return Regime::read(
+        table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid, shapes_of, run,
+        [&](const std::string& file) { return reading.table("regimes.list", "trees to fell", file); });
+}
+
+/// Numbers of the trees that the forest starts with.
+std::set<std::uint64_t> numbers_of_listed_trees(const ForestSite& forest) {
+    std::set<std::uint64_t> numbers;
+    for (const forest::Tree& tree : forest.listed) {
+        numbers.insert(forest::number_of(tree.id));
+    }
+    return numbers;
+}
+
+/// A recorded cut names trees of the list that the forest starts with.
+void check_listed_trees(const Regime& regime, const ForestSite& forest, Reading& reading) {
+    for (const Intervention& row : regime.interventions()) {
+        if (row.treatment != Treatment::fell_list) {
+            continue;
+        }
+        const std::set<std::uint64_t> known = numbers_of_listed_trees(forest);
+        std::string first;
+        std::size_t missing = 0;
+        for (const ListedTree& tree : row.listed) {
+            if (!known.contains(tree.tree)) {
+                first = missing == 0 ? std::to_string(tree.tree) : first;
+                ++missing;
+            }
+        }
+        if (missing > 0) {
+            reading.problems().add(
+                config::ExitCode::data, {row.trees},
+                joined(counted(missing, "tree"), " that the forest does not start with, such as ", first),
+                "tree_id of the list of trees (trees.file), whole numbers there",
+                "correct tree_id, or leave the rows out");
+        }
+    }
 }
 
 /// With fewer areas than turns some turns find nothing, and the rotation of what there is becomes shorter.
@@ -112,6 +147,7 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
             refuse_entry(entry, "regimes of different names, none of them 'bare'", reading);
         }
         warn_of_short_turns(*regime, reading);
+        check_listed_trees(*regime, forest, reading);
         management.regimes.push_back(std::move(*regime));
     }
     const std::string& prices = scenario.forest.timber_prices;

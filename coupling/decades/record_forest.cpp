@@ -109,6 +109,7 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
     row.logs_pha = whole.logs_pha;
     row.logs_m3pha = whole.logs_m3pha;
     row.dead_stems_tpha = whole.dead_stems_tpha;
+    row.dead_wood_m3pha = whole.dead_wood_m3pha;
     row.stem_wood_tpha = stand.stem_mass_standing_kg() / kg_per_t / area_ha;
     if (report) {
         row.volume_increment_m3pha = whole.volume_increment_m3pha;
@@ -128,8 +129,15 @@ void record_losses(const forest::Stand& stand, const forest::SpeciesTable& speci
     add_wood(stand, kept.years.back());
     const forest::StandYear whole = forest::year_of(stand, species, 0.0);
     for (std::size_t cause = 0; cause < forest::cause_count; ++cause) {
-        if (whole.losses[cause].stems_pha > 0.0) {
-            kept.losses.push_back({year, static_cast<forest::Cause>(cause), whole.losses[cause]});
+        if (whole.losses[cause].stems_pha <= 0.0) {
+            continue;
+        }
+        kept.losses.push_back({year, all, static_cast<forest::Cause>(cause), whole.losses[cause]});
+        for (std::uint32_t s = 0; s < whole.losses_by_species.size(); ++s) {
+            const forest::Loss& loss = whole.losses_by_species[s][cause];
+            if (loss.stems_pha > 0.0) {
+                kept.losses.push_back({year, s, static_cast<forest::Cause>(cause), loss});
+            }
         }
     }
     for (const auto& [tree, cause] : stand.deaths()) {
@@ -171,7 +179,7 @@ void record_dead_wood(const forest::Stand& stand, std::int32_t year, MemberYears
                                   .species = static_cast<std::uint32_t>(forest::index_of(snag.species)),
                                   .x_m = snag.x_m,
                                   .y_m = snag.y_m,
-                                  .thick_cm = static_cast<float>(snag.dbh_cm),
+                                  .thick_cm = static_cast<float>(diameter_left(snag) * snag.dbh_cm),
                                   .height_m = static_cast<float>(snag.height_m),
                                   .broken = snag.height_m < snag.tree_height_m ? 1U : 0U});
     }
@@ -180,7 +188,7 @@ void record_dead_wood(const forest::Stand& stand, std::int32_t year, MemberYears
                                   .species = static_cast<std::uint32_t>(forest::index_of(log.species)),
                                   .x_m = log.x_m,
                                   .y_m = log.y_m,
-                                  .thick_cm = static_cast<float>(log.thick_end_cm),
+                                  .thick_cm = static_cast<float>(diameter_left(log) * log.thick_end_cm),
                                   .plan_m = static_cast<float>(exchange::plan_length_m(log, stand.grid())),
                                   .direction_rad = static_cast<float>(log.direction_rad)});
     }

@@ -54,6 +54,7 @@ struct YearRow {
     double logs_pha = 0.0;
     double logs_m3pha = 0.0;
     double dead_stems_tpha = 0.0;
+    std::array<double, forest::decay_class_count> dead_wood_m3pha{};  ///< by decay class
     // Dry wood of stems. The flows of the start are those of its work and rocks, which come after what stood.
     double stem_wood_tpha = 0.0;    ///< living
     double stem_growth_tpha = 0.0;  ///< of trees that stand and of those that die later in the year
@@ -72,9 +73,10 @@ struct YearRow {
     double mean_temperature_degc = 0.0;  ///< over the patches
 };
 
-/// Trees that left the stand in a year for one cause, per hectare of the whole forest.
+/// Trees of a species, or all, that left the stand in a year for one cause, per hectare of the whole forest.
 struct LossRow {
     std::int32_t year = 0;
+    std::uint32_t species = all;
     forest::Cause cause = forest::Cause::background;
     forest::Loss loss;
 };

@@ -19,7 +19,8 @@ rockfall::Stem stem_of(const forest::Tree& tree, double fracture_energy) {
 }
 
 rockfall::Stem stem_of(const forest::Snag& snag, int year, double fracture_energy) {
-    rockfall::Stem stem{snag.x_m, snag.y_m, snag.dbh_cm, snag.tree_height_m, fracture_energy};
+    rockfall::Stem stem{snag.x_m, snag.y_m, diameter_left(snag) * snag.dbh_cm, snag.tree_height_m,
+                        fracture_energy};
     stem.strength = forest::strength_share(snag, year);
     stem.broken_at_m = snag.height_m < snag.tree_height_m ? snag.height_m : 0.0;
     return stem;
@@ -32,8 +33,9 @@ rockfall::Log lying_log_of(const forest::Log& log, const forest::Stand& stand, d
     lying.y1_m = log.y_m;
     lying.x2_m = log.x_m + plan_m * std::cos(log.direction_rad);
     lying.y2_m = log.y_m + plan_m * std::sin(log.direction_rad);
-    lying.diameter1_cm = log.thick_end_cm;
-    lying.diameter2_cm = std::max(log.thin_end_cm, least_log_end_cm);
+    const double left = diameter_left(log);
+    lying.diameter1_cm = std::max(left * log.thick_end_cm, least_log_end_cm);
+    lying.diameter2_cm = std::max(left * log.thin_end_cm, least_log_end_cm);
     lying.clearance_m = log.clearance_m;
     lying.fracture_energy = fracture_energy;
     lying.strength = forest::strength_share(log, stand.year());

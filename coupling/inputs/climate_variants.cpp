@@ -206,6 +206,30 @@ void warn_of_values_taken_over(const std::vector<ClimateAsked>& climates, Readin
     }
 }
 
+/// `--set climate...` is meant for all climates, but a row that gives the same, or the other kind of change,
+/// goes before it.
+void warn_of_replaced_overrides(const std::vector<ClimateAsked>& climates, Reading& reading) {
+    for (const char* key : {"file", "elevation_m", "window_first_year", "window_last_year", "change",
+                            "temperature_change_k", "precipitation_change", "change_years", "co2_ppm"}) {
+        const std::string setting = joined("climate.", key);
+        const config::Options& options = *reading.scenario().options;
+        if (!options.was_set(setting) || !options.place_of(setting).file.starts_with("--set ")) {
+            continue;
+        }
+        std::string replaced;
+        for (const ClimateAsked& asked : climates) {
+            if (asked.given.contains(setting) || !applies(asked, key)) {
+                replaced += joined(replaced.empty() ? "" : ", ", asked.name);
+            }
+        }
+        if (!replaced.empty()) {
+            reading.note(joined(options.place_of(setting).file, " has no effect on climate ", replaced,
+                                ": the rows of climate.variants go before it; change the rows, or leave "
+                                "climate.variants out"));
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<ClimateAsked> asked_climates(Reading& reading) {
@@ -217,6 +241,7 @@ std::vector<ClimateAsked> asked_climates(Reading& reading) {
     const config::Table table = reading.table("climate.variants", "climates", file);
     std::vector<ClimateAsked> climates = VariantRows{table, scenario}.all();
     warn_of_values_taken_over(climates, reading);
+    warn_of_replaced_overrides(climates, reading);
     return climates;
 }
 

@@ -174,17 +174,17 @@ void declare_climate(config::Options& options, ForestSettings& s) {
 }
 
 void declare_output(config::Options& options, ForestSettings& s) {
-    options.numbers(
+    options.whole_numbers(
         "output.tree_list_years", s.tree_list_years,
         {.unit = "yr",
          .low = 0.0,
          .high = 1000.0,
          .meaning = "years of simulation (0 = start) with a list of trees; none: first and last"});
-    options.numbers("output.map_years", s.map_years,
-                    {.unit = "yr",
-                     .low = 0.0,
-                     .high = 1000.0,
-                     .meaning = "years of simulation (0 = start) with maps; none: first and last"});
+    options.whole_numbers("output.map_years", s.map_years,
+                          {.unit = "yr",
+                           .low = 0.0,
+                           .high = 1000.0,
+                           .meaning = "years of simulation (0 = start) with maps; none: first and last"});
     options.flag(
         "output.all_removed_trees", s.list_all_removed,
         {.meaning = "removed_trees.csv lists each tree of 7 cm and more that left the forest, with its "

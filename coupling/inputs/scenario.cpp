@@ -231,10 +231,11 @@ void declare_output(config::Options& options, Scenario& s) {
                    .high = 1e6,
                    .meaning = "how many rocks keep their path for pictures",
                    .source = "choice"});
-    options.numbers("output.path_rocks", s.path_rocks,
-                    {.low = 0.0,
-                     .high = 4e9,
-                     .meaning = "numbers of rocks (tables/rocks.csv) whose paths are kept and drawn too"});
+    options.whole_numbers(
+        "output.path_rocks", s.path_rocks,
+        {.low = 0.0,
+         .high = 4e9,
+         .meaning = "numbers of rocks (tables/rocks.csv) whose paths are kept and drawn too"});
     options.flag(
         "output.geopackage", s.gis.geopackage,
         {.meaning = "results.gpkg with layers and tables, results.qlr for QGIS", .source = "choice"});

@@ -207,6 +207,8 @@ private:
                 return forest::loosen(stand_, candidates, row.share, key_.seed, key_.replicate);
             case Treatment::clear_cut:
                 return forest::all_trees(stand_, candidates);
+            case Treatment::fell_list:
+                return listed(row, candidates);
             case Treatment::group_cut: {
                 holes = forest::ripest_groups(stand_, species_, candidates, area.place, row.groups);
                 forest::Picks inside;
@@ -222,6 +224,24 @@ private:
                 assert(false && "not a cut");
                 return {};
         }
+    }
+
+    /// Trees of the list whose year it is; those that stand no more are left out.
+    [[nodiscard]] forest::Picks listed(const Intervention& row, const forest::Picks& candidates) const {
+        std::vector<std::uint64_t> numbers;
+        for (const ListedTree& tree : row.listed) {
+            if (tree.year == year_) {
+                numbers.push_back(tree.tree);  // they rise within a year
+            }
+        }
+        forest::Picks picks;
+        for (const std::size_t place : candidates) {
+            if (std::binary_search(numbers.begin(), numbers.end(),
+                                   forest::number_of(stand_.trees()[place].id))) {
+                picks.push_back(place);
+            }
+        }
+        return picks;
     }
 
     forest::Timber fell(const std::vector<forest::TreeId>& trees, const Intervention& row) {

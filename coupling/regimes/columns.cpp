@@ -8,9 +8,10 @@ namespace coupling {
 namespace {
 
 constexpr std::array<std::string_view, treatment_count> treatment_names = {
-    "thin_below", "thin_density",       "thin_crop_trees", "target_diameter", "selection", "shelter_cut",
-    "group_cut",  "thin_to_basal_area", "clear_cut",       "salvage",         "tend",      "fence",
-    "plant",      "plant_clusters"};
+    "thin_below", "thin_density", "thin_crop_trees", "target_diameter",
+    "selection",  "shelter_cut",  "group_cut",       "thin_to_basal_area",
+    "clear_cut",  "fell_list",    "salvage",         "tend",
+    "fence",      "plant",        "plant_clusters"};
 constexpr std::array<std::string_view, where_count> where_names = {"all",      "stands",    "strips", "slits",
                                                                    "polygons", "corridors", "cuts_of"};
 
@@ -22,8 +23,11 @@ constexpr Uses uses(Values... values) {
 constexpr Uses cuts = uses(Treatment::thin_below, Treatment::thin_density, Treatment::thin_crop_trees,
                            Treatment::target_diameter, Treatment::selection, Treatment::shelter_cut,
                            Treatment::group_cut, Treatment::thin_to_basal_area, Treatment::clear_cut);
+/// Those that choose trees by a rule, and the list.
+constexpr Uses listed = uses(Treatment::fell_list);
+constexpr Uses all_cuts = cuts | listed;
 /// What leaves stumps and logs.
-constexpr Uses felling = cuts | uses(Treatment::salvage);
+constexpr Uses felling = all_cuts | uses(Treatment::salvage);
 constexpr Uses planting = uses(Treatment::plant, Treatment::plant_clusters);
 constexpr Uses crop = uses(Treatment::thin_crop_trees);
 constexpr Uses selecting = uses(Treatment::selection);
@@ -270,11 +274,17 @@ std::vector<RegimeColumn> all_columns() {
         {"girdled",
          at<&I::felling, &forest::Felling::girdled>,
          "yes: trees are killed by a ring and stay standing, without timber; costs as felling",
-         {.treatments = cuts}},
+         {.treatments = all_cuts}},
         {"damage_share",
          at<&I::felling, &forest::Felling::damage_share>,
          "of standing trees within 5 m of a felled one that are wounded; usually 0.03-0.05",
-         {.source = choice, .range = share, .treatments = cuts}},
+         {.source = choice, .range = share, .treatments = all_cuts}},
+        {"trees",
+         at<&I::trees>,
+         "file with tree_id and year (of the run or calendar) of each felled tree, as numbered in the list "
+         "of "
+         "trees",
+         {.treatments = listed, .needed = true}},
         {"oldest_years",
          at<&I::oldest_years>,
          "dead wood of at most this age is taken",
@@ -389,6 +399,9 @@ std::string users_text(const RegimeColumn& column) {
         return "all";
     }
     if (column.rules.treatments == cuts) {
+        return "all cuts but fell_list";
+    }
+    if (column.rules.treatments == all_cuts) {
         return "all cuts";
     }
     if (column.rules.treatments == felling) {

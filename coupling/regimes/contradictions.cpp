@@ -20,6 +20,9 @@ bool thins(const Intervention& i) {
 
 /// Whether two interventions on the same ground in the same year contradict each other.
 bool contradict(const Intervention& a, const Intervention& b) {
+    if (a.treatment == Treatment::fell_list || b.treatment == Treatment::fell_list) {
+        return a.treatment == b.treatment && a.trees == b.trees;  // named trees go with the upper row
+    }
     if (a.cuts() && b.cuts()) {
         const bool both_ends = (thins(a) && b.treatment == Treatment::target_diameter) ||
                                (thins(b) && a.treatment == Treatment::target_diameter);

@@ -14,7 +14,7 @@
 
 namespace coupling {
 
-/// What is done. The first nine cut trees.
+/// What is done. The first ten cut trees.
 enum class Treatment : std::uint8_t {
     thin_below,          ///< the thinnest, to a share of the basal area
     thin_density,        ///< the thinnest, down to a relative density
@@ -25,13 +25,14 @@ enum class Treatment : std::uint8_t {
     group_cut,           ///< all trees in holes where most wood stands
     thin_to_basal_area,  ///< the thinnest, down to a basal area
     clear_cut,           ///< all trees: of strips, slits, stands; clearance of a shelterwood
+    fell_list,           ///< the trees of a list, each in its year: a recorded cut
     salvage,
     tend,
     fence,  ///< keeps deer out for some years
     plant,
     plant_clusters,
 };
-inline constexpr std::size_t treatment_count = 14;
+inline constexpr std::size_t treatment_count = 15;
 
 /// Where.
 enum class Where : std::uint8_t {
@@ -62,6 +63,13 @@ struct Ground {
     double lines_m = 60.0;    ///< between two ladders
 
     friend bool operator==(const Ground&, const Ground&) = default;
+};
+
+/// A tree of a recorded cut.
+struct ListedTree {
+    std::uint64_t tree = 0;  ///< its number
+    int year = 0;            ///< in which it is felled
+    friend bool operator==(const ListedTree&, const ListedTree&) = default;
 };
 
 /// One row of a regime: what, when, where, how much, what stays. Fields that mean nothing for its treatment
@@ -100,6 +108,8 @@ struct Intervention {
     forest::Groups groups{};
     forest::Felling felling{};
     int oldest_years = 2;
+    std::string trees{};               ///< name of a file with the trees of fell_list
+    std::vector<ListedTree> listed{};  ///< what stands in it, by year and number
 
     std::vector<forest::SpeciesId> species{};
     std::vector<double> plants_pha{};
@@ -110,7 +120,7 @@ struct Intervention {
     double to_height_m = 5.0;
     int fence_years = 15;
 
-    [[nodiscard]] bool cuts() const { return treatment <= Treatment::clear_cut; }
+    [[nodiscard]] bool cuts() const { return treatment <= Treatment::fell_list; }
     [[nodiscard]] bool plants() const { return treatment >= Treatment::plant; }
     /// Whether the state of an area decides, beside the calendar.
     [[nodiscard]] bool has_condition() const {

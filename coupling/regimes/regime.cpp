@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "coupling/regimes/fell_list.hpp"
 #include "coupling/regimes/rows.hpp"
 
 namespace coupling {
@@ -15,15 +16,36 @@ Ground lie_of(Ground ground) {
     return ground;
 }
 
+/// The trees of recorded cuts.
+void read_lists(std::vector<Intervention>& rows, const RunYears& run, const TableOf& table_of,
+                config::Problems& problems) {
+    for (Intervention& row : rows) {
+        if (row.treatment != Treatment::fell_list) {
+            continue;
+        }
+        if (!table_of) {
+            problems.add(config::ExitCode::data, row.place, "a list of trees, but no files to read it from",
+                         "a regime in a file beside the scenario");
+            continue;
+        }
+        const config::Table table = table_of(row.trees);
+        row.listed = read_fell_list(table);
+        use_run_years(row.listed, table.file(), run, problems);
+        row.every_years = 1;  // each year is looked up in the list
+    }
+}
+
 }  // namespace
 
 Regime Regime::read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
-                    const forest::PatchGrid& grid, const ShapesOf& shapes_of, const RunYears& run) {
+                    const forest::PatchGrid& grid, const ShapesOf& shapes_of, const RunYears& run,
+                    const TableOf& table_of) {
     config::Problems problems;
     Regime regime;
     regime.name_ = std::move(name);
     regime.interventions_ = read_interventions(table, species, problems);
     use_run_years(regime.interventions_, run, problems);
+    read_lists(regime.interventions_, run, table_of, problems);
     std::vector<Ground> grounds;
     for (const Intervention& intervention : regime.interventions_) {
         const Ground ground = lie_of(intervention.ground);
@@ -55,6 +77,11 @@ bool Regime::keeps_cuts_of(std::size_t intervention) const {
 }
 
 std::optional<int> turn_of(const Intervention& intervention, int year) {
+    if (intervention.treatment == Treatment::fell_list) {
+        const bool is_listed = std::any_of(intervention.listed.begin(), intervention.listed.end(),
+                                           [year](const ListedTree& tree) { return tree.year == year; });
+        return is_listed ? std::optional{0} : std::nullopt;
+    }
     if (!intervention.after.empty() || year < intervention.first_year ||
         year > intervention.last_year.value_or(year)) {
         return std::nullopt;

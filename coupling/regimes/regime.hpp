@@ -15,6 +15,9 @@
 
 namespace coupling {
 
+/// A table that a regime names. Throws config::InputError.
+using TableOf = std::function<config::Table(const std::string& file)>;
+
 /// A management regime on a forest: valid, and the same for all years and replicates.
 class Regime {
 public:
@@ -26,7 +29,8 @@ public:
     /// areas share: two cuts (a thinning may go with a cut of target diameters), a thinning and planting, one
     /// treatment twice. What conditions bring together stands in the report of the year as nothing to cut.
     static Regime read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
-                       const forest::PatchGrid& grid, const ShapesOf& shapes_of, const RunYears& run = {});
+                       const forest::PatchGrid& grid, const ShapesOf& shapes_of, const RunYears& run = {},
+                       const TableOf& table_of = {});
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::vector<Intervention>& interventions() const { return interventions_; }

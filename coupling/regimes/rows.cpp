@@ -338,6 +338,19 @@ private:
     }
 
     /// What fields of one row say together.
+    /// The list says when and where.
+    void check_list_alone() {
+        for (const char* column :
+             {"first_year", "every_years", "last_year", "after", "after_years", "where", "from_age_years",
+              "to_age_years", "from_dominant_height_m", "from_basal_area_m2pha", "from_relative_density",
+              "from_damage_m3pha", "from_gap_m", "to_gap_m", "stands", "from_slope_deg", "to_slope_deg"}) {
+            if (is_given(column)) {
+                refuse(column, joined(column, " = ", config::in_quotes(table_.text(row_, column))),
+                       "no value here: the file in `trees` says which trees are felled and when");
+            }
+        }
+    }
+
     void check(const Intervention& i) {
         if (i.last_year && *i.last_year < i.first_year) {
             refuse("last_year", joined("last_year ", std::to_string(*i.last_year)),
@@ -358,6 +371,9 @@ private:
         }
         if (i.after.empty() && i.after_years > 0) {
             refuse("after_years", "after_years without `after`", "the name of a row above it in `after`");
+        }
+        if (i.treatment == Treatment::fell_list) {
+            check_list_alone();
         }
         if (i.treatment == Treatment::plant && i.plants_pha.size() != i.species.size()) {
             refuse("plants_pha",

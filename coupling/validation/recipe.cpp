@@ -32,7 +32,8 @@ const std::vector<std::pair<std::string, CaseKind>>& kinds() {
         {"forest_light", CaseKind::forest_light},
         {"forest_yield", CaseKind::forest_yield},
         {"forest_belts", CaseKind::forest_belts},
-        {"forest_demography", CaseKind::forest_demography}};
+        {"forest_demography", CaseKind::forest_demography},
+        {"forest_remeasured", CaseKind::forest_remeasured}};
     return names;
 }
 

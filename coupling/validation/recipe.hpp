@@ -22,6 +22,7 @@ enum class CaseKind : std::uint8_t {
     forest_yield,       ///< plantations against yield tables
     forest_belts,  ///< forests from bare ground along an elevation gradient against what is known of them
     forest_demography,  ///< growth and death of trees by size and competition against inventories
+    forest_remeasured,  ///< a plot whose trees were measured twice
 };
 
 /// Whether no rock falls in it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -101,7 +102,7 @@ std::vector<Snag> age_snags(const Stand& stand, const SpeciesTable& species, con
         }
         const Deadwood& law = species[snag.species].deadwood;
         const Bed bed = beds.at(snag.x_m, snag.y_m);
-        const double rate_pyear = snag.cut ? law.log_decay_pyear : law.snag_decay_pyear;
+        const double rate_pyear = snag.cut ? lying_decay_pyear(law) : law.snag_decay_pyear;
         loss.decayed_kg += rot(snag, yearly_density_left(rate_pyear, bed.speed));
         if (snag.density_share < soil_density) {
             loss.soil_kg += mass_kg(snag);
@@ -136,7 +137,7 @@ std::vector<Log> age_logs(const Stand& stand, const SpeciesTable& species, const
         }
         const Bed bed = beds.at(log.x_m, log.y_m);
         loss.decayed_kg +=
-            rot(log, yearly_density_left(species[log.species].deadwood.log_decay_pyear, bed.speed));
+            rot(log, yearly_density_left(lying_decay_pyear(species[log.species].deadwood), bed.speed));
         const double age_years = stand.year() - log.year;
         const double before = clearance_m(1.0, age_years - 1.0);
         log.clearance_m *= before > 0.0 ? clearance_m(1.0, age_years) / before : 0.0;
@@ -207,12 +208,21 @@ Log log_of_piece(const Snag& stem, double from_m, double to_m, double direction_
                         stem_part(stem.tree_height_m, 0.0, stem.height_m)};
 }
 
+double diameter_left(const Snag& snag) {
+    return std::sqrt(volume_left(snag.density_share));
+}
+
+double diameter_left(const Log& log) {
+    return std::sqrt(volume_left(log.density_share));
+}
+
 double volume_m3(const Snag& snag, const SpeciesTable& species) {
-    return snag.sound_kg / species[snag.species].allometry.stem_density_kgpm3;
+    return volume_left(snag.density_share) * snag.sound_kg /
+           species[snag.species].allometry.stem_density_kgpm3;
 }
 
 double volume_m3(const Log& log, const SpeciesTable& species) {
-    return log.sound_kg / species[log.species].allometry.stem_density_kgpm3;
+    return volume_left(log.density_share) * log.sound_kg / species[log.species].allometry.stem_density_kgpm3;
 }
 
 Wreck wreck_of(const Tree& tree, double break_m, double direction_rad, LogOrigin origin, int year) {

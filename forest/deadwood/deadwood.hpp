@@ -45,7 +45,7 @@ struct Wreck {
 /// Requires a height below that of the tree.
 Wreck wreck_of(const Tree& tree, double break_m, double direction_rad, LogOrigin origin, int year);
 
-/// Stem wood over bark of dead pieces, as they were when the tree died [m3].
+/// Stem wood over bark of dead pieces, as far as decay has left it [m3].
 double volume_m3(const Snag& snag, const SpeciesTable& species);
 double volume_m3(const Log& log, const SpeciesTable& species);
 

@@ -57,6 +57,11 @@ double decay_speed(const ClimateYear& year) {
     return decay_speed(mean_degc, demand_mm > 0.0 ? std::min(plenty, rain_mm / demand_mm) : plenty);
 }
 
+double lying_decay_pyear(const Deadwood& species) {
+    constexpr double of_residence = 1.69;
+    return of_residence * species.log_decay_pyear;
+}
+
 double yearly_density_left(double rate_pyear, double speed) {
     return config::exp_of(-rate_pyear * speed);
 }

@@ -18,6 +18,16 @@ double decay_speed(const ClimateYear& year);
 /// Potential evapotranspiration of a year [mm] by that rule.
 double potential_evapotranspiration_mm(const ClimateYear& year);
 
+/// Rate at which lying wood and stumps lose density at 10 degC [1/year]: that of the species (Herrmann et al.
+/// 2015) times 1.69.
+///
+/// Herrmann et al. give 0.033 for spruce, from logs of at most 36 years on sites below 10 degC. The factor is
+/// fitted: with it and volume_left() the logs of spruce stay 53 years by volume and 91 by number at 3 degC,
+/// as 2785 of them did that were measured twice on Babia Gora (47 to 63 by volume, 71 to 113 by number;
+/// Holeksa et al. 2008). The same factor gives beech 32 years at 7 degC until it is gone, where about 35 were
+/// found (Mueller-Using & Bartsch 2009), which was not fitted.
+double lying_decay_pyear(const Deadwood& species);
+
 /// Density after a year relative to before [-]: exp(-rate * speed).
 double yearly_density_left(double rate_pyear, double speed);
 

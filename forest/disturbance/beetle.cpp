@@ -9,6 +9,8 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/random/stream.hpp"
+#include "forest/allometry.hpp"
+#include "forest/disturbance/beetle_hosts.hpp"
 #include "forest/disturbance/beetle_season.hpp"
 
 namespace forest {
@@ -23,21 +25,26 @@ constexpr double shortest_outbreak_years = 5.0;
 constexpr double longest_outbreak_years = 6.0;
 constexpr double ha_per_patch = patch_area_m2 / 10'000.0;
 
-bool is_host(const Tree& tree, const SpeciesTable& species) {
-    return species[tree.species].beetle.host && tree.dbh_cm >= least_host_cm;
+// Numbers of draws: a patch's own, then those of its cohorts by flight; a tree's lie apart from both.
+constexpr std::uint32_t events_of_flight = 64;
+constexpr std::uint32_t first_tree_event = 1U << 20U;
+
+/// Share of a full brood that hosts of a basal area feed [0, 1].
+double brood_in(double host_m2) {
+    return std::min(1.0, host_m2 / full_brood_m2);
 }
 
-/// Patches where hosts lie that last year's storm threw.
-std::vector<char> patches_with_windthrow(const Stand& stand, const SpeciesTable& species) {
-    std::vector<char> lying(stand.grid().size(), 0);
+/// Basal area of hosts by patch that last year's storm threw and that lie there [m2].
+std::vector<double> windthrown_m2(const Stand& stand, const SpeciesTable& species) {
+    std::vector<double> lying_m2(stand.grid().size(), 0.0);
     for (const Log& log : stand.dead_wood().logs) {
         const bool breeds = log.origin == LogOrigin::windthrow && log.year == stand.year() - 1 &&
                             species[log.species].beetle.host && log.thick_end_cm >= least_host_cm;
         if (const auto patch = breeds ? stand.grid().at(log.x_m, log.y_m) : std::nullopt) {
-            lying[index_of(*patch)] = 1;
+            lying_m2[index_of(*patch)] += basal_area_m2(log.thick_end_cm);
         }
     }
-    return lying;
+    return lying_m2;
 }
 
 /// More outbreaks of themselves after dry summers, as odds: (rain of June to August / usual)^-0.9609 (iLand).
@@ -46,6 +53,26 @@ double dryness(const ClimateYear& year, double usual_summer_mm) {
     const double rain_mm = year.months[5].prec_mm + year.months[6].prec_mm + year.months[7].prec_mm;
     return config::pow_of(std::max(driest, rain_mm / usual_summer_mm), -0.9609);
 }
+
+/// A host, alive until a cohort kills it.
+struct BeetleTree {
+    TreeId id{};
+    double basal_area_m2 = 0.0;
+    double success = 0.0;  ///< of one cohort
+    bool alive = true;
+};
+
+/// Beetles on a patch.
+struct BeetleColony {
+    std::uint16_t outbreak_year = 0;  ///< of the outbreak that they belong to, 0 = no beetles
+    double brood = 0.0;               ///< share of a full one [0, 1]
+};
+
+/// Cohorts that land on a patch in a flight.
+struct BeetleLanding {
+    int cohorts = 0;
+    std::uint16_t outbreak_year = 0;  ///< of the oldest among them
+};
 
 class Outbreak {
 public:
@@ -56,92 +83,134 @@ public:
           weather_{weather},
           seed_{seed},
           replicate_{replicate},
-          success_{colonisation_success(stand, species)},
-          infested_(stand.grid().size(), 0),
-          taken_(stand.grid().size(), 0) {
+          hosts_(stand.grid().size()),
+          colonies_(stand.grid().size()) {
         for (const ClimateYear& year : weather.units) {
             days_.push_back(beetle_days(year, site.latitude()));
             cold_days_.push_back(cold_days(year));
         }
+        const std::vector<BeetleHosts> around = beetle_hosts_of(stand, species);
+        for (const Tree& tree : stand.trees()) {
+            if (is_beetle_host(tree, species)) {
+                const std::size_t p = index_of(tree.patch);
+                hosts_[p].push_back({tree.id, tree.stems * basal_area_m2(tree.dbh_cm),
+                                     colonisation_success(tree, stand.patch_states()[p], around[p])});
+            }
+        }
     }
 
-    void wake(std::span<const char> windthrow, const BeetleSources& sources) {
+    void wake(std::span<const double> thrown_m2, const BeetleSources& sources) {
         const double background = 1.0 - config::pow_of(1.0 - sources.background_pha, ha_per_patch);
-        for (std::size_t p = 0; p < infested_.size(); ++p) {
+        for (std::size_t p = 0; p < colonies_.size(); ++p) {
             const config::FourUniforms u = uniforms(p, 0);
             const std::uint32_t unit = unit_of(p);
             double odds = background / (1.0 - background);
             if (!weather_.usual_summer_mm.empty()) {
                 odds *= dryness(weather_.units[unit], weather_.usual_summer_mm[unit]);
             }
-            const std::uint16_t last = stand_.patch_states()[p].beetle_years;
-            if (last > 0 && u[0] < winter_survival(cold_days_[unit])) {
-                infested_[p] = static_cast<std::uint16_t>(last + 1);
-            } else if ((windthrow[p] != 0 && u[1] < sources.in_windthrow) ||
-                       (success_[p] >= 0.0 && u[2] < odds / (1.0 + odds))) {
-                infested_[p] = 1;
+            const PatchState& last = stand_.patch_states()[p];
+            if (last.beetle_years > 0 && u[0] < winter_survival(cold_days_[unit])) {
+                colonies_[p] = {static_cast<std::uint16_t>(last.beetle_years + 1),
+                                static_cast<double>(last.beetle_brood)};
+            } else if (thrown_m2[p] > 0.0 && u[1] < sources.in_windthrow) {
+                colonies_[p] = {1, brood_in(thrown_m2[p])};
+            } else if (has_host(p) && u[2] < odds / (1.0 + odds)) {
+                colonies_[p] = {1, 1.0};
             }
         }
     }
 
     /// One flight; false without beetles that fly.
-    bool fly(int flight) {
-        std::vector<std::uint16_t> arrived(infested_.size(), 0);
+    bool fly(std::uint32_t flight) {
+        std::vector<BeetleLanding> landings(colonies_.size());
         std::vector<std::size_t> left;
-        for (std::size_t p = 0; p < infested_.size(); ++p) {
-            if (infested_[p] == 0) {
+        for (std::size_t p = 0; p < colonies_.size(); ++p) {
+            if (colonies_[p].outbreak_year == 0) {
                 continue;
             }
             const Broods broods = broods_of(days_[unit_of(p)], stand_.patch_states()[p].ground_light);
-            if (broods.generations >= flight) {
-                send(p, broods.sister, arrived);
+            if (broods.generations >= static_cast<int>(flight)) {
+                send(p, broods.sister, flight, landings);
                 left.push_back(p);
             }
         }
         for (const std::size_t p : left) {
-            infested_[p] = 0;
-            taken_[p] = 1;
+            colonies_[p] = {};
         }
-        for (std::size_t p = 0; p < infested_.size(); ++p) {
-            if (arrived[p] > 0) {
-                infested_[p] = arrived[p];
-                taken_[p] = 1;
-            }
+        for (std::size_t p = 0; p < landings.size(); ++p) {
+            settle(p, landings[p], flight);
         }
         return !left.empty();
     }
 
-    /// Whether beetles took or left a patch.
-    [[nodiscard]] bool killed(PatchId patch) const { return taken_[index_of(patch)] != 0; }
-    /// Age of the outbreak whose beetles are on a patch now, 0 = none are.
-    [[nodiscard]] std::uint16_t age_of_wintering(std::size_t patch) const { return infested_[patch]; }
+    /// Hosts that died.
+    [[nodiscard]] std::vector<Removal> killed() const {
+        std::vector<Removal> removals;
+        for (const std::vector<BeetleTree>& patch : hosts_) {
+            for (const BeetleTree& tree : patch) {
+                if (!tree.alive) {
+                    removals.push_back({tree.id, Cause::beetle});
+                }
+            }
+        }
+        return removals;
+    }
+    /// Beetles that are on a patch now.
+    [[nodiscard]] const BeetleColony& wintering(std::size_t patch) const { return colonies_[patch]; }
 
 private:
-    [[nodiscard]] config::FourUniforms uniforms(std::size_t patch, std::uint32_t event) const {
-        return config::RandomStream{{seed_, replicate_, static_cast<std::uint16_t>(stand_.year()), patch},
-                                    config::Purpose::beetle}
+    [[nodiscard]] config::FourUniforms uniforms(std::uint64_t patch_or_tree, std::uint32_t event) const {
+        return config::RandomStream{
+            {seed_, replicate_, static_cast<std::uint16_t>(stand_.year()), patch_or_tree},
+            config::Purpose::beetle}
             .uniforms_of(event);
     }
     [[nodiscard]] std::uint32_t unit_of(std::size_t patch) const {
         return site_.unit_of(PatchId{static_cast<std::uint32_t>(patch)});
     }
-    [[nodiscard]] bool can_be_taken(std::size_t patch) const {
-        return success_[patch] >= 0.0 && infested_[patch] == 0 && taken_[patch] == 0;
+    [[nodiscard]] bool has_host(std::size_t patch) const {
+        return std::any_of(hosts_[patch].begin(), hosts_[patch].end(),
+                           [](const BeetleTree& tree) { return tree.alive; });
     }
 
-    /// The cohorts of a patch; marks in `arrived` the patches that they take, with the year of the outbreak.
-    void send(std::size_t from, bool sister, std::vector<std::uint16_t>& arrived) const {
+    /// The cohorts of a patch and where they land.
+    void send(std::size_t from, bool sister, std::uint32_t flight,
+              std::vector<BeetleLanding>& landings) const {
         const double duration_years =
             shortest_outbreak_years +
             (longest_outbreak_years - shortest_outbreak_years) * uniforms(from, 0)[3];
-        const double share = 1.0 - lost_to_enemies(infested_[from], duration_years);
+        const std::uint16_t year = colonies_[from].outbreak_year;
+        const double share = colonies_[from].brood * (1.0 - lost_to_enemies(year, duration_years));
         const auto cohorts = std::lround(share * (sister ? cohorts_with_sister : cohorts_of_brood));
         for (long cohort = 0; cohort < cohorts; ++cohort) {
-            const config::FourUniforms u = uniforms(from, static_cast<std::uint32_t>(cohort + 1));
-            const std::optional<std::size_t> target = landing_of(from, u);
-            if (target && u[3] < success_[*target]) {
-                arrived[*target] = std::max(arrived[*target], infested_[from]);
+            const auto event = static_cast<std::uint32_t>(cohort + 1) + flight * events_of_flight;
+            const std::optional<std::size_t> target =
+                cohort == 0 && has_host(from) ? std::optional{from} : landing_of(from, uniforms(from, event));
+            if (target) {
+                BeetleLanding& landing = landings[*target];
+                ++landing.cohorts;
+                landing.outbreak_year = std::max(landing.outbreak_year, year);
             }
+        }
+    }
+
+    /// What the cohorts kill on a patch, and the brood that they have there.
+    void settle(std::size_t patch, const BeetleLanding& landing, std::uint32_t flight) {
+        double killed_m2 = 0.0;
+        for (BeetleTree& tree : hosts_[patch]) {
+            if (landing.cohorts == 0 || !tree.alive) {
+                continue;
+            }
+            const double survival = config::pow_of(1.0 - tree.success, landing.cohorts);
+            if (uniforms(number_of(tree.id), first_tree_event + flight)[0] >= survival) {
+                tree.alive = false;
+                killed_m2 += tree.basal_area_m2;
+            }
+        }
+        if (killed_m2 > 0.0) {
+            BeetleColony& colony = colonies_[patch];
+            colony.outbreak_year = std::max(colony.outbreak_year, landing.outbreak_year);
+            colony.brood = std::min(1.0, colony.brood + brood_in(killed_m2));
         }
     }
 
@@ -179,7 +248,7 @@ private:
 
     [[nodiscard]] std::optional<std::size_t> host_at(config::Cell cell) const {
         const std::optional<PatchId> patch = stand_.grid().at(cell);
-        if (!patch || !can_be_taken(index_of(*patch))) {
+        if (!patch || !has_host(index_of(*patch))) {
             return std::nullopt;
         }
         return index_of(*patch);
@@ -190,37 +259,13 @@ private:
     SiteWeather weather_;
     std::uint64_t seed_;
     std::uint32_t replicate_;
-    std::vector<double> success_;
     std::vector<BeetleDays> days_;
     std::vector<double> cold_days_;
-    std::vector<std::uint16_t> infested_;  ///< by patch, year of the outbreak; 0 = no beetles
-    std::vector<char> taken_;              ///< by patch, its hosts die
+    std::vector<std::vector<BeetleTree>> hosts_;  ///< by patch, in the order of trees
+    std::vector<BeetleColony> colonies_;          ///< by patch
 };
 
 }  // namespace
-
-std::vector<double> colonisation_success(const Stand& stand, const SpeciesTable& species) {
-    struct Hosts {
-        double stems = 0.0;
-        double poor = 0.0;
-    };
-    std::vector<Hosts> hosts(stand.grid().size());
-    for (const Tree& tree : stand.trees()) {
-        if (is_host(tree, species)) {
-            hosts[index_of(tree.patch)].stems += tree.stems;
-            hosts[index_of(tree.patch)].poor += tree.stress_years > 0 ? tree.stems : 0.0;
-        }
-    }
-    std::vector<double> success(hosts.size(), -1.0);
-    for (std::size_t p = 0; p < hosts.size(); ++p) {
-        if (hosts[p].stems > 0.0) {
-            const double stress =
-                std::max(stand.patch_states()[p].drought_index, hosts[p].poor / hosts[p].stems);
-            success[p] = 0.15 + 0.85 * stress;
-        }
-    }
-    return success;
-}
 
 double lost_to_enemies(int outbreak_year, double duration_years) {
     return std::clamp(2.0 * (outbreak_year - 1) / duration_years - 1.0, 0.0, 1.0);
@@ -231,21 +276,16 @@ void attack_by_beetles(Stand& stand, const Site& site, const SpeciesTable& speci
                        std::uint32_t replicate) {
     assert(weather.units.size() == site.units().size());
     Outbreak outbreak{stand, site, species, weather, seed, replicate};
-    outbreak.wake(patches_with_windthrow(stand, species), sources);
-    for (int flight = 1; outbreak.fly(flight); ++flight) {
+    outbreak.wake(windthrown_m2(stand, species), sources);
+    for (std::uint32_t flight = 1; outbreak.fly(flight); ++flight) {
     }
 
-    std::vector<Removal> killed;
-    for (const Tree& tree : stand.trees()) {
-        if (outbreak.killed(tree.patch) && is_host(tree, species)) {
-            killed.push_back({tree.id, Cause::beetle});
-        }
-    }
     std::vector<PatchState> states(stand.patch_states().begin(), stand.patch_states().end());
     for (std::size_t p = 0; p < states.size(); ++p) {
-        states[p].beetle_years = outbreak.age_of_wintering(p);
+        states[p].beetle_years = outbreak.wintering(p).outbreak_year;
+        states[p].beetle_brood = static_cast<float>(outbreak.wintering(p).brood);
     }
-    stand.remove_trees(killed);
+    stand.remove_trees(outbreak.killed());
     stand.set_patch_states(states);
 }
 

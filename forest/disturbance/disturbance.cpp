@@ -9,7 +9,7 @@ namespace forest {
 void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const SiteWeather& weather,
              const DisturbanceLaw& law, std::uint64_t seed, std::uint32_t replicate) {
     if (law.snow) {
-        break_by_snow(stand, species, law.wet_snow_chance, seed, replicate);
+        break_by_snow(stand, site, species, weather.units, law.wet_snow_chance, seed, replicate);
     }
     if (law.wind) {
         if (const std::optional<Storm> storm =

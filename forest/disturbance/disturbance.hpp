@@ -15,7 +15,7 @@ struct DisturbanceLaw {
     bool snow = false;
     bool beetle = false;
     double storm_interval_years = 25.0;  ///< >= 1, mean time from storm to storm [Barrere et al. 2023]
-    double wet_snow_chance = 0.05;       ///< [0, 1] a year [choice]
+    double wet_snow_chance = 0.05;       ///< [0, 1] a year at 500-1300 m, 1950-2010 [choice]
     double beetle_in_windthrow = 0.05;   ///< [0, 1] a patch with fresh wood of hosts [choice; iLand 0.8]
     double beetle_background =
         0.000685;  ///< [0, 1) a hectare of hosts and year, outbreaks of themselves [iLand]

@@ -1,11 +1,13 @@
 #include "forest/disturbance/snow_breakage.hpp"
 
+#include <cassert>
 #include <numbers>
 #include <vector>
 
 #include "config/math/elementary.hpp"
 #include "config/random/stream.hpp"
 #include "forest/deadwood/deadwood.hpp"
+#include "forest/disturbance/wet_snow.hpp"
 
 namespace forest {
 
@@ -30,18 +32,21 @@ double snow_breakage(const Species& species, double dbh_cm, double height_m) {
     return 1.0 / (1.0 + config::exp_of(8.0 - 0.07 * slenderness));
 }
 
-void break_by_snow(Stand& stand, const SpeciesTable& species, double chance, std::uint64_t seed,
+void break_by_snow(Stand& stand, const Site& site, const SpeciesTable& species,
+                   std::span<const ClimateYear> weather, double usual_chance, std::uint64_t seed,
                    std::uint32_t replicate) {
-    if (chance_of(seed, replicate, stand.year(), 0, 0)[0] >= chance) {
-        return;
+    assert(weather.size() == site.units().size());
+    const double draw = chance_of(seed, replicate, stand.year(), 0, 0)[0];
+    std::vector<char> is_wet(weather.size(), 0);
+    for (std::size_t unit = 0; unit < weather.size(); ++unit) {
+        is_wet[unit] = draw < wet_snow_chance(weather[unit], usual_chance) ? 1 : 0;
     }
     std::vector<Removal> broken;
     std::vector<Snag> stumps;
     std::vector<Log> logs;
     for (const Tree& tree : stand.trees()) {
         const Patch& ground = stand.grid()[tree.patch];
-        if (tree.dbh_cm < least_broken_cm || ground.ground_m < lowest_wet_snow_m ||
-            ground.ground_m > highest_wet_snow_m) {
+        if (tree.dbh_cm < least_broken_cm || is_wet[site.unit_of(tree.patch)] == 0) {
             continue;
         }
         const config::FourUniforms u = chance_of(seed, replicate, stand.year(), number_of(tree.id), 1);

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
+#include "forest/climate/series.hpp"
+#include "forest/site.hpp"
 #include "forest/species.hpp"
 #include "forest/stand.hpp"
 
 namespace forest {
-
-/// Elevations where snow falls wet [choice].
-inline constexpr double lowest_wet_snow_m = 500.0;
-inline constexpr double highest_wet_snow_m = 1300.0;
 
 /// Thinner stems bend instead [choice].
 inline constexpr double least_broken_cm = 10.0;
@@ -18,10 +17,14 @@ inline constexpr double least_broken_cm = 10.0;
 /// [choice]; 0 for broadleaves.
 double snow_breakage(const Species& species, double dbh_cm, double height_m);
 
-/// In a wet-snow year, which has the probability `chance`, slender conifers at 500 to 1300 m break in the
-/// middle third of their height [choice] and leave for Cause::snow; the tops lie down the slope, 60 degrees
-/// either way. Chance is drawn by tree and year.
-void break_by_snow(Stand& stand, const SpeciesTable& species, double chance, std::uint64_t seed,
+/// In a year of wet snow slender conifers break in the middle third of their height [choice] and leave for
+/// Cause::snow; the tops lie down the slope, 60 degrees either way.
+///
+/// Each site unit has its own chance of such a year, by its weather (wet_snow.hpp); `usual_chance` is that at
+/// 500 to 1300 m in 1950-2010. One number is drawn a year for all units, so that a snowfall covers all
+/// elevations where snow was wet enough. Breakage is drawn by tree and year. Requires weather for each unit.
+void break_by_snow(Stand& stand, const Site& site, const SpeciesTable& species,
+                   std::span<const ClimateYear> weather, double usual_chance, std::uint64_t seed,
                    std::uint32_t replicate);
 
 }  // namespace forest

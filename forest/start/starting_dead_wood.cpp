@@ -46,7 +46,7 @@ Snag stem_of(const DeadWoodRecord& record, const Species& kind, double degree_da
     stem.density_share = density_of_decay_class[static_cast<std::size_t>(record.decay_class - 1)];
     stem.year = year - years_to(stem.density_share, record.kind == DeadWoodKind::snag
                                                         ? kind.deadwood.snag_decay_pyear
-                                                        : kind.deadwood.log_decay_pyear);
+                                                        : lying_decay_pyear(kind.deadwood));
     stem.sound_kg = stem_volume_m3(kind.allometry, stem.dbh_cm, stem.tree_height_m) *
                     kind.allometry.stem_density_kgpm3 * stem_part(stem.tree_height_m, 0.0, stem.height_m);
     return stem;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -8,16 +7,13 @@
 
 #include "forest/cohort.hpp"
 #include "forest/dead_wood.hpp"
+#include "forest/deadwood/decay_class.hpp"
 #include "forest/patch.hpp"
 #include "forest/species.hpp"
 
 namespace forest {
 
 enum class DeadWoodKind : std::uint8_t { snag, stump, log };
-
-/// Wood density of the decay classes 1 (fresh) to 5 (soft through and through) relative to sound wood [-]
-/// [choice; near the factors of Waddell 2002 for conifers].
-inline constexpr std::array<double, 5> density_of_decay_class{1.0, 0.84, 0.6, 0.4, 0.2};
 
 /// Dead wood of one species and kind as an inventory describes it.
 struct DeadWoodRecord {

@@ -29,6 +29,18 @@ TEST(FiguresOf, AreThoseOfAHandfulOfTrees) {
     EXPECT_DOUBLE_EQ(figures.stems_pha_by_class[10], 100.0);
 }
 
+TEST(FiguresOf, CountThickTreesApart) {
+    const std::vector<Tree> trees{spruce_of(7.0, 8.0), spruce_of(11.9, 12.0), spruce_of(12.0, 12.0),
+                                  spruce_of(6.9, 8.0)};
+    const StandFigures figures = figures_of(trees, table, 0.01);
+    EXPECT_DOUBLE_EQ(figures.from[0].stems_pha, 300.0);
+    EXPECT_DOUBLE_EQ(figures.from[1].stems_pha, 100.0);
+    EXPECT_DOUBLE_EQ(figures.from[1].basal_area_m2pha, 100.0 * basal_area_m2(12.0));
+    EXPECT_DOUBLE_EQ(figures.from[1].volume_m3pha,
+                     100.0 * stem_volume_m3(table[spruce].allometry, 12.0, 12.0));
+    EXPECT_LT(figures.from[0].volume_m3pha, figures.volume_m3pha);
+}
+
 TEST(FiguresOf, AreNothingWithoutTrees) {
     const StandFigures figures = figures_of({}, table, 1.0);
     EXPECT_EQ(figures.mean_dbh_cm, 0.0);
@@ -64,6 +76,31 @@ TEST(YearOf, CountsLossesByTheirCause) {
     EXPECT_NEAR(year.losses[index_of(Cause::rock)].volume_m3pha,
                 100.0 * stem_volume_m3(table[spruce].allometry, 40.0, 30.0), 1e-9);
     EXPECT_DOUBLE_EQ(year.losses[index_of(Cause::felled)].stems_pha, 0.0);
+    const Loss& of_spruce = year.losses_by_species[index_of(spruce)][index_of(Cause::rock)];
+    EXPECT_EQ(of_spruce.volume_m3pha, year.losses[index_of(Cause::rock)].volume_m3pha);
+    EXPECT_EQ(year.losses_by_species[index_of(*table.find("fasy"))][index_of(Cause::rock)].stems_pha, 0.0);
+}
+
+TEST(YearOf, PutsDeadWoodIntoItsDecayClasses) {
+    Stand stand{square_of_forest(1), table.size(), {}, 2000};
+    std::vector<Snag> snags;
+    for (const double density : density_of_decay_class) {
+        snags.push_back({.species = spruce,
+                         .dbh_cm = 30.0,
+                         .tree_height_m = 25.0,
+                         .height_m = 25.0,
+                         .density_share = density,
+                         .sound_kg = 430.0});
+    }
+    stand.add_snags(snags);
+    const StandYear year = year_of(stand, table, 0.0);
+    double sum_m3pha = 0.0;
+    for (std::size_t i = 0; i < decay_class_count; ++i) {
+        // A cubic metre of sound wood each, as far as decay has left it, on a hundredth of a hectare.
+        EXPECT_NEAR(year.dead_wood_m3pha[i], 100.0 * volume_left(density_of_decay_class[i]), 1e-9) << i;
+        sum_m3pha += year.dead_wood_m3pha[i];
+    }
+    EXPECT_NEAR(sum_m3pha, year.snags_m3pha + year.logs_m3pha, 1e-9);
 }
 
 }  // namespace

@@ -50,6 +50,11 @@ double margin(const YearView& year) {
     return year.work.margin_eur_pha();
 }
 
+template <forest::Cause cause>
+double lost_to(const YearView& year) {
+    return year.losses[forest::index_of(cause)].volume_m3pha;
+}
+
 constexpr std::array standing{
     NamedFigure{"decades.answers.stems_from_12_cm_on_per_ha",
                 [](const YearView& year) { return stems_from_12_cm(*year.stand); }},
@@ -68,6 +73,14 @@ constexpr std::array standing{
                 [](const YearView& year) { return year.row->snags_m3pha; }},
     NamedFigure{"decades.answers.lying_dead_wood_m_ha",
                 [](const YearView& year) { return year.row->logs_m3pha; }},
+    NamedFigure{
+        "decades.answers.dead_wood_of_decay_classes_1_and_2",
+        [](const YearView& year) { return year.row->dead_wood_m3pha[0] + year.row->dead_wood_m3pha[1]; }},
+    NamedFigure{"decades.answers.dead_wood_of_decay_class_3",
+                [](const YearView& year) { return year.row->dead_wood_m3pha[2]; }},
+    NamedFigure{
+        "decades.answers.dead_wood_of_decay_classes_4_and_5",
+        [](const YearView& year) { return year.row->dead_wood_m3pha[3] + year.row->dead_wood_m3pha[4]; }},
     NamedFigure{"decades.answers.dead_wood_as_far_as_not_rotted",
                 [](const YearView& year) { return year.row->dead_stems_tpha; }},
 };
@@ -85,6 +98,9 @@ constexpr std::array flows{
                     return all_losses(year) -
                            year.losses[forest::index_of(forest::Cause::felled)].volume_m3pha;
                 }},
+    NamedFigure{"decades.answers.taken_by_storms_m_ha_a_year", lost_to<forest::Cause::wind>},
+    NamedFigure{"decades.answers.taken_by_wet_snow_m_ha_a_year", lost_to<forest::Cause::snow>},
+    NamedFigure{"decades.answers.taken_by_bark_beetles_m_ha_a_year", lost_to<forest::Cause::beetle>},
     NamedFigure{"decades.answers.ingrowth_over_1_cm_stems_ha_a",
                 [](const YearView& year) { return year.row->ingrowth_stems_pha; }},
 };

@@ -53,6 +53,15 @@ void add_figures(Comparison& comparison, const BeltData& data) {
                  joined("deaths a year of trees from ", cm, " cm on, in their class, ", at_words(site)),
                  "-"});
         }
+        for (const succession_trial::SpeciesGroup& native : data.tables.natives) {
+            if (native.site == site.name) {
+                comparison.figures.push_back(
+                    {joined("kept:", native.name, ":", site.name),
+                     joined("replicates that keep ", data.species[native.species.front()].latin_name, " ",
+                            at_words(site)),
+                     "-"});
+            }
+        }
         for (const succession_trial::SpeciesGroup& group : data.tables.groups) {
             if (group.site == site.name) {
                 const std::string of = joined(":", group.name, ":", site.name);
@@ -238,6 +247,44 @@ PlainTable structure_table(const BeltData& data, const std::map<std::string, dou
     return table;
 }
 
+/// Figures of a site in some columns, by the name before ":SITE".
+PlainTable table_by_site(const BeltData& data, const std::map<std::string, double>& values,
+                         std::string caption, const std::vector<std::pair<std::string, std::string>>& columns,
+                         int decimals) {
+    PlainTable table{.caption = std::move(caption), .head = {"elevation, m"}, .rows = {}};
+    for (const auto& [name, words] : columns) {
+        table.head.push_back(words);
+    }
+    for (const SuccessionSite& site : data.tables.sites) {
+        std::vector<std::string> row{std::to_string(std::lround(site.elevation_m))};
+        for (const auto& [name, words] : columns) {
+            row.push_back(fixed(values.at(joined(name, ":", site.name)), decimals));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+PlainTable dead_wood_table(const BeltData& data, const std::map<std::string, double>& values) {
+    std::vector<std::pair<std::string, std::string>> columns{{"dead_wood_m3pha", "all, m3/ha"}};
+    for (std::size_t i = 1; i <= forest::decay_class_count; ++i) {
+        const std::string number = std::to_string(i);
+        columns.emplace_back(joined("dead_wood_class", number, "_m3pha"), joined("class ", number));
+    }
+    return table_by_site(data, values, "Dead wood by decay class, 1 fresh to 5 falling to pieces", columns,
+                         0);
+}
+
+PlainTable disturbance_table(const BeltData& data, const std::map<std::string, double>& values) {
+    return table_by_site(data, values,
+                         joined("Stem wood taken a year, m3/ha, from year ",
+                                std::to_string(data.settings.disturbed_from_year), " on"),
+                         {{"lost_to_wind_m3pha", "storms"},
+                          {"lost_to_snow_m3pha", "wet snow"},
+                          {"lost_to_beetle_m3pha", "bark beetles"}},
+                         2);
+}
+
 /// Smallest and largest share of a group among the replicates of its site.
 std::string spread_of(const BeltData& data, const Found& found, const succession_trial::SpeciesGroup& group) {
     double least = 1.0;
@@ -284,6 +331,7 @@ Outcome compare(const BeltData& data, const Work& work) {
         succession_trial::SuccessionTrial trial = trial_at(data.tables, site);
         trial.years = static_cast<int>(data.settings.years);
         trial.side_patches = static_cast<int>(data.settings.side_patches);
+        trial.disturbed_from_year = static_cast<int>(data.settings.disturbed_from_year);
         found.runs[piece] = {site.name,
                              grow_succession(trial, data.species,
                                              {data.settings.seed,
@@ -312,7 +360,11 @@ Outcome compare(const BeltData& data, const Work& work) {
                        over_elevation(data, found, palette, false)};
     outcome.plots = {std::move(elevation), std::move(years)};
     outcome.tables = {biomass_table(data, found, palette), structure_table(data, outcome.values),
-                      group_table(data, found, outcome.values)};
+                      dead_wood_table(data, outcome.values), group_table(data, found, outcome.values)};
+    const forest::DisturbanceLaw& law = data.tables.parameters.disturbance;
+    if (law.wind || law.snow || law.beetle) {
+        outcome.tables.push_back(disturbance_table(data, outcome.values));
+    }
     return outcome;
 }
 
@@ -338,6 +390,12 @@ Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
                     succession_trial::read_species_groups(expected, data->species),
                     forest::read_climate_of_one_place(table_of(files, "climate.csv"), warnings),
                     forest::LapseRates::shipped(), parameters};
+    if (files.has("native.csv")) {
+        data->tables.natives = succession_trial::read_natives(table_of(files, "native.csv"), data->species);
+        for (succession_trial::SpeciesGroup& native : data->tables.natives) {
+            native.name = code_in_figures(data->species[native.species.front()]);
+        }
+    }
     config::Problems problems;
     if (!expected.require({"published", "source"}, problems)) {
         problems.throw_if_any();

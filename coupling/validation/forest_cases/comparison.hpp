@@ -22,15 +22,30 @@ struct BeltSettings {
     std::uint64_t years = 400;
     std::uint64_t judged_from_year = 300;  ///< criteria are about the mean from this year to the last
     std::uint64_t replicates = 3;
-    std::uint64_t side_patches = 10;  ///< 10: one hectare
+    std::uint64_t side_patches = 10;        ///< 10: one hectare
+    std::uint64_t disturbed_from_year = 1;  ///< storms, snow and beetles, where they are on, begin here
     std::uint64_t seed = 1;
 };
 
 /// At which ages, and in which ways stands grow in forest_yield.
 struct YieldSettings {
-    std::vector<double> ages_years{40, 50, 60, 70, 80, 90, 100, 110, 120, 130, 140};
-    std::vector<double> drawn_ages_years{70, 100};
-    bool twins = true;  ///< whether each stand also grows without thinning
+    std::vector<double> ages_years;        ///< empty: all ages of the tables
+    std::vector<double> drawn_ages_years;  ///< empty: the last one
+    bool twins = true;                     ///< whether each stand also grows without thinning
+};
+
+/// How often a plot of forest_remeasured grows, and by which sizes its trees are compared.
+struct RemeasuredSettings {
+    std::vector<double> classes_cm{10.0, 20.0, 40.0};  ///< lower ends, rising
+    std::uint64_t replicates = 20;
+    std::uint64_t seed = 1;
+};
+
+/// What the reference of forest_light looked at.
+struct LightSettings {
+    std::uint64_t first_month = 1;
+    std::uint64_t last_month = 12;
+    double least_angle_deg = 10.0;
 };
 
 /// Trees and years of forest_demography.
@@ -44,6 +59,8 @@ struct DemographySettings {
 struct Settings {
     BeltSettings belts;
     YieldSettings yield;
+    LightSettings light;
+    RemeasuredSettings remeasured;
     DemographySettings demography;
     forest::Parameters forest;  ///< of grow_year in the kinds that call it
 };
@@ -56,13 +73,15 @@ void declare(config::Options& options, Settings& settings, CaseKind kind);
 Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings);
 
 Comparison read_production(const CaseFiles& files);
-Comparison read_light(const CaseFiles& files);
+Comparison read_light(const CaseFiles& files, const LightSettings& settings);
 /// Stands at rising ages; those drawn over elevation are some of them.
 Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
                       const forest::Parameters& parameters);
 Comparison read_demography(const CaseFiles& files, const DemographySettings& settings,
                            const forest::Parameters& parameters);
 
+Comparison read_remeasured(const CaseFiles& files, const RemeasuredSettings& settings,
+                           const forest::Parameters& parameters);
 Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
                       const forest::Parameters& parameters);
 
@@ -71,6 +90,9 @@ config::Table table_of(const CaseFiles& files, const std::string& name);
 
 /// The species of a case: species.csv of its folder where it has one, else those shipped.
 forest::SpeciesTable species_of(const CaseFiles& files);
+
+/// "piab" of a species: its code as names of figures have it.
+std::string code_in_figures(const forest::Species& species);
 
 /// Whole numbers of a setting, each above the one before. Throws InputError (settings).
 std::vector<int> rising(const std::string& key, const std::vector<double>& values);

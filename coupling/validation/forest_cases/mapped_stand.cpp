@@ -35,9 +35,6 @@ using forest::turn_of;
 /// Sides of stands are multiples of it: the width of the model's own columns.
 constexpr double widest_column_m = 10.0;
 
-/// SamsaRaLight leaves out rays flatter than this to the ground.
-constexpr double least_angle_deg = 10.0;
-
 double number(const config::Table& table, std::size_t row, const std::string& column, double low, double high,
               config::Problems& problems) {
     return table.number(row, column, {low, high}, problems).value_or(low);
@@ -96,8 +93,10 @@ MappedSlope slope_of(const config::Table& slopes, std::size_t row, config::Probl
     slope.aspect = config::Angle::from_degrees(number(slopes, row, "aspect_deg", 0.0, 360.0, problems));
     slope.y_axis_azimuth =
         config::Angle::from_degrees(number(slopes, row, "y_axis_azimuth_deg", 0.0, 360.0, problems));
-    slope.direct_mjpm2 = number(slopes, row, "direct_mjpm2", 1.0, 2e4, problems);
-    slope.diffuse_mjpm2 = number(slopes, row, "diffuse_mjpm2", 1.0, 2e4, problems);
+    if (slopes.has("direct_mjpm2")) {
+        slope.direct_mjpm2 = number(slopes, row, "direct_mjpm2", 1.0, 2e4, problems);
+        slope.diffuse_mjpm2 = number(slopes, row, "diffuse_mjpm2", 1.0, 2e4, problems);
+    }
     return slope;
 }
 
@@ -117,20 +116,43 @@ MonthlyRadiation radiation_of(const config::Table& table, config::Problems& prob
     return radiation;
 }
 
-bool columns_are_there(const config::Table& trees, const config::Table& ground, const config::Table& leaves,
-                       const config::Table& radiation, const config::Table& slopes,
-                       config::Problems& problems) {
-    bool all = trees.require(
+/// Whether a table has the reference light of a slope.
+bool has_light(const std::optional<config::Table>& table, const std::string& light) {
+    return table && table->has(light);
+}
+
+/// Each slope needs something to be compared with.
+void check_references(const MappedTables& tables, config::Problems& problems) {
+    for (std::size_t row = 0; row < tables.slopes.rows(); ++row) {
+        const std::string light = "light_" + tables.slopes.text(row, "slope");
+        if (!tables.trees.has(light) && !has_light(tables.ground, light) &&
+            !has_light(tables.sensors, light)) {
+            problems.add(config::ExitCode::data, tables.slopes.place(row, "slope"),
+                         "slope '" + tables.slopes.text(row, "slope") + "' without reference light",
+                         "a column " + light + " in trees.csv, ground.csv or sensors.csv",
+                         "add the column, or leave the slope out");
+        }
+    }
+}
+
+bool columns_are_there(const MappedTables& tables, config::Problems& problems) {
+    bool all = tables.trees.require(
         {"species", "x_m", "y_m", "dbh_cm", "height_m", "crown_base_m", "crown_radius_m"}, problems);
-    all = leaves.require({"species", "crown", "foliage_a", "foliage_b", "sla_m2_per_kg"}, problems) && all;
-    all = radiation.require({"global_mjpm2", "diffuse_share"}, problems) && all;
-    all = slopes.require({"slope", "latitude_deg", "side_m", "slope_deg", "aspect_deg", "y_axis_azimuth_deg",
-                          "direct_mjpm2", "diffuse_mjpm2"},
-                         problems) &&
+    all = tables.leaves.require({"species", "crown", "foliage_a", "foliage_b", "sla_m2_per_kg"}, problems) &&
           all;
-    for (std::size_t row = 0; all && row < slopes.rows(); ++row) {
-        const std::string light = "light_" + slopes.text(row, "slope");
-        all = trees.require({light}, problems) && ground.require({light}, problems);
+    all = tables.radiation.require({"global_mjpm2", "diffuse_share"}, problems) && all;
+    all =
+        tables.slopes.require(
+            {"slope", "latitude_deg", "side_m", "slope_deg", "aspect_deg", "y_axis_azimuth_deg"}, problems) &&
+        all;
+    if (tables.slopes.has("direct_mjpm2") != tables.slopes.has("diffuse_mjpm2")) {
+        all = tables.slopes.require({"direct_mjpm2", "diffuse_mjpm2"}, problems) && all;
+    }
+    if (tables.sensors) {
+        all = tables.sensors->require({"x_m", "y_m"}, problems) && all;
+    }
+    if (all) {
+        check_references(tables, problems);
     }
     return all;
 }
@@ -164,6 +186,16 @@ void read_place(const config::Table& slopes, MappedStand& stand, config::Problem
 void check_rows(const config::Table& table, const std::string& of, config::Problems& problems) {
     if (table.rows() == 0) {
         problems.add(config::ExitCode::data, {table.file()}, "no rows", "a row for each " + of);
+    }
+}
+
+void check_inside(const MappedStand& stand, double x_m, double y_m, const std::string& what,
+                  const config::Place& place, config::Problems& problems) {
+    if (std::max(std::abs(x_m - 0.5 * stand.side_m), std::abs(y_m - 0.5 * stand.side_m)) >
+        0.5 * stand.side_m) {
+        problems.add(config::ExitCode::data, place, what + " off the stand",
+                     "x_m and y_m from 0 to side_m of the slopes",
+                     "shift the positions, or leave " + what.substr(2) + "s beyond out");
     }
 }
 
@@ -207,10 +239,15 @@ double sum_of_months(const std::array<double, 12>& months) {
     return std::accumulate(months.begin(), months.end(), 0.0);
 }
 
-void compare_trees(const std::vector<float>& ours, const std::vector<double>& reference,
-                   LightAgreement& agreement) {
+/// Means and spread of two lists of the same places.
+struct PlaceAgreement {
+    double correlation = 0.0;  ///< 0 where one of them is even
+    double bias = 0.0;
+    double rmse = 0.0;
+};
+
+PlaceAgreement agreement_of(const std::vector<double>& ours, const std::vector<double>& reference) {
     assert(ours.size() == reference.size() && !ours.empty());
-    const auto count = static_cast<double>(ours.size());
     const double our_mean = mean_value(ours);
     const double their_mean = mean_value(reference);
     double both = 0.0;
@@ -218,45 +255,72 @@ void compare_trees(const std::vector<float>& ours, const std::vector<double>& re
     double their_spread = 0.0;
     double squares = 0.0;
     for (std::size_t i = 0; i < ours.size(); ++i) {
-        const double a = static_cast<double>(ours[i]) - our_mean;
+        const double a = ours[i] - our_mean;
         const double b = reference[i] - their_mean;
         both += a * b;
         our_spread += a * a;
         their_spread += b * b;
-        squares +=
-            (static_cast<double>(ours[i]) - reference[i]) * (static_cast<double>(ours[i]) - reference[i]);
+        squares += (ours[i] - reference[i]) * (ours[i] - reference[i]);
     }
-    agreement.tree_light_correlation = both / std::sqrt(our_spread * their_spread);
-    agreement.tree_light_bias = our_mean - their_mean;
-    agreement.tree_light_rmse = std::sqrt(squares / count);
+    const double spread = std::sqrt(our_spread * their_spread);
+    return {.correlation = spread > 0.0 ? both / spread : 0.0,
+            .bias = our_mean - their_mean,
+            .rmse = std::sqrt(squares / static_cast<double>(ours.size()))};
+}
+
+/// Ground light of the columns in which sensors stand.
+std::vector<double> light_at(const std::vector<LightSensor>& sensors, const config::GridFrame& columns,
+                             const std::vector<float>& ground_light) {
+    std::vector<double> light;
+    for (const LightSensor& sensor : sensors) {
+        config::Cell cell = columns.cell_at(sensor.x_m, sensor.y_m);
+        // A sensor on the outer edge belongs to the last column.
+        cell.column = std::clamp(cell.column, 0, columns.columns - 1);
+        cell.row = std::clamp(cell.row, 0, columns.rows - 1);
+        light.push_back(ground_light[columns.index(cell)]);
+    }
+    return light;
 }
 
 }  // namespace
 
-MappedStand mapped_stand(const config::Table& trees, const config::Table& ground, const config::Table& leaves,
-                         const config::Table& radiation, const config::Table& slopes) {
+MappedStand mapped_stand(const MappedTables& tables) {
     config::Problems problems;
     MappedStand stand;
-    if (columns_are_there(trees, ground, leaves, radiation, slopes, problems)) {
-        check_rows(trees, "tree", problems);
-        check_rows(ground, "place where light on the ground is known", problems);
-        check_rows(slopes, "slope", problems);
-        read_place(slopes, stand, problems);
-        stand.radiation = radiation_of(radiation, problems);
-        for (std::size_t row = 0; row < trees.rows(); ++row) {
-            stand.trees.push_back(tree_of(trees, row, leaves, problems));
-            const LightTree& tree = stand.trees.back();
-            if (std::max(std::abs(tree.x_m - 0.5 * stand.side_m), std::abs(tree.y_m - 0.5 * stand.side_m)) >
-                0.5 * stand.side_m) {
-                problems.add(config::ExitCode::data, trees.place(row, "x_m"), "a tree off the stand",
-                             "x_m and y_m from 0 to side_m of the slopes",
-                             "shift the positions, or leave the tree out");
+    if (columns_are_there(tables, problems)) {
+        check_rows(tables.trees, "tree", problems);
+        if (tables.ground) {
+            check_rows(*tables.ground, "place where light on the ground is known", problems);
+        }
+        check_rows(tables.slopes, "slope", problems);
+        read_place(tables.slopes, stand, problems);
+        stand.radiation = radiation_of(tables.radiation, problems);
+        for (std::size_t row = 0; row < tables.trees.rows(); ++row) {
+            stand.trees.push_back(tree_of(tables.trees, row, tables.leaves, problems));
+            check_inside(stand, stand.trees.back().x_m, stand.trees.back().y_m, "a tree",
+                         tables.trees.place(row, "x_m"), problems);
+        }
+        if (tables.sensors) {
+            check_rows(*tables.sensors, "sensor", problems);
+            for (std::size_t row = 0; row < tables.sensors->rows(); ++row) {
+                stand.sensors.push_back({number(*tables.sensors, row, "x_m", -1e4, 1e4, problems),
+                                         number(*tables.sensors, row, "y_m", -1e4, 1e4, problems)});
+                check_inside(stand, stand.sensors.back().x_m, stand.sensors.back().y_m, "a sensor",
+                             tables.sensors->place(row, "x_m"), problems);
             }
         }
-        for (std::size_t row = 0; row < slopes.rows(); ++row) {
-            MappedSlope slope = slope_of(slopes, row, problems);
-            slope.tree_light = column_of(trees, "light_" + slope.name, problems);
-            slope.ground_light = column_of(ground, "light_" + slope.name, problems);
+        for (std::size_t row = 0; row < tables.slopes.rows(); ++row) {
+            MappedSlope slope = slope_of(tables.slopes, row, problems);
+            const std::string light = "light_" + slope.name;
+            if (tables.trees.has(light)) {
+                slope.tree_light = column_of(tables.trees, light, problems);
+            }
+            if (has_light(tables.ground, light)) {
+                slope.ground_light = column_of(*tables.ground, light, problems);
+            }
+            if (has_light(tables.sensors, light)) {
+                slope.sensor_light = column_of(*tables.sensors, light, problems);
+            }
             stand.slopes.push_back(std::move(slope));
         }
     }
@@ -269,7 +333,7 @@ LightAgreement compare_light(const MappedStand& stand, const MappedSlope& slope,
     const LightGround ground = plane_of(stand, slope, settings.column_m);
     const config::Angle facing =
         config::Angle::from_degrees(slope.aspect.in_degrees() - slope.y_axis_azimuth.in_degrees());
-    const double least_cosine = turn_of(config::Angle::from_degrees(least_angle_deg)).sin;
+    const double least_cosine = turn_of(config::Angle::from_degrees(settings.months.least_angle_deg)).sin;
     const std::array<Exposure, 1> place{{{ground_normal(slope.slope, facing), Horizon{}, least_cosine}}};
     const LightSite site{sky_of(stand, slope), ground, place, {.ground_points = settings.ground_points}};
     std::vector<LightTree> trees = stand.trees;
@@ -279,17 +343,36 @@ LightAgreement compare_light(const MappedStand& stand, const MappedSlope& slope,
     LightYear year;
     year.radiation = stand.radiation;
     year.leaves_on.fill(true);
-    year.season.fill(true);
+    for (int month = 1; month <= 12; ++month) {
+        year.season[static_cast<std::size_t>(month - 1)] =
+            month >= settings.months.first && month <= settings.months.last;
+    }
     const LightField field = compute_light(site, Canopy{site.ground(), trees}, year, trees);
     const SlopeRadiation energy = slope_radiation(site.sky(), place[0], stand.radiation);
 
     LightAgreement agreement;
-    agreement.energy_direct_ratio = sum_of_months(energy.slope.direct_mjpm2) / slope.direct_mjpm2;
-    agreement.energy_diffuse_ratio = sum_of_months(energy.slope.diffuse_mjpm2) / slope.diffuse_mjpm2;
+    if (slope.direct_mjpm2 > 0.0) {
+        agreement.energy_direct_ratio = sum_of_months(energy.slope.direct_mjpm2) / slope.direct_mjpm2;
+        agreement.energy_diffuse_ratio = sum_of_months(energy.slope.diffuse_mjpm2) / slope.diffuse_mjpm2;
+    }
     agreement.ground_light = mean_value(field.ground_light);
-    agreement.ground_light_difference = agreement.ground_light - mean_value(slope.ground_light);
-    compare_trees(field.light_ratio, slope.tree_light, agreement);
+    if (!slope.ground_light.empty()) {
+        agreement.ground_light_difference = agreement.ground_light - mean_value(slope.ground_light);
+    }
     agreement.tree_light.assign(field.light_ratio.begin(), field.light_ratio.end());
+    if (!slope.tree_light.empty()) {
+        const PlaceAgreement trees_agree = agreement_of(agreement.tree_light, slope.tree_light);
+        agreement.tree_light_correlation = trees_agree.correlation;
+        agreement.tree_light_bias = trees_agree.bias;
+        agreement.tree_light_rmse = trees_agree.rmse;
+    }
+    if (!slope.sensor_light.empty()) {
+        agreement.sensor_light = light_at(stand.sensors, ground.elevation_m.frame, field.ground_light);
+        const PlaceAgreement sensors_agree = agreement_of(agreement.sensor_light, slope.sensor_light);
+        agreement.sensor_correlation = sensors_agree.correlation;
+        agreement.sensor_bias = sensors_agree.bias;
+        agreement.sensor_rmse = sensors_agree.rmse;
+    }
     return agreement;
 }
 

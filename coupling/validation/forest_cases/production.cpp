@@ -4,10 +4,9 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "config/text/reading.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
-#include "coupling/validation/forest_cases/plain_3pg/plain_3pg.hpp"
+#include "coupling/validation/forest_cases/production_runs.hpp"
 
 namespace coupling::validation::forest_cases {
 namespace {
@@ -15,16 +14,6 @@ namespace {
 using config::joined;
 
 namespace check = plain_3pg;
-
-/// A run of another program and the inputs it was made with.
-struct ReferenceRun {
-    std::string name;
-    check::Inputs inputs;
-    check::Settings settings;
-    config::Table table;
-    double floor = 0.0;  ///< differences are relative to the reference, or to this where it is smaller
-    std::string source;
-};
 
 /// How far a column lies from its reference.
 struct ColumnDifference {
@@ -40,83 +29,20 @@ struct RunOutcome {
     std::vector<ColumnDifference> columns;
 };
 
-/// The texts between a sign, without the blanks around it.
-std::vector<std::string> between(const std::string& text, char sign) {
-    std::vector<std::string> parts;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(sign, begin), text.size());
-        parts.emplace_back(config::trimmed(std::string_view{text}.substr(begin, end - begin)));
-        begin = end + 1;
-    }
-    return parts;
-}
-
-check::Inputs inputs_of(const CaseFiles& files, const std::vector<std::string>& wanted, bool thinned) {
-    const check::Site site = check::read_site(table_of(files, "demo_site.csv"));
-    std::vector<check::StartingSpecies> species;
-    for (check::StartingSpecies& candidate : check::read_species(table_of(files, "demo_species.csv"))) {
-        if (std::find(wanted.begin(), wanted.end(), candidate.species) != wanted.end()) {
-            species.push_back(std::move(candidate));
-        }
-    }
-    if (species.size() != wanted.size()) {
-        config::fail(config::ExitCode::data, {files.shown("runs.csv")}, "a species that does not start",
-                     joined("species of ", files.shown("demo_species.csv")));
-    }
-    return check::inputs_of(site, std::move(species),
-                            check::read_parameters(table_of(files, "demo_parameters.csv")),
-                            check::read_climate(table_of(files, "demo_climate.csv"), site),
-                            thinned ? check::read_thinnings(table_of(files, "demo_thinning.csv"))
-                                    : std::vector<check::Thinning>{});
-}
-
-/// Rows that a run gives: one a species and month.
-std::size_t rows_of(const check::Inputs& inputs) {
-    return inputs.species.size() *
-           static_cast<std::size_t>(inputs.site.to.count() - inputs.site.from.count() + 1);
-}
-
-std::vector<ReferenceRun> read_runs(const CaseFiles& files) {
-    const config::Table table = table_of(files, "runs.csv");
-    config::Problems problems;
-    std::vector<ReferenceRun> runs;
-    if (!table.require({"run", "species", "models", "thinned", "reference", "floor", "source"}, problems)) {
-        problems.throw_if_any();
-    }
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const std::string& models = table.text(row, "models");
-        if (models != "3-PGpjs" && models != "3-PGmix") {
-            problems.add(config::ExitCode::data, table.place(row, "models"), config::in_quotes(models),
-                         "3-PGpjs or 3-PGmix");
-        }
-        const double floor = table.number(row, "floor", {.low = 1e-12, .high = 1e3}, problems).value_or(1.0);
-        ReferenceRun run{
-            table.text(row, "run"),
-            inputs_of(files, between(table.text(row, "species"), '+'), table.text(row, "thinned") == "yes"),
-            models == "3-PGmix" ? check::mixture_settings : check::Settings{},
-            table_of(files, table.text(row, "reference")),
-            floor,
-            table.text(row, "source")};
-        const std::size_t rows = rows_of(run.inputs);
-        if (run.table.rows() != rows && run.table.rows() + run.inputs.species.size() != rows) {
-            problems.add(config::ExitCode::data, {run.table.file()},
-                         joined(std::to_string(run.table.rows()), " rows"),
-                         joined(std::to_string(rows),
-                                " rows, one a species and month, the first month "
-                                "perhaps left out"));
-        }
-        runs.push_back(std::move(run));
-    }
-    problems.throw_if_any();
-    return runs;
-}
-
 bool is_stock(const check::Column& column) {
     return column.name.starts_with("biom_") && column.unit == "t/ha";
 }
 
 std::string month_words(const check::YearMonth& when) {
     return joined(std::to_string(when.year), when.month < 10 ? "-0" : "-", std::to_string(when.month));
+}
+
+/// " of Fagus sylvatica" in a run of several species.
+std::string species_words(const ReferenceRun& run, const check::Row& row,
+                          const std::vector<check::Row>& rows) {
+    const auto place = static_cast<std::size_t>(&row - rows.data());
+    const std::size_t count = run.inputs.species.size();
+    return count > 1 ? joined(" of ", run.inputs.species[place % count].species) : "";
 }
 
 /// A run that is no number any more would agree with everything: no comparison with it holds. Throws
@@ -127,11 +53,22 @@ void require_numbers(const ReferenceRun& run, const std::vector<check::Row>& row
             if (run.table.has(column.name) && !std::isfinite(column.of(row))) {
                 config::fail(config::ExitCode::data, {run.table.file()},
                              joined("run ", run.name, " is not a number since ", month_words(row.when),
-                                    " in column ", column.name),
+                                    " in column ", column.name, species_words(run, row, rows)),
                              "parameters and weather that give numbers in every month",
                              "look at the parameters that the column depends on");
             }
         }
+    }
+}
+
+/// A reference without a figure would agree with everything. Throws InputError (data).
+void require_comparison(const ReferenceRun& run, const RunOutcome& outcome) {
+    const bool any = std::any_of(outcome.columns.begin(), outcome.columns.end(),
+                                 [](const ColumnDifference& column) { return column.compared > 0; });
+    if (!any) {
+        config::fail(config::ExitCode::data, {run.table.file()}, "no figure to compare",
+                     "columns of r3PG such as biom_stem, dbh, lai or npp, with numbers",
+                     "name the columns as r3PG does (README.md of forest_production)");
     }
 }
 
@@ -140,7 +77,6 @@ void require_numbers(const ReferenceRun& run, const std::vector<check::Row>& row
 RunOutcome compare(const ReferenceRun& run) {
     RunOutcome outcome{check::run(run.inputs, run.settings), {}};
     require_numbers(run, outcome.rows);
-    const std::size_t skipped = outcome.rows.size() - run.table.rows();
     for (const check::Column& column : check::columns()) {
         if (!run.table.has(column.name)) {
             continue;
@@ -148,7 +84,7 @@ RunOutcome compare(const ReferenceRun& run) {
         ColumnDifference difference{&column, 0.0, 0.0, 0, 0};
         for (std::size_t i = 0; i < run.table.rows(); ++i) {
             const std::optional<double> expected = config::parse_number(run.table.text(i, column.name));
-            const std::size_t row = i + skipped;
+            const std::size_t row = run.row_in_run[i];
             if (!expected || (row < run.inputs.species.size() && *expected == 0.0)) {
                 continue;
             }
@@ -163,6 +99,7 @@ RunOutcome compare(const ReferenceRun& run) {
         }
         outcome.columns.push_back(difference);
     }
+    require_comparison(run, outcome);
     return outcome;
 }
 
@@ -197,17 +134,20 @@ void add_curve(Plot& plot, const ReferenceRun& run, const RunOutcome& outcome, c
     PlotSeries ours{curve.words, curve.style, PlotSeries::Form::line, {}, {}};
     PlotSeries reference{"reference", "published", PlotSeries::Form::dots, {}, {}};
     const std::size_t count = run.inputs.species.size();
-    const std::size_t skipped = outcome.rows.size() - run.table.rows();
+    std::vector<std::size_t> reference_of(outcome.rows.size(), run.table.rows());
+    for (std::size_t i = 0; i < run.row_in_run.size(); ++i) {
+        reference_of[run.row_in_run[i]] = i;
+    }
     double most = plot.y.high;
     for (std::size_t row = species; row < outcome.rows.size(); row += count) {
         const double at = time_of(outcome.rows[row].when, run.inputs.site);
         ours.points.push_back({at, column->of(outcome.rows[row])});
         most = std::max(most, ours.points.back().y);
         const std::size_t month = row / count;
-        if (row < skipped || month % every != 0 || !run.table.has(column->name)) {
+        if (reference_of[row] == run.table.rows() || month % every != 0 || !run.table.has(column->name)) {
             continue;
         }
-        if (const auto value = config::parse_number(run.table.text(row - skipped, column->name))) {
+        if (const auto value = config::parse_number(run.table.text(reference_of[row], column->name))) {
             reference.points.push_back({at, *value});
         }
     }
@@ -302,7 +242,7 @@ Outcome compare_all(const std::vector<ReferenceRun>& runs, const Work& work) {
 }  // namespace
 
 Comparison read_production(const CaseFiles& files) {
-    const auto runs = std::make_shared<const std::vector<ReferenceRun>>(read_runs(files));
+    const auto runs = std::make_shared<const std::vector<ReferenceRun>>(read_reference_runs(files));
     Comparison comparison;
     std::size_t months = 0;
     for (const ReferenceRun& run : *runs) {

@@ -109,9 +109,8 @@ PlainTable beside_the_table(const YieldData& data, const std::vector<SiteOutcome
             }
             const forest::StandFigures& ours = one.simulated.figures;
             const YieldTableRow& theirs = *one.published;
-            table.rows.push_back({words_of(data, site), report::tick_text(site.fertility),
-                                  report::tick_text(site.site_class), std::to_string(one.age_years),
-                                  pair(ours.stems_pha, theirs.stems_pha, 0),
+            table.rows.push_back({words_of(data, site), report::tick_text(site.fertility), site.site_class,
+                                  std::to_string(one.age_years), pair(ours.stems_pha, theirs.stems_pha, 0),
                                   pair(ours.mean_dbh_cm, theirs.mean_dbh_cm, 1),
                                   pair(one.simulated.mean_height_m, theirs.mean_height_m, 1),
                                   pair(ours.basal_area_m2pha, theirs.basal_area_m2pha, 1),

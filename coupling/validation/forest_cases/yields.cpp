@@ -58,11 +58,8 @@ std::vector<forest::SpeciesId> species_with_table(const YieldData& data) {
     return kinds;
 }
 
-/// "piab" of a species.
 std::string code_of(const YieldData& data, forest::SpeciesId kind) {
-    std::string code = data.species[kind].code;
-    std::transform(code.begin(), code.end(), code.begin(), [](unsigned char c) { return std::tolower(c); });
-    return code;
+    return code_in_figures(data.species[kind]);
 }
 
 void add_figures(Comparison& comparison, const YieldData& data, const YieldSite& site) {
@@ -185,6 +182,24 @@ void check_rows(const YieldData& data, const CaseFiles& files) {
     problems.throw_if_any();
 }
 
+/// There must be an age, and a stand without a table is a plantation of 12 years at its start.
+void check_ages(const YieldData& data, const CaseFiles& files) {
+    if (data.ages_years.empty()) {
+        config::fail(config::ExitCode::data, {files.shown("sites.csv")}, "no age to compare stands at",
+                     "a site with a table of two ages or more, or yield.ages_years",
+                     "name the table and class of each site as yield_tables.csv has them");
+    }
+    constexpr int planted_years = 12;
+    for (const YieldSite& site : data.tables.sites) {
+        if (site.table.empty() && data.ages_years.front() <= planted_years) {
+            config::fail(config::ExitCode::data, {files.shown("sites.csv")},
+                         joined("site ", site.name, " without a table at age ",
+                                std::to_string(data.ages_years.front())),
+                         "ages above 12 years, at which it is planted");
+        }
+    }
+}
+
 }  // namespace
 
 Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
@@ -195,8 +210,12 @@ Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
     data->tables = {yield_trial::read_yield_sites(table_of(files, "sites.csv"), data->species),
                     yield_trial::read_yield_rows(table_of(files, "yield_tables.csv")),
                     forest::read_climate(table_of(files, "climate.csv"), warnings), parameters};
-    data->ages_years = rising("yield.ages_years", settings.ages_years);
-    data->drawn_ages_years = rising("yield.drawn_ages_years", settings.drawn_ages_years);
+    data->ages_years = settings.ages_years.empty() ? ages_of_tables(data->tables)
+                                                   : rising("yield.ages_years", settings.ages_years);
+    check_ages(*data, files);
+    data->drawn_ages_years = settings.drawn_ages_years.empty()
+                                 ? std::vector{data->ages_years.back()}
+                                 : rising("yield.drawn_ages_years", settings.drawn_ages_years);
     data->twins = settings.twins;
     check_rows(*data, files);
     check_drawn(data->drawn_ages_years, data->ages_years);

@@ -49,6 +49,18 @@ TEST(NumbersIn, RefusesWhatMayBeDecimalCommas) {
     }
 }
 
+TEST(WholeNumbersIn, NeedNoBlankAfterAComma) {
+    const std::vector<double> expected{0.0, 5.0, 100.0};
+    for (const char* text : {"0,5,100", "0, 5, 100", "0 5 100", " 0 ,5\t100 ", "0,5 1e2"}) {
+        EXPECT_EQ(whole_numbers_in(text, {}), expected) << text;
+    }
+    EXPECT_EQ(whole_numbers_in("", {}), std::vector<double>{});
+    for (const char* text : {"0.5", "0,5.5", "1,,2", "1,", ",1", "1;2", "nan", "x"}) {
+        EXPECT_FALSE(whole_numbers_in(text, {})) << text;
+    }
+    EXPECT_FALSE(whole_numbers_in("1,1001", {0.0, 1000.0}));
+}
+
 TEST(NumbersIn, HoldsTheRangeForEach) {
     EXPECT_FALSE(numbers_in("0.5, 3", {0.0, 2.0}));
 }

@@ -56,6 +56,23 @@ TEST(ClimateVariants, WithAFileOfTheirOwnTellWhatTheyTakeOver) {
     EXPECT_EQ(told("name,file,temperature_change_k\nother,,\n"), 0);
 }
 
+TEST(ClimateVariants, SayWhereTheyReplaceAnOverride) {
+    const ForestProject project;
+    const auto warned = [&](const std::string& rows, const std::vector<std::string>& overrides) {
+        const Opened opened = open_with(project, rows, overrides);
+        EXPECT_TRUE(opened.site) << opened.errors;
+        return std::count_if(opened.warnings.begin(), opened.warnings.end(), [](const std::string& warning) {
+            return warning.find(
+                       "--set climate.temperature_change_k=1 has no effect on climate warm, hot: the rows "
+                       "of climate.variants go before it") != std::string::npos;
+        });
+    };
+    const std::string rows = "name,temperature_change_k\nas_is,\nwarm,2\nhot,4\n";
+    EXPECT_EQ(warned(rows, {"climate.temperature_change_k=1"}), 1);
+    EXPECT_EQ(warned(rows, {"climate.precipitation_change=0.9"}), 0) << "it holds for all";
+    EXPECT_EQ(warned(rows, {}), 0);
+}
+
 TEST(ClimateVariants, TakeFromTheSettingsWhatTheirRowLeavesOut) {
     const ForestProject project;
     const Opened opened =

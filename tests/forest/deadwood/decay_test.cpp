@@ -23,13 +23,13 @@ TEST(DecaySpeed, OfAMontaneYearIsThatOfItsMean) {
     EXPECT_NEAR(decay_speed(montane_year()), decay_speed(5.5, 10.0), 0.03);
 }
 
-TEST(YearlyDensityLeft, HalvesSpruceLogsInFortyYearsUpInTheMountains) {
+TEST(YearlyDensityLeft, HalvesSpruceLogsInAQuarterOfACenturyUpInTheMountains) {
     double density = 1.0;
-    for (int year = 0; year < 40; ++year) {
-        density *= yearly_density_left(spruce.log_decay_pyear, 0.525);
+    for (int year = 0; year < 24; ++year) {
+        density *= yearly_density_left(lying_decay_pyear(spruce), 0.525);
     }
     EXPECT_NEAR(density, 0.5, 0.01);
-    EXPECT_NEAR(density, std::exp(-spruce.log_decay_pyear * 0.525 * 40.0), 1e-9);
+    EXPECT_NEAR(density, std::exp(-1.69 * spruce.log_decay_pyear * 0.525 * 24.0), 1e-9);
 }
 
 TEST(FallChance, LeavesHalfOfTheSnagsAfterTheHalfLife) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forest/allometry.hpp"
+#include "forest/disturbance/beetle_hosts.hpp"
 #include "forest/disturbance/beetle_season.hpp"
 #include "tests/forest/small_forest.hpp"
 
@@ -67,19 +69,6 @@ protected:
     static constexpr double two_broods_k = 5.0;
 };
 
-TEST_F(Beetles, TakeStressedHostsMoreEasily) {
-    const SmallForest forest{square_of_forest(2)};
-    Stand stand = one_a_patch(forest, spruce, 30.0);
-    change_patches(stand, [](PatchState& state, std::size_t p) { state.drought_index = p == 1 ? 0.4 : 0.0; });
-    stand.set_stress_years(std::vector<std::uint16_t>{0, 0, 1, 0});
-    stand.remove_trees(std::vector<Removal>{{TreeId{3}, Cause::felled}});
-    const std::vector<double> success = colonisation_success(stand, table);
-    EXPECT_DOUBLE_EQ(success[0], 0.15);
-    EXPECT_DOUBLE_EQ(success[1], 0.49);
-    EXPECT_DOUBLE_EQ(success[2], 1.0);
-    EXPECT_LT(success[3], 0.0);
-}
-
 TEST_F(Beetles, LoseMoreAndMoreToTheirEnemies) {
     EXPECT_EQ(lost_to_enemies(1, 6.0), 0.0);
     EXPECT_EQ(lost_to_enemies(4, 6.0), 0.0);
@@ -134,6 +123,7 @@ TEST_F(Beetles, KillOnlySprucesOfFifteenCentimetresAndKeepTheBalance) {
     stand.begin_year();
     change_patches(stand, [](PatchState& state, std::size_t) {
         state.beetle_years = 1;
+        state.beetle_brood = 1.0F;
         state.drought_index = 0.8;
     });
     attack(stand, forest, two_broods_k, {0.0, 0.0}, 0);
@@ -183,13 +173,17 @@ TEST_F(Beetles, SpreadByANormalDistanceAndWinterWhereTheyCame) {
     double taken = 0.0;
     for (std::uint32_t replicate = 0; replicate < replicates; ++replicate) {
         Stand stand = one_a_patch(forest, spruce, 30.0);
-        change_patches(stand, [](PatchState& s, std::size_t p) { s.beetle_years = p == middle ? 1 : 0; });
+        change_patches(stand, [](PatchState& s, std::size_t p) {
+            s.beetle_years = p == middle ? 1 : 0;
+            s.beetle_brood = p == middle ? 1.0F : 0.0F;
+        });
         attack(stand, forest, one_brood_k, {0.0, 0.0}, replicate);
         for (std::size_t p = 0; p < forest.grid.size(); ++p) {
             if (stand.patch_states()[p].beetle_years == 0 || p == middle) {
                 continue;
             }
             EXPECT_EQ(stand.patch_states()[p].beetle_years, 2U);
+            EXPECT_NEAR(stand.patch_states()[p].beetle_brood, basal_area_m2(30.0) / 0.3, 1e-6);
             EXPECT_FALSE(stand.find(TreeId{p})) << "taken";
             const PatchId patch{static_cast<std::uint32_t>(p)};
             const double dx_m = forest.grid.x_centre_m(patch) - 305.0;
@@ -199,11 +193,11 @@ TEST_F(Beetles, SpreadByANormalDistanceAndWinterWhereTheyCame) {
             taken += 1.0;
         }
     }
-    // A share of the patches lives through the winter; each has a brood and its sister and sends 30 cohorts,
-    // of which 0.15 succeed.
+    // A share of the patches lives through the winter; each has a brood and its sister and sends 30 cohorts.
+    // The first stays, and the others kill with the chance of a spruce of 80 years without stress.
     const double survival = winter_survival(cold_days(moved_year(one_brood_k)));
-    constexpr double sent = 30.0;
-    constexpr double won = 0.15;
+    constexpr double sent = 29.0;
+    const double won = 0.15 * success_by_age(80.0) * success_by_share(1.0);
     const double expected = replicates * survival * sent * won;
     const double variance = replicates * (survival * sent * won * (1.0 - won) +
                                           survival * (1.0 - survival) * sent * won * sent * won);
@@ -218,9 +212,10 @@ TEST_F(Beetles, FlyAsOftenAsTheirBroodsAllow) {
     const auto mean_killed = [&](double kelvin, double drought, std::uint16_t outbreak) {
         double sum = 0.0;
         for (std::uint32_t replicate = 0; replicate < 20; ++replicate) {
-            Stand stand = one_a_patch(forest, spruce, 30.0);
+            Stand stand = one_a_patch(forest, spruce, 60.0);
             change_patches(stand, [&](PatchState& state, std::size_t p) {
                 state.beetle_years = p % 100 == 0 ? outbreak : 0;
+                state.beetle_brood = p % 100 == 0 ? 1.0F : 0.0F;
                 state.drought_index = drought;
             });
             attack(stand, forest, kelvin, {0.0, 0.0}, replicate);
@@ -229,11 +224,47 @@ TEST_F(Beetles, FlyAsOftenAsTheirBroodsAllow) {
         return sum / 20.0;
     };
     EXPECT_EQ(mean_killed(too_cold_to_fly_k, 0.0, 1), 0.0);
-    EXPECT_GT(mean_killed(one_brood_k, 0.0, 1), 20.0);
+    EXPECT_GT(mean_killed(one_brood_k, 0.0, 1), 10.0);
     EXPECT_GT(mean_killed(two_broods_k, 0.0, 1), 2.0 * mean_killed(one_brood_k, 0.0, 1)) << "warmth";
     EXPECT_GT(mean_killed(one_brood_k, 0.5, 1), 2.0 * mean_killed(one_brood_k, 0.0, 1)) << "drought";
     EXPECT_LT(mean_killed(one_brood_k, 0.0, 4), mean_killed(one_brood_k, 0.0, 1)) << "enemies";
-    EXPECT_LE(mean_killed(one_brood_k, 0.0, 6), 16.0) << "only the patches that they come from";
+    EXPECT_EQ(mean_killed(one_brood_k, 0.0, 6), 0.0) << "enemies took them all";
+}
+
+/// What matters is how much spruce there is and how it stands.
+TEST_F(Beetles, TakeAPartOfAMixedForestAndNearlyAllOfAPureDryOne) {
+    const SmallForest forest{square_of_forest(20)};
+    const auto share_killed = [&](int every, double drought) {
+        double killed_stems = 0.0;
+        double hosts = 0.0;
+        for (std::uint32_t replicate = 0; replicate < 10; ++replicate) {
+            std::vector<Tree> trees;
+            for (std::size_t i = 0; i < 4 * forest.grid.size(); ++i) {
+                const PatchId at{static_cast<std::uint32_t>(i / 4)};
+                const SpeciesId kind = static_cast<int>(i) % every == 0 ? spruce : *table.find("fasy");
+                trees.push_back(new_tree(table[kind], kind, forest.grid.x_centre_m(at),
+                                         forest.grid.y_centre_m(at), 32.0, 25.0, 100.0));
+                trees.back().id = TreeId{i};
+                hosts += kind == spruce ? 1.0 : 0.0;
+            }
+            Stand stand{forest.grid, table.size(), trees, 2000};
+            stand.begin_year();
+            change_patches(stand, [&](PatchState& state, std::size_t p) {
+                state.ground_light = 0.15;
+                state.drought_index = drought;
+                state.beetle_years = p % 40 == 0 ? 1 : 0;
+                state.beetle_brood = p % 40 == 0 ? 1.0F : 0.0F;
+            });
+            attack(stand, forest, two_broods_k, {0.0, 0.0}, replicate);
+            killed_stems += killed(stand);
+        }
+        return killed_stems / hosts;
+    };
+    EXPECT_LT(share_killed(5, 0.0), 0.02);
+    const double pure = share_killed(1, 0.0);
+    EXPECT_GT(pure, 0.05);
+    EXPECT_LT(pure, 0.8) << "not all";
+    EXPECT_GT(share_killed(1, 0.9), 1.5 * pure);
 }
 
 }  // namespace

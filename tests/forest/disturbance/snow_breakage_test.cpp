@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "forest/disturbance/wet_snow.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::snow_breakage_test {
@@ -12,18 +13,27 @@ namespace {
 const SpeciesTable table = SpeciesTable::shipped();
 const SpeciesId spruce = *table.find("piab");
 
-/// A square whose ground lies at one height, with equal trees on its first patch.
-Stand equal_trees(double ground_m, SpeciesId species, double dbh_cm, double height_m, std::size_t count) {
-    const PatchGrid slope = square_of_forest(1);
-    std::vector<Patch> patches = slope.patches();
-    patches[0].ground_m = ground_m;
+const SmallForest patch{square_of_forest(1)};
+
+/// Equal trees on a patch.
+Stand equal_trees(SpeciesId species, double dbh_cm, double height_m, std::size_t count) {
     std::vector<Tree> trees(count, new_tree(table[species], species, 5.0, 5.0, dbh_cm, height_m, 60.0));
     for (std::size_t i = 0; i < count; ++i) {
         trees[i].id = TreeId{i};
     }
-    Stand stand{{slope.frame(), patches}, table.size(), trees, 2000};
+    Stand stand{patch.grid, table.size(), trees, 2000};
     stand.begin_year();
     return stand;
+}
+
+/// Wet snow of that many usual years.
+void let_it_snow(Stand& stand, double times_usual, double usual_chance, std::uint32_t replicate) {
+    std::vector<ClimateYear> weather{montane_year()};
+    const double scale = times_usual * usual_wet_snow_mm / wet_snow_mm(weather[0]);
+    for (ClimateMonth& month : weather[0].months) {
+        month.prec_mm *= scale;
+    }
+    break_by_snow(stand, patch.site, table, weather, usual_chance, 1, replicate);
 }
 
 TEST(SnowBreakage, TakesSlenderConifers) {
@@ -35,8 +45,8 @@ TEST(SnowBreakage, TakesSlenderConifers) {
 
 TEST(BreakBySnow, BreaksTheShareThatItsChanceSays) {
     constexpr std::size_t count = 10'000;
-    Stand stand = equal_trees(1000.0, spruce, 20.0, 18.0, count);
-    break_by_snow(stand, table, 1.0, 1, 0);
+    Stand stand = equal_trees(spruce, 20.0, 18.0, count);
+    let_it_snow(stand, 1.0, 1.0, 0);
     const double p = snow_breakage(table[spruce], 20.0, 18.0);
     const auto broken = static_cast<double>(count - stand.trees().size());
     EXPECT_NEAR(broken / count, p, 4.0 * std::sqrt(p * (1.0 - p) / count));
@@ -50,14 +60,12 @@ TEST(BreakBySnow, BreaksTheShareThatItsChanceSays) {
     }
 }
 
-TEST(BreakBySnow, StaysBetweenItsElevationsAndOffThinStems) {
-    for (const double ground_m : {499.0, 1301.0}) {
-        Stand stand = equal_trees(ground_m, spruce, 20.0, 22.0, 200);
-        break_by_snow(stand, table, 1.0, 1, 0);
-        EXPECT_EQ(stand.trees().size(), 200U) << ground_m;
-    }
-    Stand thin = equal_trees(1000.0, spruce, 9.0, 14.0, 200);
-    break_by_snow(thin, table, 1.0, 1, 0);
+TEST(BreakBySnow, NeedsWetSnowAndStaysOffThinStems) {
+    Stand dry = equal_trees(spruce, 20.0, 22.0, 200);
+    let_it_snow(dry, 0.0, 1.0, 0);
+    EXPECT_EQ(dry.trees().size(), 200U);
+    Stand thin = equal_trees(spruce, 9.0, 14.0, 200);
+    let_it_snow(thin, 1.0, 1.0, 0);
     EXPECT_EQ(thin.trees().size(), 200U);
 }
 
@@ -66,8 +74,8 @@ TEST(BreakBySnow, ComesInAsManyYearsAsItsChanceSays) {
     constexpr double p = 0.05;
     int snowy = 0;
     for (std::uint32_t replicate = 0; replicate < replicates; ++replicate) {
-        Stand stand = equal_trees(1000.0, spruce, 20.0, 30.0, 3);
-        break_by_snow(stand, table, p, 1, replicate);
+        Stand stand = equal_trees(spruce, 20.0, 30.0, 3);
+        let_it_snow(stand, 1.0, p, replicate);
         snowy += stand.trees().empty() ? 1 : 0;
     }
     // At a slenderness of 150 three of 100 stems hold: all three break in 0.92 of the snowy years.

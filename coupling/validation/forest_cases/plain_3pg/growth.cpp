@@ -15,6 +15,26 @@ double by_age(double years, const ByAge& property, double power_of_age) {
     return forest::by_age(years, property.young, property.mature, property.half_years, power_of_age);
 }
 
+/// Litterfall by age; from nothing at planting it is the limit of the law for ever smaller first rates, a
+/// step at the median age (r3PG divides by the first rate).
+double litterfall_of_age(double age_years, const forest::Litterfall& litterfall) {
+    if (litterfall.initial_pmonth > 0.0 || litterfall.median_months * litterfall.mature_pmonth == 0.0) {
+        return forest::litterfall_pmonth(age_years, litterfall);
+    }
+    constexpr double months_per_year = 12.0;
+    const double months = months_per_year * age_years;
+    return months < litterfall.median_months   ? 0.0
+           : months > litterfall.median_months ? litterfall.mature_pmonth
+                                               : 0.5 * litterfall.mature_pmonth;
+}
+
+/// Conductance by CO2. Where it halves from 350 to 700 ppm the law's parameter is infinite and it is 350 /
+/// CO2.
+double co2_conductance(double co2_ppm, double at_700) {
+    constexpr double reference_ppm = 350.0;
+    return at_700 == 0.5 ? reference_ppm / co2_ppm : forest::co2_conductance_modifier(co2_ppm, at_700);
+}
+
 int months_since_planting(const StartingSpecies& species, YearMonth when) {
     return when.count() - species.planted.count();
 }
@@ -51,7 +71,7 @@ void grow_older(Stand& stand, const Inputs& inputs, YearMonth when) {
         const RandomMortality& random = parameters.random_mortality;
         age.random_mortality =
             by_age(age.years, {random.initial, random.mature, random.median_years}, random.shape);
-        age.litterfall_pmonth = forest::litterfall_pmonth(age.previous_years, parameters.litterfall);
+        age.litterfall_pmonth = litterfall_of_age(age.previous_years, parameters.litterfall);
     }
 }
 
@@ -105,7 +125,7 @@ void climate_modifiers(Stand& stand, const Inputs& inputs, const ClimateMonth& m
         f.frost = forest::frost_modifier(month.frost_days, forest::days_in_month(month.when.month),
                                          parameters.frost_loss);
         f.co2_assimilation = forest::co2_assimilation_modifier(month.co2_ppm, parameters.assimilation_at_700);
-        f.co2_conductance = forest::co2_conductance_modifier(month.co2_ppm, parameters.conductance_at_700);
+        f.co2_conductance = co2_conductance(month.co2_ppm, parameters.conductance_at_700);
         f.age = forest::age_modifier(stand.species[i].age.previous_years, parameters.age);
     }
 }

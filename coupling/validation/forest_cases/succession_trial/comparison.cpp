@@ -29,6 +29,29 @@ double share_of(const SpeciesGroup& group, const std::vector<double>& biomass, d
     return all > 0.0 ? sum / all : 0.0;
 }
 
+template <std::size_t place>
+double dead_wood_of(const SuccessionState& state) {
+    return state.dead_wood_by_class_m3pha[place];
+}
+
+template <forest::Cause cause>
+double lost_to(const SuccessionState& state) {
+    return state.lost_m3pha[forest::index_of(cause)];
+}
+
+/// Replicates of a site in which a species is left.
+double kept_in(const SpeciesGroup& native, std::span<const SuccessionRun> runs) {
+    double kept = 0.0;
+    for (const SuccessionRun& run : runs) {
+        if (run.site == native.site && !run.states.empty()) {
+            const double stems_pha =
+                run.states.back().species[index_of(native.species.front())].stems_10cm_pha;
+            kept += stems_pha > 0.0 ? 1.0 : 0.0;
+        }
+    }
+    return kept;
+}
+
 double greatest_share_outside(const SpeciesGroup& group, std::vector<double> biomass, double all) {
     for (const SpeciesId kind : group.species) {
         biomass[index_of(kind)] = 0.0;
@@ -75,6 +98,20 @@ std::vector<SpeciesGroup> read_species_groups(const config::Table& table, const 
     }
     problems.throw_if_any();
     return groups;
+}
+
+std::vector<SpeciesGroup> read_natives(const config::Table& table, const SpeciesTable& species) {
+    require(table, {"site", "species"});
+    config::Problems problems;
+    std::vector<SpeciesGroup> natives;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& name = table.text(row, "species");
+        if (const auto kind = species.find(name, table.place(row, "species"), problems)) {
+            natives.push_back({table.text(row, "site"), species[*kind].code, {*kind}});
+        }
+    }
+    problems.throw_if_any();
+    return natives;
 }
 
 SuccessionTrial trial_at(const SuccessionCase& data, const SuccessionSite& site) {
@@ -135,7 +172,16 @@ const std::vector<StandMeasure>& stand_measures() {
         {"basal_area_m2pha", "basal area", "m2/ha", [](const auto& s) { return s.basal_area_m2pha(); }},
         {"stems_60cm_pha", "stems above 60 cm", "1/ha", [](const auto& s) { return s.thick_stems_pha; }},
         {"top_height_m", "height of the 100 thickest", "m", [](const auto& s) { return s.top_height_m; }},
-        {"dead_wood_m3pha", "dead wood", "m3/ha", [](const auto& s) { return s.dead_wood_m3pha; }}};
+        {"dead_wood_m3pha", "dead wood", "m3/ha", [](const auto& s) { return s.dead_wood_m3pha; }},
+        {"dead_wood_class1_m3pha", "dead wood of decay class 1", "m3/ha", dead_wood_of<0>},
+        {"dead_wood_class2_m3pha", "dead wood of decay class 2", "m3/ha", dead_wood_of<1>},
+        {"dead_wood_class3_m3pha", "dead wood of decay class 3", "m3/ha", dead_wood_of<2>},
+        {"dead_wood_class4_m3pha", "dead wood of decay class 4", "m3/ha", dead_wood_of<3>},
+        {"dead_wood_class5_m3pha", "dead wood of decay class 5", "m3/ha", dead_wood_of<4>},
+        {"lost_to_wind_m3pha", "stem wood thrown by storms a year", "m3/ha", lost_to<forest::Cause::wind>},
+        {"lost_to_snow_m3pha", "stem wood broken by wet snow a year", "m3/ha", lost_to<forest::Cause::snow>},
+        {"lost_to_beetle_m3pha", "stem wood killed by bark beetles a year", "m3/ha",
+         lost_to<forest::Cause::beetle>}};
     return measures;
 }
 
@@ -167,6 +213,11 @@ std::vector<std::pair<std::string, double>> succession_figures(const SuccessionC
                 const std::string of = group.name + ":" + site.name;
                 figures.emplace_back("share:" + of, share);
                 figures.emplace_back("margin:" + of, share - greatest_share_outside(group, biomass, all));
+            }
+        }
+        for (const SpeciesGroup& native : data.natives) {
+            if (native.site == site.name) {
+                figures.emplace_back("kept:" + native.name + ":" + site.name, kept_in(native, runs));
             }
         }
     }

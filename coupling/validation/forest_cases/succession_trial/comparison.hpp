@@ -38,7 +38,8 @@ struct SuccessionCase {
     std::vector<SpeciesGroup> groups;
     forest::ClimateSeries climate;  ///< knows its elevation
     forest::LapseRates lapse_rates;
-    forest::Parameters parameters;  ///< of grow_year: case.ini says which processes are off
+    forest::Parameters parameters;        ///< of grow_year: case.ini says which processes are off
+    std::vector<SpeciesGroup> natives{};  ///< one species each, named by its code
 };
 
 /// Reads site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph. Each reader throws one InputError (data)
@@ -47,6 +48,9 @@ std::vector<SuccessionSite> read_succession_sites(const config::Table& table);
 /// Reads site,group,species (codes or names of one word, separated by blanks); other columns are read over.
 std::vector<SpeciesGroup> read_species_groups(const config::Table& table,
                                               const forest::SpeciesTable& species);
+
+/// Reads site,species (one code or name), for each species that grows at a place by nature.
+std::vector<SpeciesGroup> read_natives(const config::Table& table, const forest::SpeciesTable& species);
 
 /// The trial of a site: climate at its elevation, weather drawn from all years of
 /// the series. Throws InputError (data) if the series does not know its elevation.
@@ -79,7 +83,9 @@ const std::vector<StandMeasure>& stand_measures();
 /// death_rate_from_10cm, _20cm, _40cm, _60cm (share of trees of that size class that die in a year); for each
 /// group {"share:spruce:e1500",
 /// 0.7}, its part of the biomass, and {"margin:spruce:e1500", 0.6}, its share less that of the greatest
-/// species outside it (above 0: the group leads). 0 without trees. Sites without runs give no figures.
+/// species outside it (above 0: the group leads). 0 without trees. For each native species
+/// {"kept:piab:e1500", 10}: replicates with a tree of it from 10 cm on in the last state. Sites without runs
+/// give no figures.
 std::vector<std::pair<std::string, double>> succession_figures(const SuccessionCase& data,
                                                                std::span<const SuccessionRun> runs,
                                                                forest::YearWindow years);

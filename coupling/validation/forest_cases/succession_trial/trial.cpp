@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "coupling/validation/forest_cases/level_forest.hpp"
+#include "forest/allometry.hpp"
 #include "forest/tables.hpp"
 
 namespace coupling::validation::forest_cases::succession_trial {
@@ -22,6 +23,7 @@ using forest::StandFigures;
 using forest::YearKey;
 using forest::YearSequence;
 
+using LostByCause = std::array<double, forest::cause_count>;
 using DeathsBySize = std::array<Deaths, death_class_from_cm.size()>;
 
 /// The class of a diameter; none for trees below the first.
@@ -49,13 +51,24 @@ void count_year(const Stand& stand, DeathsBySize& sizes) {
     }
 }
 
+void count_losses(const Stand& stand, const SpeciesTable& species, LostByCause& lost_m3pha) {
+    for (const forest::DeadTree& dead : stand.deaths()) {
+        lost_m3pha[forest::index_of(dead.cause)] +=
+            dead.tree.stems / stand.grid().area_ha() *
+            forest::stem_volume_m3(species[dead.tree.species].allometry, dead.tree.dbh_cm,
+                                   dead.tree.height_m);
+    }
+}
+
 SuccessionState state_of(const Stand& stand, const SpeciesTable& species) {
     constexpr double thick_cm = 60.0;
+    constexpr double counted_cm = 10.0;
     SuccessionState state;
     state.year = stand.year();
     const forest::StandYear year = forest::year_of(stand, species, 0.0);
     state.top_height_m = year.all.dominant_height_m;
     state.dead_wood_m3pha = year.snags_m3pha + year.logs_m3pha;
+    state.dead_wood_by_class_m3pha = year.dead_wood_m3pha;
     for (const forest::Tree& tree : stand.trees()) {
         state.thick_stems_pha += tree.dbh_cm > thick_cm ? tree.stems / stand.grid().area_ha() : 0.0;
     }
@@ -64,6 +77,10 @@ SuccessionState state_of(const Stand& stand, const SpeciesTable& species) {
                                  .basal_area_m2pha = figures.basal_area_m2pha,
                                  .stems_pha = figures.stems_pha});
         state.volume_m3pha += figures.volume_m3pha;
+    }
+    for (const forest::Tree& tree : stand.trees()) {
+        state.species[forest::index_of(tree.species)].stems_10cm_pha +=
+            tree.dbh_cm >= counted_cm ? tree.stems / stand.grid().area_ha() : 0.0;
     }
     state.ground_light = 0.0;
     for (const PatchState& patch : stand.patch_states()) {
@@ -100,16 +117,28 @@ std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial, const
 
     std::vector<SuccessionState> states;
     DeathsBySize deaths{};
+    LostByCause lost_m3pha{};
+    int years_counted = 0;
+    forest::Parameters undisturbed = trial.parameters;
+    undisturbed.disturbance.wind = undisturbed.disturbance.snow = undisturbed.disturbance.beetle = false;
     for (int year = 1; year <= trial.years; ++year) {
         const ClimateYear* const climate = trial.climate.find(sequence.source_of(year));
         assert(climate != nullptr);
         const std::vector<ClimateYear> weather(site.units().size(), *climate);
-        static_cast<void>(grow_year(stand, site, species, {.units = weather}, trial.parameters, key));
+        static_cast<void>(grow_year(stand, site, species, {.units = weather},
+                                    year < trial.disturbed_from_year ? undisturbed : trial.parameters, key));
         count_year(stand, deaths);
+        count_losses(stand, species, lost_m3pha);
+        ++years_counted;
         if (year % trial.interval_years == 0 || year == trial.years) {
             states.push_back(state_of(stand, species));
             states.back().deaths = deaths;
             deaths = {};
+            for (std::size_t cause = 0; cause < lost_m3pha.size(); ++cause) {
+                states.back().lost_m3pha[cause] = lost_m3pha[cause] / years_counted;
+            }
+            lost_m3pha = {};
+            years_counted = 0;
         }
     }
     return states;

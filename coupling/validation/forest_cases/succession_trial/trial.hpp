@@ -6,9 +6,11 @@
 
 #include "config/units/angle.hpp"
 #include "forest/climate/sequence.hpp"
+#include "forest/deadwood/decay_class.hpp"
 #include "forest/parameters.hpp"
 #include "forest/patch.hpp"
 #include "forest/species.hpp"
+#include "forest/stand_balance.hpp"
 #include "forest/year.hpp"
 
 namespace coupling::validation::forest_cases::succession_trial {
@@ -23,6 +25,7 @@ struct SuccessionTrial {
     int side_patches = 10;  ///< 10: one hectare
     int years = 400;
     int interval_years = 10;        ///< between two states
+    int disturbed_from_year = 1;    ///< storms, snow and beetles, where parameters have them on, begin here
     forest::Parameters parameters;  ///< with the processes that are switched off
 };
 
@@ -31,6 +34,7 @@ struct SpeciesShare {
     double biomass_tpha = 0.0;  ///< above ground, dry
     double basal_area_m2pha = 0.0;
     double stems_pha = 0.0;  ///< of 1 cm and more
+    double stems_10cm_pha = 0.0;
 };
 
 /// Trees by size, for their deaths: from 10, 20, 40 and 60 cm diameter on.
@@ -47,10 +51,13 @@ struct SuccessionState {
     int year = 0;                       ///< since bare ground
     std::vector<SpeciesShare> species;  ///< in the order of the table
     double volume_m3pha = 0.0;
-    double thick_stems_pha = 0.0;                             ///< above 60 cm diameter
-    double top_height_m = 0.0;                                ///< of the 100 thickest stems of a hectare
-    double dead_wood_m3pha = 0.0;                             ///< standing and lying
-    double ground_light = 1.0;                                ///< mean over the patches
+    double thick_stems_pha = 0.0;  ///< above 60 cm diameter
+    double top_height_m = 0.0;     ///< of the 100 thickest stems of a hectare
+    double dead_wood_m3pha = 0.0;  ///< standing and lying
+    std::array<double, forest::decay_class_count> dead_wood_by_class_m3pha{};
+    std::array<double, forest::cause_count>
+        lost_m3pha{};           ///< stem wood a year since the state before, by cause
+    double ground_light = 1.0;  ///< mean over the patches
     std::array<Deaths, death_class_from_cm.size()> deaths{};  ///< since the state before, by size
 
     [[nodiscard]] double biomass_tpha() const;

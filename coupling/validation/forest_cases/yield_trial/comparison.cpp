@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
+
+#include "config/text/numbers.hpp"
+#include "forest/allometry.hpp"
 
 namespace coupling::validation::forest_cases::yield_trial {
 
@@ -22,6 +26,22 @@ int whole_in(const config::Table& table, std::size_t row, const char* column, in
              config::Problems& problems) {
     const config::NumberRange range{.low = static_cast<double>(low), .high = static_cast<double>(high)};
     return static_cast<int>(table.whole(row, column, range, problems).value_or(low));
+}
+
+double above_zero(const config::Table& table, std::size_t row, const char* column, double high,
+                  config::Problems& problems) {
+    return table.number(row, column, {.low = 0.0, .high = high, .low_excluded = true}, problems)
+        .value_or(1.0);
+}
+
+/// The class of a table, in its own words.
+std::string class_in(const config::Table& table, std::size_t row, config::Problems& problems) {
+    const std::string& text = table.text(row, "class");
+    if (text.empty()) {
+        problems.add(config::ExitCode::data, table.place(row, "class"), "no class",
+                     "the site class or yield level as the table names it, such as 2, II.5 or M34");
+    }
+    return text;
 }
 
 void require(const config::Table& table, const std::vector<std::string>& columns) {
@@ -67,7 +87,11 @@ std::vector<YieldSite> read_yield_sites(const config::Table& table, const Specie
         site.fertility = number_in(table, row, "fertility", 0.0, 1.0, problems);
         site.table = table.text(row, "table");
         if (!site.table.empty()) {
-            site.site_class = number_in(table, row, "class", 0.0, 10.0, problems);
+            site.site_class = class_in(table, row, problems);
+        }
+        if (table.has("latitude_deg")) {
+            site.latitude =
+                config::Angle::from_degrees(number_in(table, row, "latitude_deg", -66.0, 66.0, problems));
         }
         sites.push_back(site);
     }
@@ -76,19 +100,31 @@ std::vector<YieldSite> read_yield_sites(const config::Table& table, const Specie
 }
 
 std::vector<YieldTableRow> read_yield_rows(const config::Table& table) {
-    require(table, {"table", "class", "age_years", "mean_height_m", "stems_pha", "basal_area_m2pha",
-                    "mean_dbh_cm", "volume_m3pha"});
+    require(table,
+            {"table", "class", "age_years", "mean_height_m", "stems_pha", "mean_dbh_cm", "volume_m3pha"});
     config::Problems problems;
     std::vector<YieldTableRow> rows;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         rows.push_back({.table = table.text(row, "table"),
-                        .site_class = number_in(table, row, "class", 0.0, 10.0, problems),
+                        .site_class = class_in(table, row, problems),
                         .age_years = whole_in(table, row, "age_years", 1, 1000, problems),
-                        .mean_height_m = number_in(table, row, "mean_height_m", 0.0, 100.0, problems),
-                        .mean_dbh_cm = number_in(table, row, "mean_dbh_cm", 0.0, 300.0, problems),
-                        .stems_pha = number_in(table, row, "stems_pha", 0.0, 100'000.0, problems),
-                        .basal_area_m2pha = number_in(table, row, "basal_area_m2pha", 0.0, 200.0, problems),
-                        .volume_m3pha = number_in(table, row, "volume_m3pha", 0.0, 5000.0, problems)});
+                        .mean_height_m = above_zero(table, row, "mean_height_m", 100.0, problems),
+                        .mean_dbh_cm = above_zero(table, row, "mean_dbh_cm", 300.0, problems),
+                        .stems_pha = above_zero(table, row, "stems_pha", 100'000.0, problems),
+                        .volume_m3pha = above_zero(table, row, "volume_m3pha", 5000.0, problems)});
+        YieldTableRow& last = rows.back();
+        last.basal_area_m2pha = table.has("basal_area_m2pha")
+                                    ? above_zero(table, row, "basal_area_m2pha", 200.0, problems)
+                                    : last.stems_pha * forest::basal_area_m2(last.mean_dbh_cm);
+        for (std::size_t other = 0; other < row; ++other) {
+            if (rows[other].table == last.table && rows[other].age_years == last.age_years &&
+                is_same_class(rows[other].site_class, last.site_class)) {
+                problems.add(config::ExitCode::data, table.place(row, "age_years"),
+                             "age " + std::to_string(last.age_years) + " of " + last.table + ", class " +
+                                 last.site_class + ", a second time",
+                             "each age of a class once", "leave one of the rows out");
+            }
+        }
     }
     problems.throw_if_any();
     return rows;
@@ -97,11 +133,29 @@ std::vector<YieldTableRow> read_yield_rows(const config::Table& table) {
 std::vector<YieldTableRow> rows_of(const YieldCase& data, const YieldSite& site) {
     std::vector<YieldTableRow> rows;
     std::copy_if(data.rows.begin(), data.rows.end(), std::back_inserter(rows), [&](const YieldTableRow& row) {
-        return !site.table.empty() && row.table == site.table && row.site_class == site.site_class;
+        return !site.table.empty() && row.table == site.table &&
+               is_same_class(row.site_class, site.site_class);
     });
     std::sort(rows.begin(), rows.end(),
               [](const YieldTableRow& a, const YieldTableRow& b) { return a.age_years < b.age_years; });
     return rows;
+}
+
+bool is_same_class(const std::string& a, const std::string& b) {
+    const std::optional<double> first = config::parse_number(a);
+    const std::optional<double> second = config::parse_number(b);
+    return first && second ? *first == *second : a == b;
+}
+
+std::vector<int> ages_of_tables(const YieldCase& data) {
+    std::set<int> ages;
+    for (const YieldSite& site : data.sites) {
+        const std::vector<YieldTableRow> rows = rows_of(data, site);
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            ages.insert(rows[i].age_years);
+        }
+    }
+    return {ages.begin(), ages.end()};
 }
 
 std::vector<int> ages_of(const YieldCase& data, const YieldSite& site, const std::vector<int>& ages_years) {
@@ -130,6 +184,7 @@ SiteYields compare_yields(const YieldCase& data, const YieldSite& site, const Sp
     YieldTrial trial;
     trial.species = site.species;
     trial.soil.fertility = site.fertility;
+    trial.latitude = site.latitude;
     trial.weather = climate_of(data, site).years;
     trial.parameters = data.parameters;
     trial.parameters.processes.light = light;

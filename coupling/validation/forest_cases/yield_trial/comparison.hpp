@@ -13,7 +13,7 @@ namespace coupling::validation::forest_cases::yield_trial {
 /// A stand of a yield table.
 struct YieldTableRow {
     std::string table;
-    double site_class = 1.0;  ///< 1 is best; tables have halves, too
+    std::string site_class;  ///< as the table names it, such as "1", "2.5", "III" or "M34"
     int age_years = 0;
     double mean_height_m = 0.0;  ///< of the tree of mean basal area
     double mean_dbh_cm = 0.0;
@@ -29,7 +29,8 @@ struct YieldSite {
     double elevation_m = 0.0;
     double fertility = 0.0;
     std::string table;  ///< it is held against, "" for none
-    double site_class = 0.0;
+    std::string site_class;
+    config::Angle latitude = config::Angle::from_degrees(47.7);
 };
 
 /// Sites, tables and climate of a comparison.
@@ -46,14 +47,21 @@ enum class Treatment : std::uint8_t {
     left_alone,
 };
 
-/// Reads site,species,elevation_m,fertility,table,class. Each reader throws one InputError (data) for all
-/// problems.
+/// Reads site,species,elevation_m,fertility,table,class and, where it is there, latitude_deg. Each reader
+/// throws one InputError (data) for all problems.
 std::vector<YieldSite> read_yield_sites(const config::Table& table, const forest::SpeciesTable& species);
-/// Reads table,class,age_years,mean_height_m,stems_pha,basal_area_m2pha,mean_dbh_cm,volume_m3pha.
+/// Reads table,class,age_years,mean_height_m,stems_pha,mean_dbh_cm,volume_m3pha and, where it is there,
+/// basal_area_m2pha. Other columns are read over; an age stands once in a class.
 std::vector<YieldTableRow> read_yield_rows(const config::Table& table);
 
 /// Rows of the table and class of a site, by rising age.
 std::vector<YieldTableRow> rows_of(const YieldCase& data, const YieldSite& site);
+
+/// Whether two classes are the same: "2" and "2.0" are, "II" is another.
+bool is_same_class(const std::string& a, const std::string& b);
+
+/// All ages at which some site can be compared with its table, rising.
+std::vector<int> ages_of_tables(const YieldCase& data);
 
 /// Ages that a site is compared at: all for one without a table; else those of its table that come after the
 /// first, at which its stand starts.

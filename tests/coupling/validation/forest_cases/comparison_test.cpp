@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
@@ -98,13 +99,103 @@ TEST(ProductionCase, NoticesOneWrongDigitOfTheReference) {
     EXPECT_EQ(row_of(result, "largest_difference_ppb:beech").default_verdict, Verdict::inside);
 }
 
-TEST(ProductionCase, RefusesAReferenceOfAnotherLength) {
-    CaseFiles files = shipped("forest_production");
-    std::string& text = files.texts["out_pine_pjs.csv"];
-    for (int rows = 0; rows < 2; ++rows) {
-        text.erase(text.rfind('\n', text.size() - 2) + 1);
+/// Lines of a table, its head first.
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in{text};
+    for (std::string line; std::getline(in, line);) {
+        if (!line.starts_with('#')) {
+            lines.push_back(line);
+        }
     }
-    EXPECT_NE(problem_of(files).find("118 rows"), std::string::npos) << problem_of(files);
+    return lines;
+}
+
+std::string text_of(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += line + "\n";
+    }
+    return text;
+}
+
+TEST(ProductionCase, FindsRowsByDateAndSpeciesInAnyOrder) {
+    CaseFiles files = shipped("forest_production");
+    const Values straight = result_of(files).variants.front().values;
+    for (const char* file : {"out_pine_pjs.csv", "own_mixture_thinned.csv"}) {
+        std::vector<std::string> lines = lines_of(files.texts[file]);
+        std::reverse(lines.begin() + 1, lines.end());
+        files.texts[file] = text_of(lines);
+    }
+    const Values turned = result_of(files).variants.front().values;
+    for (const auto& [name, estimate] : straight) {
+        EXPECT_EQ(turned.at(name).value, estimate.value) << name;
+    }
+}
+
+TEST(ProductionCase, ComparesThePartThatAReferenceHas) {
+    CaseFiles files = shipped("forest_production");
+    std::vector<std::string> lines = lines_of(files.texts["out_pine_pjs.csv"]);
+    lines.erase(lines.begin() + 40, lines.begin() + 100);
+    files.texts["out_pine_pjs.csv"] = text_of(lines);
+    EXPECT_FALSE(misses_any(result_of(files)));
+}
+
+TEST(ProductionCase, NamesRowsThatAreNotInTheRun) {
+    const auto with_row = [](const std::string& row) {
+        CaseFiles files = shipped("forest_production");
+        files.texts["out_pine_pjs.csv"] = "date,species,dbh\n2001-02-28,Pinus sylvestris,20.0228561\n" + row;
+        return problem_of(files);
+    };
+    EXPECT_EQ(with_row(""), "");
+    EXPECT_NE(with_row("2011-01-31,Pinus sylvestris,20\n")
+                  .find("out_pine_pjs.csv:3:1: found date 2011-01-31, "
+                        "which is not in the run"),
+              std::string::npos)
+        << with_row("2011-01-31,Pinus sylvestris,20\n");
+    EXPECT_NE(with_row("2001-03-31,Pinus nigra,20\n").find("a species of the run: Pinus sylvestris"),
+              std::string::npos);
+    EXPECT_NE(with_row("2001-02,Pinus sylvestris,20\n").find("a second time"), std::string::npos);
+    EXPECT_NE(with_row("February,Pinus sylvestris,20\n").find("a date such as"), std::string::npos);
+}
+
+TEST(ProductionCase, TakesFilesAndTheHeightModelFromItsRows) {
+    CaseFiles files = shipped("forest_production");
+    for (const char* name : {"site", "species", "parameters", "climate"}) {
+        files.texts[std::string{"my_"} + name + ".csv"] = files.texts[std::string{"demo_"} + name + ".csv"];
+        files.texts.erase(std::string{"demo_"} + name + ".csv");
+    }
+    files.texts["criteria.csv"] =
+        "quantity,low,high,rests_on,rule,cause\n"
+        "largest_difference_ppb:pine,0,1000,independent,,\n";
+    const auto rows_with = [](const std::string& height) {
+        return "run,species,models,reference,source,site,start,parameters,climate,height\n"
+               "pine,Pinus sylvestris,3-PGpjs,out_pine_pjs.csv,r3PG,my_site.csv,my_species.csv,"
+               "my_parameters.csv,my_climate.csv," +
+               height + "\n";
+    };
+    files.texts["runs.csv"] = rows_with("power");
+    EXPECT_FALSE(misses_any(result_of(files)));
+    files.texts["runs.csv"] = rows_with("exponential");
+    EXPECT_TRUE(misses_any(result_of(files))) << "another height";
+    files.texts["runs.csv"] = rows_with("2");
+    EXPECT_NE(problem_of(files).find("exponential (model 2)"), std::string::npos);
+}
+
+TEST(ProductionCase, TakesPublishedParameters) {
+    // No litterfall at planting, conductance that more than halves at 700 ppm, leaves that change in a year.
+    CaseFiles files = shipped("forest_production");
+    std::string& parameters = files.texts["demo_parameters.csv"];
+    const auto set = [&](const std::string& name, const std::string& value) {
+        const std::size_t at = parameters.find("\n" + name + ",") + 1;
+        ASSERT_NE(at, 0U) << name;
+        parameters.replace(at, parameters.find('\n', at) - at, name + "," + value + "," + value);
+    };
+    set("gammaF0", "0");
+    set("fCg700", "0.293");
+    set("tSLA", "1");
+    const CaseResult result = result_of(files);
+    EXPECT_TRUE(std::isfinite(row_of(result, "largest_difference_ppb:pine").default_value.value));
 }
 
 TEST(LightCase, MissesTheCorrelationOnTheSouthSlopeAlone) {
@@ -128,6 +219,31 @@ TEST(LightCase, ShowsEveryTreeOnEverySlope) {
             EXPECT_EQ(plot.series.back().points.size(), 333U);
         }
     }
+}
+
+TEST(YieldCase, TakesClassesAndAgesOfAnyTable) {
+    CaseFiles files = small_yield();
+    files.texts["sites.csv"] =
+        "site,species,elevation_m,fertility,table,class,latitude_deg\nmine,piab,1000,0.8,my table,II.5,46\n";
+    // No basal area; ages as they were measured.
+    files.texts["yield_tables.csv"] =
+        "table,class,age_years,mean_height_m,stems_pha,mean_dbh_cm,volume_m3pha\n"
+        "my table,II.5,23,6.5,4400,8.2,90\nmy table,II.5,37,12.4,2300,14.8,240\n"
+        "my table,III,37,10.1,2700,12.6,170\n";
+    files.texts["criteria.csv"] =
+        "quantity,low,high,rests_on,rule,cause\nvolume_ratio:mine:37,0.2,5,"
+        "independent,,\n";
+    replace(files.texts["case.ini"], "ages_years = 40, 50", "ages_years =");
+    replace(files.texts["case.ini"], "drawn_ages_years = 50", "drawn_ages_years =\ntwins = no");
+    const CaseResult result = result_of(files);
+    EXPECT_FALSE(misses_any(result));
+    const Values& values = result.variants.front().values;
+    EXPECT_NEAR(values.at("volume_m3pha:mine:37").value / values.at("volume_ratio:mine:37").value, 240.0,
+                1e-9)
+        << "of its class";
+    replace(files.texts["yield_tables.csv"], "my table,III,37", "my table,II.5,37");
+    EXPECT_NE(problem_of(files).find("age 37 of my table, class II.5, a second time"), std::string::npos)
+        << problem_of(files);
 }
 
 TEST(YieldCase, JudgesEachSiteAgainstItsTable) {

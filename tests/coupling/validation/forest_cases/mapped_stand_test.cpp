@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -17,8 +18,8 @@ config::Table table(const std::string& name) {
 
 const MappedStand& prenovel() {
     static const MappedStand stand =
-        mapped_stand(table("trees.csv"), table("ground.csv"), table("leaves.csv"), table("radiation.csv"),
-                     table("slopes.csv"));
+        mapped_stand({table("trees.csv"), table("leaves.csv"), table("radiation.csv"), table("slopes.csv"),
+                      table("ground.csv")});
     return stand;
 }
 
@@ -42,10 +43,9 @@ TEST(MappedStand, HasTheStandOfTheReference) {
 TEST(MappedStand, NamesASpeciesWithoutLeaves) {
     std::istringstream leaves{
         "species,crown,foliage_a,foliage_b,sla_m2_per_kg\nAbies alba,paraboloid,0.065,1.56,5\n"};
-    EXPECT_THROW(
-        mapped_stand(table("trees.csv"), table("ground.csv"), config::Table::read(leaves, "leaves.csv"),
-                     table("radiation.csv"), table("slopes.csv")),
-        config::InputError);
+    EXPECT_THROW(mapped_stand({table("trees.csv"), config::Table::read(leaves, "leaves.csv"),
+                               table("radiation.csv"), table("slopes.csv"), table("ground.csv")}),
+                 config::InputError);
 }
 
 /// The stand with a table of its own for the slopes or the radiation.
@@ -56,9 +56,9 @@ MappedStand stand_with(const std::string& slopes, const std::string& radiation =
         slopes};
     std::istringstream radiation_in{radiation};
     return mapped_stand(
-        table("trees.csv"), table("ground.csv"), table("leaves.csv"),
-        radiation.empty() ? table("radiation.csv") : config::Table::read(radiation_in, "radiation.csv"),
-        config::Table::read(slopes_in, "slopes.csv"));
+        {table("trees.csv"), table("leaves.csv"),
+         radiation.empty() ? table("radiation.csv") : config::Table::read(radiation_in, "radiation.csv"),
+         config::Table::read(slopes_in, "slopes.csv"), table("ground.csv")});
 }
 
 TEST(MappedStand, LiesWhereItsTableSays) {
@@ -88,6 +88,57 @@ TEST(MappedStand, RefusesWhatDoesNotFitTogether) {
     }
     EXPECT_THROW(static_cast<void>(stand_with("slope_6,46.5,100,6,144,324,2439.9,2095.3\n",
                                               "global_mjpm2,diffuse_share\n100,0.5\n")),
+                 config::InputError);
+}
+
+config::Table sensors_of(const std::string& rows) {
+    std::istringstream in{"sensor,x_m,y_m,light_slope_6\n" + rows};
+    return config::Table::read(in, "sensors.csv");
+}
+
+MappedStand stand_with_sensors(const std::string& rows) {
+    std::istringstream slopes{
+        "slope,latitude_deg,side_m,slope_deg,aspect_deg,y_axis_azimuth_deg\nslope_6,46.5,100,6,144,324\n"};
+    return mapped_stand({.trees = table("trees.csv"),
+                         .leaves = table("leaves.csv"),
+                         .radiation = table("radiation.csv"),
+                         .slopes = config::Table::read(slopes, "slopes.csv"),
+                         .sensors = sensors_of(rows)});
+}
+
+TEST(CompareLight, TakesSensorsAlone) {
+    // The reference of two ground cells as if sensors stood in their middles, and one on the edge.
+    const MappedStand stand = stand_with_sensors("a,2.5,97.5,0.08837\nb,52.5,97.5,0.2\nc,100,0,0.1\n");
+    ASSERT_EQ(stand.sensors.size(), 3U);
+    const LightAgreement agreement = compare_light(stand, stand.slopes[0]);
+    ASSERT_EQ(agreement.sensor_light.size(), 3U);
+    double bias = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double difference = agreement.sensor_light[i] - stand.slopes[0].sensor_light[i];
+        EXPECT_GT(agreement.sensor_light[i], 0.0);
+        EXPECT_LT(agreement.sensor_light[i], 1.0);
+        bias += difference / 3.0;
+        squares += difference * difference / 3.0;
+    }
+    EXPECT_NEAR(agreement.sensor_bias, bias, 1e-12);
+    EXPECT_NEAR(agreement.sensor_rmse, std::sqrt(squares), 1e-12);
+    EXPECT_EQ(agreement.energy_direct_ratio, 0.0) << "no reference";
+    EXPECT_EQ(agreement.ground_light_difference, 0.0);
+}
+
+TEST(CompareLight, TakesTheColumnThatASensorStandsIn) {
+    const MappedStand stand = stand_with_sensors("a,2.5,97.5,0.1\nb,7.5,92.5,0.1\nc,7.5,87.5,0.1\n");
+    const LightAgreement wide = compare_light(stand, stand.slopes[0]);
+    EXPECT_EQ(wide.sensor_light[0], wide.sensor_light[1]) << "the same 10 m";
+    EXPECT_NE(wide.sensor_light[0], wide.sensor_light[2]);
+}
+
+TEST(MappedStand, RefusesSensorsOffTheStandAndSlopesWithoutReference) {
+    EXPECT_THROW(static_cast<void>(stand_with_sensors("a,100.1,50,0.1\n")), config::InputError);
+    EXPECT_THROW(static_cast<void>(stand_with_sensors("a,10,50,1.1\n")), config::InputError);
+    EXPECT_THROW(static_cast<void>(stand_with_sensors("")), config::InputError);
+    EXPECT_THROW(static_cast<void>(stand_with("elsewhere,46.5,100,6,144,324,2439.9,2095.3\n")),
                  config::InputError);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "config/table/table.hpp"
@@ -12,6 +13,12 @@ namespace coupling::validation::forest_cases {
 inline config::Table shipped_table(const std::string& name, const std::string& file) {
     std::ifstream in{BANNWALD_SOURCE_DIR "/validation/" + name + "/" + file};
     return config::Table::read(in, file);
+}
+
+/// Its text.
+inline std::string shipped_text(const std::string& name, const std::string& file) {
+    std::ifstream in{BANNWALD_SOURCE_DIR "/validation/" + name + "/" + file};
+    return {std::istreambuf_iterator<char>{in}, {}};
 }
 
 /// The forest settings of its case.ini.

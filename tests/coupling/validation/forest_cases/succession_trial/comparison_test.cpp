@@ -146,6 +146,42 @@ TEST(SuccessionFigures, AreMeansOverYearsAndReplicates) {
     }
 }
 
+TEST(SuccessionFigures, CountTheReplicatesThatKeepASpecies) {
+    SuccessionCase data;
+    data.sites = {{"here", 500.0, {}}};
+    data.natives = {{"here", "a", {SpeciesId{0}}}, {"here", "b", {SpeciesId{1}}}};
+    SuccessionState both = state_with(300, {10.0, 20.0});
+    both.species[0].stems_10cm_pha = 3.0;
+    both.species[1].stems_10cm_pha = 1.0;
+    SuccessionState one = both;
+    one.species[1].stems_10cm_pha = 0.0;
+    const std::vector<SuccessionRun> runs{{"here", {both, one}}, {"here", {one, both}}, {"here", {both}}};
+    const auto in_order = succession_figures(data, runs, {300, 400});
+    const std::map<std::string, double> figures(in_order.begin(), in_order.end());
+    EXPECT_EQ(figures.at("kept:a:here"), 3.0);
+    EXPECT_EQ(figures.at("kept:b:here"), 2.0) << "at the end";
+}
+
+TEST(GrowSuccession, BeginsDisturbancesInTheirYear) {
+    const SpeciesTable species = SpeciesTable::shipped();
+    const SuccessionCase data = shipped_case(species);
+    SuccessionTrial trial = small_trial_at(data, "e1000");
+    trial.side_patches = 3;
+    trial.years = 80;
+    const std::vector<SuccessionState> calm = grow_succession(trial, species, {1, 0});
+    trial.parameters.disturbance.wind = true;
+    trial.parameters.disturbance.storm_interval_years = 1.0;
+    trial.disturbed_from_year = 61;
+    const std::vector<SuccessionState> stormy = grow_succession(trial, species, {1, 0});
+    ASSERT_EQ(stormy.size(), 8U);
+    const std::size_t wind = index_of(forest::Cause::wind);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(calm[i].lost_m3pha[wind], 0.0);
+        EXPECT_EQ(stormy[i].lost_m3pha[wind] > 0.0, i >= 6) << stormy[i].year;
+    }
+    EXPECT_NEAR(stormy[5].dead_wood_by_class_m3pha[0], calm[5].dead_wood_by_class_m3pha[0], 1.0);
+}
+
 TEST(SuccessionFigures, AreZeroOnBareGround) {
     SuccessionCase data;
     data.sites = {{"here", 500.0, {}}};

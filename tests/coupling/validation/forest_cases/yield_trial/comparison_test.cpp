@@ -139,7 +139,7 @@ TEST(ReadYieldSites, NamesTheSpeciesItDoesNotKnow) {
 TEST(CompareYields, AsksForTheClimateAndTheTableOfEachSite) {
     YieldCase data = shipped_case();
     YieldSite site = site_of("piab_500");
-    site.site_class = 9.0;
+    site.site_class = "9";
     const auto compare = [&] {
         static_cast<void>(
             compare_yields(data, site, species, Treatment::left_alone, TreeLight::by_layers, {70}));
