@@ -8,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t member_part_magic = 0x36304D45'4D4E4142ULL;  // "BANMEM06", least byte first
+constexpr std::uint64_t member_part_magic = 0x37304D45'4D4E4142ULL;  // "BANMEM07", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
@@ -16,6 +16,7 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.years);
     visit(years.stands);
     visit(years.gaps);
+    visit(years.indicators);
     visit(years.losses);
     visit(years.trees);
     visit(years.dead_wood);
@@ -27,6 +28,8 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.margins);
     visit(years.slopes);
     visit(years.targets);
+    visit(years.living);
+    visit(years.energies);
 }
 
 /// As the names of part files count.
