@@ -6,4 +6,8 @@ std::string version() {
     return BANNWALD_VERSION;
 }
 
+std::string commit() {
+    return BANNWALD_COMMIT;
+}
+
 }  // namespace coupling

@@ -11,10 +11,11 @@ struct Cohort {
     PatchId patch{};
     SpeciesId species{};
     Origin origin = Origin::seed;
-    std::uint32_t stems = 0;         ///< >= 1
-    double height_m = 0.0;           ///< mean, > 0
-    std::uint16_t age_years = 0;     ///< 0 in its first year
-    std::uint16_t stress_years = 0;  ///< bad years in a row
+    std::uint32_t stems = 0;          ///< >= 1
+    double height_m = 0.0;            ///< mean, > 0
+    std::uint16_t age_years = 0;      ///< 0 in its first year
+    std::uint16_t stress_years = 0;   ///< bad years in a row
+    std::uint16_t guarded_years = 0;  ///< for which guards around each plant still keep deer off
 };
 
 }  // namespace forest

@@ -277,6 +277,9 @@ void Stand::grow_cohorts(std::span<const CohortGrowth> growth) {
         cohorts_[i].height_m = growth[i].height_m;
         cohorts_[i].stress_years = growth[i].stress_years;
         ++cohorts_[i].age_years;
+        if (cohorts_[i].guarded_years > 0) {
+            --cohorts_[i].guarded_years;
+        }
     }
 }
 

@@ -15,13 +15,16 @@
 #include "coupling/commands/estimate.hpp"
 #include "coupling/commands/listing.hpp"
 #include "coupling/decades/management.hpp"
+#include "coupling/decades/report/plan_page.hpp"
 #include "coupling/hazard/hazard_run.hpp"
 #include "coupling/inputs/map_size.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/profile/profile_run.hpp"
+#include "coupling/results/out_file.hpp"
 
 namespace coupling {
 
@@ -146,9 +149,10 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
     doubt_memory(estimate, warnings);
 }
 
-void describe_years(const Scenario& scenario, Site site, int threads, config::Warnings& warnings,
-                    std::ostream& out) {
-    const decades::Management management = decades::read_management(scenario, *site.forest, warnings);
+void describe_years(const CommandLine& line, const Scenario& scenario, Site site, int threads,
+                    config::Warnings& warnings, std::ostream& out) {
+    const decades::Management management =
+        decades::read_management(scenario, *site.forest, warnings, decades::mean_block_m(scenario, site));
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
     describe_site(scenario, site, out);
     describe_forest(scenario, site, management, out);
@@ -164,6 +168,12 @@ void describe_years(const Scenario& scenario, Site site, int threads, config::Wa
     }
     say_cost(estimate, threads, out);
     doubt_memory(estimate, warnings);
+    if (!line.page.empty()) {
+        OutFile page{line.page};
+        decades::write_plan_page(page.stream(), scenario, site, management);
+        page.close();
+        say(out, "page", line.page.string());
+    }
 }
 
 /// Each return period as the run that it will be.
@@ -175,6 +185,22 @@ void check_return_periods(const CommandLine& line, const Scenario& scenario, int
         gap = "\n";
         const auto one = hazard::scenario_of(line.argument, line.overrides, years);
         describe_today(*one, open_site(*one, warnings), threads, warnings, out);
+    }
+}
+
+/// A page shows where regimes act: only runs over years have such.
+void refuse_page(const CommandLine& line, const Scenario& scenario) {
+    if (line.page.empty()) {
+        return;
+    }
+    if (scenario.years == 0) {
+        config::fail(config::ExitCode::settings, {scenario.file.string()},
+                     "--page for a scenario without run.years",
+                     "a run over years: the page shows where its regimes act", "leave --page out");
+    }
+    if (!line.overwrite && path_exists(line.page)) {
+        config::fail(config::ExitCode::settings, {line.page.string()}, "a file that is there", "a new file",
+                     "name another one, or add --overwrite");
     }
 }
 
@@ -199,12 +225,13 @@ void print_settings(const config::Options& options, std::ostream& out) {
 void check_scenario(const CommandLine& line, config::Warnings& warnings, std::ostream& out) {
     const auto scenario = read_scenario(line.argument, line.overrides);
     const int threads = line.threads > 0 ? line.threads : omp_get_max_threads();
+    refuse_page(line, *scenario);
     if (wants_hazard_map(*scenario)) {
         check_return_periods(line, *scenario, threads, warnings, out);
     } else if (scenario->profile.empty()) {
         Site site = open_site(*scenario, warnings);
         if (site.forest) {
-            describe_years(*scenario, std::move(site), threads, warnings, out);
+            describe_years(line, *scenario, std::move(site), threads, warnings, out);
         } else {
             describe_today(*scenario, site, threads, warnings, out);
         }

@@ -23,7 +23,7 @@ namespace po = boost::program_options;
 const std::map<std::string, std::vector<std::string>>& options_of_commands() {
     static const std::map<std::string, std::vector<std::string>> options{
         {"init", {"example", "from-rockyfor3d", "dem", "sources", "targets", "trees", "grounds"}},
-        {"check", {"set", "seed", "threads", "print-settings"}},
+        {"check", {"set", "seed", "threads", "print-settings", "page", "overwrite"}},
         {"run", {"set", "seed", "threads", "out", "overwrite", "shard"}},
         {"merge", {"set", "seed", "out", "overwrite"}},
         {"validate", {"set", "seed", "threads", "out", "overwrite", "cases", "profile", "rocks", "list"}},
@@ -31,6 +31,8 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
         {"compare", {"out", "page", "overwrite"}},
         {"vary", {"set", "seed", "threads", "out", "overwrite"}},
+        {"pack", {"scenario", "title", "creator", "licence", "date", "out", "overwrite"}},
+        {"verify", {"rerun", "out", "threads"}},
         {"net", {"nets", "distances", "azimuth", "out", "overwrite"}},
         {"info", {}},
         {"completion", {}},
@@ -40,14 +42,19 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
 
 /// What the word after the command is.
 const std::map<std::string, std::string>& arguments_of_commands() {
-    static const std::map<std::string, std::string> arguments{
-        {"init", "a folder"},           {"check", "a scenario file"}, {"run", "a scenario file"},
-        {"stopping-table", "a recipe"}, {"info", "a file"},           {"completion", "bash"}};
+    static const std::map<std::string, std::string> arguments{{"init", "a folder"},
+                                                              {"check", "a scenario file"},
+                                                              {"run", "a scenario file"},
+                                                              {"stopping-table", "a recipe"},
+                                                              {"info", "a file"},
+                                                              {"completion", "bash"},
+                                                              {"pack", "the folder of a run"},
+                                                              {"verify", "an archive"}};
     return arguments;
 }
 
 bool may_come_again(const std::string& option) {
-    return option == "set" || option == "surface";
+    return option == "set" || option == "surface" || option == "creator";
 }
 
 po::options_description described(const std::string& command) {
@@ -59,7 +66,8 @@ po::options_description described(const std::string& command) {
     for (const std::string& name : options_of_commands().at(command)) {
         if (may_come_again(name)) {
             add(name.c_str(), po::value<std::vector<std::string>>());
-        } else if (name == "overwrite" || name == "print-settings" || name == "list" || name == "pictures") {
+        } else if (name == "overwrite" || name == "print-settings" || name == "list" || name == "pictures" ||
+                   name == "rerun") {
             add(name.c_str(), "");
         } else {
             add(name.c_str(), text());
@@ -209,6 +217,30 @@ void add_stopping_table(CommandLine& line, const po::variables_map& values) {
     line.pictures = values.count("pictures") > 0;
 }
 
+/// What only people know of an archive, and whether its run is repeated.
+void add_pack(CommandLine& line, const po::variables_map& values) {
+    const auto take = [&](const char* option, std::string& text) {
+        for (const std::string& given : texts(values, option)) {
+            text = given;
+        }
+    };
+    take("title", line.title);
+    take("licence", line.licence);
+    take("date", line.date);
+    line.creators = texts(values, "creator");
+    for (const std::string& scenario : texts(values, "scenario")) {
+        line.scenario = scenario;
+    }
+    line.rerun = values.count("rerun") > 0;
+    const bool is_date = line.date.size() == 10 && line.date[4] == '-' && line.date[7] == '-' &&
+                         config::parse_whole(line.date.substr(0, 4)) &&
+                         config::parse_whole(line.date.substr(5, 2)) &&
+                         config::parse_whole(line.date.substr(8, 2));
+    if (!line.date.empty() && !is_date) {
+        refuse("--date " + config::in_quotes(line.date), "a day such as 2026-05-31");
+    }
+}
+
 /// A scenario and a table of settings.
 void add_vary(CommandLine& line, const po::variables_map& values) {
     const std::vector<std::string> words = values.count("argument") == 0
@@ -347,6 +379,10 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         line.rockyfor3d = folder;
     }
     add_given_files(line, values);
+    add_pack(line, values);
+    if (command == "check" && values.count("page") > 0) {
+        line.page = values["page"].as<std::string>();
+    }
     for (const std::string& out : texts(values, "out")) {
         line.out = out;
     }
@@ -380,16 +416,16 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty() ? "init, check, run, merge, compare, vary, net, validate, stopping-table, info or "
-                             "completion; see `bannwald --help`"
+           nearest.empty() ? "init, check, run, merge, compare, vary, pack, verify, net, validate, "
+                             "stopping-table, info or completion; see `bannwald --help`"
                            : config::in_quotes(nearest));
 }
 
 }  // namespace
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init",           "check", "run",       "merge",
-                                                "compare",        "vary",  "net",       "validate",
+    static const std::vector<std::string> names{"init",           "check", "run",       "merge", "compare",
+                                                "vary",           "pack",  "verify",    "net",   "validate",
                                                 "stopping-table", "info",  "completion"};
     return names;
 }
@@ -414,11 +450,15 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
         refuse(config::in_quotes(arguments.front()) + " alone", "a command; see `bannwald --help`");
     }
     const auto& names = command_names();
-    if (std::find(names.begin(), names.end(), *word) == names.end()) {
-        return parse_general(*word);
-    }
     std::vector<std::string> rest{word + 1, arguments.end()};
     rest.insert(rest.end(), arguments.begin(), word);
+    if (std::find(names.begin(), names.end(), *word) == names.end()) {
+        CommandLine line = parse_general(*word);
+        if (line.command == "help-all" && !rest.empty()) {
+            line.section = rest.front();
+        }
+        return line;
+    }
     return parse_command(*word, rest);
 }
 

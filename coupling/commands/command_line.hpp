@@ -27,6 +27,9 @@ struct CommandLine {
     bool quiet = false;
     bool verbose = false;
 
+    // help-all
+    std::string section;  ///< of the settings; empty: everything
+
     // info; the argument is the file, or `tables` for the tables of results
     std::string table;  ///< of the results; none: the list of them
 
@@ -35,10 +38,18 @@ struct CommandLine {
 
     // merge, where the argument is the scenario; compare
     std::vector<std::filesystem::path> folders;
-    std::filesystem::path page;  ///< compare: HTML file; empty: none
+    std::filesystem::path page;  ///< compare, check: HTML file; empty: none
 
     // vary, where the argument is the scenario
     std::filesystem::path factors;
+
+    // pack, where the argument is the folder of a run; verify, where it is an archive
+    std::filesystem::path scenario;  ///< empty: the file beside the folder
+    std::string title;
+    std::vector<std::string> creators;
+    std::string licence;
+    std::string date;    ///< YYYY-MM-DD, empty: when the run ended
+    bool rerun = false;  ///< verify: repeats the run and compares
 
     // net, where the argument is the folder of a run
     std::string action;  ///< try or place

@@ -38,17 +38,17 @@ constexpr std::string_view middle = R"script(    esac
         --example) _bannwald_words "$_bannwald_examples"; return ;;
         --set) compopt -o nospace 2>/dev/null; _bannwald_words "$_bannwald_settings"; return ;;
         --page) _bannwald_files -f; return ;;
-        --out) if [ "$command" = compare ]; then _bannwald_files -f; else _bannwald_files -d; fi; return ;;
+        --out) if [ "$command" = compare ] || [ "$command" = pack ]; then _bannwald_files -f; else _bannwald_files -d; fi; return ;;
         --cases) _bannwald_files -d; return ;;
-        --profile|--nets) _bannwald_files -f; return ;;
-        --seed|--threads|--shard|--rocks|--surface|--surfaces|--diameters|--throws|--distances|--azimuth) return ;;
+        --profile|--nets|--scenario) _bannwald_files -f; return ;;
+        --seed|--threads|--shard|--rocks|--surface|--surfaces|--diameters|--throws|--distances|--azimuth|--title|--creator|--licence|--date) return ;;
     esac
     if [[ $word == -* ]]; then
         _bannwald_words "$options"
         return
     fi
     case $command in
-        init|compare) _bannwald_files -d ;;
+        init|compare|pack) _bannwald_files -d ;;
         net) if [ "$COMP_CWORD" -eq 2 ]; then _bannwald_words "try place"; else _bannwald_files -d; fi ;;
         validate) _bannwald_words "all $_bannwald_cases" ;;
         completion) _bannwald_words bash ;;

@@ -3,10 +3,14 @@
 #include <omp.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <boost/version.hpp>
 #include <map>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "config/errors/input_error.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/run/ranks.hpp"
 #include "coupling/validation/quantities.hpp"
@@ -25,6 +29,8 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
   bannwald vary SCENARIO FACTORS.csv   other settings one by one and crossed: which decide the result
   bannwald compare DIR DIR...          puts finished runs side by side, with which differences are significant
+  bannwald pack DIR                    makes an archive of a finished run that can be cited and repeated
+  bannwald verify FILE.zip             checks such an archive; --rerun repeats the run and compares
   bannwald net try DIR --nets FILE     evaluates other nets without another simulation
   bannwald net place DIR --nets FILE   looks for the place of a net upslope of a line
   bannwald validate [CASE...|all]      holds the model against published experiments and tables
@@ -34,7 +40,7 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
 
 Everywhere
   --help                               help of a command: bannwald run --help
-  --help-all                           every setting of a scenario
+  --help-all [SECTION]                 every setting of a scenario, or those of a section: --help-all regimes
   --version                            version, and what it was built with
   -q, --quiet                          only errors, and the warnings once at the end of a run
   -v, --verbose                        every warning and problem one by one, every file of the results
@@ -87,7 +93,9 @@ constexpr std::string_view threads_option =
 
 constexpr std::string_view check_help = R"(bannwald check SCENARIO [options]
 
-Reads all files of a scenario and lists every problem; prints how large the run is. Writes nothing.
+Reads all files of a scenario and lists every problem; prints how large the run is. Writes nothing but the page.
+  --page FILE               of a run over years: where its regimes act, as a page with maps (HTML)
+  --overwrite               replaces that page if it is there
   --print-settings          every setting with value, unit, default and source
 )";
 
@@ -133,9 +141,33 @@ and all runs as vary.csv. FACTORS.csv has a row a setting:
   setting,values,how
   tree_impact.taper,yes no,alone                   each value alone, all else as in the scenario
   release.diameter_m,0.5 1.0,crossed               with each value of all other crossed settings
-Any setting may vary, files too: trees.file, terrain.dem; ground.pasture.r_t is a value of a ground type.
+With run.years above 0 the chart is about the paired difference of the regimes, and the page says which settings
+change their ranking. Any setting may vary, files too: trees.file, terrain.dem; ground.pasture.r_t is a value of a ground type.
   --out DIR                 folder of vary.csv and report.html
   --overwrite               replaces a study that the folder holds
+)";
+
+constexpr std::string_view pack_help = R"(bannwald pack DIR [options]
+
+Puts a finished run into a zip file that can be cited and repeated: scenario, all inputs, all results, version and
+commit of the program, the command, SHA-256 of every file, descriptions by RO-Crate 1.1 and DataCite 4. Inputs and
+settings have to be those of the run still. The same folder gives the same bytes.
+  --out FILE                the archive (default: DIR.zip)
+  --scenario FILE           the scenario of the run (default: the file of its name beside DIR)
+  --title TEXT              what the archive is called
+  --creator NAME            who made it; again for more
+  --licence NAME            of inputs and results, such as CC-BY-4.0
+  --date YYYY-MM-DD         when it was made (default: the day on which the run ended)
+  --overwrite               replaces an archive of that name
+)";
+
+constexpr std::string_view verify_help = R"(bannwald verify FILE.zip [options]
+
+Reads every file of an archive of `bannwald pack` and compares its SHA-256 with the list in the archive. Ends with
+exit code 4 if anything is damaged, missing or added.
+  --rerun                   repeats the run with this program and compares every file of its results; ends with exit
+                            code 5 if one differs
+  --out DIR                 folder of the repeated run (default: FILE-rerun); stays
 )";
 
 constexpr std::string_view completion_help = R"help(bannwald completion bash
@@ -221,6 +253,31 @@ The tables that a run writes, with unit, meaning and source of every column:
   bannwald info tables targets     the columns of targets.csv
 )";
 
+/// Settings of a section, which may stand in brackets.
+void write_help_of_section(std::ostream& out, std::string section) {
+    if (section.starts_with('[') && section.ends_with(']')) {
+        section = section.substr(1, section.size() - 2);
+    }
+    Scenario scenario;
+    config::Options options;
+    declare(options, scenario);
+    std::vector<std::string> sections;
+    for (const config::ParameterRow& row : options.rows()) {
+        sections.push_back(row.key.substr(0, row.key.rfind('.')));
+    }
+    if (std::find(sections.begin(), sections.end(), section) == sections.end()) {
+        sections.erase(std::unique(sections.begin(), sections.end()), sections.end());
+        const std::string nearest = config::nearest_word(section, sections);
+        std::string all;
+        for (const std::string& name : sections) {
+            all += (all.empty() ? "" : ", ") + name;
+        }
+        config::fail(config::ExitCode::settings, {}, "section " + config::in_quotes(section),
+                     nearest.empty() ? "one of " + all : config::in_quotes(nearest));
+    }
+    options.write_help(out, section);
+}
+
 }  // namespace
 
 void write_help(std::ostream& out, const std::string& command) {
@@ -231,6 +288,8 @@ void write_help(std::ostream& out, const std::string& command) {
                                                         {"compare", compare_help},
                                                         {"completion", completion_help},
                                                         {"vary", vary_help},
+                                                        {"pack", pack_help},
+                                                        {"verify", verify_help},
                                                         {"validate", validate_help},
                                                         {"stopping-table", stopping_table_help},
                                                         {"info", info_help},
@@ -244,7 +303,7 @@ void write_help(std::ostream& out, const std::string& command) {
     if (command == "check" || command == "run" || command == "merge" || command == "vary") {
         out << scenario_options;
     }
-    if (command == "check" || command == "run" || command == "vary") {
+    if (command == "check" || command == "run" || command == "vary" || command == "verify") {
         out << threads_option;
     }
     if (command == "validate") {
@@ -254,11 +313,16 @@ void write_help(std::ostream& out, const std::string& command) {
     }
 }
 
-void write_help_all(std::ostream& out) {
+void write_help_all(std::ostream& out, std::string section) {
+    if (!section.empty()) {
+        write_help_of_section(out, std::move(section));
+        return;
+    }
     out << short_help;
     for (const std::string_view text :
          {init_help, check_help, run_help, threads_option, merge_help, scenario_options, compare_help,
-          vary_help, net_help, validate_help, stopping_table_help, info_help, completion_help}) {
+          vary_help, pack_help, verify_help, net_help, validate_help, stopping_table_help, info_help,
+          completion_help}) {
         out << text << '\n';
     }
     out << exit_codes << "\nSettings of a scenario file\n\n";
@@ -270,8 +334,8 @@ void write_help_all(std::ostream& out) {
 
 void write_version(std::ostream& out) {
     out << "bannwald " << version();
-    if (const std::string_view commit{BANNWALD_COMMIT}; !commit.empty()) {
-        out << " (" << commit << ')';
+    if (!commit().empty()) {
+        out << " (" << commit() << ')';
     }
     out << "\nbuilt with " << BANNWALD_COMPILER << "; CGAL " << BANNWALD_CGAL << ", Eigen "
         << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION << ", Boost "

@@ -22,10 +22,13 @@
 #include "coupling/compare/compare.hpp"
 #include "coupling/nets/net_place.hpp"
 #include "coupling/nets/net_try.hpp"
+#include "coupling/pack/pack.hpp"
+#include "coupling/pack/verify.hpp"
 #include "coupling/run/messages.hpp"
 #include "coupling/run/ranks.hpp"
 #include "coupling/stopping/stopping_table.hpp"
 #include "coupling/vary/vary.hpp"
+#include "coupling/version.hpp"
 
 namespace coupling {
 namespace {
@@ -99,6 +102,58 @@ int stopping_table(const CommandLine& line) {
     return make_stopping_table(request, std::cout);
 }
 
+int pack_run(const CommandLine& line) {
+    pack::pack_run({.run = line.argument,
+                    .scenario = line.scenario,
+                    .out = line.out,
+                    .citation = {line.title, line.creators, line.licence, line.date},
+                    .overwrite = line.overwrite,
+                    .quiet = line.quiet},
+                   std::cout);
+    return code(ExitCode::done);
+}
+
+/// Repeats the run of an archive and compares its files.
+int rerun(const CommandLine& line, const pack::VerifiedArchive& archive) {
+    const std::filesystem::path folder =
+        line.out.empty() ? std::filesystem::path{line.argument}.replace_extension().concat("-rerun")
+                         : line.out;
+    pack::unpack_inputs(line.argument, archive, folder);
+    RankGroup alone{RankGroup::Alone{}};
+    const int result = run_assessment({.scenario = folder / archive.run.scenario,
+                                       .overrides = archive.run.overrides,
+                                       .out = folder / "results",
+                                       .threads = line.threads,
+                                       .quiet = true},
+                                      alone);
+    if (result != code(ExitCode::done)) {
+        return result;
+    }
+    const std::vector<std::string> differences = pack::differences_from(archive, folder / "results");
+    for (const std::string& difference : differences) {
+        std::cerr << "bannwald: " << difference << '\n';
+    }
+    std::cout << (differences.empty()
+                      ? "The repeated run made the same bytes in every file: "
+                      : joined("The repeated run differs in ", counted(differences.size(), "file"), ": "))
+              << (folder / "results").string() << '\n';
+    if (!differences.empty()) {
+        std::cerr << "bannwald: the archive was made by version " << archive.run.version << ' '
+                  << archive.run.commit << ", this is " << version() << ' ' << commit() << '\n';
+    }
+    return code(differences.empty() ? ExitCode::done : ExitCode::validation);
+}
+
+int verify(const CommandLine& line) {
+    const pack::VerifiedArchive archive = pack::verify_archive(line.argument);
+    if (!line.quiet) {
+        std::cout << line.argument.string() << ": " << archive.files.size()
+                  << " files, all with the bytes of their SHA-256; made by Bannwald " << archive.run.version
+                  << (archive.run.commit.empty() ? "" : joined(" (", archive.run.commit, ")")) << '\n';
+    }
+    return line.rerun ? rerun(line, archive) : code(ExitCode::done);
+}
+
 int carry_out(const CommandLine& line, RankGroup& ranks) {
     if (line.command == "run") {
         return run(line, ranks);
@@ -141,6 +196,12 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
                                     .quiet = line.quiet},
                                    std::cout);
     }
+    if (line.command == "pack") {
+        return pack_run(line);
+    }
+    if (line.command == "verify") {
+        return verify(line);
+    }
     if (line.command == "net" && line.action == "place") {
         place_nets({.run = line.argument,
                     .nets = line.nets,
@@ -170,7 +231,7 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
     } else if (line.command == "version") {
         write_version(std::cout);
     } else if (line.command == "help-all") {
-        write_help_all(std::cout);
+        write_help_all(std::cout, line.section);
     } else {
         write_help(std::cout, line.help_for);
     }

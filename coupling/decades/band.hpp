@@ -21,10 +21,17 @@ inline constexpr double interval_share = 0.90;
 /// extremes and no estimate of what nine in ten would do [choice].
 inline constexpr std::size_t least_for_percentiles = 10;
 
+/// From so many replicates on their skewness is estimated [choice].
+inline constexpr std::size_t least_for_skewness = 5;
+
 /// A figure over replicates. NaN is unknown.
+///
+/// Student's interval alone holds the mean of skewed figures too seldom: of one that is 0 in two thirds of
+/// the replicates in 77 to 81 % of runs of 5 to 20, as stops by few logs are. From five replicates on each
+/// end is the wider of Student's and of the one that Hall's transformation (1992) gives.
 struct Band {
     double mean = 0.0;
-    double low = 0.0;   ///< of the 90 % interval of the mean (Student's t), unknown for one replicate and
+    double low = 0.0;   ///< of the 90 % interval of the mean, unknown for one replicate and
                         ///< where all agree: equal values say nothing about chance
     double high = 0.0;  ///< of the same
     double p05 = 0.0;   ///< 5th percentile of ten and more replicates, linearly interpolated

@@ -8,8 +8,10 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/decades/decade_layouts.hpp"
+#include "coupling/decades/indicator_series.hpp"
 #include "coupling/decades/profile_tables.hpp"
 #include "coupling/decades/yearly_work.hpp"
+#include "coupling/inputs/forest_site.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/stop_causes.hpp"
@@ -18,30 +20,6 @@ namespace coupling::decades {
 namespace {
 
 using config::joined;
-
-/// Places for the figures of all members.
-Series empty_series(const Names& names, std::span<const MemberYears> members, std::string quantity,
-                    std::string target, bool low_is_bad) {
-    Series series{std::move(quantity), std::move(target), low_is_bad, false, {}};
-    series.values.resize(names.courses());
-    for (const MemberYears& member : members) {
-        auto& replicates = series.values[names.course_of(member.member)];
-        replicates.resize(std::max<std::size_t>(replicates.size(), member.member.replicate + 1));
-    }
-    return series;
-}
-
-/// Where the figures of a member belong.
-class PlaceOf {
-public:
-    explicit PlaceOf(const Names& names) : names_{names} {}
-    std::map<std::int32_t, double>& operator()(Series& series, const MemberYears& member) const {
-        return series.values[names_.course_of(member.member)][member.member.replicate];
-    }
-
-private:
-    const Names& names_;
-};
 
 /// Rocks that arrive at a target over the bare slope, over the replicates of a course in a year.
 using BareArrivals = std::map<std::pair<std::size_t, std::int32_t>, std::uint64_t>;
@@ -60,7 +38,9 @@ BareArrivals bare_arrivals(const Names& names, std::span<const MemberYears> memb
 
 void add_targets(std::vector<Series>& all_series, const Names& names, const Site& site,
                  std::span<const MemberYears> members) {
-    const PlaceOf of_member{names};
+    const auto of_member = [&](Series& series, const MemberYears& member) -> std::map<std::int32_t, double>& {
+        return values_of(series, names, member);
+    };
     for (std::uint32_t t = 0; t < site.targets.size(); ++t) {
         const std::string& id = site.targets[t].id;
         Series protection = empty_series(names, members, "protection_percent", id, true);
@@ -91,7 +71,9 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
 }
 
 void add_causes(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members) {
-    const PlaceOf of_member{names};
+    const auto of_member = [&](Series& series, const MemberYears& member) -> std::map<std::int32_t, double>& {
+        return values_of(series, names, member);
+    };
     for (std::size_t cause = 0; cause < stop_causes; ++cause) {
         const auto kind = static_cast<StopCause>(cause);
         const bool stops = kind < StopCause::left_terrain;
@@ -113,7 +95,9 @@ void add_causes(std::vector<Series>& all_series, const Names& names, std::span<c
 
 void add_profile(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members,
                  const std::optional<forest::TargetProfile>& profile) {
-    const PlaceOf of_member{names};
+    const auto of_member = [&](Series& series, const MemberYears& member) -> std::map<std::int32_t, double>& {
+        return values_of(series, names, member);
+    };
     Series gap_95 = empty_series(names, members, "gap_95_m", "", false);
     Series gap_max = empty_series(names, members, "gap_max_m", "", false);
     Series met = empty_series(names, members, "target_profile_met_percent", "", true);
@@ -139,7 +123,9 @@ void add_profile(std::vector<Series>& all_series, const Names& names, std::span<
 }
 
 void add_forest(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members) {
-    const PlaceOf of_member{names};
+    const auto of_member = [&](Series& series, const MemberYears& member) -> std::map<std::int32_t, double>& {
+        return values_of(series, names, member);
+    };
     Series basal_area = empty_series(names, members, "basal_area_m2pha", "", true);
     Series volume = empty_series(names, members, "volume_m3pha", "", true);
     Series stems = empty_series(names, members, "stems_pha", "", true);
@@ -161,7 +147,9 @@ void add_forest(std::vector<Series>& all_series, const Names& names, std::span<c
 /// Timber and money.
 void add_work(std::vector<Series>& all_series, const Names& names, std::span<const MemberYears> members,
               double area_ha) {
-    const PlaceOf of_member{names};
+    const auto of_member = [&](Series& series, const MemberYears& member) -> std::map<std::int32_t, double>& {
+        return values_of(series, names, member);
+    };
     for (const WorkFigure& figure : work_figures()) {
         Series series = empty_series(names, members, figure.quantity, "", false);
         for (const MemberYears& member : members) {
@@ -176,16 +164,33 @@ void add_work(std::vector<Series>& all_series, const Names& names, std::span<con
 
 }  // namespace
 
+Series empty_series(const Names& names, std::span<const MemberYears> members, std::string quantity,
+                    std::string target, bool low_is_bad) {
+    Series series{std::move(quantity), std::move(target), low_is_bad, false, {}};
+    series.values.resize(names.courses());
+    for (const MemberYears& member : members) {
+        auto& replicates = series.values[names.course_of(member.member)];
+        replicates.resize(std::max<std::size_t>(replicates.size(), member.member.replicate + 1));
+    }
+    return series;
+}
+
+std::map<std::int32_t, double>& values_of(Series& series, const Names& names, const MemberYears& member) {
+    return series.values[names.course_of(member.member)][member.member.replicate];
+}
+
 std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members,
                               const std::optional<forest::TargetProfile>& profile) {
     std::vector<Series> all_series;
     add_targets(all_series, names, site, members);
+    add_living(all_series, names, site, members);
     add_causes(all_series, names, members);
     add_forest(all_series, names, members);
     if (site.forest) {
         add_work(all_series, names, members, site.forest->grid.area_ha());
     }
     add_profile(all_series, names, members, profile);
+    add_indicators(all_series, names, members);
     return all_series;
 }
 

@@ -27,6 +27,12 @@ struct Series {
     std::vector<std::vector<std::map<std::int32_t, double>>> values;  ///< [course][replicate][year]
 };
 
+/// Places for a figure of all members.
+Series empty_series(const Names& names, std::span<const MemberYears> members, std::string quantity,
+                    std::string target, bool low_is_bad);
+/// Where the figures of a member belong.
+std::map<std::int32_t, double>& values_of(Series& series, const Names& names, const MemberYears& member);
+
 /// Protection, reaching rocks and their energy at each target; protection only of years in which enough
 /// rocks arrive over the bare slope, all replicates together (few_rocks.hpp); share of the rocks through the
 /// forest that each cause ended; basal area, volume, stems and gaps of the forest; wood felled, salvaged,

@@ -1,6 +1,8 @@
 #include "coupling/decades/decade_layouts.hpp"
 
 #include "coupling/decades/decision/decision_tables.hpp"
+#include "coupling/decades/intervention_areas.hpp"
+#include "coupling/decades/nais_years.hpp"
 #include "coupling/results/figure_columns.hpp"
 
 namespace coupling::decades {
@@ -201,6 +203,7 @@ TableLayout interventions() {
         {"taken_m3", "m3", "stem wood over bark that left the forest", simulated},
         {"left_m3", "m3", "stem wood that stayed as logs and stumps", simulated},
         {"plants", "-", "trees planted", simulated},
+        {"guarded", "-", "of these, with a guard each", simulated},
         {"tended", "-", "young stems cut by tending", simulated},
         {"fenced_ha", "ha", "area that is fenced longer than before", simulated},
         {"found_nothing", "text", "yes: it was due but found nothing to do", simulated}};
@@ -370,6 +373,8 @@ const std::vector<TableLayout>& decade_layouts() {
                                                   causes(),
                                                   gaps(),
                                                   target_profile(),
+                                                  nais_layout(),
+                                                  intervention_areas_layout(),
                                                   regimes_by_year(),
                                                   regimes_worst_year(),
                                                   regime_differences(),

@@ -11,9 +11,14 @@
 #include "coupling/decades/decision/decision_tables.hpp"
 #include "coupling/decades/decision/verdict.hpp"
 #include "coupling/decades/fall_tables.hpp"
+#include "coupling/decades/intervention_areas.hpp"
+#include "coupling/decades/nais_years.hpp"
 #include "coupling/decades/patch_maps.hpp"
 #include "coupling/decades/profile_tables.hpp"
+#include "coupling/decades/report/area_maps.hpp"
 #include "coupling/decades/report/decade_page.hpp"
+#include "coupling/decades/report/indicator_table.hpp"
+#include "coupling/decades/report/nais_table.hpp"
 #include "coupling/decades/report/protection.hpp"
 #include "coupling/decades/report/target_profile.hpp"
 #include "coupling/decades/work_tables.hpp"
@@ -65,7 +70,8 @@ std::string climates_in_words(const ForestSite& forest) {
 }
 
 std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series,
-                                    const std::optional<forest::TargetProfile>& profile) {
+                                    const std::optional<forest::TargetProfile>& profile,
+                                    std::span<const NaisCell> nais) {
     std::vector<Section> sections;
     if (results.rocks > 0 && !results.site.targets.empty()) {
         sections.push_back({report::page_text("decades.answers.protection_over_the_years"),
@@ -78,6 +84,11 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
                  results.names, series, profile,
                  rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m)});
     }
+    if (std::string html = nais_table(results.names, nais); !html.empty()) {
+        sections.push_back({report::page_text("decades.nais.heading"), std::move(html)});
+    }
+    sections.push_back({report::page_text("decades.indicators.heading"),
+                        indicator_table(results.names, results.site, series)});
     return sections;
 }
 
@@ -122,6 +133,15 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
         results.rocks > 0 ? profile_for(results.scenario, results.site) : std::nullopt;
     watch("tables of target profiles");
     add(write_profile_tables(folder, results.names, results.members, profile));
+    const forest::PatchGrid& grid = results.site.forest->grid;
+    std::vector<NaisCell> nais;
+    std::vector<InterventionArea> areas;
+    if (results.management != nullptr) {
+        nais = nais_over_years(results.names, grid, results.members, results.management->target_profile);
+        add(write_nais(folder, results.names, nais));
+        areas = intervention_areas(*results.management, *results.site.forest, results.scenario.seed);
+        add(write_intervention_areas(folder, *results.management, areas));
+    }
     const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);
     watch("comparison");
     add(write_comparison(folder, results.names, series));
@@ -139,18 +159,22 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     watch("report.html");
     OutFile page{folder / "report.html"};
     const report::WritingLanguage language{results.scenario.report.language};
-    write_decade_page(page.stream(), {.scenario = results.scenario,
-                                      .names = results.names,
-                                      .grid = results.site.forest->grid,
-                                      .members = results.members,
-                                      .warnings = results.warnings,
-                                      .inputs = results.site.inputs,
-                                      .files = files,
-                                      .version = results.version,
-                                      .climate = climates_in_words(*results.site.forest),
-                                      .decision = decision ? decision_html(results.names, *decision) : "",
-                                      .first = first_sections(results, series, profile),
-                                      .site = &results.site});
+    write_decade_page(
+        page.stream(),
+        {.scenario = results.scenario,
+         .names = results.names,
+         .grid = results.site.forest->grid,
+         .members = results.members,
+         .warnings = results.warnings,
+         .inputs = results.site.inputs,
+         .files = files,
+         .version = results.version,
+         .climate = climates_in_words(*results.site.forest),
+         .decision = decision ? decision_html(results.names, *decision) : "",
+         .first = first_sections(results, series, profile, nais),
+         .areas =
+             results.management == nullptr ? "" : area_maps(results.site, *results.management, areas, true),
+         .site = &results.site});
     page.close();
     return files;
 }

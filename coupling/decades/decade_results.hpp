@@ -9,6 +9,7 @@
 
 #include "config/errors/warnings.hpp"
 #include "coupling/decades/decade_tables.hpp"
+#include "coupling/decades/management.hpp"
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/forest_site.hpp"
 #include "coupling/inputs/scenario.hpp"
@@ -27,6 +28,7 @@ struct DecadeResults {
     std::uint64_t rocks = 0;               ///< of a year; 0: no rockfall
     const config::Warnings& warnings;
     std::string version;
+    const Management* management = nullptr;  ///< for maps of its areas and target profiles
 };
 
 /// Writes tables/, rasters/, summary.json and report.html into an existing folder; returns all files. Throws

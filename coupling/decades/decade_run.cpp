@@ -12,6 +12,7 @@
 #include "coupling/decades/share_out.hpp"
 #include "coupling/decades/simulate.hpp"
 #include "coupling/decades/start_artefact.hpp"
+#include "coupling/decades/whole_run.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -27,29 +28,6 @@ namespace {
 using config::joined;
 
 namespace fs = std::filesystem;
-
-std::vector<Member> members_of(const Scenario& scenario, const Names& names) {
-    std::vector<Member> members;
-    for (std::uint32_t regime = 0; regime < names.regimes.size(); ++regime) {
-        for (std::uint32_t climate = 0; climate < names.climates.size(); ++climate) {
-            for (std::uint32_t replicate = 0; replicate < scenario.forest.replicates; ++replicate) {
-                members.push_back({.regime = regime, .replicate = replicate, .climate = climate});
-            }
-        }
-    }
-    return members;
-}
-
-/// Stems that rocks meet but no forest grows.
-std::vector<rockfall::Stem> standing_stems(const ForestSite& forest) {
-    std::vector<rockfall::Stem> stems;
-    for (const TreeRecord& tree : forest.obstacles) {
-        if (tree.stem.dbh_cm >= exchange::least_obstacle_cm) {
-            stems.push_back(tree.stem);
-        }
-    }
-    return stems;
-}
 
 /// Replicates of which members are missing, rising.
 std::vector<std::uint32_t> replicates_of(std::span<const Member> members) {
@@ -139,21 +117,6 @@ void refuse_too_many_rocks(const Scenario& scenario, const std::optional<exchang
                      joined("feedback.rocks_per_year ", report::fixed(scenario.forest.rocks_per_year, 0)),
                      joined("at most the ", std::to_string(rocks->rocks()), " rocks simulated in a year"));
     }
-}
-
-Names names_of(const Management& management, const ForestSite& forest) {
-    Names names{{}, {}, forest.species.table, {}};
-    for (const SiteClimate& climate : forest.climates) {
-        names.climates.push_back(climate.name);
-    }
-    for (const Regime& regime : management.regimes) {
-        names.regimes.push_back(regime.name());
-        names.interventions.emplace_back();
-        for (const Intervention& row : regime.interventions()) {
-            names.interventions.back().emplace_back(row.name, name_of(row.treatment));
-        }
-    }
-    return names;
 }
 
 /// All members, from their parts, in order.
@@ -303,8 +266,9 @@ private:
 
     void write(OutputFolder& folder) {
         const std::vector<MemberYears> years = read_all(members_, parts_);
-        const DecadeResults results{scenario_, site_,    names_, years, rocks_ ? rocks_->rocks() : 0,
-                                    warnings_, version()};
+        const DecadeResults results{
+            scenario_,           site_, names_, years, rocks_ ? rocks_->rocks() : 0, warnings_, version(),
+            &decades_.management};
         warn_of_rocks_not_started(years, results.rocks, warnings_);
         if (auto sentence = missing_dead_wood(names_, series_of(names_, site_, years, std::nullopt), years)) {
             warnings_.add(std::move(*sentence));
@@ -339,7 +303,8 @@ private:
 
 int run_decades(const RunRequest& request, const Scenario& scenario, Site& site, config::Warnings& warnings,
                 RankGroup& ranks) {
-    const Management management = read_management(scenario, *site.forest, warnings);
+    const Management management =
+        read_management(scenario, *site.forest, warnings, mean_block_m(scenario, site));
     // The hash of a run is also that of what its regimes read.
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
     try {

@@ -9,6 +9,7 @@
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/result_name.hpp"
 #include "coupling/regimes/shipped.hpp"
+#include "forest/protection/target_profile.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -124,7 +125,12 @@ std::string shipped_in_words() {
 
 }  // namespace
 
-Management read_management(const Scenario& scenario, const ForestSite& forest, config::Warnings& warnings) {
+double mean_block_m(const Scenario& scenario, const Site& site) {
+    return site.sources.empty() ? 0.0 : rockfall::diameter_range(start_law(scenario), site.sources).mean_m;
+}
+
+Management read_management(const Scenario& scenario, const ForestSite& forest, config::Warnings& warnings,
+                           double mean_block_m) {
     Reading reading{scenario, warnings};
     Management management;
     std::set<std::string> names{"bare"};  // a folder of the rasters has this name
@@ -158,8 +164,29 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
                                             reading.table("regimes.work_costs", "work_costs", work),
                                             forest.species.table);
     });
+    if (read && !read->guarded_tree_eur) {
+        for (const Regime& regime : management.regimes) {
+            for (const Intervention& row : regime.interventions()) {
+                if (row.guard_years > 0) {
+                    reading.refuse(
+                        {reading.shown(work)},
+                        joined("no row guarded_tree, but ", regime.name(), ", ", row.name, " sets guards"),
+                        "its cost in EUR");
+                }
+            }
+        }
+    }
     if (reading.problems().empty() && management.regimes.empty()) {
         refuse_entry(scenario.forest.regimes, "at least one regime, such as none", reading);
+    }
+    if (scenario.forest.target_profile.empty()) {
+        management.target_profile =
+            mean_block_m > 0.0 ? shipped_nais_profile(mean_block_m) : std::vector<NaisRow>{};
+    } else {
+        const auto known = forest::target_profile(mean_block_m);
+        auto rows = read_nais_profile(forest.species.table, forest.grid,
+                                      mean_block_m > 0.0 && known ? known->dbh_from_cm : 0.0, reading);
+        management.target_profile = rows ? std::move(*rows) : std::vector<NaisRow>{};
     }
     reading.problems().throw_if_any();
     management.prices = std::move(*read);

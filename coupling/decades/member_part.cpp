@@ -16,6 +16,7 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.years);
     visit(years.stands);
     visit(years.gaps);
+    visit(years.indicators);
     visit(years.losses);
     visit(years.trees);
     visit(years.dead_wood);
@@ -27,6 +28,8 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.margins);
     visit(years.slopes);
     visit(years.targets);
+    visit(years.living);
+    visit(years.energies);
 }
 
 /// As the names of part files count.

@@ -1,8 +1,36 @@
 #include "coupling/decades/record_falls.hpp"
 
+#include <array>
 #include <utility>
+#include <vector>
+
+#include "rockfall/tally/log_bins.hpp"
 
 namespace coupling::decades {
+
+namespace {
+
+/// Arrivals by energy, in bins of a few percent.
+void record_energies(const rockfall::TargetTally& target, std::array<std::size_t, 2> counted_as,
+                     std::int32_t year, std::uint32_t number, MemberYears& kept) {
+    for (const Cover cover : {Cover::forest, Cover::bare}) {
+        std::array<std::uint32_t, rockfall::energy_bins.count()> rocks{};
+        const auto which = counted_as[cover == Cover::forest ? 0 : 1];
+        for (const rockfall::BinCounts::Filled& fine : target.by_cover[which].energy.filled()) {
+            const auto energy = static_cast<float>(rockfall::fine_energy_bins.low_of(fine.bin));
+            rocks[rockfall::energy_bins.bin_of(energy)] += static_cast<std::uint32_t>(fine.count);
+        }
+        for (std::size_t bin = 0; bin < rocks.size(); ++bin) {
+            if (rocks[bin] > 0) {
+                kept.energies.push_back({year, static_cast<std::uint16_t>(number),
+                                         static_cast<std::uint16_t>(bin), static_cast<std::uint32_t>(cover),
+                                         rocks[bin]});
+            }
+        }
+    }
+}
+
+}  // namespace
 
 void record_falls(const exchange::YearFalls& falls, std::int32_t year, MemberYears& kept) {
     const auto bare = static_cast<std::size_t>(Cover::bare);
@@ -24,6 +52,10 @@ void record_falls(const exchange::YearFalls& falls, std::int32_t year, MemberYea
         row.forest = figures_of(target.by_cover[forest], rocks);
         row.bare = figures_of(target.by_cover[bare], rocks);
         kept.targets.push_back(row);
+        record_energies(target, {forest, bare}, year, t, kept);
+    }
+    for (std::uint32_t t = 0; t < falls.living.size(); ++t) {
+        kept.living.push_back({year, t, falls.living[t]});
     }
 }
 

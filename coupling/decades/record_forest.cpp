@@ -49,6 +49,22 @@ void add_gaps(const forest::Stand& stand, const std::map<std::uint32_t, Unit>& u
     }
 }
 
+/// Indicators of the whole forest and of each management unit.
+void add_indicators(const forest::Stand& stand, const forest::SpeciesTable& species,
+                    const std::map<std::uint32_t, Unit>& units, std::int32_t year, MemberYears& kept) {
+    kept.indicators.push_back(
+        {year, all, forest::indicators_of(stand, species, [](const forest::Patch&) { return true; })});
+    for (const auto& [number, unit] : units) {
+        if (units.size() > 1) {
+            kept.indicators.push_back(
+                {year, number,
+                 forest::indicators_of(stand, species, [number = number](const forest::Patch& patch) {
+                     return patch.management_unit == number;
+                 })});
+        }
+    }
+}
+
 /// What became of the wood of stems this year.
 void add_wood(const forest::Stand& stand, YearRow& row) {
     const double kg_per_tpha = kg_per_t * stand.grid().area_ha();
@@ -97,6 +113,7 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
     }
 
     add_gaps(stand, units, year, kept);
+    add_indicators(stand, species, units, year, kept);
 
     const forest::StandYear whole =
         forest::year_of(stand, species, report ? report->volume_increment_m3 : 0.0);

@@ -29,6 +29,7 @@ void record_work(const RegimeReport& report, const Regime& regime, const PriceTa
                                 .taken_m3 = entry.taken_m3,
                                 .left_m3 = entry.left_m3,
                                 .plants = entry.plants,
+                                .guarded = entry.guarded,
                                 .tended = entry.tended,
                                 .fenced_ha = entry.fenced_ha});
     }

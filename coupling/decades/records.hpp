@@ -7,6 +7,7 @@
 #include "coupling/regimes/timber_value.hpp"
 #include "coupling/results/figures.hpp"
 #include "forest/protection/gaps.hpp"
+#include "forest/protection/stand_indicators.hpp"
 #include "forest/tables.hpp"
 #include "forest/treatment/felling.hpp"
 #include "forest/tree.hpp"
@@ -39,6 +40,14 @@ struct GapRow {
     std::int32_t year = 0;
     std::uint32_t unit = all;
     forest::GapFigures figures;
+};
+
+/// Cover, stability, regeneration and lying wood at the end of a year: of a management unit or the whole
+/// forest.
+struct IndicatorRow {
+    std::int32_t year = 0;
+    std::uint32_t unit = all;
+    forest::StandIndicators figures;
 };
 
 /// What happened in a year, in the whole forest and per hectare.
@@ -149,6 +158,7 @@ struct HarvestRow {
     double taken_m3 = 0.0;
     double left_m3 = 0.0;
     std::uint64_t plants = 0;
+    std::uint64_t guarded = 0;
     std::uint64_t tended = 0;
     double fenced_ha = 0.0;
 };
@@ -183,6 +193,23 @@ struct TargetRow {
     ArrivalFigures bare;
 };
 
+/// The same rocks through the living trees alone, without snags, stumps and logs.
+struct LivingRow {
+    std::int32_t year = 0;
+    std::uint32_t target = 0;
+    PairedCounts paired;
+};
+
+/// Arrivals of a year at a target in a bin of energy (rockfall::energy_bins): pooled over replicates they
+/// give percentiles that one replicate has too few rocks for.
+struct EnergyRow {
+    std::int32_t year = 0;
+    std::uint16_t target = 0;
+    std::uint16_t bin = 0;
+    std::uint32_t cover = 0;  ///< index of Cover
+    std::uint32_t rocks = 0;
+};
+
 /// What the rocks of a chosen year left in the cells of the map on one slope.
 struct CellMap {
     std::int32_t year = 0;
@@ -208,6 +235,7 @@ struct MemberYears {
     std::vector<YearRow> years;  ///< the first is the start
     std::vector<StandRow> stands;
     std::vector<GapRow> gaps;
+    std::vector<IndicatorRow> indicators;
     std::vector<LossRow> losses;
     std::vector<TreeRow> trees;
     std::vector<DeadWoodRow> dead_wood;
@@ -219,6 +247,8 @@ struct MemberYears {
     std::vector<MarginRow> margins;
     std::vector<SlopeRow> slopes;  ///< of years with rockfall
     std::vector<TargetRow> targets;
+    std::vector<LivingRow> living;  ///< of years with rockfall, with run.living_trees_alone
+    std::vector<EnergyRow> energies;
     std::vector<CellMap> maps;
 };
 

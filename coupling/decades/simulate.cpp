@@ -89,10 +89,21 @@ private:
         if (!has_rocks(year)) {
             return {};
         }
-        const bool with_paths = is_shown(year);
-        return bare_
-                   ? decades_.rocks->simulate(stand, bare_->at(year), member_.replicate, with_paths, threads_)
-                   : decades_.rocks->simulate(stand, member_.replicate, year, with_paths, threads_);
+        if (bare_) {
+            return simulate_rocks(stand, bare_->at(year), year);
+        }
+        return simulate_rocks(stand, decades_.rocks->simulate_bare(member_.replicate, year, true, threads_),
+                              year);
+    }
+
+    exchange::YearFalls simulate_rocks(const forest::Stand& stand, const exchange::BareYear& bare,
+                                       std::int32_t year) {
+        exchange::YearFalls falls =
+            decades_.rocks->simulate(stand, bare, member_.replicate, is_shown(year), threads_);
+        if (settings_.living_trees_alone) {
+            falls.living = decades_.rocks->simulate_living(stand, bare, member_.replicate, threads_);
+        }
+        return falls;
     }
 
     /// Figures, cells and paths of a year's rocks, and what they did to the listed trees from `first_tree`

@@ -19,6 +19,7 @@ void write_interventions(std::ostream& out, const Names& names, std::span<const 
             row.text(name).text(treatment).whole(work.areas).number<4>(work.area_ha);
             row.number<0>(work.stems).number<3>(work.taken_m3).number<3>(work.left_m3);
             row.whole(work.plants)
+                .whole(work.guarded)
                 .whole(work.tended)
                 .number<4>(work.fenced_ha)
                 .text(work.found_nothing ? "yes" : "no");

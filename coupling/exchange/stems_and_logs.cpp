@@ -58,6 +58,20 @@ double plan_length_m(const forest::Log& log, const forest::PatchGrid& grid) {
     return log.length_m / std::sqrt(1.0 + drop * drop);
 }
 
+Obstacles living_stems_of(const forest::Stand& stand, std::span<const double> fracture_energy,
+                          std::span<const rockfall::Stem> standing) {
+    Obstacles obstacles;
+    for (const forest::Tree& tree : stand.trees()) {
+        if (tree.dbh_cm >= least_obstacle_cm) {
+            obstacles.stems.push_back(stem_of(tree, fracture_energy[forest::index_of(tree.species)]));
+            obstacles.trees.push_back(&tree);
+        }
+    }
+    obstacles.stems.insert(obstacles.stems.end(), standing.begin(), standing.end());
+    obstacles.trees.resize(obstacles.stems.size(), nullptr);
+    return obstacles;
+}
+
 Obstacles stems_and_logs_of(const forest::Stand& stand, std::span<const double> fracture_energy,
                             std::span<const rockfall::Stem> standing) {
     const auto fracture_energy_of = [&](forest::SpeciesId species) {

@@ -28,4 +28,8 @@ double plan_length_m(const forest::Log& log, const forest::PatchGrid& grid);
 Obstacles stems_and_logs_of(const forest::Stand& stand, std::span<const double> fracture_energy,
                             std::span<const rockfall::Stem> standing);
 
+/// The living trees among them and `standing` alone.
+Obstacles living_stems_of(const forest::Stand& stand, std::span<const double> fracture_energy,
+                          std::span<const rockfall::Stem> standing);
+
 }  // namespace coupling::exchange

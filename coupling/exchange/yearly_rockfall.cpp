@@ -58,6 +58,38 @@ BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t yea
     return bare;
 }
 
+std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& stand, const BareYear& bare,
+                                                          std::uint32_t replicate, int threads) const {
+    const Obstacles obstacles = living_stems_of(stand, fracture_energy_, standing_);
+    const double largest_radius_m = 0.5 * rockfall::diameter_range(start_, site_.sources).largest_m;
+    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
+                                    scenario_.rockfall.fall.tree.taper};
+    const rockfall::Assessment through_trees = assessment(stems, replicate, bare.year);
+    std::vector<PairedCounts> counts(site_.targets.size());
+    if (through_trees.only_bare()) {
+        for (std::size_t target = 0; target < counts.size(); ++target) {
+            counts[target].both = bare.targets[target].reached;
+        }
+        return counts;
+    }
+    rockfall::EnsembleTally tally{frame_, site_.targets.size(), stems.placed().size()};
+    const auto count_both = [&](const rockfall::ChunkRows& rows) {
+        for (const rockfall::ArrivalRecord& arrived : rows.arrivals[index_of(Cover::forest)]) {
+            counts[arrived.target].both += bare.has_arrived(arrived.rock, arrived.target) ? 1 : 0;
+        }
+    };
+    if (fall_rocks_over(Cover::forest, through_trees, chunks_, threads, tally, count_both) ==
+        Ended::interrupted) {
+        throw Interrupted{};
+    }
+    for (std::size_t target = 0; target < counts.size(); ++target) {
+        const std::uint64_t through = tally.targets[target].by_cover[index_of(Cover::forest)].reached;
+        counts[target].only_forest = through - counts[target].both;
+        counts[target].only_bare = bare.targets[target].reached - counts[target].both;
+    }
+    return counts;
+}
+
 YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
                                    bool with_paths, int threads) const {
     const Obstacles obstacles = stems_and_logs_of(stand, fracture_energy_, standing_);
@@ -73,7 +105,8 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
     YearFalls falls{.tally = {frame_, site_.targets.size(), stems.placed().size(), logs.count()},
                     .loads = {},
                     .hits = {},
-                    .paths = {}};
+                    .paths = {},
+                    .living = {}};
     falls.with_forest = !through_forest.only_bare();
     const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
         falls.paths.insert(falls.paths.end(), rows.paths.begin(), rows.paths.end());

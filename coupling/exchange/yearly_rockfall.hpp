@@ -7,6 +7,7 @@
 #include "coupling/exchange/impacts.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/results/figures.hpp"
 #include "forest/stand.hpp"
 #include "rockfall/ensemble.hpp"
 
@@ -30,7 +31,9 @@ struct YearFalls {
     std::vector<TreeLoad> loads;                               ///< of stems that were hit
     std::vector<RockHit> hits;                                 ///< in the order of rocks
     std::vector<rockfall::PathRecord> paths;                   ///< of some rocks, if asked for
-    bool with_forest = false;                                  ///< false: no stem stood on the slope
+    std::vector<PairedCounts>
+        living{};              ///< by target: the same rocks through the living trees alone, if asked for
+    bool with_forest = false;  ///< false: no stem stood on the slope
 };
 
 /// Simulates the rocks of a year over the bare slope, and the same rocks over the slope with the forest as it
@@ -50,6 +53,10 @@ public:
     /// rocks keep their paths, at most most_paths and the same in all years. Throws Interrupted.
     [[nodiscard]] YearFalls simulate(const forest::Stand& stand, const BareYear& bare,
                                      std::uint32_t replicate, bool with_paths, int threads) const;
+
+    /// The same rocks through the living trees alone: by target. Throws Interrupted.
+    [[nodiscard]] std::vector<PairedCounts> simulate_living(const forest::Stand& stand, const BareYear& bare,
+                                                            std::uint32_t replicate, int threads) const;
 
     /// Both, where nobody else needs the falls over the bare slope.
     [[nodiscard]] YearFalls simulate(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,

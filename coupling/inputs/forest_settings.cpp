@@ -68,6 +68,22 @@ void declare_stands(config::Options& options, ForestSettings& s) {
         {.meaning = "CSV with stand, species, kind (snag, stump, log), volume_m3pha, dbh_cm, length_m, "
                     "decay_class, log_angle_deg, anchored: dead wood at the start"});
     options.text(
+        "stands.dbh_classes", s.dbh_classes,
+        {.meaning = "CSV with stand, species, dbh_from_cm, dbh_to_cm, stems_pha, height_m, age_years: stems "
+                    "by diameter class, for stands that stands.records does not have"});
+    options.text(
+        "stands.target_profile", s.target_profile,
+        {.meaning = "CSV with stand, site_type, hazard, criterion, minimal, ideal: the target profile (NaiS) "
+                    "of each stand for nais.csv; empty: the shipped one for the size of the rocks"});
+    options.count(
+        "stands.spin_up_years", s.spin_up_years,
+        {.unit = "yr",
+         .low = 0.0,
+         .high = 300.0,
+         .meaning =
+             "years that the forest grows before the start, only to make the dead wood and the saplings "
+             "that no file gives; the trees of the start stay those of the inventory"});
+    options.text(
         "stands.saplings", s.saplings,
         {.meaning = "CSV with stand, species, height_m, stems_pha, age_years: trees below 1 cm at the "
                     "start"});
@@ -186,6 +202,10 @@ void declare_output(config::Options& options, ForestSettings& s) {
                            .high = 1000.0,
                            .meaning = "years of simulation (0 = start) with maps; none: first and last"});
     options.flag(
+        "output.living_trees_alone", s.living_trees_alone,
+        {.meaning = "the same rocks fall once more through the living trees without snags, stumps and logs: "
+                    "protection_living_percent in regimes_by_year.csv; costs about a third more time"});
+    options.flag(
         "output.all_removed_trees", s.list_all_removed,
         {.meaning = "removed_trees.csv lists each tree of 7 cm and more that left the forest, with its "
                     "cause; no: only those that rocks killed"});
@@ -292,11 +312,19 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
         checker.refuse(s.timber_prices.empty() ? "regimes.work_costs" : "regimes.timber_prices",
                        "only one of regimes.timber_prices and regimes.work_costs", "both, or neither");
     }
-    if (listed_trees && !s.stand_records.empty() && s.tree_area.empty()) {
-        checker.refuse("stands.records", "stands.records beside trees.file",
+    if (s.spin_up_years > 0 && !s.dead_wood.empty() && !s.saplings.empty()) {
+        checker.refuse("stands.spin_up_years",
+                       "stands.spin_up_years beside both stands.dead_wood and stands.saplings",
+                       "one of the files at most: spin-up makes what no file gives");
+    }
+    const bool has_records = !s.stand_records.empty() || !s.dbh_classes.empty();
+    if (listed_trees && has_records && s.tree_area.empty()) {
+        checker.refuse(s.stand_records.empty() ? "stands.dbh_classes" : "stands.records",
+                       s.stand_records.empty() ? "stands.dbh_classes beside trees.file"
+                                               : "stands.records beside trees.file",
                        "only one of them, or stands.tree_area with the polygons in which the list holds");
     }
-    if (!s.tree_area.empty() && (!listed_trees || s.stand_records.empty())) {
+    if (!s.tree_area.empty() && (!listed_trees || !has_records)) {
         checker.refuse("stands.tree_area", "stands.tree_area without both trees.file and stands.records",
                        "both of them: the list holds inside, the records elsewhere");
     }

@@ -39,7 +39,10 @@ struct ForestSettings {
     std::string stand_records;   ///< CSV: stand, species, stems_pha, ...
     std::string dead_wood;       ///< CSV: stand, species, kind, volume_m3pha, ...; empty: none at the start
     std::string saplings;        ///< CSV: stand, species, height_m, stems_pha; empty: none at the start
-    std::string tree_area;       ///< CSV of polygons: the list of trees holds there, records elsewhere
+    std::string dbh_classes;     ///< CSV: stand, species, dbh_from_cm, dbh_to_cm, stems_pha, height_m
+    std::string target_profile;  ///< CSV: stand, site_type, hazard, criterion, minimal, ideal
+    std::uint64_t spin_up_years = 0;  ///< for the dead wood and saplings that no file gives
+    std::string tree_area;            ///< CSV of polygons: the list of trees holds there, records elsewhere
 
     // [soil]
     std::string soil_map;    ///< grid of soil codes
@@ -73,7 +76,8 @@ struct ForestSettings {
     // [output]
     std::vector<double> tree_list_years;  ///< years of simulation, 0 = the start
     std::vector<double> map_years;
-    bool list_all_removed = false;  ///< removed_trees.csv lists all causes
+    bool list_all_removed = false;   ///< removed_trees.csv lists all causes
+    bool living_trees_alone = true;  ///< the same rocks also fall through the living trees without dead wood
 };
 
 /// Declares all of them. The options keep references into the settings.

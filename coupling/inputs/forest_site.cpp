@@ -5,9 +5,11 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/dbh_class_input.hpp"
 #include "coupling/inputs/patch_input.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/inputs/soil_input.hpp"
+#include "coupling/inputs/spin_up.hpp"
 #include "coupling/inputs/stand_input.hpp"
 #include "coupling/inputs/start_input.hpp"
 #include "coupling/inputs/tree_input.hpp"
@@ -34,6 +36,10 @@ struct Files {
     std::optional<std::vector<ListedRow>> rows;
     std::optional<std::map<std::uint32_t, InventoriedStand>> records;
 };
+
+bool has_records(const ForestSettings& settings) {
+    return !settings.stand_records.empty() || !settings.dbh_classes.empty();
+}
 
 std::vector<ListedRow> read_rows(const ForestSpecies& species, Reading& reading) {
     const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
@@ -63,7 +69,10 @@ Files read_files(Reading& reading) {
     if (!scenario.forest.stand_records.empty()) {
         files.records = read_records(*files.species, reading);
     }
-    if (scenario.trees.empty() && scenario.forest.stand_records.empty()) {
+    if (files.records && !add_dbh_classes(*files.species, reading, *files.records)) {
+        files.records.reset();
+    }
+    if (scenario.trees.empty() && !has_records(scenario.forest)) {
         reading.note(joined("neither trees.file nor stands.records: the forest begins on bare ground"));
     }
     return files;
@@ -254,9 +263,16 @@ forest::Stand ForestSite::start(std::uint64_t seed, std::uint32_t replicate) con
         trees.insert(trees.end(), of_stand.begin(), of_stand.end());
     }
     forest::Stand stand{grid, species.table.size(), std::move(trees), first_year() - 1};
-    stand.begin_with(
-        forest::dead_wood_from_records(dead_wood, grid, species.table, first_year() - 1, seed, replicate));
-    stand.add_cohorts(forest::cohorts_from_records(saplings, seed, replicate));
+    forest::SnagsAndLogs wood =
+        forest::dead_wood_from_records(dead_wood, grid, species.table, first_year() - 1, seed, replicate);
+    std::vector<forest::Cohort> young = forest::cohorts_from_records(saplings, seed, replicate);
+    if (spin_up_years > 0) {
+        SpunUp made = spin_up(*this, stand, seed, replicate);
+        wood = dead_wood.empty() ? std::move(made.dead_wood) : std::move(wood);
+        young = saplings.empty() ? std::move(made.saplings) : std::move(young);
+    }
+    stand.begin_with(std::move(wood));
+    stand.add_cohorts(young);
     return stand;
 }
 
@@ -278,7 +294,7 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     if (files.stands && files.soils) {
         ground = lay_ground(heights_m, heights_file, *files.stands, *files.soils, reading);
     }
-    if (ground && files.records && !reading.scenario().forest.stand_records.empty()) {
+    if (ground && files.records && has_records(reading.scenario().forest)) {
         inventory = place_records(std::move(*files.records), ground->grid, *files.stands, reading);
     }
     std::optional<std::vector<config::Shape>> tree_area = read_tree_area(reading);
@@ -295,16 +311,19 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
         return nullptr;
     }
     forest::Site place = site_on(*ground, files.climates.front().source, reading.scenario().forest);
-    auto site = std::make_shared<ForestSite>(ForestSite{.species = std::move(*files.species),
-                                                        .parameters = std::move(*files.parameters),
-                                                        .grid = std::move(ground->grid),
-                                                        .place = std::move(place),
-                                                        .climates = {},
-                                                        .listed = {},
-                                                        .inventory = std::move(inventory),
-                                                        .dead_wood = std::move(wood->dead_wood),
-                                                        .saplings = std::move(wood->saplings),
-                                                        .obstacles = {}});
+    auto site = std::make_shared<ForestSite>(
+        ForestSite{.species = std::move(*files.species),
+                   .parameters = std::move(*files.parameters),
+                   .grid = std::move(ground->grid),
+                   .place = std::move(place),
+                   .climates = {},
+                   .listed = {},
+                   .inventory = std::move(inventory),
+                   .dead_wood = std::move(wood->dead_wood),
+                   .saplings = std::move(wood->saplings),
+                   .obstacles = {},
+                   .spin_up_years = static_cast<int>(reading.scenario().forest.spin_up_years),
+                   .run_years = static_cast<int>(reading.scenario().years)});
     for (NamedClimate& climate : files.climates) {
         std::vector<double> usual_summer_mm;
         for (const forest::SiteUnit& unit : site->place.units()) {

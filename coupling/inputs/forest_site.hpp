@@ -42,11 +42,13 @@ struct ForestSite {
     std::vector<forest::OnPatches<forest::SaplingRecord>> saplings;    ///< at the start
     std::vector<TreeRecord>
         obstacles;  ///< trees of the list on no patch, which stand as they are; with rocks on the terrain
+    int spin_up_years = 0;  ///< that make the dead wood and saplings which no file gives (spin_up.hpp)
+    int run_years = 0;      ///< of the run: their weather serves the spin-up
 
     /// Calendar year of the first simulated year, in all climates.
     [[nodiscard]] int first_year() const { return climates.front().source.first_year; }
-    /// The forest at the beginning, in the calendar year before the first simulated one. A list gives the
-    /// same trees to all replicates, an inventory other places in each.
+    /// The forest at the beginning with its dead wood and saplings, in the calendar year before the first
+    /// simulated one. A list gives the same trees to all replicates, an inventory other places in each.
     [[nodiscard]] forest::Stand start(std::uint64_t seed, std::uint32_t replicate) const;
     /// The weather of a calendar year in one of the climates, for Stand::year() + 1. The change of climate is
     /// in it. Chance is that of the replicate alone: climates with the same years of a series draw the same

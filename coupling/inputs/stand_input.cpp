@@ -294,7 +294,9 @@ std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const Fore
 std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, InventoriedStand> records,
                                                const forest::PatchGrid& grid, const StandCover& cover,
                                                Reading& reading) {
-    const std::string file = reading.shown(reading.scenario().forest.stand_records);
+    const ForestSettings& settings = reading.scenario().forest;
+    const std::string file =
+        reading.shown(settings.stand_records.empty() ? settings.dbh_classes : settings.stand_records);
     const std::set<std::uint32_t> on_map = numbers_of(cover);
     for (const std::uint32_t number : on_map) {
         if (!records.contains(number)) {

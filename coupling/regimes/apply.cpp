@@ -24,6 +24,8 @@ public:
     std::pair<std::vector<Due>, RegimeReport> work() {
         RegimeReport report;
         std::vector<Due> due = due_in(regime_, year_, stand_, species_, state_, DueRows::before_marking);
+        std::stable_sort(due.begin(), due.end(),
+                         [&](const Due& a, const Due& b) { return comes_before(a, b); });
         std::vector<std::vector<forest::TreeId>> marked;
         for (const Due& row : due) {
             Entry entry = empty_entry(row);
@@ -36,13 +38,20 @@ public:
     }
 
 private:
+    /// By the order that the user gave, rows without one first, else as they stand in the table.
+    [[nodiscard]] bool comes_before(const Due& a, const Due& b) const {
+        const auto key = [&](const Due& due) {
+            return std::pair{regime_.interventions()[due.intervention].order.value_or(0), due.intervention};
+        };
+        return key(a) < key(b);
+    }
+
     /// Rows that act on cuts, in their places among the others.
     void add_late_rows(std::vector<Due>& due, std::vector<std::vector<forest::TreeId>>& marked,
                        RegimeReport& report) {
         for (Due& row : due_in(regime_, year_, stand_, species_, state_, DueRows::after_marking)) {
-            const auto at = std::find_if(due.begin(), due.end(), [&](const Due& other) {
-                return other.intervention > row.intervention;
-            });
+            const auto at = std::find_if(due.begin(), due.end(),
+                                         [&](const Due& other) { return comes_before(row, other); });
             const auto place = at - due.begin();
             report.entries.insert(report.entries.begin() + place, empty_entry(row));
             marked.insert(marked.begin() + place, std::vector<forest::TreeId>{});
@@ -90,7 +99,9 @@ private:
         each([](const Intervention& row) { return row.plants(); },
              [&](const Intervention& row, std::size_t i) {
                  for (const Area* area : areas_of(due[i])) {
-                     report.entries[i].plants += plant(row, area->place);
+                     const std::uint64_t plants = plant(row, area->place);
+                     report.entries[i].plants += plants;
+                     report.entries[i].guarded += row.guard_years > 0 ? plants : 0;
                  }
              });
     }
@@ -260,14 +271,17 @@ private:
                                 : forest::patches_in(stand_.grid(), place);
         if (row.treatment == Treatment::plant_clusters) {
             return forest::plant_clusters_on(
-                stand_, patches, {.species = row.species.front(), .height_m = row.plant_height_m},
+                stand_, patches,
+                {.species = row.species.front(),
+                 .height_m = row.plant_height_m,
+                 .guarded_years = row.guard_years},
                 static_cast<int>(std::lround(row.spacing_m / forest::patch_side_m)));
         }
         std::uint64_t plants = 0;
         for (std::size_t i = 0; i < row.species.size(); ++i) {
-            plants +=
-                forest::plant_on(stand_, patches, {row.species[i], row.plants_pha[i], row.plant_height_m},
-                                 key_.seed, key_.replicate);
+            plants += forest::plant_on(
+                stand_, patches, {row.species[i], row.plants_pha[i], row.plant_height_m, row.guard_years},
+                key_.seed, key_.replicate);
         }
         return plants;
     }

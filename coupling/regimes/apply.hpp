@@ -47,15 +47,16 @@ struct Entry {
     int year = 0;
     std::string intervention;
     Treatment treatment = Treatment::thin_below;
-    std::size_t areas = 0;     ///< that it came to
-    double area_ha = 0.0;      ///< of them; of a group cut the holes
-    double stems = 0.0;        ///< felled; of salvage taken
-    double taken_m3 = 0.0;     ///< stem wood over bark that left the forest
-    double left_m3 = 0.0;      ///< stem wood that stayed as logs and stumps
-    std::uint64_t plants = 0;  ///< planted
-    std::uint64_t tended = 0;  ///< young stems cut by tending
-    double tended_ha = 0.0;    ///< of the patches where it cut any
-    double fenced_ha = 0.0;    ///< of the patches that are fenced longer than before
+    std::size_t areas = 0;      ///< that it came to
+    double area_ha = 0.0;       ///< of them; of a group cut the holes
+    double stems = 0.0;         ///< felled; of salvage taken
+    double taken_m3 = 0.0;      ///< stem wood over bark that left the forest
+    double left_m3 = 0.0;       ///< stem wood that stayed as logs and stumps
+    std::uint64_t plants = 0;   ///< planted
+    std::uint64_t guarded = 0;  ///< of these, each with a guard
+    std::uint64_t tended = 0;   ///< young stems cut by tending
+    double tended_ha = 0.0;     ///< of the patches where it cut any
+    double fenced_ha = 0.0;     ///< of the patches that are fenced longer than before
     [[nodiscard]] bool found_nothing() const {
         return stems == 0.0 && plants == 0 && tended == 0 && fenced_ha == 0.0;
     }
@@ -63,17 +64,17 @@ struct Entry {
 
 /// What a regime did in a year.
 struct RegimeReport {
-    std::vector<Entry> entries;  ///< in the order of the regime's rows
+    std::vector<Entry> entries;  ///< in the order of the work: by Intervention::order, then by row
     forest::Timber timber;       ///< of all of them
 };
 
 /// Does what is due in a year of the run (from 0) and remembers it.
 ///
-/// First all rows are judged by the stand as it is: which areas are due, which trees go (a tree that two rows
-/// want goes with the upper one). Rows that act on the cuts of another row see those of the same year, unless
-/// they cut themselves. Then the marked trees are felled, logs left, dead wood salvaged, young
-/// growth tended, fences set up, and last planted, each step in the order of the rows. An area that was due
-/// counts as visited even where nothing was found.
+/// First all rows are judged by the stand as it is: which areas are due. Then they mark their trees one after
+/// the other, by Intervention::order and then by row, each among those that the ones before have left. Rows
+/// that act on the cuts of another row see those of the same year, unless they cut themselves. Then the
+/// marked trees are felled, logs left, dead wood salvaged, young growth tended, fences set up, and last
+/// planted, each step in that order. An area that was due counts as visited even where nothing was found.
 ///
 /// Requires a stand on the grid that the regime was read for.
 RegimeReport apply(const Regime& regime, int year, forest::Stand& stand, const forest::SpeciesTable& species,

@@ -77,6 +77,12 @@ std::vector<RegimeColumn> all_columns() {
          at<&I::last_year>,
          "last year in which it may be done, counted as first_year",
          {.range = years}},
+        {"order",
+         at<&I::order>,
+         "place among the rows that are due in a year, lower first; rows of different order may work on the "
+         "same "
+         "ground in the same year, each on what the ones before have left",
+         {.range = {.low = 1.0, .high = 1000.0}}},
         {"after", at<&I::after>, "name of a row above: done where that was done, after_years later"},
         {"after_years", at<&I::after_years>, "years after the row that `after` names", {.range = years}},
         {"from_age_years",
@@ -329,6 +335,10 @@ std::vector<RegimeColumn> all_columns() {
          at<&I::fence_years>,
          "for which the fence keeps deer out, until young trees outgrow them",
          {.source = choice, .range = {.low = 1.0, .high = 1000.0}, .treatments = uses(Treatment::fence)}},
+        {"guard_years",
+         at<&I::guard_years>,
+         "for which a tube or cage around each plant keeps deer off; 0: no guards; usually 8-15",
+         {.source = practice, .range = {.low = 0.0, .high = 1000.0}, .treatments = planting}},
     };
 }
 

@@ -23,6 +23,9 @@ bool contradict(const Intervention& a, const Intervention& b) {
     if (a.treatment == Treatment::fell_list || b.treatment == Treatment::fell_list) {
         return a.treatment == b.treatment && a.trees == b.trees;  // named trees go with the upper row
     }
+    if (a.order && b.order && *a.order != *b.order) {
+        return false;  // the user says which comes first
+    }
     if (a.cuts() && b.cuts()) {
         const bool both_ends = (thins(a) && b.treatment == Treatment::target_diameter) ||
                                (thins(b) && a.treatment == Treatment::target_diameter);
@@ -122,10 +125,11 @@ void find_contradictions(const Regime& regime, config::Problems& problems) {
                     continue;
                 }
                 found.insert({a, b});
-                problems.add(config::ExitCode::data, rows[b].place,
-                             joined(rows[a].name, " (line ", std::to_string(rows[a].place.line), ") and ",
-                                    rows[b].name, " on the same ground in year ", std::to_string(year)),
-                             "different years or different ground");
+                problems.add(
+                    config::ExitCode::data, rows[b].place,
+                    joined(rows[a].name, " (line ", std::to_string(rows[a].place.line), ") and ",
+                           rows[b].name, " on the same ground in year ", std::to_string(year)),
+                    "different years or different ground, or numbers in `order` that say which comes first");
             }
         }
     }

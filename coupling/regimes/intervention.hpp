@@ -82,7 +82,8 @@ struct Intervention {
     int first_year = 0;  ///< >= 0, years of the run from 0
     std::optional<int> every_years{};
     std::optional<int> last_year{};
-    std::string after{};  ///< name of another row
+    std::optional<int> order{};  ///< among the rows of a year: lower ones first
+    std::string after{};         ///< name of another row
     int after_years = 0;
     std::optional<double> from_age_years{};
     std::optional<double> to_age_years{};
@@ -119,6 +120,7 @@ struct Intervention {
     double from_height_m = 0.5;
     double to_height_m = 5.0;
     int fence_years = 15;
+    int guard_years = 0;  ///< of plants
 
     [[nodiscard]] bool cuts() const { return treatment <= Treatment::fell_list; }
     [[nodiscard]] bool plants() const { return treatment >= Treatment::plant; }

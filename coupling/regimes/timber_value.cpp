@@ -118,6 +118,12 @@ void read_work(const config::Table& table, PriceTable& prices, config::Problems&
         return 0.0;
     };
     prices.planted_tree_eur = cost_of("planted_tree");
+    const std::string guard = "guarded_tree";
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (table.text(row, "work") == guard) {
+            prices.guarded_tree_eur = cost_of(guard);
+        }
+    }
     prices.tended_ha_eur = cost_of("tended_ha");
     prices.fenced_ha_eur = cost_of("fenced_ha");
 }
@@ -177,6 +183,7 @@ Margin contribution_margin(const RegimeReport& report, const PriceTable& prices)
     Margin margin = contribution_margin(report.timber, prices);
     for (const Entry& entry : report.entries) {
         margin.young_eur += static_cast<double>(entry.plants) * prices.planted_tree_eur;
+        margin.young_eur += static_cast<double>(entry.guarded) * prices.guarded_tree_eur.value_or(0.0);
         margin.young_eur += entry.tended_ha * prices.tended_ha_eur;
         margin.young_eur += entry.fenced_ha * prices.fenced_ha_eur;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "config/table/table.hpp"
@@ -24,6 +25,8 @@ struct TimberPrice {
 struct PriceTable {
     std::vector<std::array<TimberPrice, forest::dbh_classes>> by_species;
     double planted_tree_eur = 0.0;
+    std::optional<double>
+        guarded_tree_eur{};  ///< tube or cage, set up and taken away; nothing: not in the table
     double tended_ha_eur = 0.0;
     double fenced_ha_eur = 0.0;  ///< of the area inside, posts and wire, to build, keep and take away
 };

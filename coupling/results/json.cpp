@@ -5,6 +5,7 @@
 
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/version.hpp"
 
 namespace coupling {
 namespace {
@@ -28,21 +29,6 @@ Json value_of(const config::ParameterRow& row) {
         return row.value_text == "yes";
     }
     return row.value_text;
-}
-
-Json settings(const Scenario& scenario) {
-    Json list = Json::array();
-    if (scenario.options == nullptr) {
-        return list;
-    }
-    for (const config::ParameterRow& row : scenario.options->rows()) {
-        list.push_back({{"key", row.key},
-                        {"value", value_of(row)},
-                        {"unit", row.unit},
-                        {"default", row.default_text},
-                        {"changed", row.changed}});
-    }
-    return list;
 }
 
 Json inputs(const std::vector<InputFile>& files) {
@@ -107,10 +93,49 @@ Json json_map_frame(const config::GridFrame& frame) {
             {"cell_width_m", frame.cell_width_m}, {"cell_height_m", frame.cell_height_m}};
 }
 
+Json json_settings(const Scenario& scenario) {
+    Json list = Json::array();
+    if (scenario.options == nullptr) {
+        return list;
+    }
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        list.push_back({{"key", row.key},
+                        {"value", value_of(row)},
+                        {"unit", row.unit},
+                        {"default", row.default_text},
+                        {"changed", row.changed}});
+    }
+    return list;
+}
+
+std::vector<std::string> overrides_of(const Scenario& scenario) {
+    std::vector<std::string> overrides;
+    if (scenario.options == nullptr) {
+        return overrides;
+    }
+    const auto add = [&](const config::Place& place) {
+        constexpr std::string_view option = "--set ";  // as the settings name where an override stands
+        if (place.file.starts_with(option)) {
+            overrides.push_back(place.file.substr(option.size()));
+        }
+    };
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        if (scenario.options->was_set(row.key)) {
+            add(scenario.options->place_of(row.key));
+        }
+    }
+    for (const config::FreeEntry& entry : scenario.options->free_entries()) {
+        add(entry.place);
+    }
+    return overrides;
+}
+
 void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
                         const Scenario& scenario, const std::vector<WrittenFile>& files) {
+    summary["commit"] = commit();
+    summary["overrides"] = overrides_of(scenario);
     summary["inputs"] = inputs(input_files);
-    summary["settings"] = settings(scenario);
+    summary["settings"] = json_settings(scenario);
     summary["files"] = Json::array();
     for (const WrittenFile& file : files) {
         summary["files"].push_back({{"path", file.path}, {"holds", file.sentence}});

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "coupling/inputs/formats/json_library.hpp"
@@ -23,7 +24,12 @@ Json json_distribution(const Distribution& d, bool with_interval);
 Json json_above_energies(const std::array<Share, rockfall::counted_energies_j.size()>& above);
 Json json_map_frame(const config::GridFrame& frame);
 
-/// Adds inputs, settings and files to a summary of any kind of run and writes it.
+/// Every setting of a scenario: key, value, unit, default, whether it was changed.
+Json json_settings(const Scenario& scenario);
+/// Settings that were given with --set, as "section.key=value" in the order of the list of settings.
+std::vector<std::string> overrides_of(const Scenario& scenario);
+
+/// Adds the commit of the program, inputs, settings and files to a summary of any kind of run and writes it.
 void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
                         const Scenario& scenario, const std::vector<WrittenFile>& files);
 

@@ -14,6 +14,9 @@ SummaryOfRun read_summary(std::string_view text, const std::string& file) {
         const Json& run = summary.at("run");
         SummaryOfRun read;
         read.version = summary.at("version").get<std::string>();
+        read.commit = summary.value("commit", "");
+        read.scenario = run.value("scenario", "");
+        read.overrides = summary.value("overrides", std::vector<std::string>{});
         read.kind = run.value("kind", "today");
         read.seed = run.at("seed").get<std::uint64_t>();
         read.rocks = run.contains("rocks") ? run["rocks"].get<std::uint64_t>()

@@ -20,7 +20,10 @@ struct SummaryOfRun {
         std::string hash;
     };
     std::string version;
-    std::string kind;  ///< "today", "years" or "profile"
+    std::string commit;                  ///< of the program; empty where it is not known
+    std::string scenario;                ///< name of the file, without its folder
+    std::vector<std::string> overrides;  ///< settings given with --set
+    std::string kind;                    ///< "today", "years" or "profile"
     std::uint64_t seed = 0;
     std::uint64_t rocks = 0;  ///< of a year where there are years
     std::uint32_t years = 0;

@@ -20,6 +20,7 @@
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/progress.hpp"
+#include "coupling/vary/regime_study.hpp"
 #include "coupling/vary/report/page.hpp"
 #include "coupling/vary/write_table.hpp"
 
@@ -172,6 +173,9 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     }
     const std::vector<Factor> factors = factors_of(request);
     const std::vector<Combination> combinations = combinations_of(factors);
+    if (read_scenario(request.scenario, request.overrides)->years > 0) {
+        return vary_regimes(request, factors, combinations, screen);
+    }
     const std::uint64_t rocks = check_all(request, factors, combinations);
 
     const InterruptGuard guard;

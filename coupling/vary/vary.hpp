@@ -45,6 +45,8 @@ struct Outcome {
     std::vector<TargetOutcome> targets;
 };
 
+/// A scenario over years is a study of its regimes (regime_study.hpp).
+///
 /// Lets the rocks of a scenario of today fall with each combination of settings: the same rocks, as far as
 /// the settings leave them the same. Writes vary.csv and report.html (tornado chart), prints an overview.
 ///

@@ -117,6 +117,7 @@ void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
             own.environment = config::pow_of(own.environment * climate.warmth[index_of(cohort.species)] *
                                                  nitrogen_response(kind.response.nitrogen_class, nitrogen_kg),
                                              1.0 / 3.0);
+            own.deer = cohort.guarded_years > 0 ? 0.0 : own.deer;
             const SaplingYear year =
                 year_of_cohort(kind, cohort, own, stream.uniforms_of(static_cast<std::uint32_t>(k)));
             growth[here[k]] = year.growth;

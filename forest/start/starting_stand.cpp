@@ -108,6 +108,16 @@ Amount amount_of(const SpeciesRecord& record, double area_ha) {
             std::max(mean_dbh_cm, smallest_tree_cm)};
 }
 
+/// Diameters evenly spaced in a class, in falling order.
+std::vector<double> class_diameters_cm(std::size_t trees, double from_cm, double to_cm) {
+    std::vector<double> diameters;
+    for (std::size_t i = 0; i < trees; ++i) {
+        const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(trees);
+        diameters.push_back(to_cm - share * (to_cm - from_cm));
+    }
+    return diameters;
+}
+
 }  // namespace
 
 double usual_age_years(const Species& species, double dbh_cm) {
@@ -189,15 +199,24 @@ std::vector<Tree> trees_from_record(const StandRecord& record, const PatchGrid& 
     const double area_ha = static_cast<double>(record.patches.size()) * patch_area_m2 / 10'000.0;
     std::vector<Tree> trees;
     std::vector<Place> taken;
+    double classed_stems = 0.0;  // not rounded
     for (const SpeciesRecord& part : record.species) {
         assert(missing_in(part).empty());
         const Species& kind = species[part.species];
-        const Amount amount = amount_of(part, area_ha);
+        Amount amount = amount_of(part, area_ha);
+        if (part.class_from_cm) {
+            const double stems = part.stems_pha.value_or(0.0) * area_ha;
+            amount.trees =
+                static_cast<std::size_t>(std::lround(classed_stems + stems) - std::lround(classed_stems));
+            classed_stems += stems;
+        }
         const double mean_height_m = part.mean_height_m.value_or(
             std::max(1.6, height_by_growth(kind, amount.mean_dbh_cm, record.degree_days)));
         const HeightCurve curve = curve_through(amount.mean_dbh_cm, mean_height_m);
-        const std::vector<double> diameters = stand_diameters_cm(
-            record.structure, amount.trees, amount.mean_dbh_cm, kind.height_growth.max_dbh_cm);
+        const std::vector<double> diameters =
+            part.class_from_cm ? class_diameters_cm(amount.trees, *part.class_from_cm, *part.class_to_cm)
+                               : stand_diameters_cm(record.structure, amount.trees, amount.mean_dbh_cm,
+                                                    kind.height_growth.max_dbh_cm);
         const std::vector<Place> places = places_for(grid, record.patches, diameters, record.structure,
                                                      {seed, replicate, first_id + trees.size()}, taken);
         for (std::size_t i = 0; i < diameters.size(); ++i) {

@@ -55,6 +55,9 @@ struct SpeciesRecord {
     std::optional<double> mean_dbh_cm{};       ///< quadratic, >= 1
     std::optional<double> mean_height_m{};     ///< of the mean tree, > 1.5
     std::optional<double> age_years{};         ///< >= 0
+    /// Ends of a diameter class: stems_pha then lie evenly between them, and mean_dbh_cm is its middle.
+    std::optional<double> class_from_cm{};  ///< >= 1
+    std::optional<double> class_to_cm{};    ///< > class_from_cm; both or neither
 };
 
 /// A stand as an inventory describes it.
@@ -69,6 +72,8 @@ struct StandRecord {
 std::string missing_in(const SpeciesRecord& record);
 
 /// Trees with diameters, heights and places of a stand record. Ids count from `first_id`.
+///
+/// Stems of diameter classes are rounded one after the other, so that their sum over the stand is right.
 ///
 /// Heights follow a curve through the mean tree. Crowns are those that trees keep in each other's shade
 /// (settled_crowns.hpp). Requires complete records (missing_in).

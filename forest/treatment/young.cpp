@@ -18,7 +18,8 @@ Cohort planted(PatchId patch, const Planting& planting, std::uint32_t stems) {
             .species = planting.species,
             .origin = Origin::planted,
             .stems = stems,
-            .height_m = planting.height_m};
+            .height_m = planting.height_m,
+            .guarded_years = static_cast<std::uint16_t>(planting.guarded_years)};
 }
 
 std::uint64_t add(Stand& stand, const std::vector<Cohort>& plants) {

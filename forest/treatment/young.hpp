@@ -15,6 +15,7 @@ struct Planting {
     SpeciesId species{};
     double stems_pha = 2000.0;  ///< > 0, usually 1500-2500
     double height_m = 0.35;     ///< > 0, < 2
+    int guarded_years = 0;      ///< for which a guard (tube, cage) keeps deer off each plant; 0: no guards
 };
 
 /// Young trees of a patch that count as established: 0.3 m and more [choice], up to this diameter.

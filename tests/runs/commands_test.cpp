@@ -80,6 +80,12 @@ TEST(Program, HelpsWithEverything) {
     EXPECT_NE(help.out.find("bannwald run SCENARIO"), std::string::npos);
     EXPECT_NE(help.out.find("75  interrupted"), std::string::npos);
     EXPECT_NE(call(project, "--help-all").out.find("contact_support_m"), std::string::npos);
+    const std::string section = call(project, "--help-all release").out;
+    EXPECT_NE(section.find("release.rocks"), std::string::npos);
+    EXPECT_EQ(section.find("contact_support_m"), std::string::npos);
+    const Outcome unknown = call(project, "--help-all relaese");
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_NE(unknown.err.find("'release'"), std::string::npos) << unknown.err;
     EXPECT_NE(call(project, "run --help").out.find("--overwrite"), std::string::npos);
     EXPECT_TRUE(call(project, "--version").out.starts_with("bannwald "));
 }

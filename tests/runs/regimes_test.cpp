@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/runs/years.hpp"
 
@@ -220,6 +223,83 @@ TEST(DecisionOfARun, StandsInTableSummaryPageAndClosingLines) {
     const Outcome wrong = call(project, std::string{four_members} + "--set decision.probability=80");
     EXPECT_EQ(wrong.code, 2);
     EXPECT_NE(wrong.err.find("decision.probability"), std::string::npos) << wrong.err;
+}
+
+TEST(TargetProfiles, ComeToTheShareOfReplicatesInEachStatus) {
+    const ForestProject project;
+    project.write("profile.csv",
+                  "stand,site_type,hazard,criterion,minimal,ideal\n"
+                  "all,55,rockfall,stems_from_12_cm,1,100000\n"
+                  "7,55,rockfall,gap_m,100000,100000\n"
+                  "all,55,rockfall,cover_percent,101,\n"
+                  "8,55,rockfall,cover_percent,0,0\n"
+                  "all,55,avalanche,mixture_FASY_percent,0-100,\n");
+    const Outcome outcome =
+        call(project, std::string{four_members} + "--set stands.target_profile=profile.csv");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table nais = table(project, "out/tables/nais.csv");
+    std::map<std::string, double> share;
+    for (std::size_t row = 0; row < nais.rows(); ++row) {
+        if (nais.text(row, "regime") == "none" && nais.text(row, "year") == "0") {
+            share[nais.text(row, "stand") + " " + nais.text(row, "hazard") + " " +
+                  nais.text(row, "criterion") + " " + nais.text(row, "status")] =
+                number(nais, row, "share_of_replicates");
+        }
+    }
+    EXPECT_EQ(share["7 rockfall stems_from_12_cm minimal"], 1.0);
+    EXPECT_EQ(share["7 rockfall gap_m ideal"], 1.0);
+    EXPECT_FALSE(share.contains("8 rockfall gap_m ideal")) << "asked of stand 7 alone";
+    EXPECT_EQ(share["7 rockfall cover_percent below"], 1.0);
+    EXPECT_EQ(share["8 rockfall cover_percent ideal"], 1.0) << "its own row replaces that of all";
+    EXPECT_EQ(share["7 rockfall all below"], 1.0) << "the worst of all";
+    EXPECT_EQ(share["8 rockfall all minimal"], 1.0);
+    EXPECT_EQ(share["8 avalanche mixture_FASY_percent minimal"], 1.0);
+    const std::string page = project.read("out/report.html");
+    EXPECT_NE(page.find("class=\"nais nais-below\""), std::string::npos);
+
+    const std::string head = "stand,site_type,hazard,criterion,minimal,ideal\n";
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"all,55,rockfall,stems_from_25_cm,1,2\n", "criterion 'stems_from_25_cm'"},
+        {"9,55,rockfall,gap_m,20,20\n", "stand 9"},
+        {"all,55,rockfall,gap_m,long,20\n", "minimal 'long'"},
+        {"all,55,rockfall,gap_m,20,30\n", "an ideal within the minimum"},
+        {"all,55,rockfall,gap_m,20,20\nall,55,rockfall,gap_m,30,20\n", "a second time"}};
+    for (const auto& [rows, expected] : wrong) {
+        project.write("profile.csv", head + rows);
+        const Outcome refused =
+            call(project, std::string{four_members} + "--set stands.target_profile=profile.csv --out wrong");
+        EXPECT_EQ(refused.code, 4) << rows;
+        EXPECT_NE(refused.err.find(expected), std::string::npos) << refused.err;
+    }
+}
+
+TEST(InterventionAreas, AreATableALayerAndAPageBeforeTheRun) {
+    const ForestProject project;
+    project.write("strips.csv",
+                  "name,treatment,first_year,every_years,where,width_m,angle_deg,entries\n"
+                  "cut,clear_cut,1,5,strips,20,0,2\n");
+    const std::string settings =
+        "--set trees.file= --set stands.records=records.csv --set regimes.list=none,strips.csv --set "
+        "run.rockfall_every=0 --set run.replicates=1 --set climate.sequence=random ";
+    const Outcome checked = call(project, "check scenario.ini --page plan.html " + settings);
+    ASSERT_EQ(checked.code, 0) << checked.err;
+    const std::string plan = project.read("plan.html");
+    EXPECT_NE(plan.find("clip-path=\"url(#sheet)\""), std::string::npos);
+    EXPECT_NE(plan.find("strips"), std::string::npos);
+    EXPECT_EQ(call(project, "check scenario.ini --page plan.html " + settings).code, 2) << "it is there";
+    EXPECT_FALSE(std::filesystem::exists(project.file("out"))) << "check writes nothing else";
+
+    ASSERT_EQ(call(project, "run scenario.ini --quiet " + settings).code, 0);
+    const config::Table areas = table(project, "out/tables/intervention_areas.csv");
+    double forest_ha = 0.0;
+    for (std::size_t row = 0; row < areas.rows(); ++row) {
+        EXPECT_EQ(areas.text(row, "intervention"), "cut");
+        EXPECT_EQ(areas.text(row, "wkt").rfind("MULTIPOLYGON (((", 0), 0U);
+        EXPECT_EQ(areas.text(row, "first_year"), areas.text(row, "turn") == "1" ? "1" : "6");
+        forest_ha += number(areas, row, "area_ha");
+    }
+    EXPECT_NEAR(forest_ha, 0.8, 0.01) << "strips cover the forest";
+    EXPECT_NE(project.read("out/results.gpkg").find("intervention_areas"), std::string::npos);
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/runs/years.hpp"
 
@@ -107,6 +110,69 @@ TEST(Start, TakesTheListInsideItsPolygonAndRecordsElsewhere) {
     }
     EXPECT_EQ(listed, 3U);
     EXPECT_GT(others, 100U);
+}
+
+TEST(Start, HoldsTheStemsOfDiameterClasses) {
+    const ForestProject project;
+    project.write("classes.csv",
+                  "stand,species,dbh_from_cm,dbh_to_cm,stems_pha,height_m\n"
+                  "7,PIAB,20,24,333,20\n7,PIAB,40,44,40,\n8,FASY,12,16,500,14\n");
+    const std::string command =
+        "run scenario.ini --quiet --set trees.file= --set stands.dbh_classes=classes.csv --set "
+        "run.replicates=1 --set run.rockfall_every=0 --set regimes.list=none ";
+    const Outcome outcome = call(project, command);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table classes = table(project, "out/tables/dbh_classes.csv");
+    std::map<std::string, double> stems;
+    for (std::size_t row = 0; row < classes.rows(); ++row) {
+        if (classes.text(row, "year") == "0" && classes.text(row, "species") != "all") {
+            stems[classes.text(row, "dbh_from_cm")] += number(classes, row, "stems_pha");
+        }
+    }
+    // Each stand has half of the 0.8 ha; whole trees.
+    EXPECT_NEAR(stems["20"], 166.5, 1.3);
+    EXPECT_NEAR(stems["40"], 20.0, 1.3);
+    EXPECT_NEAR(stems["12"], 250.0, 1.3);
+    EXPECT_EQ(stems.size(), 3U);
+
+    const std::string head = "stand,species,dbh_from_cm,dbh_to_cm,stems_pha,height_m\n8,FASY,12,16,5,\n";
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"7,PIAB,24,20,3,\n", "an upper end above the lower one"},
+        {"8,FASY,14,20,3,\n", "overlaps another one"},
+        {"7,PIAB,20,24,3,99\n", "greatest height"},
+        {"7,PIAB,20,24,-3,\n", "stems_pha"},
+        {"9,PIAB,20,24,3,\n", "stand 9"}};
+    for (const auto& [row, expected] : wrong) {
+        project.write("classes.csv", head + row);
+        const Outcome refused = call(project, command + "--out wrong");
+        EXPECT_EQ(refused.code, 4) << row;
+        EXPECT_NE(refused.err.find(expected), std::string::npos) << refused.err;
+    }
+}
+
+TEST(Start, SpinsUpWhatNoFileGives) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, std::string{inventoried} + "--out without").code, 0);
+    const Outcome outcome = call(project, std::string{inventoried} + "--set stands.spin_up_years=12");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table years = table(project, "out/tables/forest_years.csv");
+    EXPECT_GT(at_start(years, "snags_m3pha") + at_start(years, "logs_m3pha"), 0.0);
+    const auto trees_of = [&](const std::string& folder) {
+        const config::Table stands = table(project, folder + "/tables/stands.csv");
+        for (std::size_t row = 0; row < stands.rows(); ++row) {
+            if (stands.text(row, "year") == "0" && stands.text(row, "species") == "all" &&
+                stands.text(row, "stand") == "all") {
+                return number(stands, row, "basal_area_m2pha");
+            }
+        }
+        return 0.0;
+    };
+    EXPECT_EQ(trees_of("out"), trees_of("without")) << "the trees are those of the inventory";
+    const Outcome both = call(project, std::string{inventoried} +
+                                           "--set stands.spin_up_years=5 --set stands.dead_wood=a.csv --set "
+                                           "stands.saplings=b.csv --out both");
+    EXPECT_EQ(both.code, 2);
+    EXPECT_NE(both.err.find("spin-up makes what no file gives"), std::string::npos) << both.err;
 }
 
 }  // namespace

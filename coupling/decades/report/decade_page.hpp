@@ -20,6 +20,7 @@ namespace coupling::decades {
 struct Section {
     std::string heading;
     std::string html;
+    bool on_paper = true;  ///< false: shown on screens alone
 };
 
 /// What the page of a run over years shows. Everything referred to must live as long as it is written.
@@ -36,6 +37,7 @@ struct PageContent {
     std::string climate;         ///< in words; may be empty
     std::string decision = {};   ///< what stands first: verdict and table, as HTML; may be empty
     std::vector<Section> first;  ///< what stands before the forest, such as its protection over the years
+    std::string areas = {};      ///< maps of where regimes act, as HTML; may be empty
     /// Settings that the page lists, all without it.
     std::function<bool(const std::string&)> shows_setting = {};
     const Site* site = nullptr;  ///< for the view in three dimensions; without it there is none

@@ -90,9 +90,11 @@ std::string meaning_of(const Quantity& quantity) {
 
 class FallPictures {
 public:
+    /// `defines`: the page has no other map of this site before.
     FallPictures(const Site& site, const Names& names, const RunView& run,
-                 std::span<const MemberYears> members)
-        : site_{site},
+                 std::span<const MemberYears> members, bool defines)
+        : defines_{defines},
+          site_{site},
           run_{run},
           sheet_{site},
           sums_{summed(names, run, members)},
@@ -110,6 +112,7 @@ private:
                        const config::Raster<float>& values, const ColourScale& scale);
     [[nodiscard]] std::string title(std::size_t slope, std::int32_t year) const;
 
+    bool defines_;
     const Site& site_;
     const RunView& run_;
     report::MapSheet sheet_;
@@ -216,7 +219,7 @@ std::string FallPictures::html() {
     for (const Quantity& quantity : quantities) {
         blocks += block(quantity);
     }
-    return joined("<div>", sheet_.definitions(), "<p class=\"soft\">",
+    return joined("<div>", defines_ ? sheet_.definitions() : "", "<p class=\"soft\">",
                   report::page_text("decades.fall_pictures.rocks_of_all_replicates_a"),
                   "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n", blocks,
                   "</div>\n");
@@ -228,7 +231,9 @@ std::string maps_of_falls(const PageContent& content, const RunView& run) {
     const bool known = content.site != nullptr && !run.regimes.empty() &&
                        std::any_of(content.members.begin(), content.members.end(),
                                    [](const MemberYears& member) { return !member.maps.empty(); });
-    return known ? FallPictures{*content.site, content.names, run, content.members}.html() : "";
+    return known ? FallPictures{*content.site, content.names, run, content.members, content.areas.empty()}
+                       .html()
+                 : "";
 }
 
 }  // namespace coupling::decades

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "config/geometry/wkt.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
@@ -64,9 +65,10 @@ std::vector<Group> groups_of(const Contents& contents) {
 struct PlaceColumns {
     std::vector<std::size_t> x, y;
     std::optional<std::size_t> z;
+    std::optional<std::size_t> wkt{};  ///< polygons as text
 
     [[nodiscard]] Form form() const {
-        return x.empty() ? Form::none : x.size() == 1 ? Form::point : Form::line;
+        return wkt ? Form::mixed : x.empty() ? Form::none : x.size() == 1 ? Form::point : Form::line;
     }
 };
 
@@ -78,7 +80,9 @@ PlaceColumns places_in(const std::vector<std::string>& columns, const std::strin
                                       : std::optional{static_cast<std::size_t>(found - columns.begin())};
     };
     PlaceColumns places;
-    if (find(x) && find(y)) {
+    if (find("wkt")) {
+        places.wkt = find("wkt");
+    } else if (find(x) && find(y)) {
         places = {{*find(x)}, {*find(y)}, find(z)};
     } else if (find("x1_m") && find("y1_m") && find("x2_m") && find("y2_m")) {
         places = {{*find("x1_m"), *find("x2_m")}, {*find("y1_m"), *find("y2_m")}, std::nullopt};
@@ -94,6 +98,9 @@ double number_in(std::string_view field) {
 
 Geometry geometry_of(const PlaceColumns& places, const std::vector<std::string_view>& fields,
                      std::int32_t srs_id) {
+    if (places.wkt) {
+        return polygons(config::read_wkt(fields[*places.wkt], {}).parts, srs_id);
+    }
     std::vector<Vertex> vertices;
     for (std::size_t i = 0; i < places.x.size(); ++i) {
         vertices.push_back({number_in(fields[places.x[i]]), number_in(fields[places.y[i]]),

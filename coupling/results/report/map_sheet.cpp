@@ -180,6 +180,20 @@ std::string MapSheet::stems() const {
     return joined(svg, "</g>");
 }
 
+std::string MapSheet::polygon(const config::Shape& shape, const std::string& attributes) const {
+    std::string path;
+    for (const std::vector<config::Point2>& ring : shape.parts) {
+        const char* step = "M";
+        for (const config::Point2& corner : ring) {
+            path += joined(step, place(x_of(corner.x_m)), " ", place(y_of(corner.y_m)));
+            step = "L";
+        }
+        path += "Z";
+    }
+    return joined("<path fill-rule=\"evenodd\" clip-path=\"url(#sheet)\" ", attributes, " d=\"", path,
+                  "\"/>");
+}
+
 std::string MapSheet::source_outlines() const {
     // A grid that marks whose cell centres lie in a source cell; smaller sources mark the cell they lie in.
     config::Raster<std::uint8_t> inside{frame_, 0};

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "config/geometry/shape.hpp"
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/report/map_window.hpp"
@@ -44,6 +45,8 @@ public:
     [[nodiscard]] std::string picture(const config::Raster<float>& raster, const ColourScale& scale) const;
     /// Paths coloured by energy class. Requires at least one point in each.
     [[nodiscard]] std::string paths(std::span<const rockfall::PathRecord* const> chosen) const;
+    /// A polygon, rings by the even-odd rule, with attributes such as fill="…".
+    [[nodiscard]] std::string polygon(const config::Shape& shape, const std::string& attributes) const;
     [[nodiscard]] std::string figure(const MapContent& content, MapSize size) const;
 
     /// How many cells a side a drawn block has: 1 where nothing is left out.

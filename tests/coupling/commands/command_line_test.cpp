@@ -51,6 +51,17 @@ TEST(CommandLine, HoldsWhatAStoppingTableIsAskedFor) {
     EXPECT_TRUE(parse_command_line({"stopping-table", "--out", "made"}).argument.empty());
 }
 
+TEST(CommandLine, HoldsWhatAnArchiveIsAskedFor) {
+    const CommandLine line = parse_command_line(
+        {"pack", "out", "--creator", "A", "--creator", "B", "--licence", "CC0-1.0", "--date", "2026-01-02"});
+    EXPECT_EQ(line.argument, "out");
+    EXPECT_EQ(line.creators, (std::vector<std::string>{"A", "B"}));
+    EXPECT_EQ(line.date, "2026-01-02");
+    EXPECT_EQ(message_of({"pack", "out", "--date", "May"}),
+              "found --date 'May', expected a day such as 2026-05-31");
+    EXPECT_TRUE(parse_command_line({"verify", "a.zip", "--rerun"}).rerun);
+}
+
 TEST(CommandLine, RefusesAStoppingTableThatCannotBeMade) {
     EXPECT_EQ(message_of({"stopping-table"}),
               "found `bannwald stopping-table` without a folder for the table, expected --out DIR");
@@ -68,6 +79,7 @@ TEST(CommandLine, AsksForHelpBeforeAnythingElse) {
     EXPECT_EQ(parse_command_line({}).command, "help");
     EXPECT_EQ(parse_command_line({"--version"}).command, "version");
     EXPECT_EQ(parse_command_line({"--help-all"}).command, "help-all");
+    EXPECT_EQ(parse_command_line({"--help-all", "regimes"}).section, "regimes");
     const CommandLine line = parse_command_line({"run", "--help"});
     EXPECT_EQ(line.command, "help");
     EXPECT_EQ(line.help_for, "run");

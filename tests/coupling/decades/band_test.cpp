@@ -66,6 +66,32 @@ TEST(BandOf, HoldsTheTruthInNineOfTenRunsOfThreeReplicates) {
     }
 }
 
+TEST(BandOf, HoldsTheMeanOfSkewedFiguresToo) {
+    constexpr int runs = 4000;
+    for (const double chance_of_any : {1.0, 0.3}) {  // exponential; 0 in seven of ten replicates
+        for (const int replicates : {5, 10, 20}) {
+            int holds = 0;
+            int with_interval = 0;
+            for (int run = 0; run < runs; ++run) {
+                std::vector<double> values;
+                for (int i = 0; i < replicates; ++i) {
+                    config::RandomStream stream{
+                        {2, static_cast<std::uint32_t>(run), 0, static_cast<std::uint64_t>(i)},
+                        config::Purpose::test};
+                    const bool any = stream.uniform() < chance_of_any;
+                    values.push_back(any ? -std::log(1.0 - stream.uniform()) : 0.0);
+                }
+                const Band band = band_of(values, not_negative);
+                with_interval += band.has_interval() ? 1 : 0;
+                holds += band.low <= chance_of_any && chance_of_any <= band.high ? 1 : 0;
+            }
+            const double share = static_cast<double>(holds) / with_interval;
+            EXPECT_GT(share, 0.86) << replicates << " of " << chance_of_any;
+            EXPECT_LT(share, 0.97) << replicates << " of " << chance_of_any;
+        }
+    }
+}
+
 TEST(ReplicatesNeeded, LeaveZeroOutOfTheInterval) {
     // 2 of deviation 2: t(4, 0.975) 2 / sqrt(5) = 2.48 > 2 and t(6, 0.975) 2 / sqrt(7) = 1.85 < 2; with six
     // pairs 2.5706 * 2 / sqrt(6) = 2.10.

@@ -432,5 +432,38 @@ TEST(Apply, KeepsToASteepness) {
               std::string::npos);
 }
 
+TEST(Apply, WorksInTheOrderThatTheUserGives) {
+    // Trees from 40 cm first, then the rest thinned to a basal area: it finds what the first has left.
+    const std::string table =
+        "name,treatment,order,from_dbh_cm,to_basal_area_m2pha\n"
+        "rest,thin_to_basal_area,2,,10\nthick,target_diameter,1,40,\n";
+    Worked worked{table};
+    ASSERT_EQ(worked.report.entries.size(), 2U);
+    EXPECT_EQ(worked.report.entries[0].intervention, "thick");
+    EXPECT_EQ(worked.report.entries[1].intervention, "rest");
+    EXPECT_GT(worked.report.entries[1].stems, 0.0);
+    double basal_area_m2 = 0.0;
+    for (const forest::Tree& tree : worked.stand.trees()) {
+        EXPECT_LT(tree.dbh_cm, 40.0);
+        basal_area_m2 += forest::basal_area_m2(tree.dbh_cm);
+    }
+    EXPECT_LE(basal_area_m2 / worked.stand.grid().area_ha(), 10.0);
+    EXPECT_TRUE(books_close(worked.stand));
+}
+
+TEST(Apply, GuardsEachPlantForItsYears) {
+    Worked worked{"treatment,species,plants_pha,guard_years\nplant,abal,1000,8\n"};
+    EXPECT_EQ(worked.report.entries[0].guarded, worked.report.entries[0].plants);
+    for (const forest::Cohort& cohort : worked.stand.cohorts()) {
+        EXPECT_EQ(cohort.guarded_years, 8U);
+    }
+    std::vector<forest::CohortGrowth> growth(worked.stand.cohorts().size());
+    for (forest::CohortGrowth& one : growth) {
+        one.height_m = 0.4;
+    }
+    worked.stand.grow_cohorts(growth);
+    EXPECT_EQ(worked.stand.cohorts().front().guarded_years, 7U);
+}
+
 }  // namespace
 }  // namespace coupling::apply_test

@@ -139,6 +139,19 @@ TEST(Regime, TellsProblemsOfRowsGroundAndYearsAtOnce) {
     EXPECT_TRUE(has(text, "regime.csv:5: found c (line 4) and d"));
 }
 
+TEST(Regime, LetsTreatmentsMeetOnOneGroundInAStatedOrder) {
+    const forest::PatchGrid grid = two_stands(6);
+    const std::string head = "treatment,order,where,lines,width_m,basal_area_m2pha,max_dbh_cm\n";
+    const std::string corridors = "clear_cut,1,corridors,lines.csv,12,,\n";
+    EXPECT_EQ(problems_of(head + corridors + "selection,2,,,,25,50\n", grid), "");
+    for (const char* order : {"", "1"}) {
+        const std::string text = problems_of(head + corridors + "selection," + order + ",,,,25,50\n", grid);
+        EXPECT_TRUE(has(text, "on the same ground in year 0")) << text;
+        EXPECT_TRUE(has(text, "numbers in `order`")) << text;
+    }
+    EXPECT_TRUE(has(problems_of(head + "clear_cut,0,,,,,\n", grid), "order"));
+}
+
 TEST(ShippedRegimes, AreValidOnALargeSlope) {
     const forest::PatchGrid grid = two_stands(40);
     EXPECT_EQ(shipped_regime_names(),

@@ -1,0 +1,135 @@
+#include "coupling/decades/report/area_maps.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "config/text/joined.hpp"
+#include "coupling/results/report/map_sheet.hpp"
+#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/page_text.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+using report::escaped;
+using report::page_text;
+
+/// P. Tol's bright scheme (SRON/EPS/TN/09-002), with dashes for those without colour.
+struct AreaLook {
+    const char* colour;
+    const char* dashes;
+};
+constexpr std::array<AreaLook, 7> area_looks{{{"#4477AA", ""},
+                                              {"#EE6677", "9 4"},
+                                              {"#228833", "3 3"},
+                                              {"#CCBB44", "12 4 3 4"},
+                                              {"#66CCEE", "6 2"},
+                                              {"#AA3377", "2 5"},
+                                              {"#BBBBBB", "14 6"}}};
+
+std::string style_of(std::size_t row) {
+    const AreaLook& look = area_looks[row % area_looks.size()];
+    return joined("fill=\"", look.colour, "\" fill-opacity=\"0.35\" stroke=\"", look.colour,
+                  "\" stroke-width=\"2.5\"",
+                  *look.dashes == '\0' ? "" : joined(" stroke-dasharray=\"", look.dashes, "\""));
+}
+
+/// "strips, clear_cut, turn 1 of 3, from year 5".
+std::string when_of(const InterventionArea& area) {
+    return area.first_year
+               ? page_text("decades.areas.from_year", {{"year", std::to_string(*area.first_year)}})
+               : page_text("decades.areas.by_condition");
+}
+
+/// One line of the legend below the map: swatch, row, what, how much and when first.
+std::string legend_line(const Intervention& row, std::size_t number,
+                        const std::vector<const InterventionArea*>& areas) {
+    double sum_ha = 0.0;
+    const InterventionArea* first = areas.front();
+    for (const InterventionArea* area : areas) {
+        sum_ha += area->area_ha;
+        if (area->first_year && (!first->first_year || *area->first_year < *first->first_year)) {
+            first = area;
+        }
+    }
+    // A corridor of several pieces counts once.
+    std::vector<std::uint32_t> numbers;
+    for (const InterventionArea* area : areas) {
+        numbers.push_back(area->number);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    if (row.ground.where == Where::corridors) {
+        sum_ha = 0.0;
+        for (const std::uint32_t n : numbers) {
+            sum_ha += (*std::find_if(areas.begin(), areas.end(), [&](const InterventionArea* a) {
+                          return a->number == n;
+                      }))->area_ha;
+        }
+    }
+    const std::size_t count = first->at_the_start ? areas.size() : numbers.size();
+    return joined(
+        "<li><svg viewBox=\"0 0 26 14\" width=\"26\" height=\"14\" aria-hidden=\"true\"><rect x=\"2\" "
+        "y=\"2\" width=\"22\" height=\"10\" ",
+        style_of(number), "/></svg> <b>", escaped(row.name), "</b> ",
+        row.name == name_of(row.treatment) ? "" : joined("(", name_of(row.treatment), ") "),
+        page_text("decades.areas.legend", {{"areas", std::to_string(count)},
+                                           {"hectares", report::fixed(sum_ha, 2)},
+                                           {"when", when_of(*first)}}),
+        first->at_the_start ? joined(" ", page_text("decades.areas.as_at_the_start")) : "", "</li>");
+}
+
+/// Rows that need no map: they act on the whole forest, or where another row has cut.
+std::string rows_without_area(const Regime& regime) {
+    std::string html;
+    for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
+        if (regime.cuts_of(row)) {
+            html += joined("<li><b>", escaped(regime.interventions()[row].name), "</b> ",
+                           page_text("decades.areas.on_cuts_of",
+                                     {{"row", escaped(regime.interventions()[*regime.cuts_of(row)].name)}}),
+                           "</li>");
+        }
+    }
+    return html;
+}
+
+}  // namespace
+
+std::string area_maps(const Site& site, const Management& management, std::span<const InterventionArea> areas,
+                      bool with_definitions) {
+    if (areas.empty()) {
+        return "";
+    }
+    const report::MapSheet sheet{site};
+    std::string figures;
+    for (std::size_t place = 0; place < management.regimes.size(); ++place) {
+        const Regime& regime = management.regimes[place];
+        std::string drawing;
+        std::string legend;
+        for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
+            std::vector<const InterventionArea*> here;
+            for (const InterventionArea& area : areas) {
+                if (area.regime == place && area.intervention == row) {
+                    here.push_back(&area);
+                    drawing += sheet.polygon(area.shape, style_of(row));
+                }
+            }
+            if (!here.empty()) {
+                legend += legend_line(regime.interventions()[row], row, here);
+            }
+        }
+        if (drawing.empty()) {
+            continue;
+        }
+        figures += sheet.figure(
+            {escaped(regime.name()), joined(page_text("decades.areas.heading"), ", ", escaped(regime.name())),
+             drawing, "", joined("<ul class=\"areas\">", legend, rows_without_area(regime), "</ul>")},
+            report::MapSize::half);
+    }
+    return joined("<section class=\"card\"><p>", page_text("decades.areas.how_to_read"), "</p>",
+                  with_definitions ? sheet.definitions() : "", "<div class=\"halves\">", figures,
+                  "</div></section>\n");
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "coupling/decades/comparison.hpp"
+
+namespace coupling::decades {
+
+/// Whether the stand will go on protecting: protection by living trees alone beside all, slender stems,
+/// regeneration, wood lost, carbon, at the start, half-way and at the end. HTML.
+std::string indicator_table(const Names& names, const Site& site, std::span<const Series> all_series);
+
+}  // namespace coupling::decades

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <ostream>
+
+#include "coupling/decades/management.hpp"
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+
+namespace coupling::decades {
+
+/// The page of `bannwald check --page`: where the regimes of a scenario act, before anything is simulated.
+void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& site,
+                     const Management& management);
+
+}  // namespace coupling::decades
