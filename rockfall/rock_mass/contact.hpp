@@ -1,0 +1,92 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "rockfall/rock_mass/laws.hpp"
+#include "rockfall/rock_mass/overlap.hpp"
+
+namespace rockfall::rock_mass {
+
+/// How a body moves that takes part in a contact.
+struct Mover {
+    Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+    Eigen::Vector3d spin_radps = Eigen::Vector3d::Zero();
+
+    [[nodiscard]] Eigen::Vector3d velocity_at(const Eigen::Vector3d& point_m) const {
+        return velocity_mps + spin_radps.cross(point_m - centre_m);
+    }
+};
+
+/// What a contact remembers from step to step.
+struct ContactState {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();     ///< unit, to the second body
+    Eigen::Vector3d shear_n = Eigen::Vector3d::Zero();    ///< force of the shear spring on the second body
+    Eigen::Vector3d dashpot_n = Eigen::Vector3d::Zero();  ///< force of the dashpots on the second body
+    Eigen::Vector3d point_m = Eigen::Vector3d::Zero();    ///< where shear and dashpots act
+    double shear_stiffness_npm = 0.0;
+    double normal_energy_j = 0.0;  ///< under `pfc` alone: of the normal spring
+    bool touching = false;
+    SeparatingFace known;
+
+    [[nodiscard]] double shear_energy_j() const {
+        return shear_stiffness_npm > 0.0 ? 0.5 * shear_n.squaredNorm() / shear_stiffness_npm : 0.0;
+    }
+};
+
+/// The same contact with first and second body exchanged.
+inline ContactState reversed(ContactState state) {
+    state.normal = -state.normal;
+    state.shear_n = -state.shear_n;
+    state.dashpot_n = -state.dashpot_n;
+    state.known.of_second = !state.known.of_second;
+    return state;
+}
+
+/// Force on the second body, and moments on both about their centres.
+struct PairForce {
+    Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
+    Eigen::Vector3d moment_on_first_nm = Eigen::Vector3d::Zero();
+    Eigen::Vector3d moment_on_second_nm = Eigen::Vector3d::Zero();
+};
+
+/// Work that contacts took out of the motion since the last step.
+struct Losses {
+    double friction_j = 0.0;
+    double dashpot_j = 0.0;
+    void operator+=(const Losses& other) {
+        friction_j += other.friction_j;
+        dashpot_j += other.dashpot_j;
+    }
+};
+
+/// What a contact is made of beside its overlap.
+struct ContactPair {
+    double foundation_npm3;    ///< c = E* / L
+    double friction;           ///< [-]
+    double effective_mass_kg;  ///< m1 m2 / (m1 + m2)
+    double disc_area_m2;       ///< of the smaller block; used with Laws::disc_areas
+};
+
+/// The whole force of a contact: normal force of the overlap, dashpot, friction.
+///
+/// - Normal: c times the overlap's force (`foundation`), or one spring k_n = c A at the middle of the contact
+///   polygon, compressed by the mean depth (`pfc`).
+/// - Dashpot: 2 beta sqrt(m_eff k_n) times the speed of approach; the normal force never pulls. Likewise
+/// along
+///   the contact as long as it sticks, with k_s.
+/// - Friction: a spring k_s = k_n / ratio along the contact (Cundall & Strack 1979, Geotechnique 29:47),
+///   capped at mu N. It turns with the pair; where k_s falls its force falls with it, so that a shrinking
+///   contact gives no energy back that it does not hold (Thornton et al. 2013, Powder Technol. 233:30).
+///
+/// Velocities are those between the last place and this one, half a step ago. Work of friction and dashpots
+/// is booked with them at the old and at the new force, half each: what velocity Verlet makes of a force.
+/// Friction is booked exactly: its work minus what the spring holds more than before.
+PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& first, const Mover& second,
+                        const Eigen::Vector3d& about_m, const Overlap& overlap, double step_s,
+                        ContactState& state, Losses& losses);
+
+/// Books what a contact held that is no more.
+void end_contact(const Mover& first, const Mover& second, double step_s, ContactState& state, Losses& losses);
+
+}  // namespace rockfall::rock_mass

@@ -1,0 +1,251 @@
+// The forces of a rock mass: joints, contacts, ground, stems, and its energies.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "rockfall/rock_mass/rock_mass.hpp"
+
+namespace rockfall::rock_mass {
+
+using Eigen::Vector3d;
+
+ContactPair RockMass::contact_pair(std::uint32_t first, std::uint32_t second) const {
+    const double r1 = blocks_[first].half_side_m, r2 = blocks_[second].half_side_m;
+    const double inverse_mass_sum = inverse_mass(first) + inverse_mass(second);
+    const double smaller = std::min(r1, r2);
+    return {laws_.modulus_pa / (r1 + r2), laws_.friction,
+            inverse_mass_sum > 0.0 ? 1.0 / inverse_mass_sum : 0.0, std::numbers::pi * smaller * smaller};
+}
+
+ContactPair RockMass::ground_pair(std::uint32_t block) const {
+    const double r = blocks_[block].half_side_m;
+    return {laws_.modulus_pa / (2.0 * r), laws_.ground_friction, blocks_[block].mass_kg,
+            std::numbers::pi * r * r};
+}
+
+/// The contact of two blocks: nothing where their spheres or a known face keep them apart.
+void RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
+                     ChunkSums& sums) const {
+    const Block& a = blocks_[first];
+    const Block& b = blocks_[second];
+    const double reach_m = a.radius_m + b.radius_m;
+    force = {};
+    if ((a.centre_m - b.centre_m).squaredNorm() < reach_m * reach_m) {
+        const PlacedBlock placed_a = placed(first), placed_b = placed(second);
+        if (!separates(state.known, placed_a, placed_b)) {
+            const Overlap overlap = overlap_of(placed_a, placed_b, b.centre_m, state.known);
+            if (!overlap.is_none()) {
+                force = contact_force(laws_, contact_pair(first, second), mover(first), mover(second),
+                                      b.centre_m, overlap, step_s_, state, sums.losses);
+                return;
+            }
+        }
+    }
+    end_contact(mover(first), mover(second), step_s_, state, sums.losses);
+}
+
+void RockMass::force_of(Contact& contact, ChunkSums& sums) const {
+    if (stands(contact.first) && stands(contact.second)) {
+        return;
+    }
+    touch(contact.first, contact.second, contact.state, contact.force, sums);
+}
+
+void RockMass::force_of(Joint& joint, ChunkSums& sums) {
+    Bond& bond = joint.bond;
+    if (stands(bond.first) && stands(bond.second)) {
+        return;
+    }
+    if (!bond.intact) {
+        touch(bond.first, bond.second, joint.state, joint.force, sums);
+        return;
+    }
+    const PlacedStrain placed = strain_of(bond, pose(bond.first), pose(bond.second));
+    const BondStress stress = bond_stress(bond.section, bond.stiffness, placed.strain);
+    if (breaks(stress, bond.strength, laws_.strength_angle_tan)) {
+        break_bond(joint, placed, stress, sums);
+        if (!bond.intact) {
+            return;
+        }
+    }
+    joint.force = bond_force(bond, placed, mover(bond.first), mover(bond.second));
+    if (laws_.bond_damping_ratio > 0.0) {
+        const PairForce damping =
+            bond_dashpot(bond, placed, mover(bond.first), mover(bond.second), laws_.bond_damping_ratio,
+                         contact_pair(bond.first, bond.second).effective_mass_kg, step_s_, sums.losses);
+        joint.force.force_n += damping.force_n;
+        joint.force.moment_on_first_nm += damping.moment_on_first_nm;
+        joint.force.moment_on_second_nm += damping.moment_on_second_nm;
+    }
+}
+
+/// A bond breaks where it holds more energy than the contact that takes its place: fracture never gives any.
+void RockMass::break_bond(Joint& joint, const PlacedStrain& placed, const BondStress& stress,
+                          ChunkSums& sums) {
+    Bond& bond = joint.bond;
+    ContactState state;
+    PairForce force;
+    ChunkSums of_contact;
+    touch(bond.first, bond.second, state, force, of_contact);
+    const double held_j = bond_energy(bond.section, bond.stiffness, placed.strain).sum_j();
+    const double freed_j = held_j - contact_energy_j(bond.first, bond.second, state) - state.shear_energy_j();
+    if (freed_j < 0.0) {
+        return;
+    }
+    const Mover first = mover(bond.first), second = mover(bond.second);
+    sums.losses.dashpot_j -=
+        0.5 * step_s_ *
+        bond.dashpot_n.dot(second.velocity_at(bond.point_m) - first.velocity_at(bond.point_m));
+    sums.losses += of_contact.losses;
+    sums.fracture_j += freed_j;
+    (stress.tension_pa > bond.strength.tensile_pa ? sums.broken_by_tension : sums.broken_by_shear) += 1;
+    bond.intact = false;
+    joint.state = state;
+    joint.force = force;
+}
+
+void RockMass::force_of_ground(std::uint32_t i, ChunkSums& sums) {
+    Footing& footing = footings_[i];
+    if (stands(i) || footing.prisms.empty()) {
+        return;
+    }
+    const Block& block = blocks_[i];
+    footing.force = {};
+    if (block.centre_m.z() - block.radius_m < footing.highest_ground_m) {
+        const Overlap overlap = ground_.overlap_of(footing.prisms, placed(i), block.centre_m);
+        if (!overlap.is_none()) {
+            footing.force = contact_force(laws_, ground_pair(i), Mover{}, mover(i), block.centre_m, overlap,
+                                          step_s_, footing.state, sums.losses);
+            return;
+        }
+    }
+    end_contact(Mover{}, mover(i), step_s_, footing.state, sums.losses);
+}
+
+/// Sums the stored forces of a block in the order of its pairs.
+void RockMass::gather(std::size_t i) {
+    Block& block = blocks_[i];
+    if (block.status == BlockStatus::fixed || block.status == BlockStatus::left) {
+        return;
+    }
+    Vector3d force_n{0.0, 0.0, -block.mass_kg * laws_.gravity_mps2};
+    force_n += footings_[i].force.force_n;
+    Vector3d moment_nm = footings_[i].force.moment_on_second_nm;
+    for (std::uint32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
+        const Incidence& incidence = incidences_[k];
+        const PairForce& force = incidence.number < joints_.size()
+                                     ? joints_[incidence.number].force
+                                     : contacts_[incidence.number - joints_.size()].force;
+        if (incidence.as_second) {
+            force_n += force.force_n;
+            moment_nm += force.moment_on_second_nm;
+        } else {
+            force_n -= force.force_n;
+            moment_nm += force.moment_on_first_nm;
+        }
+    }
+    block.force_n = force_n;
+    block.moment_nm = moment_nm;
+}
+
+/// A stem takes the energy of the motion into it until it is broken; then it is no obstacle any more.
+void RockMass::meet_stems() {
+    for (const auto& [number, stem_number] : near_stems_) {
+        Block& block = blocks_[number];
+        StandingStem& stem = stems_[stem_number];
+        if (stem.is_broken() || block.status != BlockStatus::moving) {
+            continue;
+        }
+        const Vector3d axis_m{stem.x_m, stem.y_m, std::clamp(block.centre_m.z(), stem.ground_m, stem.top_m)};
+        const PlacedBlock shape = placed(number);
+        const auto nearest = std::max_element(
+            shape.faces.begin(), shape.faces.end(),
+            [&](const Plane3& a, const Plane3& b) { return a.height_m(axis_m) < b.height_m(axis_m); });
+        if (nearest->height_m(axis_m) > stem.radius_m) {
+            continue;
+        }
+        Vector3d towards{nearest->normal.x(), nearest->normal.y(), 0.0};
+        if (towards.norm() < 0.1) {
+            towards = {axis_m.x() - block.centre_m.x(), axis_m.y() - block.centre_m.y(), 0.0};
+        }
+        towards = towards.stableNormalized();
+        const double speed_mps = block.velocity_mps.dot(towards);
+        if (speed_mps <= 0.0) {
+            continue;
+        }
+        const double motion_j = 0.5 * block.mass_kg * speed_mps * speed_mps;
+        const double loss_j = std::min(motion_j, stem.strength_j - stem.taken_j);
+        const double after_mps =
+            std::sqrt(std::max(0.0, speed_mps * speed_mps - 2.0 * loss_j / block.mass_kg));
+        block.velocity_mps += (after_mps - speed_mps) * towards;
+        stem.taken_j += loss_j;
+        taken_.trees_j += loss_j;
+    }
+}
+
+double RockMass::contact_energy_j(std::uint32_t first, std::uint32_t second,
+                                  const ContactState& state) const {
+    if (!state.touching) {
+        return 0.0;
+    }
+    if (laws_.contact == ContactLaw::pfc) {
+        return state.normal_energy_j;
+    }
+    return contact_pair(first, second).foundation_npm3 * overlap_energy_m4(placed(first), placed(second));
+}
+
+Ledger RockMass::ledger() const {
+    Ledger sums = taken_;
+    for (const Block& block : blocks_) {
+        sums.translation_j += block.translation_j();
+        sums.rotation_j += block.rotation.energy_j(block.inertia_kgm2);
+        if (block.status != BlockStatus::fixed) {
+            sums.gravity_j +=
+                block.mass_kg * laws_.gravity_mps2 * (block.centre_m.z() - block.start_height_m);
+        }
+    }
+    // Contacts take the time: energies side by side, sums in their order.
+    std::vector<double> energies_j(joints_.size() + contacts_.size() + footings_.size(), 0.0);
+    constexpr std::size_t chunk = 128;
+    parallel_((energies_j.size() + chunk - 1) / chunk, [&](std::size_t part) {
+        const std::size_t end = std::min(energies_j.size(), (part + 1) * chunk);
+        for (std::size_t k = part * chunk; k < end; ++k) {
+            if (k < joints_.size()) {
+                const Joint& joint = joints_[k];
+                energies_j[k] = joint.bond.intact
+                                    ? 0.0
+                                    : contact_energy_j(joint.bond.first, joint.bond.second, joint.state);
+            } else if (k < joints_.size() + contacts_.size()) {
+                const Contact& contact = contacts_[k - joints_.size()];
+                energies_j[k] = contact_energy_j(contact.first, contact.second, contact.state);
+            } else if (const auto i = static_cast<std::uint32_t>(k - joints_.size() - contacts_.size());
+                       footings_[i].state.touching) {
+                energies_j[k] =
+                    laws_.contact == ContactLaw::pfc
+                        ? footings_[i].state.normal_energy_j
+                        : ground_pair(i).foundation_npm3 * ground_.energy_m4(footings_[i].prisms, placed(i));
+            }
+        }
+    });
+    for (const double energy_j : energies_j) {
+        sums.contact_normal_j += energy_j;
+    }
+    for (const Joint& joint : joints_) {
+        if (joint.bond.intact) {
+            const PlacedStrain placed_strain =
+                strain_of(joint.bond, pose(joint.bond.first), pose(joint.bond.second));
+            sums.bonds += bond_energy(joint.bond.section, joint.bond.stiffness, placed_strain.strain);
+        }
+        sums.contact_shear_j += joint.state.shear_energy_j();
+    }
+    for (const Contact& contact : contacts_) {
+        sums.contact_shear_j += contact.state.shear_energy_j();
+    }
+    for (const Footing& footing : footings_) {
+        sums.contact_shear_j += footing.state.shear_energy_j();
+    }
+    return sums;
+}
+
+}  // namespace rockfall::rock_mass

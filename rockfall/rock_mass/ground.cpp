@@ -1,0 +1,191 @@
+#include "rockfall/rock_mass/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rockfall/rock_mass/convex_cell.hpp"
+
+namespace rockfall::rock_mass {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+GroundPrism prism_of(const Terrain& terrain, const Triangle& triangle) {
+    std::array<Vector3d, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vertex& vertex = terrain.vertices()[triangle.corners[k]];
+        corners[k] = {vertex.x_m, vertex.y_m, vertex.z_m};
+    }
+    GroundPrism prism;
+    const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+    prism.top = {normal, normal.dot(corners[0])};
+    prism.low_m = prism.high_m = corners[0].head<2>();
+    prism.highest_m = corners[0].z();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3d along = corners[(k + 1) % 3] - corners[k];
+        const Vector3d out = Vector3d{along.y(), -along.x(), 0.0}.normalized();
+        prism.sides[k] = {out, out.dot(corners[k])};
+        prism.low_m = prism.low_m.cwiseMin(corners[k].head<2>());
+        prism.high_m = prism.high_m.cwiseMax(corners[k].head<2>());
+        prism.highest_m = std::max(prism.highest_m, corners[k].z());
+    }
+    return prism;
+}
+
+/// Whether all corners lie on the outer side of a plane.
+bool is_beyond(const Plane3& plane, std::span<const Vector3d> points_m) {
+    return std::all_of(points_m.begin(), points_m.end(),
+                       [&](const Vector3d& point_m) { return plane.height_m(point_m) >= 0.0; });
+}
+
+bool meets(const GroundPrism& prism, const PlacedBlock& block) {
+    return prism.top.height_m(block.centre_m) < block.radius_m && !is_beyond(prism.top, block.vertices_m) &&
+           std::none_of(prism.sides.begin(), prism.sides.end(), [&](const Plane3& side) {
+               return side.height_m(block.centre_m) > 0.0 && is_beyond(side, block.vertices_m);
+           });
+}
+
+void clip_in_place(Polygon (&parts)[2], std::size_t& now, const Plane3& plane) {
+    bool any_out = false;
+    for (std::size_t i = 0; i < parts[now].size; ++i) {
+        any_out = any_out || plane.height_m(parts[now].corners_m[i]) > 0.0;
+    }
+    if (any_out) {
+        clip(
+            parts[now], [&](const Vector3d& x) { return plane.height_m(x); }, parts[1 - now]);
+        now = 1 - now;
+    }
+}
+
+}  // namespace
+
+Ground::Ground(const Terrain& terrain) {
+    for (const Triangle& triangle : terrain.triangles()) {
+        prisms_.push_back(prism_of(terrain, triangle));
+    }
+    if (prisms_.empty()) {
+        return;
+    }
+    Vector2d low = prisms_[0].low_m, high = prisms_[0].high_m;
+    double mean_size_m = 0.0;
+    for (const GroundPrism& prism : prisms_) {
+        low = low.cwiseMin(prism.low_m);
+        high = high.cwiseMax(prism.high_m);
+        mean_size_m += (prism.high_m - prism.low_m).maxCoeff() / static_cast<double>(prisms_.size());
+    }
+    low_m_ = low;
+    bin_m_ = std::max(mean_size_m, 1e-3 * (high - low).maxCoeff());
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        bins_[axis] = static_cast<int>((high - low)[static_cast<Eigen::Index>(axis)] / bin_m_) + 1;
+    }
+    std::vector<std::vector<std::uint32_t>> bins(bin_at(0, bins_[1]));
+    for (std::uint32_t i = 0; i < prisms_.size(); ++i) {
+        const BinRange range = bins_of(prisms_[i].low_m, prisms_[i].high_m);
+        for (int row = range.from[1]; row <= range.to[1]; ++row) {
+            for (int column = range.from[0]; column <= range.to[0]; ++column) {
+                bins[bin_at(column, row)].push_back(i);
+            }
+        }
+    }
+    first_.push_back(0);
+    for (const std::vector<std::uint32_t>& bin : bins) {
+        listed_.insert(listed_.end(), bin.begin(), bin.end());
+        first_.push_back(static_cast<std::uint32_t>(listed_.size()));
+    }
+}
+
+Ground::BinRange Ground::bins_of(const Vector2d& low_m, const Vector2d& high_m) const {
+    const auto place = [&](double at_m, std::size_t axis) {
+        const double from_m = low_m_[static_cast<Eigen::Index>(axis)];
+        return static_cast<int>(
+            std::clamp(std::floor((at_m - from_m) / bin_m_), 0.0, static_cast<double>(bins_[axis] - 1)));
+    };
+    return {{place(low_m.x(), 0), place(low_m.y(), 1)}, {place(high_m.x(), 0), place(high_m.y(), 1)}};
+}
+
+std::vector<std::uint32_t> Ground::prisms_in(const Vector2d& low_m, const Vector2d& high_m) const {
+    std::vector<std::uint32_t> found;
+    if (empty()) {
+        return found;
+    }
+    const BinRange range = bins_of(low_m, high_m);
+    for (int row = range.from[1]; row <= range.to[1]; ++row) {
+        for (int column = range.from[0]; column <= range.to[0]; ++column) {
+            const std::size_t bin = bin_at(column, row);
+            for (std::uint32_t k = first_[bin]; k < first_[bin + 1]; ++k) {
+                const GroundPrism& prism = prisms_[listed_[k]];
+                if ((prism.low_m.array() <= high_m.array()).all() &&
+                    (prism.high_m.array() >= low_m.array()).all()) {
+                    found.push_back(listed_[k]);
+                }
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+double Ground::highest_m(std::span<const std::uint32_t> prisms) const {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const std::uint32_t i : prisms) {
+        highest = std::max(highest, prisms_[i].highest_m);
+    }
+    return highest;
+}
+
+Overlap Ground::overlap_of(std::span<const std::uint32_t> prisms, const PlacedBlock& block,
+                           const Vector3d& about_m) const {
+    Overlap sum;
+    Polygon parts[2];
+    for (const std::uint32_t i : prisms) {
+        const GroundPrism& prism = prisms_[i];
+        if (!meets(prism, block)) {
+            continue;
+        }
+        for (std::size_t g = 0; g < block.faces.size(); ++g) {
+            std::size_t now = 0;
+            parts[0].size = 0;
+            bool any_below = false;
+            for (const std::uint16_t corner : block.corners_of(g)) {
+                parts[0].add(block.vertices_m[corner]);
+                any_below = any_below || prism.top.height_m(block.vertices_m[corner]) < 0.0;
+            }
+            if (!any_below) {
+                continue;
+            }
+            clip_in_place(parts, now, prism.top);
+            for (std::size_t k = 0; k < 3 && parts[now].size > 0; ++k) {
+                clip_in_place(parts, now, prism.sides[k]);
+            }
+            if (parts[now].size > 0) {
+                add_piece(parts[now], block.faces[g].normal, prism.top, about_m, sum);
+            }
+        }
+    }
+    return sum;
+}
+
+double Ground::energy_m4(std::span<const std::uint32_t> prisms, const PlacedBlock& block) const {
+    double sum = 0.0;
+    for (const std::uint32_t i : prisms) {
+        const GroundPrism& prism = prisms_[i];
+        if (!meets(prism, block)) {
+            continue;
+        }
+        ConvexCell part = part_below(cell_of(block), prism.top);
+        for (std::size_t k = 0; k < 3 && !part.faces.empty(); ++k) {
+            part = part_below(part, prism.sides[k]);
+        }
+        if (!part.faces.empty()) {
+            const VolumeAndCentre held = volume_and_centre(part);
+            sum -= held.volume_m3 * prism.top.height_m(held.centre_m);
+        }
+    }
+    return sum;
+}
+
+}  // namespace rockfall::rock_mass

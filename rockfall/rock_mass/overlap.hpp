@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "rockfall/rock_mass/placed_block.hpp"
+
+namespace rockfall::rock_mass {
+
+/// Integrals over the surface of the overlap of two bodies, for a pressure of 1 per metre of depth.
+///
+/// All places are relative to a point that the caller chose.
+struct Overlap {
+    Eigen::Vector3d force_m3 = Eigen::Vector3d::Zero();    ///< on the second body: integral of -depth m dS
+    Eigen::Matrix3d moments_m4 = Eigen::Matrix3d::Zero();  ///< integral of -depth x m^T dS
+    Eigen::Vector3d area_m2 = Eigen::Vector3d::Zero();     ///< integral of -m dS over the second body's part
+    double surface_m2 = 0.0;                               ///< area of all pieces, without direction
+    Eigen::Vector3d surface_m3 = Eigen::Vector3d::Zero();  ///< integral of x dS over them
+
+    [[nodiscard]] bool is_none() const { return force_m3.isZero(0.0); }
+    /// Moment of the force about the chosen point.
+    [[nodiscard]] Eigen::Vector3d moment_m4() const {
+        const Eigen::Matrix3d& t = moments_m4;
+        return {t(1, 2) - t(2, 1), t(2, 0) - t(0, 2), t(0, 1) - t(1, 0)};
+    }
+    /// Where the pressure acts. Requires a force.
+    [[nodiscard]] Eigen::Vector3d pressure_centre_m() const {
+        return moments_m4 * force_m3 / force_m3.squaredNorm();
+    }
+    /// Middle of the surfaces that lie in the other body. Requires a force.
+    [[nodiscard]] Eigen::Vector3d surface_centre_m() const { return surface_m3 / surface_m2; }
+};
+
+/// A face of the first or of the second block that had both of them on different sides: looked at first.
+struct SeparatingFace {
+    static constexpr std::uint16_t none = 0xFFFF;
+    std::uint16_t face = none;
+    bool of_second = false;
+};
+
+/// Whether a known face separates two blocks still.
+bool separates(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second);
+
+/// Adds a piece of surface with outward unit normal m on which the depth is linear: closed forms per
+/// triangle.
+void add_piece(const Polygon& piece, const Eigen::Vector3d& m, const Plane3& depth_below,
+               const Eigen::Vector3d& about_m, Overlap& sum);
+
+/// The elastic foundation between two convex blocks.
+///
+/// Each block is a foundation: inside it the pressure grows with the depth below its nearest face, p = c
+/// depth. The energy of a pair is half of what each foundation holds of the other,
+///     U = (c / 2) (integral over A and B of depth_A dV + the same of depth_B),
+/// which for two faces on each other is (c / 2) A depth^2, and the force is its exact gradient,
+///     F = -(c / 2) integral over the surface of B in A of depth_A m dS + the same of A in B.
+/// So faces, edges and corners go over into each other without a jump, contact takes no energy and gives
+/// none, whatever the shape, and corners need no law of their own. After the pressure fields of Elandt et al.
+/// (2019, IROS, doi 10.1109/IROS40897.2019.8968548); c is E* / L (README of the room).
+///
+/// Exact clipping of the faces of one block by those of the other. `known` is looked at first and renewed.
+Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Eigen::Vector3d& about_m,
+                   SeparatingFace& known);
+
+/// The energy of the same for c = 1 [m4]: exact, by dividing the overlap where the nearest face changes.
+double overlap_energy_m4(const PlacedBlock& first, const PlacedBlock& second);
+
+}  // namespace rockfall::rock_mass

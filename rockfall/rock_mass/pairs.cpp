@@ -1,0 +1,343 @@
+// Which blocks of a rock mass may touch, and its state as numbers.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rockfall/rock_mass/rock_mass.hpp"
+
+namespace rockfall::rock_mass {
+
+using Eigen::Vector3d;
+
+namespace {
+
+/// Steps after which pairs are found anew at the latest.
+constexpr std::uint32_t steps_between = 24;
+
+Box3 box_around(std::span<const Vector3d> points_m, double margin_m) {
+    Box3 box{points_m[0], points_m[0]};
+    for (const Vector3d& point_m : points_m) {
+        box.low_m = box.low_m.cwiseMin(point_m);
+        box.high_m = box.high_m.cwiseMax(point_m);
+    }
+    box.low_m.array() -= margin_m;
+    box.high_m.array() += margin_m;
+    return box;
+}
+
+bool stem_is_near(const StandingStem& stem, const Box3& box) {
+    return stem.x_m > box.low_m.x() - stem.radius_m && stem.x_m < box.high_m.x() + stem.radius_m &&
+           stem.y_m > box.low_m.y() - stem.radius_m && stem.y_m < box.high_m.y() + stem.radius_m &&
+           stem.ground_m < box.high_m.z() && stem.top_m > box.low_m.z();
+}
+
+/// Writes and reads the numbers of a state in one order.
+class Packer {
+public:
+    explicit Packer(std::vector<double>& out) : out_{out} {}
+    void operator()(double value) { out_.push_back(value); }
+    void operator()(const Vector3d& v) { out_.insert(out_.end(), {v.x(), v.y(), v.z()}); }
+    void operator()(const Eigen::Quaterniond& q) { out_.insert(out_.end(), {q.w(), q.x(), q.y(), q.z()}); }
+
+private:
+    std::vector<double>& out_;
+};
+
+class Unpacker {
+public:
+    explicit Unpacker(std::span<const double> in) : in_{in} {}
+    void operator()(double& value) { value = next(); }
+    void operator()(Vector3d& v) {
+        for (int k = 0; k < 3; ++k) {
+            v[k] = next();
+        }
+    }
+    void operator()(Eigen::Quaterniond& q) {
+        q.w() = next();
+        q.x() = next();
+        q.y() = next();
+        q.z() = next();
+    }
+    double next() {
+        if (at_ >= in_.size()) {
+            whole_ = false;
+            return 0.0;
+        }
+        return in_[at_++];
+    }
+    [[nodiscard]] bool is_whole() const { return whole_; }
+    [[nodiscard]] bool is_at_end() const { return whole_ && at_ == in_.size(); }
+
+private:
+    std::span<const double> in_;
+    std::size_t at_ = 0;
+    bool whole_ = true;
+};
+
+template <class Visit, class State>
+void visit_state(Visit& visit, State& state) {
+    visit(state.normal);
+    visit(state.shear_n);
+    visit(state.dashpot_n);
+    visit(state.point_m);
+    visit(state.shear_stiffness_npm);
+    visit(state.normal_energy_j);
+}
+
+template <class Visit, class Force>
+void visit_force(Visit& visit, Force& force) {
+    visit(force.force_n);
+    visit(force.moment_on_first_nm);
+    visit(force.moment_on_second_nm);
+}
+
+template <class Visit, class Sums>
+void visit_ledger(Visit& visit, Sums& sums) {
+    visit(sums.friction_j);
+    visit(sums.dashpot_j);
+    visit(sums.local_damping_j);
+    visit(sums.fracture_j);
+    visit(sums.trees_j);
+    visit(sums.rest_j);
+    visit(sums.left_j);
+    visit(sums.start_j);
+}
+
+template <class Visit, class AnyBlock>
+void visit_block(Visit& visit, AnyBlock& block) {
+    visit(block.centre_m);
+    visit(block.velocity_mps);
+    visit(block.rotation.attitude);
+    visit(block.rotation.momentum_nms);
+    visit(block.still_s);
+    visit(block.force_n);
+    visit(block.moment_nm);
+}
+
+}  // namespace
+
+void RockMass::refresh() {
+    const double interval_s = steps_between * step_s_;
+    std::vector<Box3> boxes(blocks_.size());
+    std::vector<std::uint8_t> moves(blocks_.size(), 0);
+    in_chunks(blocks_.size(), [&](std::size_t i, ChunkSums&) {
+        const Block& block = blocks_[i];
+        const double speed_mps = block.velocity_mps.norm() + spins_[i].norm() * block.radius_m;
+        margins_m_[i] = 1.25 * speed_mps * interval_s + 0.5 * laws_.gravity_mps2 * interval_s * interval_s +
+                        0.01 * block.half_side_m;
+        ways_m_[i] = 0.0;
+        moves[i] = block.status == BlockStatus::fixed ? 0 : 1;
+        boxes[i] = box_around(placed(i).vertices_m, margins_m_[i]);
+        Footing& footing = footings_[i];
+        if (block.status == BlockStatus::left) {
+            boxes[i].low_m.x() = std::numeric_limits<double>::infinity();
+        } else if (block.status == BlockStatus::moving) {
+            footing.prisms = ground_.prisms_in(boxes[i].low_m.head<2>(), boxes[i].high_m.head<2>());
+            footing.highest_ground_m = ground_.highest_m(footing.prisms);
+        }
+    });
+
+    // Broken joints go on as contacts.
+    std::vector<Contact> known = std::move(contacts_);
+    for (const Joint& joint : joints_) {
+        if (!joint.bond.intact) {
+            known.push_back({joint.bond.first, joint.bond.second, joint.state, joint.force});
+            if (joint.bond.first > joint.bond.second) {
+                known.back().first = joint.bond.second;
+                known.back().second = joint.bond.first;
+                known.back().state = reversed(joint.state);
+                known.back().force = {-joint.force.force_n, joint.force.moment_on_second_nm,
+                                      joint.force.moment_on_first_nm};
+            }
+        }
+    }
+    std::erase_if(joints_, [](const Joint& joint) { return !joint.bond.intact; });
+    const auto by_blocks = [](const auto& a, const auto& b) {
+        return a.first != b.first ? a.first < b.first : a.second < b.second;
+    };
+    std::sort(known.begin(), known.end(), by_blocks);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
+    for (const Joint& joint : joints_) {
+        joined.emplace_back(std::min(joint.bond.first, joint.bond.second),
+                            std::max(joint.bond.first, joint.bond.second));
+    }
+    std::sort(joined.begin(), joined.end());
+
+    contacts_.clear();
+    auto old = known.begin();
+    auto bond = joined.begin();
+    for (const auto& pair : meeting_pairs(boxes, moves)) {
+        while (bond != joined.end() && *bond < pair) {
+            ++bond;
+        }
+        if (bond != joined.end() && *bond == pair) {
+            continue;
+        }
+        while (old != known.end() && by_blocks(*old, pair)) {
+            ++old;
+        }
+        if (old != known.end() && old->first == pair.first && old->second == pair.second) {
+            contacts_.push_back(*old);
+        } else {
+            contacts_.push_back({pair.first, pair.second, {}, {}});
+        }
+    }
+    list_incidences();
+    find_stems(boxes);
+    steps_to_refresh_ = steps_between;
+}
+
+void RockMass::list_incidences() {
+    first_incidence_.assign(blocks_.size() + 1, 0);
+    const auto each_end = [&](const auto& visit) {
+        for (std::uint32_t k = 0; k < joints_.size(); ++k) {
+            visit(joints_[k].bond.first, Incidence{k, false});
+            visit(joints_[k].bond.second, Incidence{k, true});
+        }
+        for (std::uint32_t k = 0; k < contacts_.size(); ++k) {
+            const auto number = static_cast<std::uint32_t>(joints_.size() + k);
+            visit(contacts_[k].first, Incidence{number, false});
+            visit(contacts_[k].second, Incidence{number, true});
+        }
+    };
+    each_end([&](std::uint32_t block, const Incidence&) { ++first_incidence_[block + 1]; });
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        first_incidence_[i + 1] += first_incidence_[i];
+    }
+    incidences_.resize(first_incidence_.back());
+    std::vector<std::uint32_t> next(first_incidence_.begin(), first_incidence_.end() - 1);
+    each_end(
+        [&](std::uint32_t block, const Incidence& incidence) { incidences_[next[block]++] = incidence; });
+}
+
+void RockMass::find_stems(std::span<const Box3> boxes) {
+    near_stems_.clear();
+    if (stems_.empty()) {
+        return;
+    }
+    std::vector<std::pair<double, std::uint32_t>> from_west;
+    double widest_m = 0.0;
+    for (std::uint32_t k = 0; k < stems_.size(); ++k) {
+        if (!stems_[k].is_broken()) {
+            from_west.emplace_back(stems_[k].x_m, k);
+            widest_m = std::max(widest_m, stems_[k].radius_m);
+        }
+    }
+    std::sort(from_west.begin(), from_west.end());
+    for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
+        if (blocks_[i].status != BlockStatus::moving) {
+            continue;
+        }
+        auto stem = std::lower_bound(from_west.begin(), from_west.end(),
+                                     std::pair{boxes[i].low_m.x() - widest_m, std::uint32_t{0}});
+        for (; stem != from_west.end() && stem->first < boxes[i].high_m.x() + widest_m; ++stem) {
+            if (stem_is_near(stems_[stem->second], boxes[i])) {
+                near_stems_.emplace_back(i, stem->second);
+            }
+        }
+    }
+}
+
+std::vector<double> RockMass::packed() const {
+    std::vector<double> numbers;
+    Packer pack{numbers};
+    pack(static_cast<double>(steps_));
+    pack(static_cast<double>(broken_by_tension_));
+    pack(static_cast<double>(broken_by_shear_));
+    visit_ledger(pack, taken_);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        visit_block(pack, blocks_[i]);
+        pack(static_cast<double>(blocks_[i].status));
+        visit_state(pack, footings_[i].state);
+        pack(footings_[i].state.touching ? 1.0 : 0.0);
+        visit_force(pack, footings_[i].force);
+        pack(static_cast<double>(footings_[i].prisms.size()));
+        for (const std::uint32_t prism : footings_[i].prisms) {
+            pack(static_cast<double>(prism));
+        }
+    }
+    for (const StandingStem& stem : stems_) {
+        pack(stem.taken_j);
+    }
+    pack(static_cast<double>(joints_.size()));
+    for (const Joint& joint : joints_) {
+        pack(static_cast<double>(joint.bond.first));
+        pack(static_cast<double>(joint.bond.second));
+        pack(joint.bond.dashpot_n);
+        pack(joint.bond.point_m);
+        visit_force(pack, joint.force);
+    }
+    pack(static_cast<double>(contacts_.size()));
+    for (const Contact& contact : contacts_) {
+        pack(static_cast<double>(contact.first));
+        pack(static_cast<double>(contact.second));
+        visit_state(pack, contact.state);
+        pack(contact.state.touching ? 1.0 : 0.0);
+        pack(static_cast<double>(contact.state.known.face));
+        pack(contact.state.known.of_second ? 1.0 : 0.0);
+        visit_force(pack, contact.force);
+    }
+    return numbers;
+}
+
+bool RockMass::unpack(std::span<const double> numbers) {
+    Unpacker unpack{numbers};
+    steps_ = static_cast<std::uint64_t>(unpack.next());
+    broken_by_tension_ = static_cast<std::uint64_t>(unpack.next());
+    broken_by_shear_ = static_cast<std::uint64_t>(unpack.next());
+    visit_ledger(unpack, taken_);
+    for (std::size_t i = 0; i < blocks_.size() && unpack.is_whole(); ++i) {
+        visit_block(unpack, blocks_[i]);
+        blocks_[i].status = static_cast<BlockStatus>(static_cast<int>(unpack.next()));
+        spins_[i] = blocks_[i].spin_radps();
+        place(i);
+        visit_state(unpack, footings_[i].state);
+        footings_[i].state.touching = unpack.next() != 0.0;
+        visit_force(unpack, footings_[i].force);
+        footings_[i].prisms.clear();
+        for (auto count = static_cast<std::size_t>(unpack.next()); count > 0 && unpack.is_whole(); --count) {
+            footings_[i].prisms.push_back(static_cast<std::uint32_t>(unpack.next()));
+        }
+        footings_[i].highest_ground_m = ground_.highest_m(footings_[i].prisms);
+    }
+    for (StandingStem& stem : stems_) {
+        unpack(stem.taken_j);
+    }
+    std::vector<Joint> left;
+    auto joint = joints_.begin();
+    for (auto count = static_cast<std::size_t>(unpack.next()); count > 0 && unpack.is_whole(); --count) {
+        const auto first = static_cast<std::uint32_t>(unpack.next());
+        const auto second = static_cast<std::uint32_t>(unpack.next());
+        while (joint != joints_.end() && (joint->bond.first != first || joint->bond.second != second)) {
+            ++joint;
+        }
+        if (joint == joints_.end()) {
+            return false;
+        }
+        unpack(joint->bond.dashpot_n);
+        unpack(joint->bond.point_m);
+        visit_force(unpack, joint->force);
+        left.push_back(std::move(*joint++));
+    }
+    joints_ = std::move(left);
+    contacts_.clear();
+    for (auto count = static_cast<std::size_t>(unpack.next()); count > 0 && unpack.is_whole(); --count) {
+        Contact contact;
+        contact.first = static_cast<std::uint32_t>(unpack.next());
+        contact.second = static_cast<std::uint32_t>(unpack.next());
+        visit_state(unpack, contact.state);
+        contact.state.touching = unpack.next() != 0.0;
+        contact.state.known.face = static_cast<std::uint16_t>(unpack.next());
+        contact.state.known.of_second = unpack.next() != 0.0;
+        visit_force(unpack, contact.force);
+        contacts_.push_back(contact);
+    }
+    if (!unpack.is_at_end()) {
+        return false;
+    }
+    refresh();
+    return true;
+}
+
+}  // namespace rockfall::rock_mass

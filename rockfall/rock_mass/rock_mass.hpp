@@ -1,0 +1,247 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "rockfall/rock_mass/bond.hpp"
+#include "rockfall/rock_mass/broad_phase.hpp"
+#include "rockfall/rock_mass/contact.hpp"
+#include "rockfall/rock_mass/ground.hpp"
+#include "rockfall/rock_mass/laws.hpp"
+#include "rockfall/rock_mass/ledger.hpp"
+#include "rockfall/rock_mass/parallel.hpp"
+#include "rockfall/rock_mass/standing_stem.hpp"
+#include "rockfall/solids/free_rotation.hpp"
+#include "rockfall/solids/mass_properties.hpp"
+
+namespace rockfall::rock_mass {
+
+/// A block as it starts: its solid, in principal axes, and where it lies.
+struct BlockStart {
+    solids::Solid solid;
+    Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+    Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+    Eigen::Vector3d momentum_nms = Eigen::Vector3d::Zero();  ///< angular, in principal axes
+    bool fixed = false;                                      ///< part of the rock that stays
+};
+
+/// The block that a solid in the axes of space makes.
+BlockStart block_of(const solids::Hull& hull_in_space, double density_kgpm3, bool fixed);
+
+/// A bond as it starts: the polygon that two blocks share, in space.
+struct BondStart {
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    std::vector<Eigen::Vector3d> polygon_m;
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, from the first to the second block
+    BondStrength strength;
+};
+
+/// What becomes of a block.
+enum class BlockStatus : std::uint8_t { moving, asleep, fixed, left };
+
+/// A block of a rock mass at a time.
+struct Block {
+    Eigen::Vector3d centre_m;
+    Eigen::Vector3d velocity_mps;
+    solids::Rotation rotation;
+    BlockStatus status = BlockStatus::moving;
+    double still_s = 0.0;  ///< how long it has been slow
+    // Of the forces at this time, gravity included.
+    Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
+    Eigen::Vector3d moment_nm = Eigen::Vector3d::Zero();  ///< about the centre, in space
+    // What does not change.
+    double mass_kg = 0.0;
+    double volume_m3 = 0.0;
+    Eigen::Vector3d inertia_kgm2;
+    double radius_m = 0.0;     ///< of the bounding sphere
+    double half_side_m = 0.0;  ///< of the cube of equal volume: r in L = r_i + r_j
+    double start_height_m = 0.0;
+
+    [[nodiscard]] Eigen::Vector3d spin_radps() const { return rotation.spin_radps(inertia_kgm2); }
+    [[nodiscard]] double translation_j() const { return 0.5 * mass_kg * velocity_mps.squaredNorm(); }
+    [[nodiscard]] double energy_j() const { return translation_j() + rotation.energy_j(inertia_kgm2); }
+};
+
+/// Speed below which a block may be put to rest, for how long, and share of its weight that wakes it
+/// [choice].
+inline constexpr double sleep_speed_mps = 0.05;
+inline constexpr double sleep_after_s = 0.5;
+inline constexpr double wake_share_of_weight = 0.1;
+
+/// Blocks, bonds, contacts, ground and stems in motion: velocity Verlet with the rotation of
+/// Dullweber, Leimkuhler & McLachlan (solids/free_rotation).
+///
+/// Forces are computed per pair in fixed chunks, stored, and gathered per block in a fixed order; sums run
+/// over chunks in their order. So the result has the same bits for any ParallelFor.
+class RockMass {
+public:
+    RockMass(const Laws& laws, std::span<const BlockStart> blocks, std::span<const BondStart> bonds,
+             Ground ground, std::vector<StandingStem> stems = {}, ParallelFor parallel = one_by_one);
+
+    void step();
+    void advance(std::uint64_t steps) {
+        for (std::uint64_t i = 0; i < steps; ++i) {
+            step();
+        }
+    }
+
+    [[nodiscard]] double step_s() const { return step_s_; }
+    [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * step_s_; }
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+    [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
+    [[nodiscard]] PlacedBlock placed(std::size_t block) const;
+    [[nodiscard]] std::span<const StandingStem> stems() const { return stems_; }
+    [[nodiscard]] std::size_t bonds_intact() const;
+    /// Pairs of blocks whose bond is intact.
+    [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> intact_bonds() const;
+    [[nodiscard]] std::uint64_t broken_by_tension() const { return broken_by_tension_; }
+    [[nodiscard]] std::uint64_t broken_by_shear() const { return broken_by_shear_; }
+    [[nodiscard]] std::size_t pairs() const { return contacts_.size(); }
+    /// All energies at this time: takes about as long as a few steps.
+    [[nodiscard]] Ledger ledger() const;
+    [[nodiscard]] double motion_at_start_j() const { return motion_at_start_j_; }
+    /// Bytes that it holds, about.
+    [[nodiscard]] std::size_t bytes() const;
+
+    /// Finds pairs anew. A run that goes on from `packed` does so from here with the same bits.
+    void refresh();
+    /// Everything that changes, after `refresh`.
+    [[nodiscard]] std::vector<double> packed() const;
+    /// Requires what `packed` of an equal mass gave; false if it cannot be that.
+    bool unpack(std::span<const double> numbers);
+
+private:
+    /// Two blocks that are or may come in touch.
+    struct Contact {
+        std::uint32_t first = 0;
+        std::uint32_t second = 0;
+        ContactState state;
+        PairForce force;
+    };
+    /// A bond, and the contact that takes its place when it is broken.
+    struct Joint {
+        Bond bond;
+        ContactState state;
+        PairForce force;
+    };
+    /// A block on the ground.
+    struct Footing {
+        ContactState state;
+        PairForce force;
+        std::vector<std::uint32_t> prisms;
+        double highest_ground_m = 0.0;
+    };
+    /// A pair that acts on a block.
+    struct Incidence {
+        std::uint32_t number;  ///< joints first, then contacts
+        bool as_second;
+    };
+    struct ChunkSums {
+        Losses losses;
+        double fracture_j = 0.0;
+        double local_damping_j = 0.0;
+        double rest_j = 0.0;
+        double left_j = 0.0;
+        std::uint64_t broken_by_tension = 0;
+        std::uint64_t broken_by_shear = 0;
+        bool strayed = false;
+    };
+
+    void store_shapes(std::span<const BlockStart> blocks);
+    void store_joints(std::span<const BondStart> bonds);
+    void place(std::size_t block);
+    void set_step();
+    [[nodiscard]] double critical_step_s(std::size_t block) const;
+    [[nodiscard]] bool stands(std::uint32_t block) const {
+        return blocks_[block].status != BlockStatus::moving;
+    }
+    [[nodiscard]] Mover mover(std::uint32_t block) const {
+        return {blocks_[block].centre_m, blocks_[block].velocity_mps, spins_[block]};
+    }
+    [[nodiscard]] BlockPose pose(std::uint32_t block) const {
+        return {blocks_[block].centre_m, blocks_[block].rotation.attitude};
+    }
+    [[nodiscard]] double inverse_mass(std::uint32_t block) const {
+        return blocks_[block].status == BlockStatus::fixed ? 0.0 : 1.0 / blocks_[block].mass_kg;
+    }
+    [[nodiscard]] ContactPair contact_pair(std::uint32_t first, std::uint32_t second) const;
+    [[nodiscard]] ContactPair ground_pair(std::uint32_t block) const;
+
+    template <class Work>
+    void in_chunks(std::size_t count, const Work& work);
+    void add(const ChunkSums& sums);
+
+    void kick(Block& block, ChunkSums& sums) const;
+    void move(std::size_t block, ChunkSums& sums);
+    void compute_forces();
+    void force_of(Joint& joint, ChunkSums& sums);
+    void force_of(Contact& contact, ChunkSums& sums) const;
+    void force_of_ground(std::uint32_t block, ChunkSums& sums);
+    void touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
+               ChunkSums& sums) const;
+    void break_bond(Joint& joint, const PlacedStrain& placed, const BondStress& stress, ChunkSums& sums);
+    void gather(std::size_t block);
+    void settle(std::size_t block, ChunkSums& sums);
+    void meet_stems();
+    void list_incidences();
+    void find_stems(std::span<const Box3> boxes);
+    [[nodiscard]] double contact_energy_j(std::uint32_t first, std::uint32_t second,
+                                          const ContactState& state) const;
+
+    Laws laws_;
+    ParallelFor parallel_;
+    Ground ground_;
+    double step_s_ = 0.0;
+    std::uint64_t steps_ = 0;
+    double motion_at_start_j_ = 0.0;
+    std::vector<Block> blocks_;
+    std::vector<Eigen::Vector3d> spins_;
+
+    // Shapes, block after block: in principal axes and in space.
+    std::vector<std::uint32_t> first_vertex_, first_face_, first_list_, first_corner_;
+    std::vector<Eigen::Vector3d> own_vertices_m_, vertices_m_;
+    std::vector<Plane3> own_faces_, faces_;
+    std::vector<std::uint16_t> corner_lists_, corners_;
+
+    std::vector<Joint> joints_;
+    std::vector<Contact> contacts_;
+    std::vector<Footing> footings_;
+    std::vector<StandingStem> stems_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> near_stems_;  ///< block, stem
+
+    std::vector<std::uint32_t> first_incidence_;
+    std::vector<Incidence> incidences_;
+    std::vector<double> margins_m_;  ///< how far each block may go before pairs are found anew
+    std::vector<double> ways_m_;     ///< how far it went
+    std::uint32_t steps_to_refresh_ = 0;
+
+    std::vector<ChunkSums> chunk_sums_;
+    Ledger taken_;  ///< what was taken out so far, and the sum at the start
+    std::uint64_t broken_by_tension_ = 0;
+    std::uint64_t broken_by_shear_ = 0;
+};
+
+template <class Work>
+void RockMass::in_chunks(std::size_t count, const Work& work) {
+    constexpr std::size_t chunk = 128;
+    const std::size_t chunks = (count + chunk - 1) / chunk;
+    chunk_sums_.assign(chunks, {});
+    parallel_(chunks, [&](std::size_t k) {
+        const std::size_t end = std::min(count, (k + 1) * chunk);
+        for (std::size_t i = k * chunk; i < end; ++i) {
+            work(i, chunk_sums_[k]);
+        }
+    });
+    for (const ChunkSums& sums : chunk_sums_) {
+        add(sums);
+    }
+}
+
+}  // namespace rockfall::rock_mass

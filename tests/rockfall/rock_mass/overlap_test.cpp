@@ -1,0 +1,131 @@
+#include "rockfall/rock_mass/overlap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "config/random/stream.hpp"
+#include "rockfall/rock_mass/convex_cell.hpp"
+#include "rockfall/rock_mass/ground.hpp"
+#include "rockfall/rock_mass/rock_mass.hpp"
+#include "tests/rockfall/rock_mass/scenes.hpp"
+
+namespace rockfall::rock_mass {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Two blocks of any place, looked at by a mass that never moves them.
+class TwoBlocks {
+public:
+    TwoBlocks(const solids::Hull& first, const solids::Hull& second)
+        : mass_{scenes::lossless(), starts(first, second), {}, Ground{}} {}
+    [[nodiscard]] PlacedBlock first() const { return mass_.placed(0); }
+    [[nodiscard]] PlacedBlock second() const { return mass_.placed(1); }
+    [[nodiscard]] Overlap overlap() const {
+        SeparatingFace known;
+        return overlap_of(first(), second(), mass_.blocks()[1].centre_m, known);
+    }
+    [[nodiscard]] double energy_m4() const { return overlap_energy_m4(first(), second()); }
+
+private:
+    static std::vector<BlockStart> starts(const solids::Hull& first, const solids::Hull& second) {
+        return {block_of(first, 1.0, false), block_of(second, 1.0, false)};
+    }
+    RockMass mass_;
+};
+
+const solids::Hull unit_cube = solids::box(Vector3d::Ones());
+
+solids::Hull moved(const solids::Hull& hull, const Vector3d& by_m, const Vector3d& turn = Vector3d::Zero()) {
+    return solids::placed(hull, Eigen::Quaterniond{Eigen::AngleAxisd{turn.norm(), turn.stableNormalized()}},
+                          by_m);
+}
+
+TEST(Overlap, OfFacesIsAreaTimesDepth) {
+    // Two cubes on each other, shifted: 0.7 m x 1 m overlap by 1 cm.
+    const TwoBlocks pair{unit_cube, moved(unit_cube, {0.3, 0.0, 0.99})};
+    const Overlap overlap = pair.overlap();
+    // The pressure loses what the slanted rim of the field takes: of the order of depth by width.
+    EXPECT_NEAR(overlap.force_m3.z(), 0.7 * 0.01, 0.7 * 0.01 * 0.03);
+    EXPECT_NEAR(overlap.area_m2.z(), 0.7, 1e-12);
+    EXPECT_NEAR(pair.energy_m4(), 0.5 * 0.7 * 0.01 * 0.01, 0.5 * 0.7 * 1e-4 * 0.03);
+    EXPECT_NEAR((overlap.pressure_centre_m() - Vector3d(-0.15, 0.0, -0.49)).norm(), 0.0, 0.01);
+}
+
+TEST(Overlap, IsNoneWhereAFaceOrTwoEdgesKeepBlocksApart) {
+    EXPECT_TRUE((TwoBlocks{unit_cube, moved(unit_cube, {0.0, 0.0, 1.001})}).overlap().is_none());
+    // Two bars across each other, edge above edge: no face separates them.
+    const double reach = std::sqrt(0.5);
+    const solids::Hull along_x =
+        moved(solids::box({4.0, 1.0, 1.0}), Vector3d::Zero(), {0.78539816339, 0.0, 0.0});
+    for (const double gap_m : {0.01, -0.01}) {
+        const TwoBlocks pair{along_x, moved(solids::box({1.0, 4.0, 1.0}), {0.0, 0.0, 2.0 * reach + gap_m},
+                                            {0.0, 0.78539816339, 0.0})};
+        EXPECT_EQ(pair.overlap().is_none(), gap_m > 0.0);
+    }
+}
+
+TEST(Overlap, ForceIsTheGradientOfItsEnergyWhateverTouches) {
+    const solids::Hull round = solids::with_volume(solids::ellipsoid({1.0, 0.8, 0.6}, 0), 0.7);
+    config::RandomStream draws{{5, 0, 0, 1}, config::Purpose::test};
+    int touched = 0;
+    for (int i = 0; i < 60; ++i) {
+        const auto any = [&](double size) {
+            return Vector3d{size * (2.0 * draws.uniform() - 1.0), size * (2.0 * draws.uniform() - 1.0),
+                            size * (2.0 * draws.uniform() - 1.0)};
+        };
+        const Vector3d place = any(0.8), turn = any(2.0);
+        const auto energy = [&](const Vector3d& by_m, const Vector3d& spin) {
+            const Eigen::Quaterniond spun{Eigen::AngleAxisd{spin.norm(), spin.stableNormalized()}};
+            const Eigen::Quaterniond at{Eigen::AngleAxisd{turn.norm(), turn.normalized()}};
+            return TwoBlocks{unit_cube, solids::placed(round, spun * at, place + by_m)}.energy_m4();
+        };
+        const TwoBlocks pair{unit_cube, moved(round, place, turn)};
+        const Overlap overlap = pair.overlap();
+        if (overlap.is_none()) {
+            continue;
+        }
+        ++touched;
+        const double h = 1e-5;
+        for (int k = 0; k < 3; ++k) {
+            const Vector3d e = h * Vector3d::Unit(k);
+            EXPECT_NEAR(overlap.force_m3[k],
+                        -(energy(e, Vector3d::Zero()) - energy(-e, Vector3d::Zero())) / (2.0 * h), 2e-6)
+                << i;
+            EXPECT_NEAR(overlap.moment_m4()[k],
+                        -(energy(Vector3d::Zero(), e) - energy(Vector3d::Zero(), -e)) / (2.0 * h), 2e-6)
+                << i;
+        }
+    }
+    EXPECT_GT(touched, 20);
+}
+
+TEST(Overlap, IsTheSameWithBlocksExchanged) {
+    const solids::Hull other = moved(unit_cube, {0.6, 0.5, 0.55}, {0.3, 0.2, 0.1});
+    const Overlap there = TwoBlocks{unit_cube, other}.overlap();
+    const Overlap back = TwoBlocks{other, unit_cube}.overlap();
+    EXPECT_NEAR((there.force_m3 + back.force_m3).norm(), 0.0, 1e-12);
+    EXPECT_FALSE(there.is_none());
+}
+
+TEST(Ground, PushesAlongTheNormalOfAPlaneByTheVolumeBelow) {
+    const Ground ground{scenes::plane_of(0.5)};
+    const RockMass mass{
+        scenes::lossless(),
+        std::vector<BlockStart>{block_of(moved(unit_cube, {0.0, 0.0, 0.3}, {0.4, 0.5, 0.6}), 1.0, false)},
+        {},
+        Ground{}};
+    const auto prisms = ground.prisms_in({-2.0, -2.0}, {2.0, 2.0});
+    EXPECT_EQ(prisms.size(), 2U);
+    const Overlap overlap = ground.overlap_of(prisms, mass.placed(0), Vector3d::Zero());
+    const Vector3d normal = Vector3d{-0.5, 0.0, 1.0}.normalized();
+    const ConvexCell below = part_below(cell_of(mass.placed(0)), {normal, 0.0});
+    const VolumeAndCentre held = volume_and_centre(below);
+    EXPECT_NEAR((overlap.force_m3 - held.volume_m3 * normal).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(ground.energy_m4(prisms, mass.placed(0)), -held.volume_m3 * normal.dot(held.centre_m), 1e-12);
+}
+
+}  // namespace
+}  // namespace rockfall::rock_mass
