@@ -12,8 +12,8 @@ namespace {
 /// Changes no fall: the hazard map is made from finished ones, and how often a run is saved concerns nobody
 /// else.
 const std::set<std::string>& settings_beside_the_falls() {
-    static const std::set<std::string> keys{"hazard.energy", "hazard.least_reach_percent", "hazard.matrix",
-                                            "run.rocks_per_part"};
+    static const std::set<std::string> keys{"hazard.energy", "hazard.least_reach_percent",
+                                            "hazard.smallest_zone_m2", "hazard.matrix", "run.rocks_per_part"};
     return keys;
 }
 
