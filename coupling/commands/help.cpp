@@ -32,7 +32,7 @@ constexpr std::string_view short_help = R"(bannwald - how well a forest protects
   bannwald pack DIR                    makes an archive of a finished run that can be cited and repeated
   bannwald verify FILE.zip             checks such an archive; --rerun repeats the run and compares
   bannwald net try DIR --nets FILE     evaluates other nets without another simulation
-  bannwald net place DIR --nets FILE   looks for the place of a net upslope of a line
+  bannwald net place DIR --nets FILE   where along a road nets are needed, and which
   bannwald validate [CASE...|all]      holds the model against published experiments and tables
   bannwald stopping-table [RECIPE]     makes stopping probabilities from virtual surfaces
   bannwald info FILE                   prints what a grid or a table holds; `info tables`: what results hold
@@ -225,14 +225,19 @@ may reach a net.
 
 bannwald net place DIR --nets FILE [--distances 0,10,20] [--azimuth 270]
 
-Takes each line of the table as what is to be protected, such as a road, and its height and capacity as those
-of a net; moves the net as a whole towards where the rocks come from, and lists for each place which rocks it
-would keep from the line, their energies and heights, and the class and height needed. Writes net_places.csv,
-and nets.csv with the best place of each, ready for nets.file.
+Says where along lines to protect, such as a road, nets are needed, and which: stretches, candidates upslope
+of them with energy class, height and length, and what is left below. FILE is a table or layer of lines as it
+is (targets.csv, roads.gpkg|layer, roads.shp); nothing about nets needs to stand in it. Writes report.html with
+map and curve, net_stretches.csv, net_candidates.csv, net_along.csv, net_place.gpkg, and nets.csv with the best
+net of each stretch, ready for nets.file.
+With columns of nets (height_m, capacity_kj or class) the net of each line is also moved upslope as a whole:
+net_places.csv says for each place which rocks it would keep from the line, and nets.csv has the best place.
+  --nets FILE           table or layer of lines to protect
   --distances 0,10,20   in plan, m (default: 10 to 150 in steps of 10)
   --azimuth DEG         the way upslope, clockwise from north (default: against the mean direction of the
                         rocks that reach the line; where none does, along the gradient of the ground)
-  --out DIR             folder of the tables (default: DIR/net_place)
+  --out DIR             folder of the results (default: DIR/net_place)
+  --overwrite           replaces files that the folder holds
 )";
 
 constexpr std::string_view info_help = R"(bannwald info FILE

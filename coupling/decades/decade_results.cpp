@@ -23,6 +23,7 @@
 #include "coupling/decades/report/target_profile.hpp"
 #include "coupling/decades/work_tables.hpp"
 #include "coupling/results/data_dictionary.hpp"
+#include "coupling/results/excel_csv.hpp"
 #include "coupling/results/gis_files.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
@@ -176,6 +177,9 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
              results.management == nullptr ? "" : area_maps(results.site, *results.management, areas, true),
          .site = &results.site});
     page.close();
+    if (results.scenario.gis.csv == CsvForm::excel) {
+        turn_into_excel_csv(folder / "tables", decimal_sign_of("en"));
+    }
     return files;
 }
 

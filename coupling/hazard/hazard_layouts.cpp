@@ -12,6 +12,7 @@ using config::joined;
 
 constexpr const char* from_map = "cells of the map";
 constexpr const char* from_matrix = "hazard_matrix.csv or hazard.matrix";
+constexpr const char* how_arrivals = "coupling/hazard/README.md";
 constexpr const char* from_blocks = "input hazard.blocks";
 
 std::vector<Column> class_columns() {
@@ -42,7 +43,10 @@ const std::vector<TableLayout>& hazard_layouts() {
           {"rocks", "-", "how many are released", "input release"}}},
         {"hazard_levels.csv",
          "a hazard level on a slope",
-         {cover_column(), level_column(), {"area_ha", "ha", "plan area with this level", from_map}}},
+         {cover_column(),
+          level_column(),
+          {"area_ha", "ha", "plan area with this level", from_map},
+          {"arrival_area_ha", "ha", "the same by the return period of the arrival", from_map}}},
         {"hazard_intensities.csv", "a class of energy with a return period on a slope",
          together(
              std::vector{cover_column(), period_column()}, class_columns(),
@@ -60,11 +64,18 @@ const std::vector<TableLayout>& hazard_layouts() {
                       {"protection_low_percent", "%", "lower end of its 95 % interval",
                        "protection.csv of the return period"},
                       {"protection_high_percent", "%", "upper end of its 95 % interval",
-                       "protection.csv of the return period"}})},
+                       "protection.csv of the return period"},
+                      {"arrival_period_bare_years", "years",
+                       "mean time between two arrivals over the bare slope: return period of the release by "
+                       "the share that arrives; empty: none arrives",
+                       how_arrivals},
+                      {"arrival_period_years", "years", "the same with forest", how_arrivals}})},
         {"hazard_targets.csv", "a hazard level of a target on a slope",
-         together(target_columns(), std::vector{cover_column(), level_column()},
-                  std::vector<Column>{{"share_percent", "%",
-                                       "share of the target's length or area with this level", from_map}})},
+         together(
+             target_columns(), std::vector{cover_column(), level_column()},
+             std::vector<Column>{
+                 {"share_percent", "%", "share of the target's length or area with this level", from_map},
+                 {"arrival_share_percent", "%", "the same by the return period of the arrival", from_map}})},
         {"hazard_target_intensities.csv", "a class of energy at a target with a return period on a slope",
          together(
              target_columns(), std::vector{cover_column(), period_column()}, class_columns(),
@@ -78,6 +89,8 @@ std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& per
         {"Hazard_level", "-",
          "highest hazard level of all return periods: 0 none, 1 residual, 2 low, 3 moderate, 4 high",
          from_matrix},
+        {"Hazard_level_arrival", "-", "the same by the return period of the arrival in the cell",
+         from_matrix},
         {"Hazard_return_period", "years", "shortest return period that gives this level", from_blocks},
     };
     for (const FinishedPeriod& period : periods) {
@@ -85,6 +98,9 @@ std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& per
                            "class of energy of the rocks of this return period, from 1; the classes stand in "
                            "hazard_intensities.csv",
                            from_matrix});
+        columns.push_back({joined("Arrival_return_period_", config::to_text(period.return_period_years)),
+                           "years", "mean time between two arrivals of such rocks in the cell",
+                           how_arrivals});
     }
     return columns;
 }

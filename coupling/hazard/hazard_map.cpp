@@ -1,5 +1,6 @@
 #include "coupling/hazard/hazard_map.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -61,14 +62,25 @@ void add_area(const rockfall::Target& target, const config::GridFrame& frame, Ex
 
 }  // namespace
 
+double arrival_return_period_years(double release_years, double reach_percent) {
+    constexpr double whole_percent = 100.0;
+    return reach_percent > 0.0 ? release_years * whole_percent / std::min(whole_percent, reach_percent)
+                               : std::numeric_limits<double>::infinity();
+}
+
 HazardMap hazard_map(std::span<const PeriodFalls> periods, const Matrix& matrix, double least_reach_percent) {
     assert(!periods.empty());
     const config::GridFrame& frame = periods.front().energy_kj.frame;
-    HazardMap map{config::Raster<float>{frame, no_value}, config::Raster<float>{frame, no_value}, {}};
+    HazardMap map{config::Raster<float>{frame, no_value},
+                  config::Raster<float>{frame, no_value},
+                  {},
+                  config::Raster<float>{frame, no_value},
+                  {}};
     for (const PeriodFalls& falls : periods) {
         assert(falls.energy_kj.frame == frame && falls.reach_percent.frame == frame);
         const std::size_t frequency = matrix.frequency_of(falls.return_period_years);
         config::Raster<float>& intensities = map.intensity.emplace_back(frame, no_value);
+        config::Raster<float>& arrivals = map.arrival_years.emplace_back(frame, no_value);
         for (std::size_t cell = 0; cell < frame.size(); ++cell) {
             const auto energy_kj = static_cast<double>(falls.energy_kj.values[cell]);
             const auto reach = static_cast<double>(falls.reach_percent.values[cell]);
@@ -84,6 +96,14 @@ HazardMap hazard_map(std::span<const PeriodFalls> periods, const Matrix& matrix,
             if (std::isnan(highest) || level > highest || (level == highest && years < ruling_years)) {
                 highest = level;
                 ruling_years = years;
+            }
+            const double arrival_years = arrival_return_period_years(falls.return_period_years, reach);
+            arrivals.values[cell] = static_cast<float>(arrival_years);
+            const auto by_arrival =
+                static_cast<float>(matrix.at(intensity, matrix.frequency_of(arrival_years)));
+            float& highest_by_arrival = map.arrival_level.values[cell];
+            if (std::isnan(highest_by_arrival) || by_arrival > highest_by_arrival) {
+                highest_by_arrival = by_arrival;
             }
         }
     }

@@ -22,11 +22,19 @@ struct HazardMap {
     config::Raster<float> level;                   ///< number of the Level
     config::Raster<float> ruling_years;            ///< shortest return period that gives this level
     std::vector<config::Raster<float>> intensity;  ///< by return period: number of the class from 1
+    /// The same level with the return period of the arrival in the cell in place of that of the release.
+    config::Raster<float> arrival_level;
+    /// By return period of the release: mean time between two arrivals in the cell [years].
+    std::vector<config::Raster<float>> arrival_years;
 };
 
+/// Mean time between two arrivals of rocks that are released once in a return period and of which a share
+/// arrives: frequencies multiply, so that periods are divided by the share. Infinite for a share of 0.
+double arrival_return_period_years(double release_years, double reach_percent);
+
 /// The hazard map of falls on the same frame: in each cell the highest level of all return periods. A cell
-/// counts in a period if its reach probability is at least `least_reach_percent`. Requires at least one
-/// period.
+/// counts in a period if its reach probability is at least `least_reach_percent`. Each return period is
+/// judged by itself: frequencies of several are not added up. Requires at least one period.
 HazardMap hazard_map(std::span<const PeriodFalls> periods, const Matrix& matrix, double least_reach_percent);
 
 /// A cell that a target lies in, and how much of the target: m of a line, m2 of an area.

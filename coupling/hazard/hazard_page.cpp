@@ -49,14 +49,13 @@ std::string energy_in_words(HazardEnergy energy) {
 }
 
 /// "high on 35.2 % of it, moderate on 20 %": levels above none, the highest first.
-std::string levels_in_words(const TargetHazard& target) {
+std::string levels_in_words(const std::vector<double>& shares) {
     std::string text;
     for (std::size_t level = levels - 1; level > 0; --level) {
-        if (target.levels[level] > 0.0) {
-            text += report::page_text("hazard_page.on",
-                                      {{"part", text.empty() ? "" : ", "},
-                                       {"level_names_level", level_names[level]},
-                                       {"levels_level", report::percent(target.levels[level])}});
+        if (shares[level] > 0.0) {
+            text += report::page_text("hazard_page.on", {{"part", text.empty() ? "" : ", "},
+                                                         {"level_names_level", level_names[level]},
+                                                         {"levels_level", report::percent(shares[level])}});
         }
     }
     return text.empty() ? report::page_text("common.none") : text;
@@ -123,6 +122,12 @@ std::string opening(const HazardResults& results) {
         "<dl class=\"facts\">",
         report::fact(report::page_text("hazard_page.return_periods_of_the_release"),
                      report::page_text("hazard_page.years_2", {{"periods", periods}})),
+        report::fact(report::page_text("hazard_page.levels_shown"),
+                     report::page_text("hazard_page.of_the_release_beside_arrival")),
+        report::fact(report::page_text("hazard_page.smallest_zone"),
+                     report::marked(results.scenario,
+                                    joined(config::to_text(results.scenario.hazard.smallest_zone_m2), " m²"),
+                                    {"hazard.smallest_zone_m2"})),
         report::fact(report::page_text("hazard_page.intensity"),
                      report::marked(results.scenario, energy_in_words(results.scenario.hazard.energy),
                                     {"hazard.energy"})),
@@ -149,7 +154,10 @@ std::string opening(const HazardResults& results) {
             html += joined("<p class=\"answer\"><b>",
                            slope.cover == Cover::forest ? report::page_text("common.with_forest_2")
                                                         : report::page_text("common.bare_slope_2"),
-                           ":</b> ", levels_in_words(slope.targets[i]), ".</p>");
+                           ":</b> ", levels_in_words(slope.targets[i].levels), ".</p><p>",
+                           report::page_text("hazard_page.by_the_arrival",
+                                             {{"levels", levels_in_words(slope.targets[i].arrival_levels)}}),
+                           "</p>");
         }
         html += "</section>\n";
     }
@@ -286,9 +294,9 @@ std::string shares_table(const HazardResults& results) {
         std::vector<std::string> cells{words_of(slope.cover)};
         for (std::size_t level = levels; level-- > 0;) {
             cells.push_back(report::page_text(
-                "hazard_page.ha",
-                {{"level_level",
-                  report::fixed(level_area_ha(slope, results.site, static_cast<Level>(level)), 2)}}));
+                "hazard_page.ha", {{"level_level", report::fixed(level_area_ha(slope.map.level, results.site,
+                                                                               static_cast<Level>(level)),
+                                                                 2)}}));
         }
         table.row(cells);
     }
@@ -332,6 +340,15 @@ std::string stopped_by_forest(const PeriodArrivals& arrivals) {
                   report::fixed(arrivals.protection_high_percent, 1), ")");
 }
 
+/// Mean time between two arrivals in words.
+std::string arrival_period(double release_years, double arrive_percent) {
+    const double years = arrival_return_period_years(release_years, arrive_percent);
+    return std::isnan(arrive_percent) ? "–"
+           : std::isinf(years)
+               ? report::page_text("hazard_page.none_arrives")
+               : report::page_text("hazard_page.years_3", {{"years", report::three_digits(years)}});
+}
+
 std::string arrivals_table(const HazardResults& results) {
     if (results.site.targets.empty()) {
         return "";
@@ -339,7 +356,9 @@ std::string arrivals_table(const HazardResults& results) {
     HtmlTable table{
         report::page_text("hazard_page.shares_of_the_rocks_of_a_return"),
         {report::page_text("hazard_page.return_period"), report::page_text("common.bare_slope"),
-         report::page_text("common.with_forest"), report::page_text("hazard_page.the_forest_stops")}};
+         report::page_text("common.with_forest"), report::page_text("hazard_page.the_forest_stops"),
+         report::page_text("hazard_page.arrival_period_bare"),
+         report::page_text("hazard_page.arrival_period_forest")}};
     std::size_t shown = results.site.targets.size();
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target != shown) {
@@ -350,7 +369,9 @@ std::string arrivals_table(const HazardResults& results) {
             return std::isnan(percent) ? std::string{"–"} : report::percent(percent / 100.0);
         };
         table.row({years_text(arrivals.return_period_years), share(arrivals.bare_percent),
-                   share(arrivals.forest_percent), stopped_by_forest(arrivals)});
+                   share(arrivals.forest_percent), stopped_by_forest(arrivals),
+                   arrival_period(arrivals.return_period_years, arrivals.bare_percent),
+                   arrival_period(arrivals.return_period_years, arrivals.forest_percent)});
     }
     return joined("<h2>", report::page_text("common.rocks_that_arrive"),
                   "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
@@ -375,6 +396,15 @@ std::string maps(const HazardResults& results) {
             {words_of(slope.cover),
              report::page_text("hazard_page.hazard_levels", {{"words_of_slope", words_of(slope.cover)}}),
              sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
+            report::MapSize::half);
+    }
+    html += joined("</div>\n<h3>", report::page_text("hazard_page.levels_by_arrival"), "</h3>\n<p>",
+                   report::page_text("hazard_page.about_the_arrival"), "</p>\n<div class=\"halves\">");
+    for (const SlopeHazard& slope : results.slopes) {
+        html += sheet.figure(
+            {joined(words_of(slope.cover), report::page_text("hazard_page.comma_by_arrival")),
+             report::page_text("hazard_page.hazard_levels", {{"words_of_slope", words_of(slope.cover)}}),
+             sheet.picture(slope.map.arrival_level, by_level), by_level.legend("levels"), ""},
             report::MapSize::half);
     }
     html +=

@@ -8,8 +8,10 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
+#include "coupling/hazard/hazard_zones.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/data_dictionary.hpp"
+#include "coupling/results/excel_csv.hpp"
 #include "coupling/results/gis_files.hpp"
 #include "coupling/results/rasters.hpp"
 #include "coupling/results/read_raster.hpp"
@@ -53,7 +55,9 @@ void fill_levels(CsvRow& row, const HazardResults& results) {
     for (const SlopeHazard& slope : results.slopes) {
         for (std::size_t level = 0; level < levels; ++level) {
             row.text(name_of(slope.cover)).text(level_names[level]);
-            row.number<4>(level_area_ha(slope, results.site, static_cast<Level>(level))).end();
+            const auto of = static_cast<Level>(level);
+            row.number<4>(level_area_ha(slope.map.level, results.site, of));
+            row.number<4>(level_area_ha(slope.map.arrival_level, results.site, of)).end();
         }
     }
 }
@@ -79,7 +83,8 @@ void fill_targets(CsvRow& row, const HazardResults& results) {
             for (std::size_t level = 0; level < levels; ++level) {
                 row.text(results.site.targets[target].id).text(results.site.targets[target].name);
                 row.text(name_of(slope.cover)).text(level_names[level]);
-                row.number<2>(percent * slope.targets[target].levels[level]).end();
+                row.number<2>(percent * slope.targets[target].levels[level]);
+                row.number<2>(percent * slope.targets[target].arrival_levels[level]).end();
             }
         }
     }
@@ -108,7 +113,10 @@ void fill_arrivals(CsvRow& row, const HazardResults& results) {
         row.text(config::to_text(arrivals.return_period_years));
         row.number<4>(arrivals.bare_percent).number<4>(arrivals.forest_percent);
         row.number<3>(arrivals.protection_percent).number<3>(arrivals.protection_low_percent);
-        row.number<3>(arrivals.protection_high_percent).end();
+        row.number<3>(arrivals.protection_high_percent);
+        row.number<1>(arrival_return_period_years(arrivals.return_period_years, arrivals.bare_percent));
+        row.number<1>(arrival_return_period_years(arrivals.return_period_years, arrivals.forest_percent))
+            .end();
     }
 }
 
@@ -135,6 +143,19 @@ std::vector<WrittenFile> write_tables(const HazardResults& results, const fs::pa
     return files;
 }
 
+/// The classes of return periods of the matrix, the most frequent one darkest.
+std::vector<ClassColour> period_colours(const Matrix& matrix) {
+    constexpr double longest_years = 1e9;
+    std::vector<ClassColour> classes;
+    for (std::size_t i = 0; i < matrix.frequencies(); ++i) {
+        classes.push_back({std::min(longest_years, matrix.return_period_to_years()[i]),
+                           matrix.frequency_name(i),
+                           colour_at(Palette::reach, 1.0 - static_cast<double>(i) /
+                                                               static_cast<double>(matrix.frequencies()))});
+    }
+    return classes;
+}
+
 std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResults& results,
                                      const fs::path& folder) {
     const std::string place = joined("rasters/", name_of(slope.cover), "/");
@@ -145,6 +166,11 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
         write_raster(folder,
                      {joined(place, "Hazard_level"),
                       joined("Highest hazard level of all return periods,", where), slope.map.level},
+                     projection, level_colours()),
+        write_raster(folder,
+                     {joined(place, "Hazard_level_arrival"),
+                      joined("Highest hazard level by the return period of the arrival,", where),
+                      slope.map.arrival_level},
                      projection, level_colours())};
     std::vector<ClassColour> periods;
     for (const FinishedPeriod& period : results.periods) {
@@ -167,6 +193,13 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
              joined("Class of energy of the rocks with a return period of ", years, " years,", where),
              slope.map.intensity[i]},
             projection, intensity_colours(results.matrix)));
+        files.push_back(
+            write_raster(folder,
+                         {joined(place, "Arrival_return_period_", years),
+                          joined("Mean time [years] between two arrivals of rocks that are released once in ",
+                                 years, " years,", where),
+                          slope.map.arrival_years[i]},
+                         projection, period_colours(results.matrix)));
     }
     return files;
 }
@@ -193,8 +226,7 @@ std::string stem_of(HazardEnergy energy) {
     return "E_max";
 }
 
-double level_area_ha(const SlopeHazard& slope, const Site& site, Level level) {
-    const config::Raster<float>& map = slope.map.level;
+double level_area_ha(const config::Raster<float>& map, const Site& site, Level level) {
     std::size_t cells = 0;
     for (std::size_t i = 0; i < map.values.size(); ++i) {
         const bool untouched = std::isnan(map.values[i]);
@@ -223,6 +255,7 @@ SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods
         const std::vector<TargetPart> parts = parts_of(target, site.map_frame_on_terrain());
         TargetHazard& hazard = slope.targets.emplace_back();
         hazard.levels = shares_of(parts, slope.map.level, levels);
+        hazard.arrival_levels = shares_of(parts, slope.map.arrival_level, levels);
         for (const config::Raster<float>& intensity : slope.map.intensity) {
             hazard.intensities.push_back(shares_of(parts, intensity, matrix.intensities() + 1));
         }
@@ -248,13 +281,18 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
     add_data_dictionary(folder, {hazard_layouts(), hazard_raster_columns(results.periods)}, files);
     GisFiles wanted = results.scenario.gis;
     wanted.vtp = false;
-    add(write_gis_files(folder, wanted, results.site, files, {}, {}, watch));
+    watch("hazard zones");
+    const std::vector<geopackage::AreaLayer> zones{zones_layer(results)};
+    add(write_gis_files(folder, wanted, results.site, files, {}, {}, watch, zones));
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);
     summary.close();
     OutFile page{folder / "report.html"};
     write_page(page.stream(), results, files);
     page.close();
+    if (results.scenario.gis.csv == CsvForm::excel) {
+        turn_into_excel_csv(folder / "tables", decimal_sign_of("en"));
+    }
     return files;
 }
 

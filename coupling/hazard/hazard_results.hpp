@@ -40,6 +40,7 @@ struct ZoneRocks {
 /// How a target lies in the hazard map of a slope.
 struct TargetHazard {
     std::vector<double> levels;                    ///< share of its extent by Level [0, 1]
+    std::vector<double> arrival_levels;            ///< the same by the return period of the arrival
     std::vector<std::vector<double>> intensities;  ///< by return period: shares by class; 0: no rock
     [[nodiscard]] Level highest() const;
 };
@@ -81,8 +82,8 @@ struct HazardResults {
     std::string version;
 };
 
-/// Plan area with a level; none: all other ground.
-double level_area_ha(const SlopeHazard& slope, const Site& site, Level level);
+/// Plan area with a level of a raster of levels; none: all other ground.
+double level_area_ha(const config::Raster<float>& map, const Site& site, Level level);
 
 /// The hazard of a slope, from the rasters that the runs of the return periods have written. Throws
 /// config::InputError (file, data) for rasters that are missing or none.

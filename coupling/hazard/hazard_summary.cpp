@@ -12,7 +12,13 @@ Json target_hazard(const TargetHazard& target) {
     for (std::size_t level = 0; level < levels; ++level) {
         shares[level_names[level]] = json_number(percent * target.levels[level]);
     }
-    return {{"highest_level", level_name(target.highest())}, {"share_percent", shares}};
+    Json arrival_shares;
+    for (std::size_t level = 0; level < levels; ++level) {
+        arrival_shares[level_names[level]] = json_number(percent * target.arrival_levels[level]);
+    }
+    return {{"highest_level", level_name(target.highest())},
+            {"share_percent", shares},
+            {"arrival_share_percent", arrival_shares}};
 }
 
 }  // namespace
@@ -31,6 +37,7 @@ void write_summary(std::ostream& out, const HazardResults& results, const std::v
     }
     summary["run"] = {{"scenario", results.scenario.file.filename().string()},
                       {"kind", "hazard"},
+                      {"smallest_zone_m2", json_number(results.scenario.hazard.smallest_zone_m2)},
                       {"seed", results.scenario.seed},
                       {"rocks", rocks},
                       {"map", json_map_frame(results.site.map_frame)}};

@@ -14,6 +14,7 @@ struct HazardSettings {
     double return_period_years = 0.0;  ///< only this one of them; 0: all, and the hazard map from them
     HazardEnergy energy = HazardEnergy::p95;
     double least_reach_percent = 0.0;  ///< cells with a smaller reach probability are left out
+    double smallest_zone_m2 = 400.0;   ///< smaller zones are part of what is around them
     std::string matrix;                ///< CSV of hazard levels; empty: the shipped one
 };
 

@@ -201,6 +201,13 @@ void declare_hazard(config::Options& options, HazardSettings& hazard) {
                     .high = 100.0,
                     .meaning = "cells with a smaller reach probability are left out of the hazard map",
                     .source = "choice"});
+    options.number("hazard.smallest_zone_m2", hazard.smallest_zone_m2,
+                   {.unit = "m2",
+                    .low = 0.0,
+                    .high = 1e6,
+                    .meaning = "zones of the hazard map (layer hazard_zones) below this area take the level "
+                               "around them; rasters keep them",
+                    .source = "choice"});
     options.text(
         "hazard.matrix", hazard.matrix,
         {.meaning = "CSV of hazard levels, as `bannwald info hazard_matrix` shows it; none: that one"});
@@ -241,6 +248,13 @@ void declare_output(config::Options& options, Scenario& s) {
         {.meaning = "results.gpkg with layers and tables, results.qlr for QGIS", .source = "choice"});
     options.flag("output.geotiff", s.gis.geotiff,
                  {.meaning = "a GeoTIFF (.tif) beside each grid", .source = "choice"});
+    options.flag("output.xlsx", s.gis.workbook,
+                 {.meaning = "results.xlsx: a workbook with a sheet for each table", .source = "choice"});
+    options.choice(
+        "output.csv", s.gis.csv, {{"plain", CsvForm::plain}, {"excel", CsvForm::excel}},
+        {.meaning = "form of the tables; plain: commas and decimal points; excel: semicolons, decimal "
+                    "sign of the page's language, byte-order mark",
+         .source = "choice"});
     options.flag("output.vtp", s.gis.vtp,
                  {.meaning = "sampled paths as trajectories.vtp for ParaView; assessment of today",
                   .source = "choice"});

@@ -19,11 +19,19 @@ namespace coupling {
 /// Which law rock sizes follow.
 enum class DiameterKind : std::uint8_t { fixed, classes, uniform, lognormal };
 
-/// What GIS programs are given beside tables and ESRI ASCII grids.
+/// How the tables of results are written.
+enum class CsvForm : std::uint8_t {
+    plain,  ///< commas, decimal points: R, Python and this program read them
+    excel,  ///< semicolons, the decimal sign of the page's language, byte-order mark
+};
+
+/// What GIS programs and spreadsheets are given beside tables and ESRI ASCII grids.
 struct GisFiles {
     bool geopackage = true;  ///< results.gpkg and results.qlr
     bool geotiff = false;    ///< a .tif beside each grid
     bool vtp = false;        ///< trajectories.vtp
+    bool workbook = false;   ///< results.xlsx
+    CsvForm csv = CsvForm::plain;
 };
 
 /// The settings of a run as the user wrote them: texts, numbers and file names, not yet opened.

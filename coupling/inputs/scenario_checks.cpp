@@ -100,8 +100,8 @@ void check_trees_over_years(const Scenario& s, SettingsChecker& checker) {
 /// Settings that would have no effect, or that the hazard map cannot do without.
 void check_hazard(const Scenario& s, SettingsChecker& checker) {
     if (s.hazard.blocks.empty()) {
-        for (const char* key :
-             {"hazard.return_period_years", "hazard.energy", "hazard.least_reach_percent", "hazard.matrix"}) {
+        for (const char* key : {"hazard.return_period_years", "hazard.energy", "hazard.least_reach_percent",
+                                "hazard.smallest_zone_m2", "hazard.matrix"}) {
             if (s.options->was_set(key)) {
                 checker.refuse(key, joined(key, " without hazard.blocks"),
                                "a table of rocks by return period and zone");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_set>
 
 #include "config/text/joined.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
@@ -27,11 +28,10 @@ rockfall::Target target_of(const config::Table& table, std::size_t row, const co
     return target;
 }
 
-void check_id(const config::Table& table, std::size_t row, const std::vector<rockfall::Target>& targets,
+void check_id(const config::Table& table, std::size_t row, std::unordered_set<std::string>& known,
               config::Problems& problems) {
     const std::string& id = table.text(row, "target_id");
-    const bool doubled =
-        std::any_of(targets.begin(), targets.end(), [&](const rockfall::Target& t) { return t.id == id; });
+    const bool doubled = !known.insert(id).second;
     if (id.empty() || doubled) {
         problems.add(config::ExitCode::data, table.place(row, "target_id"),
                      id.empty() ? "no target_id" : "target_id " + config::in_quotes(id) + " a second time",
@@ -45,8 +45,9 @@ std::vector<rockfall::Target> read_target_table(Reading& reading) {
     table.require({"target_id", "wkt"}, problems);
     problems.throw_if_any();
     std::vector<rockfall::Target> targets;
+    std::unordered_set<std::string> ids;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        check_id(table, row, targets, problems);
+        check_id(table, row, ids, problems);
         const auto shape =
             shape_of(table, row, {config::Shape::Kind::line, config::Shape::Kind::polygon}, problems);
         if (shape) {

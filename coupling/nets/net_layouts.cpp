@@ -3,6 +3,7 @@
 #include <string>
 
 #include "config/text/joined.hpp"
+#include "coupling/nets/siting/siting_layouts.hpp"
 #include "coupling/results/figure_columns.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -175,7 +176,8 @@ TableLayout net_places() {
          {"best", "text",
           "yes: least residual energy of all places of the line, with forest if there is one; none where no "
           "place keeps a rock from it",
-          how_needed}}};
+          how_needed},
+         {"tie", "text", "yes: leaves at most a tenth more energy than the best", how_needed}}};
 }
 
 }  // namespace
@@ -189,7 +191,12 @@ std::vector<TableLayout> net_try_layouts() {
 }
 
 const std::vector<TableLayout>& net_command_layouts() {
-    static const std::vector<TableLayout> layouts{net_inexact(), net_places()};
+    static const std::vector<TableLayout> layouts = [] {
+        std::vector<TableLayout> all{net_inexact(), net_places()};
+        const std::vector<TableLayout>& sited = siting::siting_layouts();
+        all.insert(all.end(), sited.begin(), sited.end());
+        return all;
+    }();
     return layouts;
 }
 

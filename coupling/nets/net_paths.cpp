@@ -183,10 +183,6 @@ Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
     return fallen == chunks.size() ? Ended::done : Ended::interrupted;
 }
 
-struct NetPathsReader::Bytes {
-    ByteReader in;
-};
-
 namespace {
 
 [[noreturn]] void refuse_damaged(const std::string& file) {
@@ -246,10 +242,10 @@ void check_all(ByteReader in, const std::string& file) {
 
 }  // namespace
 
-NetPathsReader::NetPathsReader(const std::filesystem::path& file)
-    : bytes_{new Bytes{ByteReader{file}}}, file_{file.string()} {
+NetPathsReader::NetPathsReader(const std::filesystem::path& file) : file_{file.string()} {
     check_all(ByteReader{file}, file_);
-    PathsBeginning begun = read_beginning(bytes_->in, file_);
+    ByteReader in{file};
+    PathsBeginning begun = read_beginning(in, file_);
     if (!begun.origin_m.allFinite() || !is_whole_terrain(begun.vertices, begun.triangles)) {
         refuse_damaged(file_);
     }
@@ -262,7 +258,8 @@ NetPathsReader::NetPathsReader(NetPathsReader&& other) noexcept = default;
 NetPathsReader::~NetPathsReader() = default;
 
 void NetPathsReader::each(const std::function<void(const StoredPath&)>& look) {
-    ByteReader& in = bytes_->in;
+    ByteReader in{file_};
+    read_beginning(in, file_);
     while (in.value<Mark>() == Mark::path) {
         const StoredPath path = read_path(in);
         if (!is_whole_path(path, terrain_->triangles().size())) {

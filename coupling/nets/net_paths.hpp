@@ -73,12 +73,11 @@ public:
     ~NetPathsReader();
     [[nodiscard]] const PathsHead& head() const { return head_; }
     [[nodiscard]] const rockfall::Terrain& terrain() const { return *terrain_; }
-    /// Calls `look` with each path, and makes sure at the end that the file is whole.
+    /// Calls `look` with each path, from the first one on in every call, and makes sure at the end that the
+    /// file is whole.
     void each(const std::function<void(const StoredPath&)>& look);
 
 private:
-    struct Bytes;
-    std::unique_ptr<Bytes> bytes_;
     std::string file_;
     PathsHead head_;
     std::unique_ptr<rockfall::Terrain> terrain_;

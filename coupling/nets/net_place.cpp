@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
@@ -11,10 +13,13 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/nets/net_try.hpp"
+#include "coupling/nets/siting/protected_line.hpp"
+#include "coupling/nets/siting/siting.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/text_layout.hpp"
 #include "coupling/run/interrupt.hpp"
 
 namespace coupling {
@@ -77,15 +82,26 @@ std::vector<NetPlace> places_of(std::span<const NetRecord> lines,
     return places;
 }
 
-void write_places(std::ostream& out, std::span<const NetRecord> lines, std::span<const NetPlace> places,
-                  const PlaceTrial& trial, const PathsHead& head, std::span<const bool> is_best) {
+/// How a place compares with the others of its line.
+enum class Rank : std::uint8_t { best, tie, other };
+
+/// The places of given nets and what they are worth.
+struct GivenNetPlaces {
+    std::vector<NetPlace> places;
+    std::unique_ptr<PlaceTrial> trial;  ///< refers to the places
+    std::vector<Rank> ranks;            ///< by place
+};
+
+void write_places(std::ostream& out, std::span<const NetRecord> lines, const GivenNetPlaces& given,
+                  const PathsHead& head) {
+    const std::vector<NetPlace>& places = given.places;
     TableRows row{out, net_place_layouts(), "net_places.csv"};
     for (std::size_t i = 0; i < places.size(); ++i) {
         for (const Cover cover : all_covers) {
             if (cover == Cover::forest && !head.with_forest) {
                 continue;
             }
-            const PlaceFigures of = trial.figures(i, cover, head);
+            const PlaceFigures of = given.trial->figures(i, cover, head);
             row.text(lines[places[i].line].name).number<1>(places[i].distance_m);
             row.number<1>(places[i].uphill.azimuth_deg()).text(name_of(places[i].uphill.from));
             row.text(name_of(cover));
@@ -101,19 +117,21 @@ void write_places(std::ostream& out, std::span<const NetRecord> lines, std::span
                 row.text(need.energy_class)
                     .number<1>(need.height_m.value_or(std::numeric_limits<double>::quiet_NaN()));
             }
-            row.text(is_best[i] ? "yes" : "no");
+            row.text(given.ranks[i] == Rank::best ? "yes" : "no");
+            row.text(given.ranks[i] == Rank::tie ? "yes" : "no");
             row.end();
         }
     }
 }
 
 /// A table of nets as nets.file takes it.
-void write_best(std::ostream& out, std::span<const NetRecord> lines, std::span<const NetPlace> places,
-                std::span<const bool> is_best, const Eigen::Vector2d& origin_m) {
+void write_best(std::ostream& out, std::span<const NetRecord> lines, const GivenNetPlaces& given,
+                const Eigen::Vector2d& origin_m) {
+    const std::vector<NetPlace>& places = given.places;
     out << "name,height_m,capacity_kj,class,gap_m,wkt\n";
     CsvRow row{out};
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!is_best[i]) {
+        if (given.ranks[i] != Rank::best) {
             continue;
         }
         const rockfall::Net& net = places[i].net;
@@ -144,6 +162,66 @@ std::vector<std::optional<Uphill>> uphills_of(const NetPlaceRequest& request,
         uphills.push_back(arrivals.uphill(line));
     }
     return uphills;
+}
+
+/// The best place of a line and those that tie with it, as a remark.
+void rank_places(std::uint32_t line, const std::string& name, const PathsHead& head, GivenNetPlaces& given,
+                 std::vector<std::string>& remarks) {
+    constexpr double tied_by = 1.1;  // a tenth more energy is left below [choice]
+    const Cover judged = head.with_forest ? Cover::forest : Cover::bare;
+    std::optional<std::size_t> best;
+    std::optional<std::uint64_t> arrive;
+    double least_kj = 0.0;
+    for (std::size_t i = 0; i < given.places.size(); ++i) {
+        if (given.places[i].line != line) {
+            continue;
+        }
+        const PlaceFigures of = given.trial->figures(i, judged, head);
+        arrive = of.arrive.part;
+        if (of.kept.part > 0 && (!best || of.residual_kj < least_kj)) {
+            best = i;
+            least_kj = of.residual_kj;
+        }
+    }
+    if (!best) {
+        if (arrive) {
+            remarks.push_back(joined(
+                name, *arrive == 0 ? ": no rock reaches the line" : ": no place keeps a rock from the line",
+                head.with_forest ? " with forest" : "", ", so none is best and none stands in nets.csv"));
+        }
+        return;
+    }
+    std::string ties;
+    for (std::size_t i = 0; i < given.places.size(); ++i) {
+        if (i != *best && given.places[i].line == line &&
+            given.trial->figures(i, judged, head).kept.part > 0 &&
+            given.trial->figures(i, judged, head).residual_kj <= tied_by * least_kj) {
+            given.ranks[i] = Rank::tie;
+            ties += joined(ties.empty() ? "" : ", ", config::to_text(given.places[i].distance_m));
+        }
+    }
+    given.ranks[*best] = Rank::best;
+    const PlaceFigures of = given.trial->figures(*best, judged, head);
+    remarks.push_back(joined(name, ": best ", config::to_text(given.places[*best].distance_m),
+                             " m upslope, keeps ", std::to_string(of.kept.part), " of ",
+                             std::to_string(of.kept.whole), " rocks from the line, leaves ",
+                             report::three_digits(of.residual_kj), " kJ a rock",
+                             ties.empty() ? "" : joined("; as good: ", ties, " m upslope")));
+}
+
+GivenNetPlaces place_given(const NetPlaceRequest& request, std::span<const NetRecord> nets,
+                           std::span<const double> distances_m, NetPathsReader& paths,
+                           std::vector<std::string>& remarks) {
+    const std::vector<std::optional<Uphill>> uphills = uphills_of(request, nets);
+    GivenNetPlaces given;
+    given.places = places_of(nets, uphills, distances_m, paths.terrain(), remarks);
+    given.trial = std::make_unique<PlaceTrial>(nets, given.places, paths.terrain());
+    given.ranks.assign(given.places.size(), Rank::other);
+    paths.each([&](const StoredPath& path) { given.trial->look(path); });
+    for (std::uint32_t line = 0; line < nets.size(); ++line) {
+        rank_places(line, nets[line].name, paths.head(), given, remarks);
+    }
+    return given;
 }
 
 }  // namespace
@@ -213,62 +291,39 @@ PlaceFigures PlaceTrial::figures(std::size_t place, rockfall::Cover cover, const
 void place_nets(const NetPlaceRequest& request, std::ostream& out) {
     NetPathsReader paths = paths_of_run(request.run);
     std::vector<std::string> remarks;
-    const std::vector<NetRecord> lines =
-        nets_on(request.nets, paths.terrain(), Standing::each_alone, remarks);
+    siting::GivenLines given = siting::read_lines(request.nets, paths.terrain(), remarks);
     const std::vector<double> distances_m =
         request.distances_m.empty() ? usual_net_distances_m() : request.distances_m;
     const std::filesystem::path folder = request.out.empty() ? request.run / "net_place" : request.out;
     refuse_full_folder(folder, request.overwrite);
-    const std::vector<std::optional<Uphill>> uphills = uphills_of(request, lines);
-    const std::vector<NetPlace> places = places_of(lines, uphills, distances_m, paths.terrain(), remarks);
-
-    PlaceTrial trial{lines, places, paths.terrain()};
-    paths.each([&](const StoredPath& path) { trial.look(path); });
-    const PathsHead& head = paths.head();
-    const Cover judged = head.with_forest ? Cover::forest : Cover::bare;
-    const auto is_best = std::make_unique<bool[]>(places.size());
-    for (std::uint32_t line = 0; line < lines.size(); ++line) {
-        std::optional<std::size_t> best;
-        std::optional<std::uint64_t> arrive;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (places[i].line != line) {
-                continue;
-            }
-            const PlaceFigures of = trial.figures(i, judged, head);
-            arrive = of.arrive.part;
-            if (of.kept.part > 0 &&
-                (!best || of.residual_kj < trial.figures(*best, judged, head).residual_kj)) {
-                best = i;
-            }
-        }
-        if (best) {
-            is_best[*best] = true;
-            const PlaceFigures of = trial.figures(*best, judged, head);
-            remarks.push_back(joined(lines[line].name, ": best ", config::to_text(places[*best].distance_m),
-                                     " m upslope, keeps ", std::to_string(of.kept.part), " of ",
-                                     std::to_string(of.kept.whole), " rocks from the line, leaves ",
-                                     report::three_digits(of.residual_kj), " kJ a rock"));
-        } else if (arrive) {
-            remarks.push_back(joined(
-                lines[line].name,
-                *arrive == 0 ? ": no rock reaches the line" : ": no place keeps a rock from the line",
-                head.with_forest ? " with forest" : "", ", so none is best and none stands in nets.csv"));
-        }
+    std::optional<GivenNetPlaces> of_given;
+    if (!given.nets.empty()) {
+        of_given = place_given(request, given.nets, distances_m, paths, remarks);
     }
-    const std::span<const bool> best_of_all{is_best.get(), places.size()};
+    siting::SitingResults sited =
+        siting::site_nets(paths, std::move(given.lines), {distances_m, request.azimuth_deg});
+    sited.run = request.run;
+    sited.remarks.insert(sited.remarks.begin(), remarks.begin(), remarks.end());
+
     const InterruptGuard until_written;
     make_folder(folder);
-    OutFile table{folder / "net_places.csv"};
-    write_places(table.stream(), lines, places, trial, head, best_of_all);
-    table.close();
-    OutFile nets{folder / "nets.csv"};
-    write_best(nets.stream(), lines, places, best_of_all, paths.terrain().origin_m());
-    nets.close();
+    if (of_given) {
+        OutFile table{folder / "net_places.csv"};
+        write_places(table.stream(), given.nets, *of_given, paths.head());
+        table.close();
+        OutFile nets{folder / "nets.csv"};
+        write_best(nets.stream(), given.nets, *of_given, paths.terrain().origin_m());
+        nets.close();
+    }
+    siting::write_siting(sited, paths.terrain(), folder, !of_given);
     if (!request.quiet) {
-        for (const std::string& remark : remarks) {
+        for (const std::string& remark : sited.remarks) {
             out << remark << '\n';
         }
-        out << folder.string() << '\n';
+        for (const std::string& line : siting::in_words(sited)) {
+            print_wrapped(out, line.starts_with("  ") ? "    " : "", line);
+        }
+        out << (folder / "report.html").string() << '\n' << folder.string() << '\n';
     }
 }
 

@@ -61,7 +61,7 @@ private:
 /// What is asked of `bannwald net place`.
 struct NetPlaceRequest {
     std::filesystem::path run;   ///< folder of a finished run with stored paths
-    std::filesystem::path nets;  ///< table of nets: the lines to protect, and what the nets would be
+    std::filesystem::path nets;  ///< lines to protect; a table of nets also says what the nets would be
     std::filesystem::path out;   ///< empty: run/net_place
     std::vector<double> distances_m;
     std::optional<double> azimuth_deg;  ///< upslope, clockwise from north; none: where rocks come from
@@ -69,8 +69,9 @@ struct NetPlaceRequest {
     bool quiet = false;
 };
 
-/// Looks for the place upslope of each line at which its net leaves the least energy to the line. Writes
-/// net_places.csv and nets.csv with the best place of each, ready for nets.file. Throws InputError.
+/// Finds where along the lines nets are needed and which (siting/siting.hpp). Of a table of nets it also
+/// looks for the place upslope of each line at which its net leaves the least energy to the line:
+/// net_places.csv, and nets.csv with the best place of each. Throws InputError.
 void place_nets(const NetPlaceRequest& request, std::ostream& out);
 
 }  // namespace coupling

@@ -7,9 +7,11 @@
 #include "coupling/profile/report/profile_page.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/data_dictionary.hpp"
+#include "coupling/results/excel_csv.hpp"
 #include "coupling/results/figure_columns.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/indicators.hpp"
+#include "coupling/results/workbook.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -152,6 +154,16 @@ std::vector<WrittenFile> write_results(const ProfileResults& results, const std:
     table("paths.csv", "Sampled paths, corner by corner.", write_paths);
 
     add_data_dictionary(folder, {profile_layouts(), {}}, files);
+    if (results.scenario.gis.workbook) {
+        std::vector<std::pair<WrittenFile, std::filesystem::path>> tables;
+        for (const WrittenFile& written : files) {
+            if (written.path.ends_with(".csv")) {
+                tables.emplace_back(written, folder / written.path);
+            }
+        }
+        write_workbook(folder / "results.xlsx", tables);
+        files.push_back({"results.xlsx", workbook_sentence});
+    }
 
     OutFile summary{folder / "summary.json"};
     write_summary(summary.stream(), results, files);
@@ -160,6 +172,9 @@ std::vector<WrittenFile> write_results(const ProfileResults& results, const std:
     OutFile page{folder / "report.html"};
     write_page(page.stream(), results, files);
     page.close();
+    if (results.scenario.gis.csv == CsvForm::excel) {
+        turn_into_excel_csv(folder / "tables", decimal_sign_of("en"));
+    }
     return files;
 }
 

@@ -8,6 +8,7 @@
 #include "coupling/results/geotiff.hpp"
 #include "coupling/results/qgis/results_tree.hpp"
 #include "coupling/results/vtp.hpp"
+#include "coupling/results/workbook.hpp"
 
 namespace coupling {
 namespace {
@@ -41,10 +42,10 @@ void add_geotiffs(const fs::path& folder, const std::string& projection, std::sp
 
 std::vector<WrittenFile> write_gis_files(const fs::path& folder, const GisFiles& wanted, const Site& site,
                                          std::span<const WrittenFile> files, const StreamedTables& streamed,
-                                         std::span<const rockfall::PathRecord> paths,
-                                         const WriteWatch& watch) {
+                                         std::span<const rockfall::PathRecord> paths, const WriteWatch& watch,
+                                         std::span<const geopackage::AreaLayer> areas) {
     std::vector<WrittenFile> added;
-    geopackage::Contents contents{site, {}, paths};
+    geopackage::Contents contents{site, {}, paths, areas};
     for (const WrittenFile& file : files) {
         const bool is_streamed =
             std::any_of(streamed.files.begin(), streamed.files.end(),
@@ -59,6 +60,10 @@ std::vector<WrittenFile> write_gis_files(const fs::path& folder, const GisFiles&
     }
     if (wanted.geotiff) {
         add_geotiffs(folder, site.projection, files, added, watch);
+    }
+    if (wanted.workbook) {
+        write_workbook(folder / "results.xlsx", contents.tables, watch);
+        added.push_back({"results.xlsx", workbook_sentence});
     }
     if (wanted.vtp && !paths.empty()) {
         watch("trajectories.vtp");

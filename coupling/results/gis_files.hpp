@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/inputs/site.hpp"
+#include "coupling/results/geopackage/results_package.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/write_watch.hpp"
 #include "rockfall/ensemble.hpp"
@@ -18,13 +19,14 @@ struct StreamedTables {
 };
 
 /// Adds what GIS programs take to a folder of results, as far as wanted: results.gpkg,
-/// results.qlr, a GeoTIFF beside each grid, trajectories.vtp. `files`: all tables and rasters, the streamed
-/// ones among them; `paths`: the sampled ones. Returns what was added. Throws config::InputError (file), and
-/// what `watch` throws.
+/// results.qlr, a GeoTIFF beside each grid, trajectories.vtp, and results.xlsx. `files`: all tables and
+/// rasters, the streamed ones among them; `paths`: the sampled ones. Returns what was added. Throws
+/// config::InputError (file), and what `watch` throws.
 std::vector<WrittenFile> write_gis_files(const std::filesystem::path& folder, const GisFiles& wanted,
                                          const Site& site, std::span<const WrittenFile> files,
                                          const StreamedTables& streamed = {},
                                          std::span<const rockfall::PathRecord> paths = {},
-                                         const WriteWatch& watch = {});
+                                         const WriteWatch& watch = {},
+                                         std::span<const geopackage::AreaLayer> areas = {});
 
 }  // namespace coupling

@@ -140,8 +140,12 @@ void write_json_summary(std::ostream& out, Json summary, const std::vector<Input
     for (const WrittenFile& file : files) {
         summary["files"].push_back({{"path", file.path}, {"holds", file.sentence}});
     }
-    // Names that are not UTF-8 are shown with a replacement sign instead of ending the run.
-    out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    // Names that are not UTF-8 are shown with a replacement sign instead of ending the run. Straight to the
+    // file: the text of a village takes tens of megabytes.
+    nlohmann::detail::serializer<Json> writer{nlohmann::detail::output_adapter<char>{out}, ' ',
+                                              Json::error_handler_t::replace};
+    writer.dump(summary, true, false, 2);
+    out << '\n';
 }
 
 }  // namespace coupling

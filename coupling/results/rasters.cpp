@@ -9,6 +9,7 @@
 
 #include "config/grid/ascii_grid.hpp"
 #include "coupling/results/raster_style.hpp"
+#include "rockfall/tally/cell_quantile.hpp"
 
 namespace coupling {
 namespace {
@@ -26,22 +27,22 @@ float mean_of(std::uint64_t sum, std::uint32_t count) {
 /// Percentiles never exceed the exact maximum that is kept beside the bins.
 template <int percent>
 float energy_percentile_kj(const CellSums& sums, const CellHistograms* histograms, std::size_t cell) {
-    const double found_j =
-        rockfall::quantile(rockfall::energy_bins, histograms->energy(cell), percent / 100.0);
+    const double found_j = rockfall::cell_quantile(rockfall::energy_bins, histograms->energy(cell),
+                                                   sums.passages, sums.energy_max_j, percent / 100.0);
     return static_cast<float>(std::min(found_j, static_cast<double>(sums.energy_max_j)) * per_kilo);
 }
 
 template <int percent>
 float speed_percentile_mps(const CellSums& sums, const CellHistograms* histograms, std::size_t cell) {
-    const double found_mps =
-        rockfall::quantile(rockfall::speed_bins, histograms->speed(cell), percent / 100.0);
+    const double found_mps = rockfall::cell_quantile(rockfall::speed_bins, histograms->speed(cell),
+                                                     sums.passages, sums.speed_max_mps, percent / 100.0);
     return std::min(static_cast<float>(found_mps), sums.speed_max_mps);
 }
 
 template <int percent>
 float height_percentile_m(const CellSums& sums, const CellHistograms* histograms, std::size_t cell) {
-    const double found_m =
-        rockfall::quantile(rockfall::height_bins, histograms->height(cell), percent / 100.0);
+    const double found_m = rockfall::cell_quantile(rockfall::height_bins, histograms->height(cell),
+                                                   sums.passages, sums.height_max_m, percent / 100.0);
     return std::min(static_cast<float>(found_m), sums.height_max_m);
 }
 

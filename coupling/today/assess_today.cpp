@@ -11,6 +11,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/nets/net_paths.hpp"
+#include "coupling/results/excel_csv.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/impacts_of_rocks.hpp"
@@ -263,6 +264,9 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         return Ended::interrupted;
     }
     tables_->link_to(folder.staging() / "tables");
+    if (scenario_.gis.csv == CsvForm::excel) {
+        turn_into_excel_csv(folder.staging() / "tables", decimal_sign_of("en"));
+    }
     folder.publish();
     if (!request_.quiet) {
         print_summary(results, folder.path(), written, request_.verbose);

@@ -86,6 +86,74 @@ done
     EXPECT_EQ(outcome.out, "120 0 many\n120 0 many\n");
 }
 
+TEST(Hazard, ShowsTheReturnPeriodOfTheArrivalBesideThatOfTheRelease) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    // Arrival = release / reach, cell by cell.
+    const Outcome rasters = shell(project, R"(
+paste -d ' ' out/hazard/rasters/bare/Arrival_return_period_100.asc \
+             out/return_period_100/rasters/bare/Reach_probability.asc | tail -n +7 |
+awk '{ n = NF / 2; for (i = 1; i <= n; ++i) if ($i > -9999) { all++; q = 10000 / $(i + n);
+       if ($i / q < 0.99999 || $i / q > 1.00001) bad++ } } END { print (all > 20) ? "many" : "few", bad + 0 }'
+)");
+    EXPECT_EQ(rasters.out, "many 0\n") << rasters.err;
+    const config::Table arrivals = table(project, "out/hazard/tables/hazard_arrivals.csv");
+    for (std::size_t row = 0; row < arrivals.rows(); ++row) {
+        const double years = number(arrivals, row, "return_period_years");
+        const double reached = number(arrivals, row, "reached_bare_percent");
+        if (reached > 0.0) {
+            EXPECT_NEAR(number(arrivals, row, "arrival_period_bare_years"), 100.0 * years / reached,
+                        1e-3 * 100.0 * years / reached);
+        } else {
+            EXPECT_EQ(arrivals.text(row, "arrival_period_bare_years"), "");
+        }
+    }
+    const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
+    double high = 0.0;
+    double high_by_arrival = 0.0;
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        if (targets.text(row, "level") == "high") {
+            high += number(targets, row, "share_percent");
+            high_by_arrival += number(targets, row, "arrival_share_percent");
+        }
+    }
+    EXPECT_LE(high_by_arrival, high);  // an arrival is never more frequent than the release
+    const std::string page = project.read("out/hazard/report.html");
+    EXPECT_NE(page.find("that of the release; beside it that of the arrival"), std::string::npos);
+    EXPECT_NE(page.find("By the return period of the arrival"), std::string::npos);
+}
+
+TEST(Hazard, HasSmoothedZonesOfAStatedSmallestAreaAndOpensOnTheLevel) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--out out --set hazard.smallest_zone_m2=300").code, 0);
+    const std::string qgis = project.read("out/hazard/results.qlr");
+    const std::size_t level = qgis.find("name=\"Hazard_level\"");
+    ASSERT_NE(level, std::string::npos);
+    const std::size_t begin = qgis.rfind('<', level);
+    EXPECT_NE(qgis.substr(begin, qgis.find('>', level) - begin).find("Qt::Checked"), std::string::npos)
+        << qgis.substr(begin, 300);
+    EXPECT_NE(qgis.find("layername=hazard_zones"), std::string::npos);
+    if (shell(project, "command -v ogrinfo && command -v sqlite3").code != 0) {
+        GTEST_SKIP() << "gdal-bin and sqlite3 are not installed";
+    }
+    const Outcome zones =
+        shell(project,
+              "sqlite3 out/hazard/results.gpkg \"SELECT count(*) > 3, min(smallest_zone_m2), "
+              "count(DISTINCT return_period_of), count(DISTINCT cover) FROM hazard_zones\"\n"
+              "ogrinfo -q -dialect sqlite -sql \"SELECT count(*) AS wrong FROM hazard_zones WHERE "
+              "abs(ST_Area(geom) - area_m2) > 1\" out/hazard/results.gpkg | grep 'wrong'\n");
+    EXPECT_NE(zones.out.find("1|300|2|2"), std::string::npos) << zones.out << zones.err;
+    EXPECT_NE(zones.out.find("wrong (Integer) = 0"), std::string::npos) << zones.out << zones.err;
+    // A larger smallest area leaves fewer zones; nothing falls again for it.
+    const Outcome fewer = call(project,
+                               "run scenario.ini --set release.rocks=400 --out out --set "
+                               "hazard.smallest_zone_m2=3000");
+    EXPECT_EQ(fewer.code, 0) << fewer.err;
+    EXPECT_NE(fewer.out.find("return period of 300 years: finished before"), std::string::npos) << fewer.out;
+}
+
 TEST(Hazard, KeepsWhatIsFinishedAndGivesTheSameBytes) {
     const SampleProject project;
     add_blocks(project);

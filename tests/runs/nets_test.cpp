@@ -227,6 +227,92 @@ TEST(NetPlace, TakesTheGivenWayAndNamesNoPlaceThatKeepsNothing) {
     EXPECT_EQ(table(project, "down/nets.csv").rows(), 0U);
 }
 
+/// A road as it is: nothing about nets stands in the file.
+TEST(NetPlace, TakesARoadAsItIsAndSaysWhereNetsAreNeeded) {
+    const SampleProject project;
+    ASSERT_EQ(
+        call(project, "run scenario.ini --quiet --set release.rocks=2000 --set nets.keep_paths=yes --out out")
+            .code,
+        0);
+    const Outcome placed = call(project, "net place out --nets targets.csv --distances 10,20,30");
+    ASSERT_EQ(placed.code, 0) << placed.err;
+    EXPECT_NE(placed.out.find("house: an area, left out"), std::string::npos) << placed.out;
+    EXPECT_NE(placed.out.find("road: works are needed on"), std::string::npos) << placed.out;
+
+    const config::Table along = table(project, "out/net_place/net_along.csv");
+    const config::Table targets = table(project, "out/tables/targets.csv");
+    const auto sum_of = [&](const std::string& cover, const char* column) {
+        double sum = 0.0;
+        for (std::size_t row = 0; row < along.rows(); ++row) {
+            sum += along.text(row, "cover") == cover ? number(along, row, column) : 0.0;
+        }
+        return sum;
+    };
+    // The road of the run counts the same rocks; those that fall below it are counted there too.
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        if (targets.text(row, "target_id") == "road") {
+            EXPECT_EQ(sum_of(targets.text(row, "cover"), "rocks"), number(targets, row, "reached"));
+        }
+    }
+    const config::Table stretches = table(project, "out/net_place/net_stretches.csv");
+    ASSERT_GE(stretches.rows(), 1U);
+    double energy_percent = 0.0;
+    for (std::size_t row = 0; row < stretches.rows(); ++row) {
+        energy_percent += number(stretches, row, "energy_percent");
+        EXPECT_EQ(stretches.text(row, "cover"), "forest");
+    }
+    EXPECT_GE(energy_percent, 95.0);
+
+    const config::Table candidates = table(project, "out/net_place/net_candidates.csv");
+    std::size_t best = 0;
+    for (std::size_t row = 0; row < candidates.rows(); ++row) {
+        EXPECT_LE(number(candidates, row, "kept"), number(candidates, row, "crossing"));
+        EXPECT_EQ(number(candidates, row, "kept") + number(candidates, row, "left_rocks"),
+                  number(candidates, row, "rocks"));
+        const bool judged = candidates.text(row, "cover") == "forest";
+        if (judged && candidates.text(row, "keeps_wanted") == "yes") {
+            EXPECT_GE(number(candidates, row, "kept_percent"), 95.0);
+        }
+        best += judged && candidates.text(row, "best") == "yes" ? 1U : 0U;
+    }
+    EXPECT_EQ(best, stretches.rows());
+    EXPECT_NE(project.read("out/net_place/report.html").find("Where nets are needed"), std::string::npos);
+
+    // The nets stand in a run and leave there what the page says.
+    ASSERT_EQ(call(project,
+                   "run scenario.ini --quiet --set release.rocks=2000 --set nets.file=out/net_place/nets.csv "
+                   "--out with")
+                  .code,
+              0);
+    const config::Table with = table(project, "with/tables/targets.csv");
+    for (std::size_t row = 0; row < with.rows(); ++row) {
+        if (with.text(row, "target_id") == "road") {
+            const double left = sum_of(with.text(row, "cover"), "left_rocks");
+            // Rocks that break through may stop behind the net: here they count as they were without it.
+            EXPECT_LE(number(with, row, "reached"), left);
+            EXPECT_LT(left, 0.2 * sum_of(with.text(row, "cover"), "rocks"));
+        }
+    }
+    const Outcome again = call(project, "net place out --nets targets.csv --distances 10,20,30 --out again");
+    ASSERT_EQ(again.code, 0);
+    const Outcome same = shell(project, "diff -r out/net_place again\n");
+    EXPECT_EQ(same.code, 0) << same.out;
+}
+
+TEST(NetPlace, RefusesARoadElsewhere) {
+    const SampleProject project;
+    ASSERT_EQ(
+        call(project, "run scenario.ini --quiet --set release.rocks=50 --set nets.keep_paths=yes --out out")
+            .code,
+        0);
+    project.write("road.csv", "name,wkt\nroad,\"LINESTRING (2010 1105, 2090 1105)\"\n");
+    const Outcome outcome = call(project, "net place out --nets road.csv");
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_NE(outcome.err.find("line 'road' outside the terrain: x and y look swapped"), std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("out/net_place")));
+}
+
 /// Behind a weak net nothing is known of the rocks that break it, and the row of the net there says so.
 TEST(NetTry, MarksNetsOfWhichItDoesNotKnowWhoReachesThem) {
     const SampleProject project;
@@ -268,6 +354,7 @@ TEST(NetTables, OfTheCommandsAreDescribed) {
     const Outcome places = call(project, "info tables net_places");
     EXPECT_EQ(places.code, 0);
     EXPECT_NE(places.out.find("residual_kj"), std::string::npos) << places.out;
+    EXPECT_NE(call(project, "info tables net_stretches").out.find("left_energy_percent"), std::string::npos);
     EXPECT_EQ(call(project, "info tables net_inexact").code, 0);
 }
 

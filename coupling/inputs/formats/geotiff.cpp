@@ -421,6 +421,10 @@ PlacedGrid read_geotiff(std::string_view bytes, const std::string& file) {
                "copy or export the file again: it is cut off or damaged");
     }
     const Layout layout = layout_of(tiff.get(), file, bytes.size());
+    if (source.wanted_beyond) {
+        refuse(file, "a TIFF that ends before its tags do", "a complete GeoTIFF",
+               "copy or export the file again: it is cut off or damaged");
+    }
     refuse_packed_numbers(tiff.get(), file);
     const GeoKeys keys = read_geo_keys(tiff.get());
     PlacedGrid grid;

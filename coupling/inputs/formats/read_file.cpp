@@ -32,6 +32,8 @@ constexpr std::array other_files{
     OtherFile{{"\xD0\xCF\x11\xE0", 4},
               "a workbook of Excel or an encrypted document",
               "save the sheet as CSV UTF-8, without a password"},
+    OtherFile{{"\x89PNG", 4}, "a picture (PNG)", "export the data themselves, as GeoTIFF"},
+    OtherFile{{"\xFF\xD8\xFF", 3}, "a picture (JPEG)", "export the data themselves, as GeoTIFF"},
     OtherFile{{"%PDF", 4}, "a PDF", "export the data themselves"},
     OtherFile{{"LASF", 4}, "a point cloud (LAS, LAZ)", "make a terrain grid of it first"},
     OtherFile{{"\x89HDF", 4}, "a file of HDF5 or NetCDF", "export it as GeoTIFF"},
@@ -39,7 +41,20 @@ constexpr std::array other_files{
     OtherFile{{"<kml", 4}, "KML", "export it as GeoPackage"},
     OtherFile{{"\0\0\x27\x0D", 4}, "an index of a Shapefile", "name the .shp"}};
 
+bool ends_as_geopackage(const std::string& file) {
+    return split_layer_name(file).file.ends_with(".gpkg");
+}
+
 void refuse_other_files(std::string_view bytes, const std::string& file, const char* expected) {
+    if (bytes.empty()) {
+        config::fail(config::ExitCode::data, {file}, "an empty file", expected,
+                     "copy or export the file again");
+    }
+    if (ends_as_geopackage(file)) {
+        config::fail(config::ExitCode::data, {file},
+                     "no GeoPackage behind this ending: it is encrypted, damaged or of another kind",
+                     expected, "save it again without a password (QGIS: Save features as, GeoPackage)");
+    }
     const std::string_view text = config::without_byte_order_mark(bytes);
     for (const OtherFile& other : other_files) {
         if (text.starts_with(other.begins)) {
@@ -107,6 +122,9 @@ ReadLayer read_layer_file(std::string_view bytes, const std::string& layer, cons
                           const BytesBeside& beside) {
     if (is_database(bytes)) {
         return {read_geopackage(bytes, layer, file), true, ""};
+    }
+    if (bytes.empty() || ends_as_geopackage(file)) {
+        refuse_other_files(bytes, file, layer_expected);
     }
     if (!layer.empty()) {
         config::fail(config::ExitCode::data, {file},

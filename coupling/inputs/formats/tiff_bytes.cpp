@@ -19,6 +19,7 @@ tmsize_t read_some(thandle_t handle, void* to, tmsize_t size) {
         std::memcpy(to, source.bytes.data() + source.at, count);
     }
     source.at += count;
+    source.wanted_beyond = source.wanted_beyond || static_cast<tmsize_t>(count) < size;
     return static_cast<tmsize_t>(count);
 }
 

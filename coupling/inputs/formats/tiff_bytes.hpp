@@ -12,6 +12,7 @@ namespace coupling::formats {
 struct TiffBytes {
     std::string_view bytes;
     std::uint64_t at = 0;
+    bool wanted_beyond = false;  ///< the library asked for bytes behind the last one: the file is cut off
 };
 
 /// Opens the bytes, which must outlive the result, for reading; nothing comes back where the first directory

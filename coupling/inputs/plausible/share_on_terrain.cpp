@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "coupling/inputs/plausible/extent.hpp"
@@ -20,14 +22,18 @@ public:
 
     void add(const Point2& point, double weight) {
         const Eigen::Vector2d origin_m = terrain_.origin_m();
-        const bool is_on = terrain_.locate(point.x_m - origin_m.x(), point.y_m - origin_m.y()).has_value();
+        const double x_m = point.x_m - origin_m.x();
+        const double y_m = point.y_m - origin_m.y();
+        const auto triangle = near_ ? terrain_.locate(x_m, y_m, *near_) : terrain_.locate(x_m, y_m);
+        near_ = triangle ? triangle : near_;
         all_ += weight;
-        on_ += is_on ? weight : 0.0;
+        on_ += triangle ? weight : 0.0;
     }
     [[nodiscard]] OnTerrain result() const { return {all_, all_ > 0.0 ? on_ / all_ : 1.0}; }
 
 private:
     const rockfall::Terrain& terrain_;
+    std::optional<std::uint32_t> near_;  ///< triangle of the last point on the terrain
     double all_ = 0.0;
     double on_ = 0.0;
 };

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
+
+#include "coupling/results/geopackage/plain_number.hpp"
 
 namespace coupling::geopackage {
 namespace {
@@ -14,11 +15,12 @@ bool is_whole(std::string_view field) {
            std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-bool is_number(std::string_view field) {
-    double value = 0.0;
-    const char* const end = field.data() + field.size();
-    const auto [last, error] = std::from_chars(field.data(), end, value);
-    return error == std::errc{} && last == end;
+/// Where the field that begins at a place ends: at a comma, a line end or the end of the text.
+std::size_t end_of_field(std::string_view text, std::size_t at) {
+    while (at < text.size() && text[at] != ',' && text[at] != '\n') {
+        ++at;
+    }
+    return at;
 }
 
 }  // namespace
@@ -47,7 +49,7 @@ bool CsvRows::read_row() {
         if (at_ < text_.size() && text_[at_] == '"') {
             fields_.push_back(read_quoted());
         } else {
-            const std::size_t end = std::min(text_.find_first_of(",\n", at_), text_.size());
+            const std::size_t end = end_of_field(text_, at_);
             fields_.push_back(text_.substr(at_, end - at_));
             at_ = end;
         }
@@ -99,7 +101,7 @@ void ColumnTypes::see(const std::vector<std::string_view>& fields) {
         column.filled = true;
         if (!is_whole(fields[i])) {
             column.fraction = true;
-            column.word = !is_number(fields[i]);
+            column.word = !plain_number(fields[i]);
         }
     }
 }

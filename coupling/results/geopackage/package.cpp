@@ -6,6 +6,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/geopackage/metadata.hpp"
+#include "coupling/results/geopackage/plain_number.hpp"
 
 namespace coupling::geopackage {
 namespace {
@@ -73,18 +74,40 @@ Layer::Layer(GeoPackage& package, Plan plan)
     insert_many_.emplace(package_.database_, insert_statement(p, rows_a_statement));
 }
 
-void Layer::bind(Statement& insert, int parameter, ColumnType type, std::string_view field) const {
-    const char* const end = field.data() + field.size();
-    std::int64_t whole = 0;
-    double number = 0.0;
+void Layer::Value::take(ColumnType type, std::string_view field) {
+    kind = Kind::null;
     if (field.empty()) {
-        insert.bind_null(parameter);
-    } else if (type == ColumnType::whole && std::from_chars(field.data(), end, whole).ptr == end) {
-        insert.bind(parameter, whole);
-    } else if (type == ColumnType::number && std::from_chars(field.data(), end, number).ptr == end) {
-        insert.bind(parameter, number);
+        return;
+    }
+    if (type == ColumnType::whole) {
+        const char* const end = field.data() + field.size();
+        kind = std::from_chars(field.data(), end, whole).ptr == end ? Kind::whole : Kind::text;
+    } else if (type == ColumnType::number) {
+        const std::optional<double> found = plain_number(field);
+        number = found.value_or(0.0);
+        kind = found ? Kind::number : Kind::text;
     } else {
-        insert.bind(parameter, field);
+        kind = Kind::text;
+    }
+    if (kind == Kind::text) {
+        text.assign(field);
+    }
+}
+
+void Layer::bind(Statement& insert, int parameter, const Value& value) {
+    switch (value.kind) {
+        case Value::Kind::null:
+            insert.bind_null(parameter);
+            break;
+        case Value::Kind::whole:
+            insert.bind(parameter, value.whole);
+            break;
+        case Value::Kind::number:
+            insert.bind(parameter, value.number);
+            break;
+        case Value::Kind::text:
+            insert.bind(parameter, value.text);
+            break;
     }
 }
 
@@ -94,8 +117,8 @@ void Layer::insert_rows(Statement& insert, std::size_t first, std::size_t count)
         if (written_.plan.form != Form::none) {
             insert.bind_bytes(parameter++, waiting_[row].geometry);
         }
-        for (std::size_t i = 0; i < written_.plan.columns.size(); ++i) {
-            bind(insert, parameter++, written_.plan.columns[i].type, waiting_[row].fields[i]);
+        for (const Value& value : waiting_[row].values) {
+            bind(insert, parameter++, value);
         }
     }
     insert.run();
@@ -105,9 +128,9 @@ void Layer::add(const std::vector<std::string_view>& fields, const Geometry* geo
     assert(fields.size() == written_.plan.columns.size());
     assert((geometry == nullptr) == (written_.plan.form == Form::none));
     Waiting& row = waiting_[waiting_rows_++];
-    row.fields.resize(fields.size());
+    row.values.resize(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        row.fields[i].assign(fields[i]);
+        row.values[i].take(written_.plan.columns[i].type, fields[i]);
     }
     ++written_.rows;
     if (geometry != nullptr) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/results/colours.hpp"
 #include "coupling/results/geopackage/database.hpp"
 #include "coupling/results/geopackage/geometry.hpp"
 #include "coupling/results/geopackage/packed_index.hpp"
@@ -23,6 +24,13 @@ struct Column {
 
 enum class Form : std::uint8_t { none, point, line, multi_line, polygon, mixed };
 
+/// How QGIS is to draw the rows with a value in the column `drawn_by`.
+struct DrawnClass {
+    std::string value;
+    std::string label;
+    Colour colour;
+};
+
 /// A layer, or a table without places.
 struct Plan {
     std::string name;
@@ -30,6 +38,8 @@ struct Plan {
     std::vector<Column> columns;
     Form form = Form::none;
     Dimensions dimensions;
+    std::string drawn_by{};             ///< column whose values decide the colour; empty: none
+    std::vector<DrawnClass> classes{};  ///< of these values
 };
 
 /// A layer or table as it was written.
@@ -76,12 +86,20 @@ public:
     void finish();
 
 private:
+    /// A field as the database takes it: nothing, a number or a text.
+    struct Value {
+        enum class Kind : std::uint8_t { null, whole, number, text } kind = Kind::null;
+        std::int64_t whole = 0;
+        double number = 0.0;
+        std::string text;
+        void take(ColumnType type, std::string_view field);
+    };
     /// A row that waits until there are enough for a statement.
     struct Waiting {
-        std::vector<std::string> fields;
+        std::vector<Value> values;
         std::vector<std::uint8_t> geometry;
     };
-    void bind(Statement& insert, int parameter, ColumnType type, std::string_view field) const;
+    static void bind(Statement& insert, int parameter, const Value& value);
     /// Binds waiting rows from `first` on to a statement that takes `count` of them, and runs it.
     void insert_rows(Statement& insert, std::size_t first, std::size_t count);
 

@@ -1,7 +1,6 @@
 #include "coupling/results/geopackage/results_package.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/geopackage/csv_rows.hpp"
+#include "coupling/results/geopackage/plain_number.hpp"
 
 namespace coupling::geopackage {
 namespace {
@@ -91,9 +91,7 @@ PlaceColumns places_in(const std::vector<std::string>& columns, const std::strin
 }
 
 double number_in(std::string_view field) {
-    double value = 0.0;
-    std::from_chars(field.data(), field.data() + field.size(), value);
-    return value;
+    return plain_number(field).value_or(0.0);
 }
 
 Geometry geometry_of(const PlaceColumns& places, const std::vector<std::string_view>& fields,
@@ -130,8 +128,8 @@ private:
     std::uint64_t rows_ = 0;
 };
 
-/// All rows of a group in one pass for the types and one for the rows.
-void add_table(GeoPackage& package, const Group& group, const WriteWatch& watch) {
+/// All rows of a group in one pass for the types and one for the rows. Returns the columns.
+std::vector<Column> add_table(GeoPackage& package, const Group& group, const WriteWatch& watch) {
     PassWatch pass{watch, group.layer};
     ColumnTypes types{CsvRows{group.files.front().text()}.columns()};
     for (const FileBytes& file : group.files) {
@@ -155,19 +153,22 @@ void add_table(GeoPackage& package, const Group& group, const WriteWatch& watch)
         }
     }
     layer.finish();
+    return types.columns();
 }
 
-/// Where rocks came to rest, drawn from the table of rocks.
-void add_deposits(GeoPackage& package, const Group& rocks, const WriteWatch& watch) {
+/// Where rocks came to rest, drawn from the table of rocks with its columns.
+void add_deposits(GeoPackage& package, const Group& rocks, const std::vector<Column>& columns,
+                  const WriteWatch& watch) {
     PassWatch pass{watch, "deposits"};
     const std::vector<std::string> kept{"rock",        "cover",     "zone",          "diameter_m",
                                         "stop_reason", "run_out_m", "max_energy_kj", "tree_hits"};
     CsvRows rows{rocks.files.front().text()};
     std::vector<std::size_t> numbers;
-    ColumnTypes types{kept};
+    std::vector<Column> types;
     for (const std::string& name : kept) {
         const auto found = std::find(rows.columns().begin(), rows.columns().end(), name);
         numbers.push_back(static_cast<std::size_t>(found - rows.columns().begin()));
+        types.push_back(columns[numbers.back()]);
     }
     const auto chosen = [&](std::vector<std::string_view>& fields) {
         fields.clear();
@@ -178,20 +179,11 @@ void add_deposits(GeoPackage& package, const Group& rocks, const WriteWatch& wat
                fields[4] != coupling::name_of(rockfall::StopReason::gave_up);
     };
     std::vector<std::string_view> fields;
-    while (rows.next()) {
-        pass.row(rows);
-        if (chosen(fields)) {
-            types.see(fields);
-        }
-    }
     const PlaceColumns places = places_in(rows.columns(), "x_end_m", "y_end_m", "z_end_m");
-    Layer layer{package,
-                {"deposits",
-                 "Where rocks came to rest, with forest and without.",
-                 types.columns(),
-                 Form::point,
-                 {.z = true}}};
-    for (rows = CsvRows{rocks.files.front().text()}; rows.next();) {
+    Layer layer{
+        package,
+        {"deposits", "Where rocks came to rest, with forest and without.", types, Form::point, {.z = true}}};
+    while (rows.next()) {
         pass.row(rows);
         if (chosen(fields)) {
             const Geometry place = geometry_of(places, rows.fields(), package.srs_id());
@@ -324,6 +316,16 @@ void add_nets(GeoPackage& package, const Contents& contents) {
     layer.finish();
 }
 
+void add_areas(GeoPackage& package, const AreaLayer& areas) {
+    Layer layer{package,
+                {areas.name, areas.sentence, areas.columns, Form::mixed, {}, areas.drawn_by, areas.classes}};
+    for (const AreaLayer::Row& row : areas.rows) {
+        const Geometry geometry = polygons(row.rings, package.srs_id());
+        layer.add({row.fields.begin(), row.fields.end()}, &geometry);
+    }
+    layer.finish();
+}
+
 }  // namespace
 
 std::vector<Written> write_package(const std::filesystem::path& folder, const Contents& contents,
@@ -343,10 +345,13 @@ std::vector<Written> write_package(const std::filesystem::path& folder, const Co
         watch("results.gpkg, trajectories");
         add_trajectories(package, contents);
     }
+    for (const AreaLayer& areas : contents.areas) {
+        add_areas(package, areas);
+    }
     for (const Group& group : groups) {
-        add_table(package, group, watch);
+        const std::vector<Column> columns = add_table(package, group, watch);
         if (group.layer == "rocks") {
-            add_deposits(package, group, watch);
+            add_deposits(package, group, columns, watch);
         }
     }
     package.close();

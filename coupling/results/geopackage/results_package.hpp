@@ -13,12 +13,27 @@
 
 namespace coupling::geopackage {
 
+/// Areas that a kind of run adds to what all have, such as hazard zones.
+struct AreaLayer {
+    struct Row {
+        std::vector<std::string> fields;
+        std::vector<std::vector<config::Point2>> rings;  ///< closed, by the even-odd rule, absolute
+    };
+    std::string name;
+    std::string sentence;
+    std::vector<Column> columns;
+    std::vector<Row> rows;
+    std::string drawn_by;
+    std::vector<DrawnClass> classes;
+};
+
 /// What goes into results.gpkg.
 struct Contents {
     const Site& site;
     /// Finished tables: name as the results have it (tables/rocks.csv), and the file where it lies now.
     std::vector<std::pair<WrittenFile, std::filesystem::path>> tables;
     std::span<const rockfall::PathRecord> paths;  ///< sampled
+    std::span<const AreaLayer> areas{};
 };
 
 /// Writes results.gpkg into a folder that exists and returns its layers and tables.

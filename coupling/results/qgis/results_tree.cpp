@@ -1,6 +1,7 @@
 #include "coupling/results/qgis/results_tree.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "config/text/joined.hpp"
 #include "coupling/inputs/file_bytes.hpp"
@@ -103,6 +104,24 @@ void add_trees_by_year(TreeGroup& group, const fs::path& folder) {
     }
 }
 
+/// "hazard_zones" as "Hazard zones".
+std::string title_of(const std::string& layer) {
+    std::string title = layer;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+    return title;
+}
+
+/// A layer that says itself in which colours it is drawn.
+std::string by_classes(Mark mark, const geopackage::Plan& plan) {
+    constexpr double outline_mm = 0.3;
+    std::vector<Category> categories;
+    for (const geopackage::DrawnClass& drawn : plan.classes) {
+        categories.push_back({drawn.value, {drawn.label, drawn.colour, outline_mm}});
+    }
+    return categorised(mark, plan.drawn_by, categories);
+}
+
 /// How a layer of the package is drawn.
 void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
     const std::string& name = layer.plan.name;
@@ -142,6 +161,8 @@ void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
         add("Nets", single(mark, {"", blue, 1.0}), true);
     } else if (name == "net_crossings") {
         add_by_cover(group, name, "Rocks at nets", mark, by_energy(mark, "energy_kj", 1.2), false);
+    } else if (!layer.plan.drawn_by.empty()) {
+        add_by_cover(group, name, title_of(name), mark, by_classes(mark, layer.plan), false);
     } else if (name == "removed_trees") {
         add("Trees that rocks removed", single(mark, {"", blue, 1.2}), false);
     } else {
@@ -190,16 +211,26 @@ TreeGroup& group_at(TreeGroup& root, const fs::path& folders) {
     return *group;
 }
 
+/// The map that a project opens with: the hazard level, else how likely rocks come; with forest where there
+/// is one. Empty where there is none of them.
+std::string first_map(std::span<const WrittenFile> files) {
+    for (const char* map : {"rasters/forest/Hazard_level.asc", "rasters/bare/Hazard_level.asc",
+                            "rasters/forest/Reach_probability.asc", "rasters/bare/Reach_probability.asc"}) {
+        if (std::any_of(files.begin(), files.end(), [&](const WrittenFile& f) { return f.path == map; })) {
+            return map;
+        }
+    }
+    return "";
+}
+
 void add_rasters(TreeGroup& root, const fs::path& folder, std::span<const WrittenFile> files) {
-    bool shown = false;
+    const std::string first = first_map(files);
     for (const WrittenFile& file : files) {
         const fs::path path{file.path};
         if (path.extension() != ".asc") {
             continue;
         }
-        const bool show =
-            !shown && path.parent_path() == "rasters/forest" && path.stem() == "Reach_probability";
-        shown = shown || show;
+        const bool show = file.path == first;
         group_at(root, path.parent_path())
             .layers.push_back({Kind::raster, path.stem().string(), joined("./", file.path),
                                pipe_of(folder / path), "", show});

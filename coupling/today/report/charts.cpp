@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
@@ -195,11 +196,37 @@ std::string tree_hit_histogram(const RunResults& results) {
         [&](Cover) { return rocks_by_hits; }, caption, {Cover::forest}, false);
 }
 
+/// So many targets have charts of their own, as a page of a village would take minutes to open [choice].
+constexpr std::size_t most_charted = 50;
+
+/// Numbers of the targets that most rocks reach over the bare slope, in the order of the list.
+std::vector<std::size_t> charted_targets(const Figures& figures) {
+    std::vector<std::size_t> chosen(figures.targets.size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+    if (chosen.size() > most_charted) {
+        std::stable_sort(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) {
+            return figures.targets[a].at(Cover::bare).share.part >
+                   figures.targets[b].at(Cover::bare).share.part;
+        });
+        chosen.resize(most_charted);
+        std::sort(chosen.begin(), chosen.end());
+    }
+    return chosen;
+}
+
 }  // namespace
 
 std::string charts(const RunResults& results, const Figures& figures) {
     std::string html = joined("<h2>", page_text("common.distributions"), "</h2>\n");
-    for (std::size_t target = 0; target < figures.targets.size(); ++target) {
+    const std::vector<std::size_t> charted = charted_targets(figures);
+    if (charted.size() < figures.targets.size()) {
+        html += joined(
+            "<p>",
+            page_text("today.charts.targets_that_most_rocks_reach",
+                      {{"charted", grouped(charted.size())}, {"targets", grouped(figures.targets.size())}}),
+            "</p>\n");
+    }
+    for (const std::size_t target : charted) {
         const TargetFigures& named = figures.targets[target];
         html += joined("<h3>", escaped(named.name.empty() ? named.id : named.name), "</h3>\n");
         const bool none_arrives =

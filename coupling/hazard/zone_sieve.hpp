@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+#include "config/grid/raster.hpp"
+
+namespace coupling::hazard {
+
+/// Levels without zones that are smaller than asked for.
+///
+/// A zone is a set of cells of one level that share sides. Zones of less area take the level with which they
+/// share most of their border, of two the higher one; the smallest go first. So holes are filled and specks
+/// vanish, and no zone below the smallest area is left, unless the whole map is one. Cells without a value
+/// (NaN) count as level 0.
+config::Raster<std::uint8_t> without_small_zones(const config::Raster<float>& cells, double smallest_m2);
+
+}  // namespace coupling::hazard

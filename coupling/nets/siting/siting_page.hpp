@@ -1,0 +1,13 @@
+#pragma once
+
+#include <ostream>
+
+#include "coupling/nets/siting/siting.hpp"
+
+namespace coupling::siting {
+
+/// The page: where works are needed and which, a map, what comes to each line against the position along it,
+/// the candidates, and how they were found.
+void write_siting_page(std::ostream& out, const SitingResults& results, const rockfall::Terrain& terrain);
+
+}  // namespace coupling::siting

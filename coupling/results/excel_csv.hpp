@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string_view>
+
+namespace coupling {
+
+/// A table of this program (commas, decimal points) as Excel opens it by a double click: byte-order mark,
+/// semicolons, numbers with the given decimal sign. Names and identifiers stay as they are (ColumnTypes), and
+/// so do texts that hold numbers, such as WKT. This program reads both forms.
+void write_excel_csv(std::ostream& out, std::string_view table, char decimal_sign);
+
+/// Rewrites all tables of a folder in that form; none where there is no such folder. A file that is linked to
+/// another name keeps its bytes under that one. Throws config::InputError (file).
+void turn_into_excel_csv(const std::filesystem::path& folder, char decimal_sign);
+
+/// The decimal sign of a language of pages: a comma in German, French and Italian, a point in English.
+char decimal_sign_of(std::string_view language);
+
+}  // namespace coupling

@@ -1,0 +1,194 @@
+#include "coupling/results/workbook.hpp"
+
+#include <xlsxwriter.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/results/geopackage/csv_rows.hpp"
+#include "coupling/results/geopackage/plain_number.hpp"
+
+namespace coupling {
+namespace {
+
+using config::joined;
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_sheet_name = 31;
+constexpr std::size_t longest_cell = 32'767;  // characters that a cell takes; bytes are no fewer
+/// 1 January 2000, noon UTC: a date of the day would change the bytes.
+constexpr std::time_t fixed_date = 946'728'000;
+
+/// A workbook of the library, closed once.
+class Workbook {
+public:
+    explicit Workbook(const fs::path& file) : file_{file.string()}, folder_{file.parent_path().string()} {
+        lxw_workbook_options options{};
+        options.constant_memory = LXW_TRUE;  // row by row: tables may have a million
+        options.tmpdir = folder_.empty() ? nullptr : folder_.data();
+        book_ = workbook_new_opt(file_.c_str(), &options);
+        if (book_ == nullptr) {
+            fail("cannot be written");
+        }
+        lxw_doc_properties properties{};
+        properties.created = fixed_date;
+        workbook_set_properties(book_, &properties);
+        bold_ = workbook_add_format(book_);
+        format_set_bold(bold_);
+    }
+    ~Workbook() {
+        if (book_ != nullptr) {
+            workbook_close(book_);
+        }
+    }
+    Workbook(const Workbook&) = delete;
+    Workbook& operator=(const Workbook&) = delete;
+
+    lxw_worksheet* sheet(const std::string& name) {
+        lxw_worksheet* added = workbook_add_worksheet(book_, name.c_str());
+        if (added == nullptr) {
+            fail("cannot be written: no sheet can be added");
+        }
+        return added;
+    }
+    [[nodiscard]] lxw_format* bold() const { return bold_; }
+    void close() {
+        const lxw_error error = workbook_close(std::exchange(book_, nullptr));
+        if (error != LXW_NO_ERROR) {
+            fail(joined("cannot be written: ", lxw_strerror(error)));
+        }
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& what) const {
+        config::fail(config::ExitCode::file, {.file = file_}, what,
+                     "a folder with room for a workbook; or output.xlsx = no");
+    }
+    std::string file_;
+    std::string folder_;
+    lxw_workbook* book_ = nullptr;
+    lxw_format* bold_ = nullptr;
+};
+
+/// A name that is no other's, as far as Excel tells them apart.
+std::string sheet_name(const fs::path& table, std::set<std::string>& taken) {
+    std::string name = table.stem().string().substr(0, longest_sheet_name);
+    for (int number = 2; !taken.insert(name).second; ++number) {
+        const std::string end = joined("~", std::to_string(number));
+        name = joined(table.stem().string().substr(0, longest_sheet_name - end.size()), end);
+    }
+    return name;
+}
+
+void write_text(lxw_worksheet* sheet, std::size_t row, std::size_t column, std::string_view text,
+                lxw_format* format) {
+    const std::string cell =
+        text.size() > longest_cell ? "(longer than a cell takes; see the table)" : std::string{text};
+    worksheet_write_string(sheet, static_cast<lxw_row_t>(row), static_cast<lxw_col_t>(column), cell.c_str(),
+                           format);
+}
+
+void write_header(lxw_worksheet* sheet, const std::vector<std::string>& columns, lxw_format* bold) {
+    constexpr double least_width = 9.0;
+    constexpr double most_width = 32.0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double width =
+            std::clamp(static_cast<double>(columns[i].size()) + 2.0, least_width, most_width);
+        const auto column = static_cast<lxw_col_t>(i);
+        worksheet_set_column(sheet, column, column, width, nullptr);
+        write_text(sheet, 0, i, columns[i], bold);
+    }
+    worksheet_freeze_panes(sheet, 1, 0);
+}
+
+/// A table that is read twice: for the types of its columns, then for its rows.
+struct Table {
+    std::string sheet;
+    const WrittenFile& file;
+    FileBytes bytes;
+    std::vector<geopackage::Column> columns;
+    std::uint64_t rows = 0;
+};
+
+void look_at(Table& table) {
+    geopackage::CsvRows rows{table.bytes.text()};
+    geopackage::ColumnTypes types{rows.columns()};
+    while (rows.next()) {
+        types.see(rows.fields());
+        ++table.rows;
+    }
+    table.columns = types.columns();
+}
+
+void write_rows(lxw_worksheet* sheet, const Table& table, lxw_format* bold) {
+    geopackage::CsvRows rows{table.bytes.text()};
+    write_header(sheet, rows.columns(), bold);
+    for (std::size_t row = 1; rows.next(); ++row) {
+        for (std::size_t i = 0; i < rows.fields().size(); ++i) {
+            const std::string_view field = rows.fields()[i];
+            if (field.empty()) {
+                continue;
+            }
+            const auto number = table.columns[i].type == geopackage::ColumnType::text
+                                    ? std::nullopt
+                                    : geopackage::plain_number(field);
+            if (number) {
+                worksheet_write_number(sheet, static_cast<lxw_row_t>(row), static_cast<lxw_col_t>(i), *number,
+                                       nullptr);
+            } else {
+                write_text(sheet, row, i, field, nullptr);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void write_workbook(const fs::path& file, std::span<const std::pair<WrittenFile, fs::path>> tables,
+                    const WriteWatch& watch, std::size_t most_rows) {
+    std::set<std::string> taken{"contents"};
+    std::vector<Table> found;
+    for (const auto& [written, place] : tables) {
+        found.push_back({sheet_name(written.path, taken),
+                         written,
+                         open_file(place, {.file = place.string()}, "a table of this run"),
+                         {},
+                         0});
+        look_at(found.back());
+    }
+    Workbook book{file};
+    lxw_worksheet* const contents = book.sheet("contents");
+    write_header(contents, {"sheet", "rows", "holds"}, book.bold());
+    worksheet_set_column(contents, 0, 0, 32.0, nullptr);
+    worksheet_set_column(contents, 2, 2, 100.0, nullptr);
+    std::size_t line = 0;
+    for (const Table& table : found) {
+        const bool fits = table.rows + 1 <= most_rows;
+        ++line;
+        write_text(contents, line, 0, table.sheet, nullptr);
+        worksheet_write_number(contents, static_cast<lxw_row_t>(line), 1, static_cast<double>(table.rows),
+                               nullptr);
+        write_text(contents, line, 2,
+                   fits ? table.file.sentence
+                        : joined("not in this workbook: more rows than a sheet takes; see ", table.file.path),
+                   nullptr);
+    }
+    for (const Table& table : found) {
+        if (table.rows + 1 <= most_rows) {
+            watch(joined("results.xlsx, ", table.sheet));
+            write_rows(book.sheet(table.sheet), table, book.bold());
+        }
+    }
+    book.close();
+}
+
+}  // namespace coupling
