@@ -29,7 +29,7 @@ double snow_breakage(const Species& species, double dbh_cm, double height_m) {
         return 0.0;
     }
     const double slenderness = 100.0 * height_m / dbh_cm;
-    return 1.0 / (1.0 + config::exp_of(8.0 - 0.07 * slenderness));
+    return 1.0 / (1.0 + config::exp_of(10.5 - 0.07 * slenderness));
 }
 
 void break_by_snow(Stand& stand, const Site& site, const SpeciesTable& species,

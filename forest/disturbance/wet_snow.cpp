@@ -10,7 +10,7 @@ double wet_snow_mm(const ClimateYear& year) {
     constexpr double coldest_degc = -0.5;
     constexpr double warmest_degc = 1.5;
     double sum_mm = 0.0;
-    for (const std::size_t month : {0U, 1U, 2U, 10U, 11U}) {
+    for (const std::size_t month : {0U, 1U, 11U}) {
         const ClimateMonth& climate = year.months[month];
         sum_mm +=
             climate.prec_mm * (normal_probability((warmest_degc - climate.tave_degc) / daily_scatter_k) -

@@ -58,7 +58,7 @@ TEST(Disturb, DoesNothingUnlessSwitchedOn) {
 }
 
 TEST(Disturb, LeavesTheChanceOfOneDisturbanceToItself) {
-    const SmallForest forest{square_of_forest(8)};
+    const SmallForest forest{square_of_forest(16)};
     for (std::uint32_t replicate = 0; replicate < 5; ++replicate) {
         Stand both = mountain_spruces(forest);
         Stand snow = both;
@@ -66,7 +66,7 @@ TEST(Disturb, LeavesTheChanceOfOneDisturbanceToItself) {
         snow.begin_year();
         DisturbanceLaw law = everything;
         law.storm_interval_years = 1.0;
-        law.wet_snow_chance = 1.0;
+        law.wet_snow_chance = 2.0;  // wet snow in every year
         disturb(both, forest.site, forest.species, {forest.weather, 350.0, false}, law, 1, replicate);
         law.wind = false;
         law.beetle = false;
