@@ -21,8 +21,9 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
     begin_page(out, frame);
     out << first_warnings(results.warnings) << opening(results, figures) << answers(results, figures)
         << nets(results) << slope_view(results) << maps(results) << charts(results, figures)
-        << observed_stops(results.observed_stops) << along_paths(results) << key_figures(results, figures)
-        << grounds(results) << warnings(results) << settings(results) << sources_and_files(results, files);
+        << observed_stops(results.observed_stops) << observed_events(results.observed_events)
+        << along_paths(results) << key_figures(results, figures) << grounds(results) << warnings(results)
+        << settings(results) << sources_and_files(results, files);
     end_page(out, frame);
 }
 
