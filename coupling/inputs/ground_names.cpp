@@ -1,5 +1,6 @@
 #include "coupling/inputs/ground_names.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "config/text/numbers.hpp"
@@ -53,11 +54,23 @@ std::optional<std::size_t> GroundNames::own_or_shipped(const std::string& text) 
             if (!place_of_shipped_[i]) {
                 place_of_shipped_[i] = types_.size();
                 types_.push_back(shipped_[i].type);
+                types_.back().code = free_code(static_cast<int>(i) + 1);
             }
             return place_of_shipped_[i];
         }
     }
     return std::nullopt;
+}
+
+int GroundNames::free_code(int wanted) const {
+    const auto is_taken = [&](int code) {
+        return std::any_of(types_.begin(), types_.end(),
+                           [&](const rockfall::SurfaceType& type) { return type.code == code; });
+    };
+    while (is_taken(wanted)) {
+        wanted += 100;
+    }
+    return wanted;
 }
 
 std::string GroundNames::expected(const std::string& text) const {

@@ -11,7 +11,8 @@
 namespace coupling {
 
 /// Ground types by what users call them in a column `surface`: codes of terrain.surface_types, names of
-/// shipped types. Shipped types join the list when they are first named.
+/// shipped types. Shipped types join the list when they are first named; their code is their row in
+/// `bannwald info surfaces`, plus a multiple of 100 where another type has it.
 class GroundNames {
 public:
     /// `elsewhere`: that of terrain.ground, for an empty field.
@@ -29,6 +30,7 @@ public:
 
 private:
     std::optional<std::size_t> own_or_shipped(const std::string& text);
+    [[nodiscard]] int free_code(int wanted) const;
     [[nodiscard]] std::string expected(const std::string& text) const;
 
     std::vector<rockfall::SurfaceType> types_;

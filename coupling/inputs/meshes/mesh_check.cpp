@@ -134,9 +134,8 @@ rockfall::Tin upper_faces(const rockfall::Tin& tin, const std::string& file,
     if (!upper.left_out.empty()) {
         reading.warn(joined(file, ": ", counted(upper.left_out.size(), "face"), " of ",
                             std::to_string(tin.faces.size()), " left out below others, the first",
-                            at_place(upper.left_out.front().corners_m[0]), "; ",
-                            counted(upper.filled, "new face"),
-                            " closes the gaps in plan (mesh_left_out.csv lists what is gone)"));
+                            at_place(upper.left_out.front().corners_m[0]), "; ", "gaps closed in plan by ",
+                            counted(upper.filled, "new face"), " (mesh_left_out.csv lists what is gone)"));
     }
     return std::move(upper.tin);
 }

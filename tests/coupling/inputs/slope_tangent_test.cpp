@@ -98,6 +98,7 @@ TEST(SlopeGrounds, FillGapsOfTheMapAndMayBeShippedTypes) {
     ASSERT_TRUE(opened.site) << opened.errors;
     const Site& site = *opened.site;
     EXPECT_EQ(site.slope.types[site.surface.at({1, 5})].label, "solid rock");
+    EXPECT_EQ(site.slope.types[site.surface.at({1, 5})].code, 9);  // its row among the shipped types
     EXPECT_EQ(site.slope.types[site.surface.at({5, 5})].label, "soil");
 }
 
