@@ -30,6 +30,8 @@ struct Assessment {
     std::uint16_t year = 0;
     std::uint64_t path_every = 0;  ///< each rock whose number this divides keeps its path; 0: none
     std::span<const std::uint64_t> path_rocks{};  ///< these keep theirs too; rising
+    /// The rocks of each source are shared out among so many repeats, by turns; at most 64, 0: none.
+    std::uint32_t repeats = 0;
     const LogIndex* logs = nullptr;
     const NetIndex* nets = nullptr;  ///< they are works, not forest: they stand on the bare slope too
 

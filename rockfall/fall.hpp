@@ -72,7 +72,7 @@ struct FallScratch {
 struct NoObserver {
     void flew(const Rock&, const Flight&, double, std::span<const Stretch>, double) {}
     void rolled(const Rock&, const RollingPiece&, std::uint32_t) {}
-    void impacted(const Eigen::Vector3d&) {}
+    void impacted(const Eigen::Vector3d&, int) {}
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
     void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) {}
     void crossed_net(const Eigen::Vector3d&, const NetCrossing&) {}

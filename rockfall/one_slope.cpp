@@ -10,6 +10,13 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
                 EnsembleTally& tally, ChunkRows& rows, FedCells* fed, CellHistograms* histograms) {
     const auto c = static_cast<std::size_t>(cover);
     CellTally& cells = tally.cells[c];
+    if (assessment.repeats > 0) {
+        const std::uint64_t rock = start.id - assessment.sources[start.source].first_rock;
+        cells.repeats.resize(cells.cells.size());
+        for (const CellVisit& visit : footprint.visits()) {
+            cells.repeats[visit.cell] |= std::uint64_t{1} << (rock % assessment.repeats);
+        }
+    }
     for (const CellVisit& visit : footprint.visits()) {
         CellSums& sums = cells.cells[visit.cell];
         sums.add(visit);

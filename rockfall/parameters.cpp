@@ -61,6 +61,14 @@ void declare_ground(config::Options& options, GroundLaw& ground) {
                     .meaning = "radius over which a rock feels the ground as a plane; 0: the bare grid",
                     .source = "Rammer et al. 2010, discussion; value: choice",
                     .presets = published("0")});
+    options.number("rockfall.contact_support_diameters", ground.contact_support_diameters,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 50.0,
+                    .meaning = "> 0: that radius as a multiple of the mean diameter of the rocks, instead of "
+                               "contact_support_m; needs cells of half of it at most",
+                    .source = "choice; off, as it brings the noise of the DEM back for small rocks",
+                    .presets = published("0")});
     options.number("rockfall.contact_shift_m", ground.contact_shift_m,
                    {.unit = "m",
                     .low = 0.0,

@@ -14,6 +14,14 @@ struct GroundLaw {
     double contact_support_m =
         4.0;                       ///< radius of the contact zone; 0: the TIN as it is (see contact_zone.hpp)
     double contact_shift_m = 1.0;  ///< largest shift of a point by the contact zone
+    double contact_support_diameters =
+        0.0;  ///< > 0: the radius is so many mean diameters of the rocks instead
+
+    /// Radius of the contact zone for rocks of this mean diameter.
+    [[nodiscard]] double support_m(double mean_diameter_m) const {
+        return contact_support_diameters > 0.0 ? contact_support_diameters * mean_diameter_m
+                                               : contact_support_m;
+    }
 };
 
 /// Settings that users write in another form than the laws use them: angles in degrees, counts.

@@ -22,6 +22,7 @@ struct SurfaceType {
     StopCurve stopping;                    ///< probability that a ground impact stops a rock [-]
     StopCurve rolling_stops_per_m;         ///< rate at which a rolling rock is caught [1/m]
     double rolling_friction = 0.0;         ///< of a rolling rock [-]; 0: that of the law
+    double sliding_friction = 0.0;         ///< coefficient of a sliding rock [-]; 0: none of its own
     std::optional<Soil> soil;              ///< for motion models that take the ground from soils
 
     /// The coefficients before any fit.

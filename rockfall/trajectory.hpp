@@ -23,8 +23,8 @@ namespace rockfall {
 /// One rock from release to rest: a loop of named events, compiled for each motion model (motion/models.hpp).
 ///
 /// Chance comes from streams keyed by the rock and counted by its contacts, so a fall depends on nothing but
-/// the key, the start, the slope and the obstacles. Each flight, roll, impact and hit is reported to the
-/// observer; it cannot influence the fall.
+/// the key, the start, the slope and the obstacles. Each flight, roll, impact (with the code of its ground)
+/// and hit is reported to the observer; it cannot influence the fall.
 template <class Motion, class Observer>
 class Fall {
 public:
@@ -191,7 +191,7 @@ private:
         const auto draws = now_.motion.next_draws();
         ++end_.ground_impacts;
         resting_place_.add_impact();
-        observer_.impacted(now_.position_m);
+        observer_.impacted(now_.position_m, surface.code);
         if (now_.velocity_mps.dot(normal) >= 0.0) {
             return;  // grazes along a facet it does not press on: flies on
         }

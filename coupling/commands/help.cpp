@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view short_help = R"(bannwald - how well a forest protects from rockfall
 
   bannwald init DIR [--example NAME]   writes an example project, ready to run: tyrol, profile, forest,
-                                       regimes-small, regimes
+                                       jura, regimes-small, regimes
   bannwald check SCENARIO              reads everything, prints size, memory and time; writes nothing
   bannwald run SCENARIO                simulates rockfall and writes maps, tables and a report
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
@@ -67,6 +67,7 @@ constexpr std::string_view init_help =
 Writes an example project into a new or empty folder, whole or not at all.
   --example NAME        tyrol (default): a real slope of 132 ha, 25 900 artificial trees, a road
                         profile: a synthetic profile, rocks in two dimensions
+                        jura: a synthetic gorge road below cliffs, with six soils, nets, return periods
                         forest: a mapped mountain stand grows for a hundred years, without rocks
                         regimes-small: 9 ha under four regimes for thirty years, with rocks
                         regimes: 40 ha under four regimes for a hundred years, ten replicates

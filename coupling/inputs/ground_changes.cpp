@@ -56,6 +56,8 @@ constexpr std::array columns{
     Column{"rolling_stops_per_m", rolling_stops_range, set_rolling_stops},
     Column{"rolling_friction", rolling_friction_range,
            [](SurfaceType& type, double value) { type.rolling_friction = value; }},
+    Column{"sliding_friction", sliding_friction_range,
+           [](SurfaceType& type, double value) { type.sliding_friction = value; }},
 };
 
 const Column* column_of(std::string_view name) {

@@ -34,6 +34,8 @@ public:
     }
     /// Only suspicious: a warning, or a problem with strict_inputs.
     void doubt(config::Place place, std::string found, std::string expected = "", std::string advice = "");
+    /// What the user should look at, never an error: a limit of the run and no fault of a file.
+    void warn(std::string sentence) { warnings_.add(std::move(sentence)); }
     /// Worth knowing, never an error.
     void note(std::string sentence) { warnings_.add_note(std::move(sentence)); }
 
@@ -61,6 +63,9 @@ public:
     /// Opens a file that the setting `key` names and records it under its role.
     FileBytes open(const std::string& key, const std::string& role, const std::string& name,
                    std::string_view expected);
+    /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
+    FileBytes open_at(const config::Place& place, const std::string& role, const std::string& name,
+                      std::string_view expected);
     /// A table or layer in any format (`formats/`), with our names of columns.
     config::Table table(const std::string& key, const std::string& role, const std::string& name);
     /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
@@ -83,8 +88,6 @@ public:
 private:
     const Scenario& scenario_;
     config::Warnings& warnings_;
-    FileBytes open_at(const config::Place& place, const std::string& role, const std::string& name,
-                      std::string_view expected);
 
     formats::BytesBeside beside(const std::string& role, const std::string& file);
     void take_names(config::Table& table, const std::string& role, bool has_own_shapes);

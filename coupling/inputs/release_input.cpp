@@ -1,7 +1,6 @@
 #include "coupling/inputs/release_input.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "config/text/joined.hpp"
@@ -9,6 +8,7 @@
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/plausible/source_cover.hpp"
 #include "coupling/inputs/shape_input.hpp"
+#include "coupling/inputs/source_cells.hpp"
 #include "coupling/inputs/surface_input.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
 
@@ -59,6 +59,15 @@ SourceInput read_shapes(Reading& reading) {
     return input;
 }
 
+/// All the terrain, of which only the steep cells are sources.
+SourceInput everywhere() {
+    return {.grid = {},
+            .shapes = {},
+            .starts = std::vector<SourceStart>(1),
+            .file = "release.steeper_than_deg",
+            .everywhere = true};
+}
+
 bool is_zone(double value) {
     return std::isnan(value) || (value >= 0.0 && value <= most_zones && value == std::floor(value));
 }
@@ -80,135 +89,6 @@ SourceInput read_grid(Reading& reading) {
                      "whole numbers: 0 for no source, 1, 2, ... for release zones");
     }
     return input;
-}
-
-/// By cell the release zone of a grid, or the number of the shape from 1: 0 or NaN none.
-config::Raster<double> sources_on(const config::GridFrame& frame, const SourceInput& input) {
-    if (input.grid) {
-        return *input.grid;
-    }
-    std::vector<config::CodedPolygon> areas;
-    for (const SourceShape& source : input.shapes) {
-        areas.push_back({source.shape, static_cast<double>(areas.size() + 1)});
-    }
-    return config::rasterise_polygons(frame, areas, 0.0);
-}
-
-/// True surface of a cell: plan area over the cosine of the slope, mean of four places. 0 off the terrain.
-double surface_area_m2(const ReleaseSource& cell, const rockfall::Terrain& terrain) {
-    const Eigen::Vector2d size_m = cell.last_m - cell.first_m;
-    double sum = 0.0;
-    int found = 0;
-    for (const auto& [east, north] :
-         std::array<std::array<double, 2>, 4>{{{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}}}) {
-        const auto triangle =
-            terrain.locate(cell.first_m.x() + east * size_m.x(), cell.first_m.y() + north * size_m.y());
-        if (triangle) {
-            sum += 1.0 / static_cast<double>(terrain.triangles()[*triangle].normal_z);
-            ++found;
-        }
-    }
-    return found == 0 ? 0.0 : size_m.x() * size_m.y() * sum / found;
-}
-
-ReleaseSource cell_source(const config::GridFrame& frame, std::size_t index, std::uint32_t zone,
-                          const rockfall::Terrain& terrain) {
-    const config::Cell cell = frame.cell_of(index);
-    const Eigen::Vector2d half_m{0.5 * frame.cell_width_m, 0.5 * frame.cell_height_m};
-    const Eigen::Vector2d centre_m =
-        Eigen::Vector2d{frame.x_centre_m(cell.column), frame.y_centre_m(cell.row)} - terrain.origin_m();
-    ReleaseSource source;
-    source.kind = ReleaseSource::Kind::cell;
-    source.first_m = centre_m - half_m;
-    source.last_m = centre_m + half_m;
-    source.zone = zone;
-    source.weight = surface_area_m2(source, terrain);
-    return source;
-}
-
-/// Source cells by what became of them.
-struct CellCounts {
-    std::size_t all = 0;
-    std::size_t in_ring = 0;
-    std::size_t off_terrain = 0;
-    std::size_t on_nodata = 0;
-    std::size_t first_on_nodata = 0;
-};
-
-void warn_of_cells(const CellCounts& counts, const config::GridFrame& frame, const SourceInput& input,
-                   const HeightInput& heights, Reading& reading) {
-    if (counts.on_nodata > 0) {
-        reading.refuse({input.file},
-                       counted(counts.on_nodata, "source cell") + " on NODATA of " + heights.file +
-                           ", the first in " + cell_in_words(frame, counts.first_on_nodata),
-                       "heights all over the release area",
-                       "take a terrain without gaps there, or take these cells out of the sources");
-    }
-    if (counts.in_ring > 0) {
-        reading.doubt({input.file},
-                      counted(counts.in_ring, "source cell") + " of " + std::to_string(counts.all) +
-                          " in the outer ring of " + heights.file + ", where the terrain ends; left out",
-                      "sources at least one cell inside", "take a larger terrain if rocks start there");
-    }
-    if (counts.off_terrain > 0) {
-        reading.doubt({input.file},
-                      counted(counts.off_terrain, "source cell") + " of " + std::to_string(counts.all) +
-                          " off the terrain; left out",
-                      "sources on the terrain", "take a larger terrain if rocks start there");
-    }
-}
-
-/// Sources and, for each, which of the starts of the input is its own.
-struct Placed {
-    Sources sources;
-    std::vector<std::size_t> rows;
-
-    void add(ReleaseSource source, std::size_t start, const SourceInput& input) {
-        source.own_start = input.starts[start].law;
-        sources.push_back(std::move(source));
-        rows.push_back(start);
-    }
-};
-
-Placed place_cells(const SourceInput& input, const HeightInput& heights, const rockfall::Terrain& terrain,
-                   Reading& reading) {
-    const config::Raster<double> cells = sources_on(heights.frame(), input);
-    const config::GridFrame& frame = cells.frame;
-    Placed placed;
-    CellCounts counts;
-    std::vector<std::size_t> cells_of_shape(input.shapes.size(), 0);
-    for (std::size_t index = 0; index < cells.values.size(); ++index) {
-        const double number = cells.values[index];
-        if (std::isnan(number) || number == 0.0) {
-            continue;
-        }
-        ++counts.all;
-        if (!input.grid) {
-            ++cells_of_shape[static_cast<std::size_t>(number) - 1];
-        }
-        const SourceShape* shape = input.grid ? nullptr : &input.shapes[static_cast<std::size_t>(number) - 1];
-        const auto zone = shape == nullptr ? static_cast<std::uint32_t>(number) : shape->zone;
-        const auto start = start_of(input, zone, shape == nullptr ? 0 : shape->start);
-        if (!start) {
-            continue;
-        }
-        const config::Cell cell = frame.cell_of(index);
-        const bool in_ring = cell.column == 0 || cell.row == 0 || cell.column == frame.columns - 1 ||
-                             cell.row == frame.rows - 1;
-        if (heights.grid && in_ring) {
-            ++counts.in_ring;
-        } else if (heights.grid && std::isnan(heights.grid->values[index])) {
-            counts.first_on_nodata = counts.on_nodata == 0 ? index : counts.first_on_nodata;
-            ++counts.on_nodata;
-        } else if (ReleaseSource source = cell_source(frame, index, zone, terrain); source.weight > 0.0) {
-            placed.add(std::move(source), *start, input);
-        } else {
-            ++counts.off_terrain;
-        }
-    }
-    warn_of_cells(counts, frame, input, heights, reading);
-    plausible::doubt_polygons_without_cell(input, cells_of_shape, reading);
-    return placed;
 }
 
 ReleaseSource line_source(const config::Point2& from, const config::Point2& to, std::uint32_t zone,
@@ -305,7 +185,16 @@ Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, 
 
 std::optional<SourceInput> read_sources(Reading& reading) {
     return reading.attempt([&] {
-        SourceInput input = reading.scenario().source.empty() ? read_shapes(reading) : read_grid(reading);
+        const Scenario& scenario = reading.scenario();
+        SourceInput input = !scenario.source.empty()          ? read_grid(reading)
+                            : !scenario.source_shapes.empty() ? read_shapes(reading)
+                                                              : everywhere();
+        if (scenario.steeper_than_deg > 0.0 && !input.shapes.empty() &&
+            input.shapes.front().shape.kind != Shape::Kind::polygon) {
+            config::fail(config::ExitCode::settings, scenario.options->place_of("release.steeper_than_deg"),
+                         "release.steeper_than_deg beside points or lines of release.source_shapes",
+                         "polygons or a grid: only cells have a slope", "remove one of the two");
+        }
         if (!reading.scenario().hazard.blocks.empty()) {
             take_zone_blocks(input, reading);
         }
@@ -318,8 +207,8 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
     if (input.grid && heights.grid && !check_frame(input.grid->frame, input.file, heights, reading)) {
         return std::nullopt;
     }
-    const bool in_cells =
-        input.grid || (!input.shapes.empty() && input.shapes.front().shape.kind == Shape::Kind::polygon);
+    const bool in_cells = input.grid || input.everywhere ||
+                          (!input.shapes.empty() && input.shapes.front().shape.kind == Shape::Kind::polygon);
     const std::size_t problems_before = reading.problems().list().size();
     plausible::judge_source_shapes(input, terrain, reading);
     if (reading.problems().list().size() > problems_before) {
@@ -336,6 +225,14 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
             joined("no zone with rocks of ", config::to_text(reading.scenario().hazard.return_period_years),
                    " years that has a source on the terrain"),
             "zones of the sources");
+        return std::nullopt;
+    }
+    if (const double steeper_deg = reading.scenario().steeper_than_deg;
+        placed.sources.empty() && steeper_deg > 0.0) {
+        reading.refuse(reading.scenario().options->place_of("release.steeper_than_deg"),
+                       joined("no source cell steeper than ", config::to_text(steeper_deg), " degrees"),
+                       "a smaller angle, or sources from a file",
+                       "look at the slopes of the terrain (QGIS: Slope)");
         return std::nullopt;
     }
     if (placed.sources.empty()) {

@@ -25,12 +25,13 @@ struct SourceShape {
     std::size_t start = 0;  ///< which of the starts its rocks have
 };
 
-/// Where rocks break off, as read: a grid of zones, or shapes all of one kind.
+/// Where rocks break off, as read: a grid of zones, shapes all of one kind, or wherever it is steep.
 struct SourceInput {
     std::optional<config::Raster<double>> grid;
     std::vector<SourceShape> shapes;
     std::vector<SourceStart> starts;  ///< of each shape; of a grid one that says nothing; or of zones
     std::string file;                 ///< name in messages
+    bool everywhere = false;          ///< neither: all steep cells of the terrain, zone 1
     bool has_zones = false;           ///< shapes name their zones; otherwise each row is one
     bool by_zone = false;             ///< the starts are those of zones; a zone without one has no rocks
     std::map<std::uint32_t, std::size_t> start_of_zone{};  ///< all_other_zones: of those without one
@@ -45,9 +46,9 @@ rockfall::DiameterRange diameters_of(const std::optional<SourceInput>& input, co
 ///
 /// A cell weighs its true surface, plan area / cos(slope); a piece of a line its length; a point 1. Cells of
 /// the outer ring, where the terrain ends halfway, points off the terrain and parts of polygons off it are
-/// left out with a warning. Refuses sources of which most lie off the terrain (plausible/source_cover.hpp),
-/// sources on NODATA, lines that leave the terrain, a grid on another frame and sources of which none is
-/// left.
+/// left out with a warning. With release.steeper_than_deg only steeper cells count. Refuses sources of which
+/// most lie off the terrain (plausible/source_cover.hpp), sources on NODATA, lines that leave the terrain, a
+/// grid on another frame and sources of which none is left.
 std::optional<std::vector<rockfall::ReleaseSource>> place_sources(const SourceInput& input,
                                                                   const HeightInput& heights,
                                                                   const rockfall::Terrain& terrain,

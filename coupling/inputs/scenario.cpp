@@ -44,6 +44,16 @@ void declare_terrain(config::Options& options, Scenario& s) {
     options.text("terrain.points", s.points, {.meaning = "instead: text of x y z in m, one point a line"});
     options.text("terrain.mesh", s.mesh,
                  {.meaning = "instead: a mesh whose faces stay as they are (PLY, STL), contours (DXF, CSV)"});
+    options.text("terrain.meshes", s.meshes,
+                 {.meaning = "instead: CSV with file, surface: several meshes with a ground type each"});
+    options.choice(
+        "terrain.mesh_up", s.mesh_up, {{"z", MeshUp::z}, {"y", MeshUp::y}},
+        {.meaning = "which axis of the mesh points up; y: (x, y, z) becomes (x, -z, y)", .source = "choice"});
+    options.choice("terrain.mesh_overhangs", s.mesh_overhangs,
+                   {{"refuse", MeshOverhangs::refuse}, {"keep_upper", MeshOverhangs::keep_upper}},
+                   {.meaning = "faces that lie over each other: refuse them, or keep the upper ones and list "
+                               "the others in mesh_left_out.csv",
+                    .source = "choice"});
     options.number("terrain.longest_edge_m", s.longest_edge_m,
                    {.unit = "m",
                     .low = 0.0,
@@ -64,6 +74,9 @@ void declare_terrain(config::Options& options, Scenario& s) {
     options.text(
         "terrain.ground", s.ground,
         {.meaning = "shipped ground type (see `bannwald info surfaces`) where no grid or polygon says"});
+    options.text(
+        "terrain.slope_grounds", s.slope_grounds,
+        {.meaning = "CSV with from_deg, surface: ground types by slope where no grid or polygon says"});
     options.text(
         "terrain.profile", s.profile,
         {.meaning = "instead of all maps: CSV with distance_m, height_m, surface; a run in two dimensions"});
@@ -94,6 +107,13 @@ void declare_release(config::Options& options, Scenario& s) {
                  {.meaning = "grid on the frame of the DEM: 0 no source, k > 0 release zone k"});
     options.text("release.source_shapes", s.source_shapes,
                  {.meaning = "instead: CSV with wkt (points, lines or polygons) and perhaps zone"});
+    options.number(
+        "release.steeper_than_deg", s.steeper_than_deg,
+        {.unit = "deg",
+         .low = 0.0,
+         .high = 89.0,
+         .meaning = "> 0: rocks break off from cells steeper than this only; without other sources "
+                    "from all such cells (zone 1)"});
     options.count("release.rocks", s.rocks,
                   {.low = 0.0,
                    .high = 4e9,
@@ -233,6 +253,13 @@ void declare_output(config::Options& options, Scenario& s) {
     options.flag(
         "output.impact_table", s.impact_table,
         {.meaning = "table of every ground impact of the rocks whose paths are kept", .source = "choice"});
+    options.count(
+        "output.repeats", s.repeats,
+        {.low = 0.0,
+         .high = 64.0,
+         .meaning = "rocks are shared out among so many repeats, and a map says in which share of them a "
+                    "cell is reached; 0: no such map",
+         .source = "Cottaz et al. 2010: up to 30 repeats"});
     options.count("output.sample_paths", s.sample_paths,
                   {.low = 0.0,
                    .high = 1e6,
@@ -289,6 +316,18 @@ void declare(config::Options& options, Scenario& scenario) {
     options.text("observed.stops", scenario.observed_stops,
                  {.meaning = "where rocks of an event came to rest, to compare: x_m, y_m or wkt; perhaps "
                              "zone, group, x_release_m, y_release_m"});
+    options.text(
+        "observed.passages", scenario.observed_passages,
+        {.meaning = "rocks of an event seen at targets: target_id, and of speed_mps, height_m, energy_kj, "
+                    "translational_kj what is known; perhaps group"});
+    options.text("observed.impacts", scenario.observed_impacts,
+                 {.meaning = "single impacts on the ground: of speed_in_mps, speed_out_mps, angle_in_deg, "
+                             "angle_out_deg what is known; perhaps ground (code), group"});
+    options.count(
+        "observed.rocks", scenario.observed_rocks,
+        {.low = 0.0,
+         .high = 1e9,
+         .meaning = "rocks that were released in the event, for the share that passed; 0: unknown"});
     declare_nets(options, scenario.nets);
     declare_hazard(options, scenario.hazard);
     declare_output(options, scenario);

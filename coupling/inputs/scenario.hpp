@@ -25,6 +25,12 @@ enum class CsvForm : std::uint8_t {
     excel,  ///< semicolons, the decimal sign of the page's language, byte-order mark
 };
 
+/// Which axis of a mesh points up.
+enum class MeshUp : std::uint8_t { z, y };
+
+/// What becomes of faces of a mesh that lie over each other.
+enum class MeshOverhangs : std::uint8_t { refuse, keep_upper };
+
 /// What GIS programs and spreadsheets are given beside tables and ESRI ASCII grids.
 struct GisFiles {
     bool geopackage = true;  ///< results.gpkg and results.qlr
@@ -45,9 +51,12 @@ struct Scenario {
         250'000;  ///< of a static run: so many rocks later its state is saved again
 
     // [terrain]
-    std::string dem;               ///< ESRI ASCII grid, or
-    std::string points;            ///< XYZ text, or
-    std::string mesh;              ///< PLY, STL, DXF, contours as CSV, or XYZ text
+    std::string dem;     ///< ESRI ASCII grid, or
+    std::string points;  ///< XYZ text, or
+    std::string mesh;    ///< PLY, STL, DXF, contours as CSV, or XYZ text
+    std::string meshes;  ///< CSV: file, surface; several meshes with a ground type each
+    MeshUp mesh_up = MeshUp::z;
+    MeshOverhangs mesh_overhangs = MeshOverhangs::refuse;
     double longest_edge_m = 0.0;   ///< for points: longer edges are no terrain; 0 keeps all
     std::string surface;           ///< grid of surface codes, or
     std::string surface_polygons;  ///< CSV with WKT polygons and codes
@@ -55,6 +64,7 @@ struct Scenario {
     std::string soils;             ///< CSV of soils beside the shipped ones; optional
     std::string stopping;          ///< CSV: code, diameter_m, p_stop; optional
     std::string ground;            ///< name of a shipped surface type for all the terrain; instead of a grid
+    std::string slope_grounds;     ///< CSV: from_deg, surface; ground types by slope where no map says
     std::string profile;           ///< CSV: distance_m, height_m, surface; not empty: a two-dimensional run
 
     // [profile]
@@ -70,9 +80,10 @@ struct Scenario {
     bool swap_log_axes = false;   ///< the same of the logs
 
     // [release]
-    std::string source;         ///< grid: 0 no source, k > 0 release zone k, or
-    std::string source_shapes;  ///< CSV with WKT points, lines or polygons
-    std::uint64_t rocks = 0;    ///< in all; 0: rocks_per_source times the number of sources
+    std::string source;             ///< grid: 0 no source, k > 0 release zone k, or
+    std::string source_shapes;      ///< CSV with WKT points, lines or polygons, or
+    double steeper_than_deg = 0.0;  ///< > 0: only cells steeper than this; alone: all of them
+    std::uint64_t rocks = 0;        ///< in all; 0: rocks_per_source times the number of sources
     std::uint64_t rocks_per_source = 10;
     DiameterKind diameter_kind = DiameterKind::fixed;
     double diameter_m = 1.0;  ///< fixed, or mean of the log-normal law
@@ -92,7 +103,11 @@ struct Scenario {
     // [targets]
     std::string targets;  ///< CSV with WKT lines and polygons: target_id, name, wkt
 
-    std::string observed_stops;  ///< [observed]: where rocks came to rest; empty: unknown
+    // [observed]: an event in the field, each file empty where nothing is known
+    std::string observed_stops;        ///< where rocks came to rest
+    std::string observed_passages;     ///< rocks seen at targets: speed, height, energy
+    std::string observed_impacts;      ///< single impacts on the ground: speeds and angles
+    std::uint64_t observed_rocks = 0;  ///< rocks that were released; 0: unknown
 
     NetSettings nets;       ///< [nets]
     HazardSettings hazard;  ///< [hazard]
@@ -105,6 +120,7 @@ struct Scenario {
     bool arrival_table = true;
     bool tree_hit_table = true;
     bool impact_table = false;
+    std::uint64_t repeats = 0;  ///< rocks are shared out among so many repeats; 0: none
     std::uint64_t sample_paths = 500;
     std::vector<double> path_rocks;  ///< numbers of rocks whose paths are kept too
     GisFiles gis;
@@ -120,6 +136,7 @@ struct Scenario {
     std::filesystem::path file;                ///< the scenario file itself
     std::shared_ptr<config::Options> options;  ///< all of the above as declared, for listings and messages
 
+    [[nodiscard]] bool has_mesh() const { return !mesh.empty() || !meshes.empty(); }
     /// A file name of the scenario, relative to the scenario file.
     [[nodiscard]] std::filesystem::path resolve(const std::string& name) const;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
@@ -60,7 +61,8 @@ void check_stopping(const Scenario& s, SettingsChecker& checker) {
 void check_terrain(const Scenario& s, SettingsChecker& checker) {
     checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
     const bool has_codes = !s.surface.empty() || !s.surface_polygons.empty();
-    if (!has_codes && s.ground.empty() && s.mesh.empty()) {  // faces of a mesh may carry codes
+    if (!has_codes && s.ground.empty() && !s.has_mesh() &&
+        s.slope_grounds.empty()) {  // faces of a mesh may carry codes
         checker.refuse(
             "terrain.surface", "no ground types",
             "terrain.surface, terrain.surface_polygons or terrain.ground",
@@ -77,7 +79,11 @@ void check_terrain(const Scenario& s, SettingsChecker& checker) {
 }
 
 void check_release(const Scenario& s, SettingsChecker& checker) {
-    checker.one_of("release.source", s.source, "release.source_shapes", s.source_shapes);
+    if (s.steeper_than_deg > 0.0) {
+        checker.not_both("release.source", s.source, "release.source_shapes", s.source_shapes);
+    } else {
+        checker.one_of("release.source", s.source, "release.source_shapes", s.source_shapes);
+    }
     if (!s.source.empty() && s.dem.empty() && !s.points.empty()) {
         checker.refuse("release.source", "a source grid beside terrain.points",
                        "release.source_shapes: points have no grid to match");
@@ -137,6 +143,57 @@ void check_observed(const Scenario& s, SettingsChecker& checker) {
     if (!s.rock_table) {
         checker.refuse("observed.stops", "observed.stops beside output.rock_table = no",
                        "output.rock_table = yes: its rows are compared");
+    }
+}
+
+/// Passages are held against rows of arrivals.csv, impacts against falls of rocks alone.
+void check_observed_events(const Scenario& s, SettingsChecker& checker) {
+    for (const auto& [key, file] : {std::pair{"observed.passages", s.observed_passages},
+                                    std::pair{"observed.impacts", s.observed_impacts}}) {
+        if (!file.empty() && (s.years != 0 || wants_hazard_map(s))) {
+            checker.refuse(key, joined(key, " beside ", s.years != 0 ? "run.years" : "hazard.blocks"),
+                           "an assessment of today: the rocks of one event");
+        }
+    }
+    if (!s.observed_passages.empty() && s.targets.empty()) {
+        checker.refuse("observed.passages", "observed.passages without targets.file",
+                       "the lines or areas at which rocks were seen");
+    }
+    if (!s.observed_passages.empty() && !s.arrival_table) {
+        checker.refuse("observed.passages", "observed.passages beside output.arrivals = no",
+                       "output.arrivals = yes: its rows are compared");
+    }
+    if (!s.observed_impacts.empty() && s.rockfall.fall.tree.remove_broken) {
+        checker.refuse("observed.impacts", "observed.impacts beside tree_impact.remove_broken",
+                       "one of them: a rock that falls alone meets trees that others broke");
+    }
+    if (s.observed_rocks > 0 && s.observed_passages.empty()) {
+        checker.refuse("observed.rocks", "observed.rocks without observed.passages",
+                       "rocks that were seen at targets");
+    }
+}
+
+/// Repeats are shares of the rocks of an assessment of today.
+void check_repeats(const Scenario& s, SettingsChecker& checker) {
+    if (s.repeats == 0) {
+        return;
+    }
+    if (s.repeats == 1) {
+        checker.refuse("output.repeats", "output.repeats 1", "0, or 2 to 64 repeats to compare");
+    }
+    if (s.years != 0 || !s.profile.empty() || wants_hazard_map(s)) {
+        checker.refuse("output.repeats",
+                       joined("output.repeats beside ", s.years != 0         ? "run.years"
+                                                        : !s.profile.empty() ? "terrain.profile"
+                                                                             : "hazard.blocks"),
+                       "an assessment of today on a map");
+    }
+    if (s.rocks == 0 && s.rocks_per_source < s.repeats) {
+        checker.refuse("output.repeats",
+                       joined("output.repeats ", std::to_string(s.repeats), " with release.rocks_per_source ",
+                              std::to_string(s.rocks_per_source)),
+                       "at least one rock of each source in every repeat",
+                       "raise release.rocks_per_source: a repeat has a share of the rocks");
     }
 }
 
@@ -235,7 +292,9 @@ void check(const Scenario& scenario) {
     check_hazard(scenario, checker);
     check(scenario.report, *scenario.options, checker.problems());
     check_observed(scenario, checker);
+    check_observed_events(scenario, checker);
     check_impact_table(scenario, checker);
+    check_repeats(scenario, checker);
     for (const double rock : scenario.path_rocks) {
         if (rock != std::floor(rock)) {
             checker.refuse("output.path_rocks", joined("rock ", config::to_text(rock)), "whole numbers");
@@ -248,11 +307,19 @@ void check(const Scenario& scenario) {
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
     if (scenario.profile.empty()) {
-        if (scenario.mesh.empty()) {
+        if (!scenario.has_mesh()) {
             checker.one_of("terrain.dem", scenario.dem, "terrain.points", scenario.points);
         }
         checker.not_both("terrain.dem", scenario.dem, "terrain.mesh", scenario.mesh);
         checker.not_both("terrain.points", scenario.points, "terrain.mesh", scenario.mesh);
+        checker.not_both("terrain.dem", scenario.dem, "terrain.meshes", scenario.meshes);
+        checker.not_both("terrain.points", scenario.points, "terrain.meshes", scenario.meshes);
+        checker.not_both("terrain.mesh", scenario.mesh, "terrain.meshes", scenario.meshes);
+        for (const char* key : {"terrain.mesh_up", "terrain.mesh_overhangs"}) {
+            if (!scenario.has_mesh() && scenario.options->was_set(key)) {
+                checker.refuse(key, joined(key, " without terrain.mesh"), "a mesh, or no such setting");
+            }
+        }
     }
     if (scenario.profile.empty() && has_rocks(scenario)) {
         check_terrain(scenario, checker);

@@ -9,7 +9,9 @@
 #include "coupling/inputs/forest_site.hpp"
 #include "coupling/inputs/log_input.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
+#include "coupling/inputs/model_limits.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/observed_events_input.hpp"
 #include "coupling/inputs/observed_input.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
@@ -67,6 +69,7 @@ struct SiteFiles {
     std::optional<std::vector<rockfall::Target>> targets;
     std::optional<GivenNets> nets;
     std::optional<std::vector<ObservedStop>> observed;
+    std::optional<ObservedEvents> events;
 };
 
 /// Sections that only a run over years reads.
@@ -150,6 +153,9 @@ SiteFiles read_site_files(Reading& reading) {
         files.targets = read_targets(reading);
         files.nets = read_nets(reading);
         files.observed = read_observed_stops(reading);
+        if (files.targets) {
+            files.events = read_observed_events(*files.targets, reading);
+        }
     }
     return files;
 }
@@ -223,10 +229,11 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     }
     // What lies on the terrain is checked even where another file is wrong: the user sees all of it at once.
     if (files.heights->has_codes && files.types) {
-        meshes::name_ground(files.heights->faces, *files.types, reading);
+        meshes::name_ground(*files.heights, *files.types, reading);
     }
     rockfall::Terrain terrain =
-        build_terrain(*files.heights, scenario.rockfall.ground, scenario.longest_edge_m);
+        build_terrain(*files.heights, scenario.rockfall.ground, diameters_of(files.sources, scenario).mean_m,
+                      scenario.longest_edge_m);
     std::optional<GroundMap> ground;
     if (files.cover && files.types) {
         ground = match_ground(*files.heights, terrain, *files.cover, std::move(*files.types), reading);
@@ -246,6 +253,9 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     }
     if (files.observed && sources) {
         check_observed_stops(*files.observed, *sources, terrain, reading);
+    }
+    if (files.events && ground) {
+        check_observed_grounds(*files.events, ground->types, reading);
     }
     std::vector<NetRecord> nets;
     if (files.nets) {
@@ -269,7 +279,11 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     config::Raster<double> heights = heights_on_map(*files.heights, terrain);
     std::vector<InputFile> inputs = reading.inputs();
     add_logo(scenario, inputs);
-    return {.slope = {std::move(terrain), std::move(surface), std::move(ground->types)},
+    rockfall::Slope slope{std::move(terrain), std::move(surface), std::move(ground->types)};
+    if (has_rocks(scenario)) {
+        warn_of_model_limits(slope, *sources, reading);
+    }
+    return {.slope = std::move(slope),
             .heights = std::move(heights),
             .surface = on_frame(ground->ids, files.heights->map_frame),
             .projection = std::move(files.heights->projection),
@@ -281,7 +295,9 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .nets = std::move(nets),
             .inputs = std::move(inputs),
             .forest = std::move(forest),
-            .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{})};
+            .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{}),
+            .observed_events = std::move(files.events).value_or(ObservedEvents{}),
+            .left_out_faces = std::move(files.heights->left_out)};
 }
 
 }  // namespace coupling

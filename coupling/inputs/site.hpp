@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "config/errors/warnings.hpp"
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
+#include "coupling/inputs/observed_events.hpp"
 #include "coupling/inputs/observed_stop.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "rockfall/obstacles/log.hpp"
@@ -33,6 +35,13 @@ struct LogRecord {
     std::string id;
     std::string species;
     rockfall::Log log;
+};
+
+/// A face of a mesh that lay below another one and is no part of the terrain.
+struct LeftOutFace {
+    std::string file;                            ///< as the scenario names it
+    std::size_t number = 0;                      ///< in the file, from 1
+    std::array<Eigen::Vector3d, 3> corners_m{};  ///< absolute
 };
 
 /// A file that a run read, with a hash of its bytes.
@@ -65,6 +74,8 @@ struct Site {
     std::vector<InputFile> inputs;
     std::shared_ptr<const ForestSite> forest;    ///< with run.years > 0
     std::vector<ObservedStop> observed_stops{};  ///< as seen in the field; none without such a file
+    ObservedEvents observed_events{};            ///< passages and impacts seen in the field
+    std::vector<LeftOutFace> left_out_faces{};   ///< of a mesh whose upper faces were kept
 
     [[nodiscard]] Eigen::Vector2d origin_m() const { return slope.terrain.origin_m(); }
     /// The map frame in coordinates of the terrain.

@@ -6,7 +6,9 @@
 #include <map>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/ground_names.hpp"
 #include "coupling/inputs/shape_input.hpp"
+#include "coupling/inputs/slope_tangent.hpp"
 #include "coupling/inputs/surface_types.hpp"
 
 namespace coupling {
@@ -47,6 +49,68 @@ GroundCover read_cover(Reading& reading) {
     }
     return cover;
 }
+
+GroundCover read_cover_and_classes(Reading& reading) {
+    GroundCover cover = read_cover(reading);
+    const std::string& name = reading.scenario().slope_grounds;
+    if (!name.empty()) {
+        cover.by_slope = reading.table("terrain.slope_grounds", "slope_grounds", name);
+        config::Problems problems;
+        cover.by_slope->require({"from_deg", "surface"}, problems);
+        problems.throw_if_any();
+    }
+    return cover;
+}
+
+/// Classes of slope and the ground type of each.
+class SlopeClasses {
+public:
+    /// Throws InputError (data) for classes that do not rise and for unknown ground types.
+    static SlopeClasses read(const config::Table& table, GroundNames& names) {
+        SlopeClasses classes;
+        config::Problems problems;
+        std::optional<double> before_deg;
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            const auto from_deg = table.number(row, "from_deg", {.low = 0.0, .high = 89.0}, problems);
+            const auto type = names.place_of(table, row, "from_deg", problems);
+            if (from_deg && before_deg && *from_deg <= *before_deg) {
+                problems.add(
+                    config::ExitCode::data, table.place(row, "from_deg"),
+                    "from_deg " + table.text(row, "from_deg") + " after " + config::to_text(*before_deg),
+                    "classes from flat to steep, each once", "sort the rows by from_deg");
+            }
+            before_deg = from_deg ? from_deg : before_deg;
+            if (from_deg && type) {
+                classes.list_.push_back({tangent_of_deg(*from_deg), *type});
+            }
+        }
+        if (table.rows() == 0) {
+            problems.add(config::ExitCode::data, {table.file()}, "no class of slope",
+                         "at least one row: from_deg, surface");
+        }
+        config::Problems shown;
+        add_first(shown, problems, table.file());
+        shown.throw_if_any();
+        return classes;
+    }
+    /// The type of the steepest class that begins at or below this slope.
+    [[nodiscard]] std::optional<std::uint8_t> at(std::optional<double> tangent) const {
+        std::optional<std::uint8_t> type;
+        for (const Class& one : list_) {
+            if (tangent && *tangent >= one.from_tangent) {
+                type = one.type;
+            }
+        }
+        return type;
+    }
+
+private:
+    struct Class {
+        double from_tangent;
+        std::uint8_t type;
+    };
+    std::vector<Class> list_;
+};
 
 /// Cells with the same fault: how many, and the first.
 struct Faults {
@@ -104,7 +168,7 @@ bool covers_terrain(const config::GridFrame& frame, const std::string& file, con
 GroundMap ground_of_faces(const HeightInput& heights, const rockfall::Terrain& terrain,
                           const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
                           Reading& reading) {
-    if (cover.grid || !cover.areas.empty() || !reading.scenario().ground.empty()) {
+    if (cover.grid || !cover.areas.empty() || cover.by_slope || !reading.scenario().ground.empty()) {
         reading.note(heights.file +
                      ": its faces say their ground; other settings of where ground types lie have no effect");
     }
@@ -126,7 +190,7 @@ GroundMap ground_of_faces(const HeightInput& heights, const rockfall::Terrain& t
 }  // namespace
 
 std::optional<GroundCover> read_ground_cover(Reading& reading) {
-    return reading.attempt([&] { return read_cover(reading); });
+    return reading.attempt([&] { return read_cover_and_classes(reading); });
 }
 
 bool check_frame(const config::GridFrame& frame, const std::string& file, const HeightInput& heights,
@@ -151,18 +215,26 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
         return std::nullopt;
     }
     const config::Raster<double> codes = codes_on(heights.frame(), cover);
-    std::optional<std::uint8_t> elsewhere;
-    if (const auto ground = reading.attempt([&] { return uniform_ground(reading.scenario()); });
-        ground && *ground) {
-        elsewhere = static_cast<std::uint8_t>(types.size());
+    const auto ground = reading.attempt([&] { return uniform_ground(reading.scenario()); });
+    GroundNames names{types, ground.value_or(std::nullopt), *reading.scenario().options};
+    const auto classes = reading.attempt(
+        [&] { return cover.by_slope ? SlopeClasses::read(*cover.by_slope, names) : SlopeClasses{}; });
+    if (!classes) {
+        return std::nullopt;
     }
+    const std::optional<std::uint8_t> elsewhere = names.elsewhere();
+    const auto id_without_code = [&](std::size_t cell) {
+        const auto id = cover.by_slope ? classes->at(slope_tangent(heights, codes.frame, terrain, cell))
+                                       : std::optional<std::uint8_t>{};
+        return id ? id : elsewhere;
+    };
 
-    GroundMap map{.types = types, .ids = config::Raster<std::uint8_t>{codes.frame, GroundMap::none}};
+    GroundMap map{.types = {}, .ids = config::Raster<std::uint8_t>{codes.frame, GroundMap::none}};
     std::map<double, Faults> unknown;
     Faults without;
     for (std::size_t cell = 0; cell < codes.values.size(); ++cell) {
         const double code = codes.values[cell];
-        const auto id = std::isnan(code) ? elsewhere : id_of(code, types);
+        const auto id = std::isnan(code) ? id_without_code(cell) : id_of(code, types);
         if (!has_ground(heights, codes.frame, terrain, cell)) {
             // A mesh may reach into a cell whose centre lies beyond its border.
             map.ids.values[cell] = heights.grid ? GroundMap::none : id.value_or(GroundMap::none);
@@ -183,11 +255,11 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
     }
     if (without.count > 0) {
         reading.refuse({file}, "no surface code in " + in_words(without, codes.frame),
-                       "a code wherever the ground is known, or terrain.ground for the rest");
+                       cover.by_slope
+                           ? "a class of terrain.slope_grounds from 0 degrees on, or terrain.ground"
+                           : "a code wherever the ground is known, or terrain.ground for the rest");
     }
-    if (elsewhere) {
-        map.types.push_back(*uniform_ground(reading.scenario()));
-    }
+    map.types = std::move(names).list();
     return unknown.empty() && without.count == 0 ? std::optional{std::move(map)} : std::nullopt;
 }
 

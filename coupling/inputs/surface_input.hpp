@@ -12,11 +12,13 @@
 
 namespace coupling {
 
-/// Which code lies where, as read: a grid, or polygons of which later ones lie on top, or nothing.
+/// Which code lies where, as read: a grid, or polygons of which later ones lie on top, or nothing; and what
+/// lies where they say nothing, by the slope of the ground.
 struct GroundCover {
     std::optional<config::Raster<double>> grid;
     std::vector<config::CodedPolygon> areas;
-    std::string file;  ///< name in messages
+    std::string file{};                       ///< name in messages
+    std::optional<config::Table> by_slope{};  ///< from_deg, surface
 };
 
 std::optional<GroundCover> read_ground_cover(Reading& reading);

@@ -105,14 +105,17 @@ private:
         type.jump_angle_factor = value(row, "jump_angle_factor", angle_factor_range, &usual_angle);
         const double no_friction = like ? like->type.rolling_friction : 0.0;
         type.rolling_friction = value(row, "rolling_friction", rolling_friction_range, &no_friction);
+        const double no_sliding = like ? like->type.sliding_friction : 0.0;
+        type.sliding_friction = value(row, "sliding_friction", sliding_friction_range, &no_sliding);
         read_stopping(row, like, type);
-        type.soil = soil_of(row, like);
+        type.soil = soil_of(row, like, type);
         changes_.apply(std::to_string(type.code), type);
         return type;
     }
 
     /// The soil that the row names, else that of the shipped type.
-    std::optional<rockfall::Soil> soil_of(std::size_t row, const ShippedSurface* like) {
+    std::optional<rockfall::Soil> soil_of(std::size_t row, const ShippedSurface* like,
+                                          const rockfall::SurfaceType& type) {
         if (has_value(table_, row, "soil")) {
             return named_soil(table_, row, "soil", soils_, problems_);
         }
@@ -123,7 +126,9 @@ private:
             refuse(row, table_.has("soil") ? "soil" : "code",
                    "code " + table_.text(row, "code") + " without soil",
                    joined("a soil in a column soil, as rockfall.motion = ", model_.name, " needs it"),
-                   "write a name of `bannwald info pir3d_soils` or of the table terrain.soils");
+                   joined("write soil = ", nearest_soil(type.as_published(), soils_)->name,
+                          " (nearest in r_n and r_t), or another name of `bannwald info pir3d_soils` or of "
+                          "terrain.soils"));
         }
         return std::nullopt;
     }
@@ -241,7 +246,7 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
 
     doubt_columns(table,
                   {"code", "label", "r_n", "r_t", "jump_angle_factor", "p_stop", "rolling_stops_per_m",
-                   "rolling_friction", "like", "soil"},
+                   "rolling_friction", "sliding_friction", "like", "soil"},
                   reading);
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const rockfall::ModelDescription& model =
@@ -309,6 +314,8 @@ std::vector<ShippedSurface> shipped_surfaces() {
             table.number(row, "jump_angle_factor", angle_factor_range, problems).value_or(1.0);
         surface.type.stopping = curves.at(surface.name).stopping;
         surface.type.rolling_stops_per_m = curves.at(surface.name).rolling_stops_per_m;
+        surface.type.sliding_friction =
+            table.number(row, "sliding_friction", sliding_friction_range, problems).value_or(0.0);
         surface.type.soil = named_soil(table, row, "soil", soils, problems);
         surfaces.push_back(std::move(surface));
     }

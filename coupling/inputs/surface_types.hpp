@@ -18,6 +18,7 @@ inline constexpr config::NumberRange angle_factor_range{.low = 0.1, .high = 10.0
 inline constexpr config::NumberRange probability_range{.low = 0.0, .high = 1.0};
 inline constexpr config::NumberRange rolling_stops_range{.low = 0.0, .high = 100.0};
 inline constexpr config::NumberRange rolling_friction_range{.low = 0.01, .high = 2.0};
+inline constexpr config::NumberRange sliding_friction_range{.low = 0.01, .high = 5.0};
 
 /// A row of config/data/surfaces.csv with its rows of stopping.csv.
 struct ShippedSurface {

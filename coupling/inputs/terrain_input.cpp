@@ -140,9 +140,12 @@ HeightInput read_point_cloud(Reading& reading) {
 HeightInput read_given_mesh(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     HeightInput input;
-    input.file = reading.shown(scenario.mesh);
+    const std::string& name = scenario.mesh.empty() ? scenario.meshes : scenario.mesh;
+    input.file = reading.shown(name);
     meshes::MeshInput mesh = meshes::read_mesh(reading);
     input.has_codes = mesh.has_codes;
+    input.mesh_parts = std::move(mesh.parts);
+    input.left_out = std::move(mesh.left_out);
     if (mesh.tin) {
         input.points = std::move(mesh.tin->vertices_m);
         input.faces = std::move(mesh.tin->faces);
@@ -156,7 +159,7 @@ HeightInput read_given_mesh(Reading& reading) {
         input.lines = std::move(mesh.lines);
     }
     input.projection =
-        projection_beside(scenario.mesh, plausible::extent_of(extent_over(input.points)), reading);
+        projection_beside(mesh.first_file, plausible::extent_of(extent_over(input.points)), reading);
     input.map_frame = checked_frame_over(input.points, input.file, reading);
     return input;
 }
@@ -210,9 +213,9 @@ double height_at(const config::Raster<double>& grid, double x_m, double y_m) {
 std::optional<HeightInput> read_heights(Reading& reading) {
     return reading.attempt([&] {
         const Scenario& scenario = reading.scenario();
-        return !scenario.dem.empty()    ? read_dem(reading)
-               : !scenario.mesh.empty() ? read_given_mesh(reading)
-                                        : read_point_cloud(reading);
+        return !scenario.dem.empty() ? read_dem(reading)
+               : scenario.has_mesh() ? read_given_mesh(reading)
+                                     : read_point_cloud(reading);
     });
 }
 
@@ -269,18 +272,18 @@ config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double 
 }
 
 rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
-                                double longest_edge_m) {
+                                double mean_diameter_m, double longest_edge_m) {
+    const double support_m = law.support_m(mean_diameter_m);
     if (input.grid) {
-        return rockfall::triangulate(
-            rockfall::contact_zone(*input.grid, law.contact_support_m, law.contact_shift_m),
-            law.vertical_tolerance_m);
+        return rockfall::triangulate(rockfall::contact_zone(*input.grid, support_m, law.contact_shift_m),
+                                     law.vertical_tolerance_m);
     }
     if (!input.faces.empty()) {
         return rockfall::terrain_of(
-            {rockfall::contact_zone(input.points, law.contact_support_m, law.contact_shift_m), input.faces});
+            {rockfall::contact_zone(input.points, support_m, law.contact_shift_m), input.faces});
     }
     const std::vector<Eigen::Vector3d> felt =
-        rockfall::contact_zone(input.points, law.contact_support_m, law.contact_shift_m);
+        rockfall::contact_zone(input.points, support_m, law.contact_shift_m);
     return input.lines.empty() ? rockfall::triangulate(felt, longest_edge_m)
                                : rockfall::triangulate(felt, input.lines, longest_edge_m);
 }

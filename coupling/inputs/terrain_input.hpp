@@ -20,6 +20,8 @@ struct HeightInput {
     std::vector<rockfall::TinFace> faces;        ///< checked; none: points are triangulated
     std::vector<rockfall::PointPair> lines;      ///< between points, to be edges where these are triangulated
     bool has_codes = false;                      ///< faces carry the codes of their ground, plus 1
+    std::optional<config::Table> mesh_parts;     ///< faces carry the number of their row in it, from 1
+    std::vector<LeftOutFace> left_out;           ///< faces that lay below others
     std::string file;                            ///< name in messages
     std::string projection;                      ///< text of the .prj beside it
 
@@ -44,7 +46,7 @@ config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double 
 
 /// The terrain that rocks feel: heights through the contact zone, triangulated unless they have faces.
 rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
-                                double longest_edge_m);
+                                double mean_diameter_m, double longest_edge_m);
 
 /// Heights on the map frame for pictures: of the grid as read; for points of the terrain.
 config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain);

@@ -101,6 +101,9 @@ std::string hash_of_rows(std::vector<ZoneBlocks> rows) {
 
 std::set<std::uint32_t> zones_of(const SourceInput& input) {
     std::set<std::uint32_t> zones;
+    if (input.everywhere) {
+        zones.insert(1);
+    }
     for (const SourceShape& shape : input.shapes) {
         zones.insert(shape.zone);
     }

@@ -27,7 +27,7 @@ struct PathKeeper {
         pieces.push_back({triangle, false, way.slides, way.start_m, way.end_m, way.squared_speed_start,
                           way.squared_speed_end});
     }
-    void impacted(const Eigen::Vector3d&) {}
+    void impacted(const Eigen::Vector3d&, int) {}
     void met_stem(const Eigen::Vector3d&, const rockfall::StemHit&, const rockfall::TreeImpact&, double) {}
     void met_log(const Eigen::Vector3d&, const rockfall::LogHit&, const rockfall::LogImpact&, double) {}
     void crossed_net(const Eigen::Vector3d&, const rockfall::NetCrossing&) {}

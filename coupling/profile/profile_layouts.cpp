@@ -31,27 +31,37 @@ TableLayout rocks() {
              {"time_s", "s", "time from release to end", simulated},
              {"max_speed_mps", "m/s", "highest speed", simulated},
              {"mean_speed_mps", "m/s", "path divided by time", simulated},
+             {"min_speed_mps", "m/s",
+              "smallest speed on the way; 0 where it starts at rest or rolls to a stop", simulated},
              {"max_energy_kj", "kJ", joined("highest kinetic energy, ", rockfall::what_energies_count()),
               simulated},
              {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
              {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
              {"jumps", "-", "jumps", simulated},
+             {"min_jump_length_m", "m",
+              "shortest jump, straight from launch to end; jumps below 1 mm do not count", simulated},
+             {"mean_jump_length_m", "m", "mean of these lengths", simulated},
+             {"max_jump_length_m", "m", "longest jump", simulated},
              {"ground_impacts", "-", "impacts on the ground", simulated}}};
 }
 
 TableLayout jumps_by_segment() {
-    return {"jumps_by_segment.csv",
-            "a segment of the slope",
-            {{"from_m", "m", "slope length from the upper end of the profile to the begin of the segment",
-              "profile.segment_m"},
-             {"to_m", "m", "slope length to its end", "profile.segment_m"},
-             {"from_distance_m", "m", "plan distance of its begin", "input terrain.profile"},
-             {"to_distance_m", "m", "plan distance of its end", "input terrain.profile"},
-             {"jumps", "-", "jumps that end in it", counted_rocks},
-             {"min_length_m", "m", "shortest jump, straight from impact to impact", simulated},
-             {"mean_length_m", "m", "mean length of the jumps", simulated},
-             {"max_length_m", "m", "longest jump", simulated},
-             {"mean_impact_speed_mps", "m/s", "mean speed before the impact that ends a jump", simulated}}};
+    return {
+        "jumps_by_segment.csv",
+        "a segment of the slope",
+        {{"from_m", "m", "slope length from the upper end of the profile to the begin of the segment",
+          "profile.segment_m"},
+         {"to_m", "m", "slope length to its end", "profile.segment_m"},
+         {"from_distance_m", "m", "plan distance of its begin", "input terrain.profile"},
+         {"to_distance_m", "m", "plan distance of its end", "input terrain.profile"},
+         {"jumps", "-", "jumps that end in it", counted_rocks},
+         {"min_length_m", "m", "shortest jump, straight from impact to impact", simulated},
+         {"mean_length_m", "m", "mean length of the jumps", simulated},
+         {"max_length_m", "m", "longest jump", simulated},
+         {"mean_impact_speed_mps", "m/s", "mean speed before the impact that ends a jump", simulated},
+         {"sd_length_m", "m", "standard deviation of the lengths", simulated},
+         {"mean_height_m", "m", "mean of the jumps' largest heights above the ground, vertical", simulated},
+         {"max_height_m", "m", "largest of these heights", simulated}}};
 }
 
 TableLayout run_out() {
@@ -105,7 +115,10 @@ TableLayout envelope() {
          {"energy_max_kj", "kJ", "its largest value", simulated},
          {"height_mean_m", "m", "mean of each rock's largest height in it, normal to the slope", simulated},
          {"height_95_m", "m", "its 95th percentile (empty: fewer than 20 rocks)", from_wide_bins},
-         {"height_max_m", "m", "its largest value", simulated}}};
+         {"height_max_m", "m", "its largest value", simulated},
+         {"speed_mean_mps", "m/s", "mean of each rock's highest speed in it", simulated},
+         {"speed_95_mps", "m/s", "its 95th percentile (empty: fewer than 20 rocks)", from_bins},
+         {"speed_max_mps", "m/s", "its largest value", simulated}}};
 }
 
 TableLayout paths() {

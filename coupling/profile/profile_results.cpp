@@ -44,10 +44,11 @@ void write_rock(std::ostream& out, const rockfall::RockRecord& record) {
     row.number<2>(record.start_m.x()).number<2>(record.start_m.z());
     row.number<2>(record.end_m.x()).number<2>(record.end_m.z());
     row.number<2>(record.run_out_m()).number<2>(record.path_m).number<2>(record.time_s);
-    row.number<3>(record.max_speed_mps).number<3>(record.mean_speed_mps());
+    row.number<3>(record.max_speed_mps).number<3>(record.mean_speed_mps()).number<3>(record.min_speed_mps);
     row.number<3>(record.max_energy_j / j_per_kj);
     row.number<3>(record.max_height_m).number<3>(record.mean_jump_height_m());
-    row.whole(record.jumps).whole(record.ground_impacts);
+    row.whole(record.jumps).number<3>(record.min_jump_length_m).number<3>(record.mean_jump_length_m());
+    row.number<3>(record.max_jump_length_m).whole(record.ground_impacts);
     row.end();
 }
 
@@ -63,6 +64,8 @@ void write_jumps_by_segment(std::ostream& out, const ProfileResults& results) {
         row.whole(segment.length_m.count());
         row.number<3>(segment.length_m.least()).number<3>(segment.length_m.mean());
         row.number<3>(segment.length_m.most()).number<3>(segment.impact_mps.mean());
+        row.number<3>(segment.length_m.deviation()).number<3>(segment.height_m.mean());
+        row.number<3>(segment.height_m.most());
         row.end();
     }
 }
@@ -116,6 +119,9 @@ void write_envelope(std::ostream& out, const ProfileResults& results) {
         row.number<3>(stretch.height_m.moments.mean());
         row.number<3>(stretch.height_m.quantile(height_bins, 0.95));
         row.number<3>(stretch.height_m.moments.most());
+        row.number<3>(stretch.speed_mps.moments.mean());
+        row.number<3>(stretch.speed_mps.quantile(fine_speed_bins, 0.95));
+        row.number<3>(stretch.speed_mps.moments.most());
         row.end();
     }
 }
@@ -150,7 +156,7 @@ std::vector<WrittenFile> write_results(const ProfileResults& results, const std:
     table("run_out.csv", "Share of rocks whose fall ends beyond each distance, with interval.",
           write_run_out);
     table("stations.csv", "Who passes each station: share, energy, speed, height.", write_stations);
-    table("envelope.csv", "Energy and height along the profile: mean, 95 %, largest.", write_envelope);
+    table("envelope.csv", "Energy, height and speed along the profile: mean, 95 %, largest.", write_envelope);
     table("paths.csv", "Sampled paths, corner by corner.", write_paths);
 
     add_data_dictionary(folder, {profile_layouts(), {}}, files);

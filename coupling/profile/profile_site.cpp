@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/ground_names.hpp"
+#include "coupling/inputs/model_limits.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/surface_types.hpp"
@@ -17,80 +19,8 @@ constexpr config::NumberRange distance_range{.low = -1e5, .high = 1e5};
 constexpr config::NumberRange height_range{.low = -1000.0, .high = 10'000.0};
 /// Corners nearer to each other are taken for one written twice.
 constexpr double least_step_m = 1e-3;
-constexpr std::size_t most_types = 255;
 
-/// Ground types by what the profile calls them: codes of terrain.surface_types, names of shipped types.
-class GroundTypes {
-public:
-    GroundTypes(std::vector<rockfall::SurfaceType> own, std::optional<rockfall::SurfaceType> elsewhere,
-                const config::Options& settings)
-        : types_{std::move(own)},
-          own_{types_.size()},
-          shipped_{shipped_surfaces(settings)},
-          place_of_shipped_(shipped_.size()) {
-        if (elsewhere) {
-            elsewhere_ = types_.size();
-            types_.push_back(std::move(*elsewhere));
-        }
-    }
-
-    /// Place in the list of types; nothing, and a problem, for what no type is called.
-    std::optional<std::uint8_t> place_of(const config::Table& table, std::size_t row,
-                                         config::Problems& problems) {
-        const std::string text = table.has("surface") ? table.text(row, "surface") : "";
-        std::optional<std::size_t> place = text.empty() ? elsewhere_ : own_or_shipped(text);
-        if (place && *place < most_types) {
-            return static_cast<std::uint8_t>(*place);
-        }
-        const std::string column = table.has("surface") ? "surface" : "distance_m";
-        problems.add(config::ExitCode::data, table.place(row, column),
-                     text.empty() ? "no ground type" : "surface " + config::in_quotes(text), expected(text));
-        return std::nullopt;
-    }
-    [[nodiscard]] std::vector<rockfall::SurfaceType> list() && { return std::move(types_); }
-
-private:
-    std::optional<std::size_t> own_or_shipped(const std::string& text) {
-        if (const auto code = config::parse_whole(text)) {
-            for (std::size_t i = 0; i < own_; ++i) {
-                if (types_[i].code == *code) {
-                    return i;
-                }
-            }
-            return std::nullopt;
-        }
-        for (std::size_t i = 0; i < shipped_.size(); ++i) {
-            if (shipped_[i].name == text) {
-                if (!place_of_shipped_[i]) {
-                    place_of_shipped_[i] = types_.size();
-                    types_.push_back(shipped_[i].type);
-                }
-                return place_of_shipped_[i];
-            }
-        }
-        return std::nullopt;
-    }
-    [[nodiscard]] std::string expected(const std::string& text) const {
-        if (text.empty()) {
-            return "a shipped ground type or a code in a column surface, or terrain.ground";
-        }
-        std::vector<std::string> names;
-        for (const ShippedSurface& surface : shipped_) {
-            names.push_back(surface.name);
-        }
-        const std::string nearest = config::nearest_word(text, names);
-        return "a name of `bannwald info surfaces` or a code of terrain.surface_types" +
-               (nearest.empty() ? "" : " (" + nearest + "?)");
-    }
-
-    std::vector<rockfall::SurfaceType> types_;
-    std::size_t own_;
-    std::optional<std::size_t> elsewhere_;
-    std::vector<ShippedSurface> shipped_;
-    std::vector<std::optional<std::size_t>> place_of_shipped_;
-};
-
-std::vector<rockfall::ProfilePoint> corners_of(const config::Table& table, GroundTypes& types,
+std::vector<rockfall::ProfilePoint> corners_of(const config::Table& table, GroundNames& types,
                                                config::Problems& problems) {
     std::vector<rockfall::ProfilePoint> corners;
     if (!table.require({"distance_m", "height_m"}, problems)) {
@@ -108,7 +38,8 @@ std::vector<rockfall::ProfilePoint> corners_of(const config::Table& table, Groun
         // The last corner carries no ground.
         const bool needs_surface =
             row + 1 < table.rows() || (table.has("surface") && !table.text(row, "surface").empty());
-        const auto surface = needs_surface ? types.place_of(table, row, problems) : surface_before;
+        const auto surface =
+            needs_surface ? types.place_of(table, row, "distance_m", problems) : surface_before;
         if (distance_m && before_m && *distance_m < *before_m + least_step_m) {
             problems.add(
                 config::ExitCode::data, table.place(row, "distance_m"),
@@ -235,7 +166,7 @@ std::optional<Files> read_files(Reading& reading) {
     }
     return reading.attempt([&] {
         const config::Table table = reading.table("terrain.profile", "profile", reading.scenario().profile);
-        GroundTypes types{std::move(*own), std::move(*elsewhere), *reading.scenario().options};
+        GroundNames types{std::move(*own), std::move(*elsewhere), *reading.scenario().options};
         config::Problems problems;
         Files files;
         files.corners = corners_of(table, types, problems);
@@ -308,8 +239,9 @@ ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
     doubt_narrow_steps(files->corners, reading);
 
     const rockfall::GroundLaw& law = scenario.rockfall.ground;
-    const std::vector<rockfall::ProfilePoint> felt =
-        rockfall::contact_zone(files->corners, law.contact_support_m, law.contact_shift_m);
+    const std::vector<rockfall::ProfilePoint> felt = rockfall::contact_zone(
+        files->corners, law.support_m(rockfall::diameter_range(start_law(scenario), {}).mean_m),
+        law.contact_shift_m);
     ProfileSite site{.corners = std::move(files->corners),
                      .slope = rockfall::strip_slope(felt, std::move(files->types)),
                      .start_m = start_m,
@@ -317,6 +249,7 @@ ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
                      .inputs = reading.inputs()};
     add_logo(scenario, site.inputs);
     doubt_start(site, scenario, reading);
+    warn_of_model_limits(site.slope, {}, reading);
     reading.problems().throw_if_any();
     return site;
 }

@@ -121,12 +121,14 @@ void ProfileTally::add(const ProfileSite& site, const WatchedFall& fall, bool re
             SegmentTally& segment = segments[piece_of(at_m, segment_m, segments.size())];
             segment.length_m.add(jump.length_m());
             segment.impact_mps.add(jump.impact_mps);
+            segment.height_m.add(jump.highest_m);
             jump_length_m.add(jump.length_m());
         }
     }
     for (const CellVisit& visit : fall.visits) {
         stretches[visit.cell].energy_j.add(energy_bins, static_cast<double>(visit.energy_j));
         stretches[visit.cell].height_m.add(height_bins, static_cast<double>(visit.height_m));
+        stretches[visit.cell].speed_mps.add(fine_speed_bins, static_cast<double>(visit.speed_mps));
     }
     if (!fall.path.empty()) {
         paths.push_back({record.rock, fall.path});

@@ -63,12 +63,14 @@ std::array<Share, rockfall::counted_energies_j.size()> rates_of(const StationTal
 struct SegmentTally {
     Moments length_m;  ///< straight from impact to impact
     Moments impact_mps;
+    Moments height_m;  ///< largest height of each above the ground, vertical
 };
 
 /// The largest values of each rock in a stretch of the profile.
 struct StretchTally {
-    Spread energy_j;  ///< energy_bins
-    Spread height_m;  ///< normal to the slope, height_bins
+    Spread energy_j;   ///< energy_bins
+    Spread height_m;   ///< normal to the slope, height_bins
+    Spread speed_mps;  ///< fine_speed_bins
 };
 
 struct SampledPath {

@@ -100,7 +100,9 @@ const std::vector<TableLayout>& dictionary_layouts() {
 
 std::vector<Column> raster_columns() {
     std::vector<Column> columns;
-    for (const RasterKind& kind : raster_kinds()) {
+    std::vector<RasterKind> kinds = raster_kinds();
+    kinds.push_back(repeats_kind());
+    for (const RasterKind& kind : kinds) {
         columns.push_back({std::string{kind.stem}, std::string{kind.unit}, std::string{kind.meaning},
                            kind.percentile ? "simulated; bins, at most 3.2 % from the value" : "simulated"});
     }

@@ -1,6 +1,7 @@
 #include "coupling/results/rasters.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -227,7 +228,44 @@ void write_kind(Writer& writer, const RasterKind& kind) {
     }
 }
 
+/// Of one slope, in percent of all repeats.
+config::Raster<float> repeats_raster(const RunResults& results, Cover cover) {
+    config::Raster<float> raster{results.site.map_frame, no_value};
+    const rockfall::CellTally& tally = results.tally.cells[index_of(cover)];
+    for (std::size_t cell = 0; cell < tally.repeats.size(); ++cell) {
+        if (tally.cells[cell].passages > 0) {
+            raster.values[cell] = 100.0F * static_cast<float>(std::popcount(tally.repeats[cell])) /
+                                  static_cast<float>(results.scenario.repeats);
+        }
+    }
+    return raster;
+}
+
+void write_repeats(Writer& writer) {
+    const RasterKind& kind = repeats_kind();
+    const auto style = [&](std::ostream& out) { write_style(out, kind, {0.0F, 100.0F}); };
+    if (writer.results.with_forest) {
+        writer.write(kind, "forest", sentence_of(kind, "with forest"),
+                     repeats_raster(writer.results, Cover::forest), style);
+    }
+    writer.write(kind, "bare", sentence_of(kind, "on the bare slope"),
+                 repeats_raster(writer.results, Cover::bare), style);
+}
+
 }  // namespace
+
+const RasterKind& repeats_kind() {
+    static const RasterKind kind{
+        "Reached_in_repeats",
+        "%",
+        "share of the repeats in which at least one rock passed the cell",
+        RasterStyle::linear,
+        Palette::reach,
+        false,
+        false,
+        [](const CellSums&, const CellHistograms*, std::size_t) { return no_value; }};
+    return kind;
+}
 
 const std::vector<RasterKind>& raster_kinds() {
     static const std::vector<RasterKind> kinds = [] {
@@ -320,6 +358,10 @@ std::vector<WrittenFile> write_rasters(const RunResults& results, const std::fil
             watch(std::string{"rasters, "}.append(kind.stem));
             write_kind(writer, kind);
         }
+    }
+    if (results.scenario.repeats > 0) {
+        watch("rasters, Reached_in_repeats");
+        write_repeats(writer);
     }
     return written;
 }

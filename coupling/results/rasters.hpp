@@ -42,6 +42,9 @@ const std::vector<RasterKind>& raster_kinds();
 /// Requires a stem of the list.
 const RasterKind& raster_kind(std::string_view stem);
 
+/// Share of the repeats in which a cell is reached: written where output.repeats asks for it.
+const RasterKind& repeats_kind();
+
 /// One raster on the frame of the maps in absolute coordinates; NaN where no rock passed. Requires
 /// distributions for a percentile.
 config::Raster<float> raster_of(const RasterKind& kind, const RunResults& results, Cover cover);

@@ -8,6 +8,7 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/observed/events.hpp"
 #include "coupling/observed/stops.hpp"
 #include "coupling/results/breakdown.hpp"
 #include "rockfall/ensemble.hpp"
@@ -28,9 +29,10 @@ struct RunResults {
     std::uint64_t rocks = 0;
     bool with_forest = false;  ///< false: neither trees nor logs, only the bare slope was assessed
     std::string version;
-    std::vector<observed::StopComparison> observed_stops{};  ///< empty where none were observed
-    std::vector<rockfall::RockImpacts> impacts{};            ///< where wanted, of the rocks of `paths`
-    Breakdown breakdown{};                                   ///< arrivals by place, zone and size
+    std::vector<observed::StopComparison> observed_stops{};    ///< empty where none were observed
+    std::vector<observed::EventComparison> observed_events{};  ///< empty where none were observed
+    std::vector<rockfall::RockImpacts> impacts{};              ///< where wanted, of the rocks of `paths`
+    Breakdown breakdown{};                                     ///< arrivals by place, zone and size
 };
 
 }  // namespace coupling

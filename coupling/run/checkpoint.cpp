@@ -121,6 +121,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
     write(out, checkpoint);
     for (std::size_t c = 0; c < rockfall::covers; ++c) {
         out.list(tally.cells[c].cells);
+        out.list(tally.cells[c].repeats);
         write(out, tally.runs[c]);
         write(out, histograms[c]);
     }
@@ -174,6 +175,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
     checkpoint.net_rows = read_net_rows(in);
     for (std::size_t c = 0; c < rockfall::covers; ++c) {
         tally.cells[c].cells = in.list<rockfall::CellSums>();
+        tally.cells[c].repeats = in.list<std::uint64_t>();
         read(in, tally.runs[c]);
         read(in, histograms[c]);
     }

@@ -11,6 +11,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/nets/net_paths.hpp"
+#include "coupling/observed/events_of_rocks.hpp"
 #include "coupling/results/excel_csv.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/fall_rocks.hpp"
@@ -22,6 +23,7 @@
 #include "coupling/run/writing_progress.hpp"
 #include "coupling/today/arrival_breakdown.hpp"
 #include "coupling/today/closing_summary.hpp"
+#include "coupling/today/observed_events.hpp"
 #include "coupling/today/observed_stops.hpp"
 #include "coupling/today/row_tables.hpp"
 #include "coupling/today/write_results.hpp"
@@ -111,6 +113,7 @@ public:
         assessment_.logs = &logs_;
         assessment_.nets = &nets_;
         assessment_.path_rocks = path_rocks_;
+        assessment_.repeats = static_cast<std::uint32_t>(scenario.repeats);
         if (scenario.sample_paths > 0) {
             assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.sample_paths);
         }
@@ -125,6 +128,8 @@ public:
 private:
     Ended keep_paths(const std::filesystem::path& file);
     [[nodiscard]] std::vector<rockfall::RockImpacts> kept_impacts() const;
+    [[nodiscard]] std::vector<observed::EventComparison> observed_events(
+        const std::filesystem::path& rows) const;
 
     const RunRequest& request_;
     const Scenario& scenario_;
@@ -221,6 +226,23 @@ std::vector<rockfall::RockImpacts> AssessmentRun::kept_impacts() const {
     return impacts_of(assessment_, rocks);
 }
 
+/// `rows` is the folder of the finished arrivals.csv.
+std::vector<observed::EventComparison> AssessmentRun::observed_events(
+    const std::filesystem::path& rows) const {
+    const rockfall::Cover cover = assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
+    std::vector<observed::SimulatedPassage> passages;
+    if (!site_.observed_events.passages.empty()) {
+        passages = simulated_passages(rows / "arrivals.csv", site_, cover);
+    }
+    std::vector<observed::SimulatedImpact> impacts;
+    if (!site_.observed_events.impacts.empty()) {
+        impacts =
+            observed::simulated_impacts(impacts_of(assessment_, observed::rocks_for_impacts(rocks_)), cover);
+    }
+    return observed::compare_events(site_, passages, impacts,
+                                    total_.runs[static_cast<std::size_t>(cover)].rocks);
+}
+
 Ended AssessmentRun::write(OutputFolder& folder) {
     if (state_.not_started > 0) {
         warnings_.add(std::to_string(state_.not_started) +
@@ -252,6 +274,7 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         version(),
         compare_stops(site_, assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest,
                       folder.parts()),
+        observed_events(folder.parts()),
         kept_impacts(),
         breakdown_of(folder.parts(), scenario_, site_)};
     std::vector<WrittenFile> written;

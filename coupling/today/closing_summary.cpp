@@ -1,5 +1,6 @@
 #include "coupling/today/closing_summary.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 #include "config/text/joined.hpp"
@@ -74,6 +75,18 @@ void print_observed(const std::vector<observed::StopComparison>& comparisons) {
     }
 }
 
+void print_observed(const std::vector<observed::EventComparison>& comparisons) {
+    for (const observed::EventComparison& one : comparisons) {
+        std::printf("  %s: observed %.3g (%zu), simulated %.3g (%zu) %s", one.name().c_str(),
+                    one.observed.mean, one.observed.count, one.simulated.mean, one.simulated.count,
+                    one.unit.c_str());
+        if (std::isfinite(one.largest_distance)) {
+            std::printf("; KS %.2f (by chance %.2f)", one.largest_distance, one.distance_by_chance);
+        }
+        std::printf("\n");
+    }
+}
+
 }  // namespace
 
 void print_summary(const RunResults& results, const std::filesystem::path& folder,
@@ -90,6 +103,7 @@ void print_summary(const RunResults& results, const std::filesystem::path& folde
             in_words(results.site.nets[figures.net], figures, results.scenario.nets.wanted_share).c_str());
     }
     print_observed(results.observed_stops);
+    print_observed(results.observed_events);
     print_files(folder, written, verbose);
 }
 

@@ -18,7 +18,8 @@ struct GroundColumn {
     const char* head = "";                  ///< on the page: a key of its texts
     int page_decimals = 2;                  ///< above 2: three digits, as the figure spans powers of ten
     double page_factor = 1.0;               ///< from the unit of the column to that of the page
-    const char* page_note = "";             ///< below the table where the column is shown: a key of the texts
+    const char* repeats = "";  ///< column without which this one is shown on the page only where they differ
+    const char* page_note = "";  ///< below the table where the column is shown: a key of the texts
 };
 
 /// The name of the column that holds text: the soil.

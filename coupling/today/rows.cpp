@@ -73,6 +73,16 @@ void append_centimetres(std::string& text, double value_m) {
     text.append(digits.data(), end);
 }
 
+/// "3:12 5:2": code of the ground and impacts on it, by code.
+std::string impacts_in_words(std::vector<rockfall::GroundCount> counts) {
+    std::sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.ground < b.ground; });
+    std::string text;
+    for (const rockfall::GroundCount& one : counts) {
+        text += (text.empty() ? "" : " ") + std::to_string(one.ground) + ":" + std::to_string(one.impacts);
+    }
+    return text;
+}
+
 std::size_t columns_of(std::string_view file) {
     return layout_of(static_layouts(), file).columns.size();
 }
@@ -95,10 +105,13 @@ void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cov
     row.number<1>(azimuth_deg((record.end_m - record.start_m).head<2>()));
     end_ground ? row.whole(static_cast<unsigned>(*end_ground)) : row.empty();
     row.number<2>(record.path_m).number<2>(record.time_s);
-    row.number<3>(record.max_speed_mps).number<3>(record.mean_speed_mps());
+    row.number<3>(record.max_speed_mps).number<3>(record.mean_speed_mps()).number<3>(record.min_speed_mps);
     row.number<3>(record.max_energy_j / j_per_kj);
     row.number<3>(record.max_height_m).number<3>(record.mean_jump_height_m());
-    row.whole(record.jumps).whole(record.ground_impacts).whole(record.tree_hits).whole(record.trees_broken);
+    row.whole(record.jumps).number<3>(record.min_jump_length_m).number<3>(record.mean_jump_length_m());
+    row.number<3>(record.max_jump_length_m).whole(record.ground_impacts);
+    row.text(impacts_in_words(record.impacts_by_ground));
+    row.whole(record.tree_hits).whole(record.trees_broken);
     row.number<3>(record.tree_energy_j / j_per_kj);
     row.whole(record.log_hits).whole(record.logs_broken).number<3>(record.log_energy_j / j_per_kj);
     row.end();

@@ -140,6 +140,42 @@ TableLayout impacts() {
             together(first, place_columns("", "the rock's underside"), rest)};
 }
 
+TableLayout observed_events() {
+    return {
+        "observed_events.csv",
+        "a quantity of passages or impacts, observed or simulated",
+        {{"event", "text", "passage at a target, or impact on the ground", "definition"},
+         {"target_id", "text", "target of a passage", "input observed.passages"},
+         {"group", "text", "column group; all: every row", "input observed.passages, observed.impacts"},
+         {"quantity", "text", "what was measured; passing_share: of all rocks; speed_ratio: after by before",
+          "definition"},
+         {"unit", "text", "unit of the figures", "definition"},
+         {"side", "text", "observed or simulated", "definition"},
+         {"count", "-", "values", counted},
+         {"mean", "as the row says", "mean; of passing_share the share", "as the row says"},
+         {"deviation", "as the row says", "standard deviation (n - 1)", "as the row says"},
+         {"p10", "as the row says", "10 % quantile", "as the row says"},
+         {"p25", "as the row says", "25 % quantile", "as the row says"},
+         {"p50", "as the row says", "median", "as the row says"},
+         {"p75", "as the row says", "75 % quantile", "as the row says"},
+         {"p90", "as the row says", "90 % quantile", "as the row says"},
+         {"largest", "as the row says", "largest value", "as the row says"},
+         {"ks", "-", "largest distance between the distributions (Kolmogorov-Smirnov)", "both distributions"},
+         {"ks_by_chance", "-", "what 5 % of samples of one distribution exceed", "Smirnov 1948"},
+         {"energy_distance", "as the row says", "2 E|X - Y| - E|X - X'| - E|Y - Y'|",
+          "Szekely & Rizzo 2013"}}};
+}
+
+TableLayout mesh_left_out() {
+    const std::vector<Column> first{
+        {"mesh", "text", "file of the face", "input terrain.mesh"},
+        {"face", "-", "number of the face in the file, from 1", "input terrain.mesh"}};
+    const std::vector<Column> rest{{"area_m2", "m2", "area of the face in space", "input terrain.mesh"},
+                                   {"wkt", "text", "the face as POLYGON Z in metres", "input terrain.mesh"}};
+    return {"mesh_left_out.csv", "a face of the mesh that lay below another one",
+            together(first, place_columns("", "the middle of the face"), rest)};
+}
+
 TableLayout observed_stops() {
     const auto run_out = [](const char* name, const std::string& of) {
         return Column{name, "m", joined(of, " of the plan distance from release to stop"), "as the row says"};
@@ -219,12 +255,21 @@ TableLayout rocks() {
         {"time_s", "s", "time from release to end", simulated},
         {"max_speed_mps", "m/s", "highest speed", simulated},
         {"mean_speed_mps", "m/s", "path divided by time", simulated},
+        {"min_speed_mps", "m/s", "smallest speed on the way; 0 where it starts at rest or rolls to a stop",
+         simulated},
         {"max_energy_kj", "kJ", joined("highest kinetic energy, ", rockfall::what_energies_count()),
          simulated},
         {"max_height_m", "m", "largest height of the underside above the ground, vertical", simulated},
         {"mean_jump_height_m", "m", "mean over the jumps of their largest heights", simulated},
         {"jumps", "-", "jumps", simulated},
+        {"min_jump_length_m", "m",
+         "shortest jump, straight from launch to end; jumps below 1 mm do not count", simulated},
+        {"mean_jump_length_m", "m", "mean of these lengths", simulated},
+        {"max_jump_length_m", "m", "longest jump", simulated},
         {"ground_impacts", "-", "impacts on the ground", simulated},
+        {"impacts_by_ground", "text",
+         "code of the ground type and impacts on it, such as 3:12 5:2; blanks between the grounds",
+         simulated},
         {"tree_hits", "-", "hits on trees", simulated},
         {"trees_broken", "-", "hits with more energy than the tree can take", simulated},
         {"tree_energy_kj", "kJ", "energy taken by trees", simulated},
@@ -305,7 +350,8 @@ const std::vector<TableLayout>& static_layouts() {
                                      rocks(),          arrivals(),     tree_hits(),
                                      log_hits(),       trajectories(), trajectories_wkt(),
                                      observed_stops(), impacts(),      along_lines(),
-                                     by_zone(),        by_size()};
+                                     by_zone(),        by_size(),      mesh_left_out(),
+                                     observed_events()};
         const std::vector<TableLayout> of_nets = net_layouts();
         all.insert(all.end(), of_nets.begin(), of_nets.end());
         return all;

@@ -3,6 +3,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/json.hpp"
+#include "coupling/today/observed_events.hpp"
 #include "coupling/today/observed_stops.hpp"
 
 namespace coupling {
@@ -104,6 +105,9 @@ void write_summary(std::ostream& out, const RunResults& results, const Figures& 
     }
     if (!results.observed_stops.empty()) {
         summary["observed_stops"] = json_observed_stops(results.observed_stops);
+    }
+    if (!results.observed_events.empty()) {
+        summary["observed_events"] = json_observed_events(results.observed_events);
     }
     summary["warnings"] = results.warnings.sentences();
     write_json_summary(out, std::move(summary), results.site.inputs, results.scenario, files);

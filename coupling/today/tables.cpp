@@ -5,11 +5,13 @@
 #include <span>
 #include <string>
 
+#include "config/text/numbers.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figure_columns.hpp"
 #include "coupling/today/arrival_breakdown.hpp"
 #include "coupling/today/grounds.hpp"
 #include "coupling/today/impact_table.hpp"
+#include "coupling/today/observed_events.hpp"
 #include "coupling/today/observed_stops.hpp"
 #include "coupling/today/rows.hpp"
 #include "coupling/today/static_layouts.hpp"
@@ -35,6 +37,24 @@ void write_all_paths(OutFile& points, OutFile& lines, const RunResults& results)
     for (const rockfall::PathRecord& path : results.paths) {
         write_path(points.stream(), path.rock, path.cover, origin_m, path.points);
         write_path_wkt(lines.stream(), path.rock, path.cover, origin_m, path.points);
+    }
+}
+
+void write_left_out_faces(std::ostream& out, const std::vector<LeftOutFace>& faces) {
+    TableRows row{out, static_layouts(), "mesh_left_out.csv"};
+    for (const LeftOutFace& face : faces) {
+        const auto& [a, b, c] = face.corners_m;
+        const Eigen::Vector3d middle_m = (a + b + c) / 3.0;
+        row.text(face.file).whole(face.number);
+        row.number<2>(middle_m.x()).number<2>(middle_m.y()).number<2>(middle_m.z());
+        row.number<3>(0.5 * (b - a).cross(c - a).norm());
+        std::string wkt = "POLYGON Z ((";
+        for (const Eigen::Vector3d& corner : {a, b, c, a}) {
+            wkt += (wkt.ends_with('(') ? "" : ",") + config::to_text(corner.x()) + " " +
+                   config::to_text(corner.y()) + " " + config::to_text(corner.z());
+        }
+        row.text(wkt + "))");
+        row.end();
     }
 }
 
@@ -181,6 +201,15 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
     if (!results.observed_stops.empty()) {
         write("observed_stops.csv", "Where rocks were seen to stop beside where the simulated ones do.",
               [&](std::ostream& out) { write_observed_stops(out, results.observed_stops); });
+    }
+    if (!results.observed_events.empty()) {
+        write("observed_events.csv",
+              "Rocks that were seen at targets and single impacts, beside the simulated ones.",
+              [&](std::ostream& out) { write_observed_events(out, results.observed_events); });
+    }
+    if (!results.site.left_out_faces.empty()) {
+        write("mesh_left_out.csv", "Faces of the mesh that lay below others and are no part of the terrain.",
+              [&](std::ostream& out) { write_left_out_faces(out, results.site.left_out_faces); });
     }
     write("grounds.csv", "The ground types that occur, with the parameters that the motion model uses.",
           [&](std::ostream& out) { write_grounds(out, results); });

@@ -28,6 +28,10 @@ struct SegmentJumps {
     double shortest_m = 0.0;  ///< straight from impact to impact
     double mean_m = 0.0;
     double longest_m = 0.0;
+    double deviation_m = 0.0;    ///< n - 1; NaN of one jump
+    double mean_height_m = 0.0;  ///< of their largest heights above the ground, vertical
+    double highest_m = 0.0;
+    bool upper = true;  ///< in the upper half of the slope length
 };
 
 /// A corner of a curve.
@@ -43,7 +47,8 @@ struct VariantOutcome {
     Values values;
     std::vector<CurvePoint> run_out;  ///< (plan distance [m], share of rocks that get further)
     std::vector<CurvePoint> run_out_low, run_out_high;  ///< 5 and 95 % of the small series
-    std::vector<double> tree_hits;    ///< share of rocks by number of hits; empty without stand
+    std::vector<double> tree_hits;  ///< share of rocks by number of hits; empty without stand
+    std::vector<double> tree_hits_low, tree_hits_high;  ///< 5 and 95 % of the small series
     std::vector<double> hit_heights;  ///< share of hits by height, bins of 0.5 m; empty without
     std::vector<SegmentJumps> jumps;
 };
@@ -71,9 +76,10 @@ struct VerdictRow {
     std::string published_source;
     Value strict_value;
     Value default_value;
-    std::optional<double> low, high;  ///< criterion
-    std::string rests_on;             ///< "independent" or "rebuilding"
-    std::string rule;                 ///< where the criterion comes from
+    std::optional<Value> scatter_value{};  ///< of the variant strict_scatter, where the case has it
+    std::optional<double> low, high;       ///< criterion
+    std::string rests_on;                  ///< "independent" or "rebuilding"
+    std::string rule;                      ///< where the criterion comes from
     Verdict strict_verdict = Verdict::no_criterion;
     Verdict default_verdict = Verdict::no_criterion;
     std::string cause;  ///< likely cause of a miss, as the case's folder states it

@@ -174,10 +174,13 @@ private:
 
 }  // namespace
 
-void JumpSums::add(double length_m) {
+void JumpSums::add(double length_m, double height_m) {
     shortest_m = jumps == 0 ? length_m : std::min(shortest_m, length_m);
     longest_m = jumps == 0 ? length_m : std::max(longest_m, length_m);
     sum_m += length_m;
+    squares_m2 += length_m * length_m;
+    height_sum_m += height_m;
+    highest_m = std::max(highest_m, height_m);
     ++jumps;
 }
 
@@ -188,6 +191,9 @@ void JumpSums::add(const JumpSums& other) {
     shortest_m = jumps == 0 ? other.shortest_m : std::min(shortest_m, other.shortest_m);
     longest_m = jumps == 0 ? other.longest_m : std::max(longest_m, other.longest_m);
     sum_m += other.sum_m;
+    squares_m2 += other.squares_m2;
+    height_sum_m += other.height_sum_m;
+    highest_m = std::max(highest_m, other.highest_m);
     jumps += other.jumps;
 }
 
@@ -224,7 +230,7 @@ void Falls::add(const WatchedFall& fall, const RebuiltSlope& slope, const SlopeL
         if (segment >= segments.size()) {
             segments.resize(segment + 1);
         }
-        segments[segment].add(jump.length_m());
+        segments[segment].add(jump.length_m(), jump.highest_m);
     }
     rocks.push_back(facts);
     for (rockfall::Arrival arrival : fall.arrivals) {

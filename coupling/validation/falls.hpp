@@ -34,8 +34,11 @@ struct JumpSums {
     double shortest_m = 0.0;
     double sum_m = 0.0;
     double longest_m = 0.0;
+    double squares_m2 = 0.0;    ///< of the lengths
+    double height_sum_m = 0.0;  ///< of their largest heights above the ground
+    double highest_m = 0.0;
 
-    void add(double length_m);
+    void add(double length_m, double height_m);
     void add(const JumpSums& other);
 };
 

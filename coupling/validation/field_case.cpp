@@ -7,15 +7,12 @@
 #include <string_view>
 #include <utility>
 
-#include "config/errors/warnings.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/scenario.hpp"
-#include "coupling/inputs/site.hpp"
 #include "coupling/observed/stops.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/run/fall_rocks.hpp"
-#include "coupling/validation/interrupted.hpp"
+#include "coupling/validation/field_events.hpp"
+#include "coupling/validation/field_falls.hpp"
 #include "coupling/validation/unpacked_case.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -23,19 +20,9 @@ namespace coupling::validation {
 namespace {
 
 using config::joined;
+using observed::EventComparison;
 using observed::StopComparison;
 using observed::StopFigures;
-
-/// A scenario opened with one motion model.
-struct Opened {
-    std::string model;
-    std::unique_ptr<Scenario> scenario;
-    Site site;
-
-    [[nodiscard]] std::uint64_t rocks() const {
-        return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-    }
-};
 
 /// A figure of the stops of a group.
 struct Measure {
@@ -79,40 +66,6 @@ std::string label_of(const std::string& model, const Measure& measure, const std
     return joined(measure.label, group.empty() ? "" : ", ", group, model.empty() ? "" : ", ", model);
 }
 
-std::vector<observed::SimulatedStop> fall(const Opened& opened, const Work& work) {
-    const Scenario& scenario = *opened.scenario;
-    const Site& site = opened.site;
-    const config::GridFrame frame = site.map_frame_on_terrain();
-    const rockfall::StartLaw start = start_law(scenario);
-    const double largest_radius_m = 0.5 * rockfall::diameter_range(start, site.sources).largest_m;
-    const rockfall::StemIndex stems{site.stems(), site.slope.terrain, largest_radius_m,
-                                    scenario.rockfall.fall.tree.taper};
-    const rockfall::LogIndex logs{site.lying_logs(), site.slope.terrain, largest_radius_m,
-                                  scenario.rockfall.fall.log.loose_share};
-    const rockfall::NetIndex nets{site.standing_nets()};
-    rockfall::Assessment assessment{
-        site.slope, stems, site.sources, site.targets, start, scenario.rockfall.fall, frame, scenario.seed};
-    assessment.logs = &logs;
-    assessment.nets = &nets;
-    const rockfall::Cover cover = assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
-    rockfall::EnsembleTally total{frame, site.targets.size(), stems.placed().size(), logs.count()};
-    const Eigen::Vector2d origin_m = site.origin_m();
-    std::vector<observed::SimulatedStop> stops;
-    const auto keep = [&](const rockfall::ChunkRows& rows) {
-        for (const rockfall::RockRecord& rock : rows.rocks[static_cast<std::size_t>(cover)]) {
-            stops.push_back({rock.start_m.head<2>() + origin_m, rock.end_m.head<2>() + origin_m,
-                             site.sources[rock.source].zone,
-                             rock.reason == rockfall::StopReason::left_terrain});
-        }
-        work.done(rows.rocks[static_cast<std::size_t>(cover)].size() + rows.not_started);
-    };
-    if (fall_rocks_over(cover, assessment, rockfall::plan_chunks(site.sources), work.threads, total, keep) ==
-        Ended::interrupted) {
-        throw Interrupted{};
-    }
-    return stops;
-}
-
 PlotSeries curve(const std::string& name, const std::string& style, const std::vector<double>& run_out_m) {
     constexpr std::size_t most_points = 300;
     const std::size_t step = std::max<std::size_t>(1, run_out_m.size() / most_points);
@@ -130,6 +83,7 @@ PlotSeries curve(const std::string& name, const std::string& style, const std::v
 struct ModelStops {
     std::string model;
     std::vector<StopComparison> groups;
+    std::vector<EventComparison> events;
 };
 
 Plot plot_of(const std::vector<ModelStops>& models, std::size_t group) {
@@ -181,7 +135,7 @@ PlainTable table_of(const std::vector<ModelStops>& models) {
 }
 
 /// The models whose rocks fall on one opened scenario each, the scenario's own first.
-using AllOpened = std::vector<Opened>;
+using AllOpened = std::vector<OpenedField>;
 
 /// Figures of the scenario's own model bear no prefix.
 std::string prefix_of(const AllOpened& all, std::size_t place) {
@@ -192,9 +146,11 @@ Outcome compare(const AllOpened& all, const Work& work) {
     std::vector<ModelStops> models;
     Outcome outcome;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        models.push_back(
-            {all[i].model, observed::compare_stops(all[i].site.observed_stops, fall(all[i], work))});
-        if (models.back().groups.empty()) {
+        FallenField fallen = fall_field(all[i], work);
+        models.push_back({all[i].model, observed::compare_stops(all[i].site.observed_stops, fallen.stops),
+                          std::move(fallen.events)});
+        take_event_values(prefix_of(all, i), models.back().events, outcome);
+        if (models.back().groups.empty() && !all[i].site.observed_stops.empty()) {
             config::fail(config::ExitCode::data, {}, joined("no rock that starts, under ", all[i].model),
                          "rocks to compare");
         }
@@ -205,29 +161,34 @@ Outcome compare(const AllOpened& all, const Work& work) {
             }
         }
     }
-    PlotGroup plots{.title = "Run-out", .plots = {}, .small = false};
-    for (std::size_t group = 0; group < models.front().groups.size(); ++group) {
-        plots.plots.push_back(plot_of(models, group));
+    if (!models.front().groups.empty()) {
+        PlotGroup plots{.title = "Run-out", .plots = {}, .small = false};
+        for (std::size_t group = 0; group < models.front().groups.size(); ++group) {
+            plots.plots.push_back(plot_of(models, group));
+        }
+        outcome.plots.push_back(std::move(plots));
+        outcome.tables.push_back(table_of(models));
     }
-    outcome.plots.push_back(std::move(plots));
-    outcome.tables.push_back(table_of(models));
+    if (std::vector<ModelEvents> of_models; !models.front().events.empty()) {
+        for (const ModelStops& model : models) {
+            of_models.push_back({model.model, model.events});
+        }
+        outcome.tables.push_back(events_table(of_models));
+    }
     return outcome;
 }
 
-Opened open_with(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                 const std::string& model) {
+OpenedField open_observed(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                          const std::string& model) {
     std::vector<std::string> all{overrides};
     if (!model.empty()) {
         all.push_back(joined("rockfall.motion=", model));
     }
-    std::unique_ptr<Scenario> scenario = read_scenario(file, all);
-    config::Warnings warnings;  // those of the scenario itself: `bannwald check` prints them
-    Site site = open_site(*scenario, warnings);
-    const auto& description = rockfall::description_of(scenario->rockfall.fall.motion.model);
-    Opened opened{std::string{description.name}, std::move(scenario), std::move(site)};
-    if (opened.site.observed_stops.empty()) {
+    OpenedField opened = open_field(file, all);
+    if (opened.site.observed_stops.empty() && opened.site.observed_events.empty()) {
         config::fail(config::ExitCode::settings, opened.scenario->options->place_of("observed.stops"),
-                     "no observed.stops", "a table of the stops that were observed");
+                     "neither observed.stops nor observed.passages nor observed.impacts",
+                     "a table of what was observed");
     }
     return opened;
 }
@@ -267,26 +228,37 @@ Comparison read_field(const CaseFiles& files, const FieldSettings& settings,
     const UnpackedCase folder{files};
     const std::filesystem::path file = folder.path() / settings.scenario;
     auto all = std::make_shared<AllOpened>();
-    all->push_back(open_with(file, overrides, ""));
+    all->push_back(open_observed(file, overrides, ""));
     for (const rockfall::MotionModel model : rockfall::all_models()) {
         const std::string name{rockfall::description_of(model).name};
         if (name == all->front().model) {
             continue;
         }
         try {
-            all->push_back(open_with(file, overrides, name));
+            all->push_back(open_observed(file, overrides, name));
         } catch (const config::InputError& error) {
             notes.push_back(joined(name, " left out: ", error.what()));
         }
     }
     Comparison comparison;
-    for (const Opened& opened : *all) {
+    for (const OpenedField& opened : *all) {
         comparison.pieces += opened.rocks();
     }
-    comparison.extent = joined(std::to_string(all->front().site.observed_stops.size()), " observed stops, ",
-                               std::to_string(all->front().rocks()), " rocks for each of ",
-                               std::to_string(all->size()), " motion models");
-    name_figures(*all, comparison);
+    const Site& first = all->front().site;
+    comparison.extent =
+        joined(std::to_string(first.observed_stops.size()), " observed stops, ",
+               first.observed_events.empty()
+                   ? ""
+                   : joined(std::to_string(first.observed_events.passages.size()), " passages, ",
+                            std::to_string(first.observed_events.impacts.size()), " impacts, "),
+               std::to_string(all->front().rocks()), " rocks for each of ", std::to_string(all->size()),
+               " motion models");
+    if (!first.observed_stops.empty()) {
+        name_figures(*all, comparison);
+    }
+    for (std::size_t i = 0; i < all->size(); ++i) {
+        name_event_figures(prefix_of(*all, i), (*all)[i].site, comparison);
+    }
     comparison.run = [all](const Work& work) { return compare(*all, work); };
     return comparison;
 }

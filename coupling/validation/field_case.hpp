@@ -13,6 +13,7 @@ namespace coupling::validation {
 /// What case.ini of a field case says beside [case].
 struct FieldSettings {
     std::string scenario = "scenario.ini";  ///< a scenario of `bannwald run` in the folder of the case
+    std::string states;  ///< table of states of the scenario that are compared with each other; or none
 };
 
 /// Rocks of a scenario held against stops that were observed on real ground, once for each motion model.

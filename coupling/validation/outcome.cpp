@@ -80,11 +80,30 @@ void add_run_out(VariantOutcome& outcome, const Ensembles& ensembles, const Figu
     }
 }
 
-void add_hits(VariantOutcome& outcome, const Falls& falls) {
-    constexpr double bin_m = 0.5;
+std::vector<double> shares_by_hits(const Falls& falls) {
+    std::vector<double> shares;
     for (const RockFacts& rock : falls.rocks) {
-        outcome.tree_hits.resize(std::max<std::size_t>(outcome.tree_hits.size(), rock.tree_hits + 1));
-        outcome.tree_hits[rock.tree_hits] += 1.0 / static_cast<double>(falls.rocks.size());
+        shares.resize(std::max<std::size_t>(shares.size(), rock.tree_hits + 1));
+        shares[rock.tree_hits] += 1.0 / static_cast<double>(falls.rocks.size());
+    }
+    return shares;
+}
+
+void add_hits(VariantOutcome& outcome, const Ensembles& ensembles) {
+    constexpr double bin_m = 0.5;
+    const Falls& falls = ensembles.large;
+    outcome.tree_hits = shares_by_hits(falls);
+    std::vector<std::vector<double>> series;
+    for (const Falls& one : ensembles.series) {
+        series.push_back(shares_by_hits(one));
+    }
+    for (std::size_t hits = 0; hits < outcome.tree_hits.size() && !series.empty(); ++hits) {
+        std::vector<double> shares;
+        for (const std::vector<double>& one : series) {
+            shares.push_back(hits < one.size() ? one[hits] : 0.0);
+        }
+        outcome.tree_hits_low.push_back(quantile(shares, 0.05));
+        outcome.tree_hits_high.push_back(quantile(shares, 0.95));
     }
     for (const float height_m : falls.hit_heights_m) {
         const auto bin = static_cast<std::size_t>(std::max(0.0, static_cast<double>(height_m)) / bin_m);
@@ -93,14 +112,27 @@ void add_hits(VariantOutcome& outcome, const Falls& falls) {
     }
 }
 
-void add_jumps(VariantOutcome& outcome, const Falls& falls) {
+/// `whole_m`: slope length of the profile, of which the upper half is told from the lower.
+void add_jumps(VariantOutcome& outcome, const Falls& falls, double whole_m) {
     for (std::size_t k = 0; k < falls.segments.size(); ++k) {
         const JumpSums& sums = falls.segments[k];
-        const double from_m = static_cast<double>(k) * jump_segment_m;
-        if (sums.jumps > 0) {
-            outcome.jumps.push_back({from_m, from_m + jump_segment_m, sums.jumps, sums.shortest_m,
-                                     sums.sum_m / static_cast<double>(sums.jumps), sums.longest_m});
+        if (sums.jumps == 0) {
+            continue;
         }
+        const auto jumps = static_cast<double>(sums.jumps);
+        SegmentJumps segment;
+        segment.from_m = static_cast<double>(k) * jump_segment_m;
+        segment.to_m = segment.from_m + jump_segment_m;
+        segment.jumps = sums.jumps;
+        segment.shortest_m = sums.shortest_m;
+        segment.mean_m = sums.sum_m / jumps;
+        segment.longest_m = sums.longest_m;
+        const double squares_m2 = std::max(0.0, sums.squares_m2 - jumps * segment.mean_m * segment.mean_m);
+        segment.deviation_m = sums.jumps > 1 ? std::sqrt(squares_m2 / (jumps - 1.0)) : std::nan("");
+        segment.mean_height_m = sums.height_sum_m / jumps;
+        segment.highest_m = sums.highest_m;
+        segment.upper = segment.from_m + 0.5 * jump_segment_m < 0.5 * whole_m;
+        outcome.jumps.push_back(segment);
     }
 }
 
@@ -146,9 +178,9 @@ VariantOutcome outcome_of(const Ensembles& ensembles, const FigureFrame& frame, 
     outcome.values = values_of(ensembles, frame);
     add_run_out(outcome, ensembles, frame, slope.lower_m() - slope.upper_m());
     if (with_stand) {
-        add_hits(outcome, ensembles.large);
+        add_hits(outcome, ensembles);
     }
-    add_jumps(outcome, ensembles.large);
+    add_jumps(outcome, ensembles.large, frame.slope_length_m);
     return outcome;
 }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
@@ -19,12 +21,6 @@ using report::Chart;
 using report::ChartPoint;
 using report::ChartRange;
 using report::escaped;
-
-const VariantOutcome* variant_named(const CaseResult& result, const std::string& name) {
-    const auto found = std::find_if(result.variants.begin(), result.variants.end(),
-                                    [&](const VariantOutcome& variant) { return variant.variant == name; });
-    return found == result.variants.end() ? nullptr : &*found;
-}
 
 /// Default last, so that it is drawn over the others.
 std::vector<std::size_t> drawing_order(const CaseResult& result) {
@@ -147,20 +143,34 @@ std::string run_out_chart(const CaseResult& result) {
     return chart.figure(section_shares(result));
 }
 
-/// Strict and default as steps; the last takes all that lies above.
+/// The variants that charts of distributions show: the three of the paper, and default.
+constexpr std::array drawn_variants{"initial", "improved_rebound", "strict", "default"};
+
+/// Their place among the variants; nothing for one that the case does not have.
+std::optional<std::size_t> place_of_variant(const CaseResult& result, const std::string& name) {
+    for (std::size_t i = 0; i < result.variants.size(); ++i) {
+        if (result.variants[i].variant == name) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Variants as steps; the last takes all that lies above.
 void add_shares(Chart& chart, const CaseResult& result, const std::vector<double>& edges,
                 std::vector<double> VariantOutcome::*shares) {
-    for (const std::string name : {"strict", "default"}) {
-        const VariantOutcome* variant = variant_named(result, name);
-        if (variant == nullptr) {
+    for (const char* name : drawn_variants) {
+        const auto place = place_of_variant(result, name);
+        if (!place || (result.variants[*place].*shares).empty()) {
             continue;
         }
+        const VariantOutcome& variant = result.variants[*place];
         std::vector<double> heights(edges.size() - 1, 0.0);
-        for (std::size_t i = 0; i < (variant->*shares).size(); ++i) {
-            heights[std::min(i, heights.size() - 1)] += percent * (variant->*shares)[i];
+        for (std::size_t i = 0; i < (variant.*shares).size(); ++i) {
+            heights[std::min(i, heights.size() - 1)] += percent * (variant.*shares)[i];
         }
-        chart.add_steps(name, edges, heights);
-        chart.add_name(name, name);
+        chart.add_steps(series_of(result, *place), edges, heights);
+        chart.add_name(series_of(result, *place), variant.variant);
     }
 }
 
@@ -242,7 +252,8 @@ std::string hit_height_chart(const CaseResult& result) {
     return chart.figure(report::page_text("validation.page_charts.in_bars_of_0_5_m_the_last_one"));
 }
 
-std::string jump_chart(const VariantOutcome& variant, double most_m, double end_m) {
+std::string jump_chart(const VariantOutcome& variant, const std::string& series, double most_m,
+                       double end_m) {
     Chart chart{
         report::page_text("validation.page_charts.jump_lengths", {{"variant", variant.variant}}),
         Axis::from_zero(report::page_text("validation.page_charts.distance_along_the_slope_m"), end_m),
@@ -251,8 +262,8 @@ std::string jump_chart(const VariantOutcome& variant, double most_m, double end_
     std::vector<ChartRange> ranges;
     std::vector<ChartPoint> means;
     const auto draw = [&] {
-        chart.add_band(variant.variant, ranges);
-        chart.add_line(variant.variant, means);
+        chart.add_band(series, ranges);
+        chart.add_line(series, means);
         ranges.clear();
         means.clear();
     };
@@ -269,29 +280,30 @@ std::string jump_chart(const VariantOutcome& variant, double most_m, double end_
         }
     }
     draw();
-    chart.add_name(variant.variant, report::page_text("common.mean"));
-    chart.add_band_name(variant.variant, report::page_text("common.shortest_to_longest"));
+    chart.add_name(series, report::page_text("common.mean"));
+    chart.add_band_name(series, report::page_text("common.shortest_to_longest"));
     return chart.figure(report::page_text("validation.page_charts.straight_from_impact_to_impact"));
 }
 
 std::string jump_charts(const CaseResult& result) {
     double most_m = 0.0;
     double end_m = 0.0;
-    std::vector<const VariantOutcome*> drawn;
-    for (const std::string name : {"strict", "default"}) {
-        const VariantOutcome* variant = variant_named(result, name);
-        if (variant == nullptr || variant->jumps.empty()) {
+    std::vector<std::size_t> drawn;
+    for (const char* name : drawn_variants) {
+        const auto place = place_of_variant(result, name);
+        if (!place || result.variants[*place].jumps.empty()) {
             continue;
         }
-        drawn.push_back(variant);
-        for (const SegmentJumps& segment : variant->jumps) {
+        drawn.push_back(*place);
+        for (const SegmentJumps& segment : result.variants[*place].jumps) {
             most_m = std::max(most_m, segment.jumps > 0 ? segment.longest_m : 0.0);
             end_m = std::max(end_m, segment.jumps > 0 ? segment.to_m : 0.0);
         }
     }
     std::string html;
-    for (const VariantOutcome* variant : drawn) {
-        html += end_m > 0.0 ? jump_chart(*variant, most_m, end_m) : "";
+    for (const std::size_t place : drawn) {
+        html +=
+            end_m > 0.0 ? jump_chart(result.variants[place], series_of(result, place), most_m, end_m) : "";
     }
     return html;
 }

@@ -185,7 +185,12 @@ std::string verdict_table(const CaseResult& result) {
                                           ? joined(with_deviation(*row.published, row.published_deviation),
                                                    notes.cite(row.published_source))
                                           : "–";
-        table.row({row_name(row), observed, published, ours(row.strict_value, row.strict_verdict),
+        table.row({row_name(row), observed, published,
+                   joined(ours(row.strict_value, row.strict_verdict),
+                          row.scatter_value
+                              ? joined("<small>", report::page_text("validation.page_tables.with_scatter"),
+                                       " ", figure_text(row.scatter_value->value), "</small>")
+                              : ""),
                    ours(row.default_value, row.default_verdict),
                    joined(criterion_text(row), notes.cite(row.rule)), escaped(row.rests_on)});
     }

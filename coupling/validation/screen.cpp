@@ -10,6 +10,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/results/text_layout.hpp"
 #include "coupling/validation/factor_names.hpp"
+#include "coupling/validation/paper_variants.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
@@ -170,6 +171,20 @@ void print_flips(std::ostream& out, const CaseResult& result) {
     }
 }
 
+/// The variants of the paper side by side.
+void print_paper_variants(std::ostream& out, const CaseResult& result) {
+    PaperVariants variants = paper_variants(result);
+    if (variants.rows.empty()) {
+        return;
+    }
+    AlignedTable table{{0, 1}};
+    table.add(std::move(variants.head));
+    for (std::vector<std::string>& row : variants.rows) {
+        table.add(std::move(row));
+    }
+    table.print(out);
+}
+
 /// The change of each figure from the first step of its setting to the last.
 void print_directions(std::ostream& out, const CaseResult& result) {
     if (result.directions.empty()) {
@@ -210,6 +225,7 @@ void print_case(std::ostream& out, const CaseResult& result) {
     }
     print_verdicts(out, result);
     print_misses(out, result);
+    print_paper_variants(out, result);
     print_directions(out, result);
     print_flips(out, result);
     out << '\n';

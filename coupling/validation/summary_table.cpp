@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/validation/factor_names.hpp"
+#include "coupling/validation/paper_variants.hpp"
 #include "coupling/validation/screen.hpp"
 
 namespace coupling::validation {
@@ -26,7 +27,7 @@ std::string value_cell(const Value& value, const std::string& unit, Verdict verd
     return verdict == Verdict::missed ? joined("**", text, "**") : text;
 }
 
-void write_row(std::ostream& out, const VerdictRow& row, bool has_strict) {
+void write_row(std::ostream& out, const VerdictRow& row, bool has_strict, bool has_scatter) {
     const std::vector<std::string> fixed = fixed_cells(row);
     if (!has_strict) {
         out << "| " << fixed[0] << " | " << fixed[1] << " | " << fixed[3] << " | "
@@ -34,8 +35,12 @@ void write_row(std::ostream& out, const VerdictRow& row, bool has_strict) {
         return;
     }
     out << "| " << fixed[0] << " | " << fixed[1] << " | " << fixed[2] << " | " << fixed[3] << " | "
-        << value_cell(row.strict_value, row.unit, row.strict_verdict) << " | "
-        << value_cell(row.default_value, row.unit, row.default_verdict) << " | " << fixed[4] << " |\n";
+        << value_cell(row.strict_value, row.unit, row.strict_verdict) << " | ";
+    if (has_scatter) {
+        out << (row.scatter_value ? value_cell(*row.scatter_value, row.unit, Verdict::no_criterion) : "")
+            << " | ";
+    }
+    out << value_cell(row.default_value, row.unit, row.default_verdict) << " | " << fixed[4] << " |\n";
 }
 
 std::size_t met(const CaseResult& result, Verdict VerdictRow::*verdict) {
@@ -81,6 +86,25 @@ void write_direction_rows(std::ostream& out, const CaseResult& result) {
     }
 }
 
+void write_paper_variants(std::ostream& out, const CaseResult& result) {
+    const PaperVariants variants = paper_variants(result);
+    if (variants.rows.empty()) {
+        return;
+    }
+    const auto line = [&](const std::vector<std::string>& cells) {
+        for (const std::string& text : cells) {
+            out << "| " << cell(text) << ' ';
+        }
+        out << "|\n";
+    };
+    out << '\n';
+    line(variants.head);
+    line(std::vector<std::string>(variants.head.size(), "---"));
+    for (const std::vector<std::string>& row : variants.rows) {
+        line(row);
+    }
+}
+
 void write_case(std::ostream& out, const CaseResult& result) {
     out << "\n**" << result.name << "** - " << result.title << ". " << result.extent << ". Criteria met: ";
     if (result.has_strict) {
@@ -88,15 +112,22 @@ void write_case(std::ostream& out, const CaseResult& result) {
     }
     out << met(result, &VerdictRow::default_verdict) << " of " << criteria(result) << ".\n";
     if (!result.rows.empty()) {
-        out << (result.has_strict
+        const bool has_scatter =
+            std::any_of(result.rows.begin(), result.rows.end(),
+                        [](const VerdictRow& row) { return row.scatter_value.has_value(); });
+        out << (has_scatter ? "\n| figure | unit | observed | published | strict | strict, scattered angle | "
+                              "default | "
+                              "criterion |\n|---|---|---|---|---|---|---|---|\n"
+                : result.has_strict
                     ? "\n| figure | unit | observed | published | strict | default | criterion |\n"
                       "|---|---|---|---|---|---|---|\n"
                     : "\n| figure | unit | reference | Bannwald | criterion |\n"
                       "|---|---|---|---|---|\n");
         for (const VerdictRow& row : result.rows) {
-            write_row(out, row, result.has_strict);
+            write_row(out, row, result.has_strict, has_scatter);
         }
     }
+    write_paper_variants(out, result);
     write_direction_rows(out, result);
     for (const std::string& note : result.notes) {
         out << "\nNote: " << note << ".\n";

@@ -12,7 +12,7 @@ namespace {
 
 using config::joined;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_entry = std::numeric_limits<double>::quiet_NaN();
 constexpr int decimals = 5;
 
 std::string_view word_of(Verdict verdict) {
@@ -28,7 +28,7 @@ std::string_view word_of(Verdict verdict) {
 }
 
 void put(CsvRow& row, const std::optional<double>& value) {
-    row.number<decimals>(value.value_or(none));
+    row.number<decimals>(value.value_or(no_entry));
 }
 
 void put(CsvRow& row, const Value& value) {
@@ -44,7 +44,7 @@ void put(CsvRow& row, const Estimate& estimate) {
 /// Value and verdict of a figure under a moved choice.
 void put_moved(CsvRow& row, const Values& values, const VerdictRow& of) {
     const auto found = values.find(of.quantity);
-    const double value = found != values.end() ? found->second.value : none;
+    const double value = found != values.end() ? found->second.value : no_entry;
     row.number<decimals>(value);
     row.text(of.low && of.high ? word_of(verdict_of(value, {*of.low, *of.high, {}, {}, {}})) : "");
 }
@@ -54,7 +54,8 @@ void put_moved(CsvRow& row, const Values& values, const VerdictRow& of) {
 void write_verdicts(std::ostream& out, std::span<const CaseResult> cases) {
     out << "case,quantity,label,unit,observed,observed_source,published,published_deviation,published_source,"
            "strict,strict_series_mean,strict_series_deviation,default,default_series_mean,"
-           "default_series_deviation,low,high,rests_on,rule,strict_verdict,default_verdict,cause\n";
+           "default_series_deviation,low,high,rests_on,rule,strict_verdict,default_verdict,cause,"
+           "strict_scatter\n";
     CsvRow line{out};
     for (const CaseResult& result : cases) {
         for (const VerdictRow& row : result.rows) {
@@ -70,6 +71,7 @@ void write_verdicts(std::ostream& out, std::span<const CaseResult> cases) {
             put(line, row.high);
             line.text(row.rests_on).text(row.rule).text(word_of(row.strict_verdict));
             line.text(word_of(row.default_verdict)).text(row.cause);
+            put(line, row.scatter_value ? std::optional{row.scatter_value->value} : std::nullopt);
             line.end();
         }
     }
@@ -102,7 +104,7 @@ void write_plots(std::ostream& out, std::span<const CaseResult> cases) {
                         line.number<decimals>(x).number<decimals>(y).number<decimals>(y_low).end();
                     };
                     for (const report::ChartPoint& point : series.points) {
-                        put_point(point.x, point.y, none);
+                        put_point(point.x, point.y, no_entry);
                     }
                     for (const report::ChartRange& range : series.ranges) {
                         put_point(range.x, range.high, range.low);
@@ -140,8 +142,8 @@ void write_run_out(std::ostream& out, std::span<const CaseResult> cases) {
             for (std::size_t k = 0; k < variant.run_out.size(); ++k) {
                 line.text(result.name).text(variant.variant);
                 line.number<decimals>(variant.run_out[k].x).number<decimals>(variant.run_out[k].y);
-                line.number<decimals>(k < variant.run_out_low.size() ? variant.run_out_low[k].y : none);
-                line.number<decimals>(k < variant.run_out_high.size() ? variant.run_out_high[k].y : none);
+                line.number<decimals>(k < variant.run_out_low.size() ? variant.run_out_low[k].y : no_entry);
+                line.number<decimals>(k < variant.run_out_high.size() ? variant.run_out_high[k].y : no_entry);
                 line.end();
             }
         }
@@ -149,28 +151,33 @@ void write_run_out(std::ostream& out, std::span<const CaseResult> cases) {
 }
 
 void write_jumps(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,variant,from_m,to_m,jumps,shortest_m,mean_m,longest_m\n";
+    out << "case,variant,part,from_m,to_m,jumps,shortest_m,mean_m,longest_m,deviation_m,mean_height_m,"
+           "highest_m\n";
     CsvRow line{out};
     for (const CaseResult& result : cases) {
         for (const VariantOutcome& variant : result.variants) {
             for (const SegmentJumps& segment : variant.jumps) {
-                line.text(result.name).text(variant.variant);
+                line.text(result.name).text(variant.variant).text(segment.upper ? "upper" : "lower");
                 line.number<1>(segment.from_m).number<1>(segment.to_m).whole(segment.jumps);
                 line.number<decimals>(segment.shortest_m).number<decimals>(segment.mean_m);
-                line.number<decimals>(segment.longest_m).end();
+                line.number<decimals>(segment.longest_m).number<decimals>(segment.deviation_m);
+                line.number<decimals>(segment.mean_height_m).number<decimals>(segment.highest_m).end();
             }
         }
     }
 }
 
 void write_tree_hits(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,variant,hits,share_of_rocks\n";
+    out << "case,variant,hits,share_of_rocks,series_05,series_95\n";
     CsvRow line{out};
     for (const CaseResult& result : cases) {
         for (const VariantOutcome& variant : result.variants) {
             for (std::size_t hits = 0; hits < variant.tree_hits.size(); ++hits) {
                 line.text(result.name).text(variant.variant).whole(hits);
-                line.number<decimals>(variant.tree_hits[hits]).end();
+                line.number<decimals>(variant.tree_hits[hits]);
+                const bool has_range = hits < variant.tree_hits_low.size();
+                line.number<decimals>(has_range ? variant.tree_hits_low[hits] : no_entry);
+                line.number<decimals>(has_range ? variant.tree_hits_high[hits] : no_entry).end();
             }
         }
     }

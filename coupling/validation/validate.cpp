@@ -5,6 +5,7 @@
 #include "coupling/validation/comparison.hpp"
 #include "coupling/validation/factors.hpp"
 #include "coupling/validation/outcome.hpp"
+#include "coupling/validation/paper_variants.hpp"
 #include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
@@ -38,6 +39,7 @@ public:
         }
         run_choices();
         result_.rows = verdict_rows(case_, result_.variants[0].values, result_.variants[1].values);
+        take_scatter_values(result_);
         if (case_.replaces_profile()) {
             speak_of_own_profile();
         }

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/validation/field_case.hpp"
+#include "coupling/validation/field_states.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 
 namespace coupling::validation {
@@ -352,15 +353,19 @@ void read_field_case(ValidationCase& out) {
     FieldSettings settings;
     declare(options, out.head);
     options.text("field.scenario", settings.scenario,
-                 {.meaning = "scenario of `bannwald run` in the folder of the case, with observed.stops"});
+                 {.meaning = "scenario of `bannwald run` in the folder of the case, with what was observed"});
+    options.text(
+        "field.states", settings.states,
+        {.meaning = "instead of stops: CSV with state, overrides, meaning; what changes between them"});
     std::istringstream in{out.files.texts.at("case.ini")};
     options.read(in, out.files.shown("case.ini"), {});
     if (out.head.title.empty()) {
         config::fail(config::ExitCode::settings, options.place_of("case.title"), "no case.title",
                      "one line on what the case is");
     }
-    out.comparison =
-        std::make_shared<const Comparison>(read_field(out.files, settings, out.changes.overrides, out.notes));
+    out.comparison = std::make_shared<const Comparison>(
+        settings.states.empty() ? read_field(out.files, settings, out.changes.overrides, out.notes)
+                                : read_states(out.files, settings, out.changes.overrides));
 }
 
 }  // namespace

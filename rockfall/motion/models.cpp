@@ -42,6 +42,16 @@ std::vector<double> ground_figures(const SurfaceType& type, const MotionLaws& la
     });
 }
 
+std::vector<std::string> doubts_of(const MotionLaws& laws, const Slope& slope, double drop_m) {
+    return with_model(laws, [&]<class Model>(std::type_identity<Model>, const auto& law) {
+        if constexpr (requires { Model::doubts(slope, drop_m, law); }) {
+            return Model::doubts(slope, drop_m, law);
+        } else {
+            return std::vector<std::string>{};
+        }
+    });
+}
+
 std::vector<std::string> sideways_settings() {
     std::vector<std::string> settings;
     for (const MotionModel model : all_models()) {

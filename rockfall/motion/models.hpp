@@ -118,6 +118,11 @@ std::vector<GroundColumnText> ground_columns_of(MotionModel model);
 /// rock of this diameter.
 std::vector<double> ground_figures(const SurfaceType& type, const MotionLaws& laws, double diameter_m);
 
+/// What the chosen model does badly on this slope, in sentences for users; most models have nothing to say.
+/// `drop_m`: from the highest source to the lowest ground. A model says it in
+/// `static std::vector<std::string> doubts(const Slope&, double drop_m, const Law&)`, which it may leave out.
+std::vector<std::string> doubts_of(const MotionLaws& laws, const Slope& slope, double drop_m);
+
 /// Settings of any model that do nothing but turn rocks sideways.
 std::vector<std::string> sideways_settings();
 

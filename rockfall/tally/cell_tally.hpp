@@ -74,12 +74,18 @@ struct CellSums {
 struct CellTally {
     config::GridFrame frame;
     std::vector<CellSums> cells;
+    /// By cell the repeats in which a rock passed, a bit for each; empty where rocks are not shared out.
+    std::vector<std::uint64_t> repeats;
 
     explicit CellTally(const config::GridFrame& frame_in) : frame{frame_in}, cells(frame_in.size()) {}
 
     void add(const CellTally& other) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
             cells[i].add(other.cells[i]);
+        }
+        repeats.resize(std::max(repeats.size(), other.repeats.size()));
+        for (std::size_t i = 0; i < other.repeats.size(); ++i) {
+            repeats[i] |= other.repeats[i];
         }
     }
 };

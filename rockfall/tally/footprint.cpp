@@ -5,12 +5,20 @@
 #include <limits>
 
 #include "rockfall/tally/ground_below.hpp"
+#include "rockfall/tally/jump_log.hpp"
 #include "rockfall/tally/path_length.hpp"
 
 namespace rockfall {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Smallest squared speed of a flight: at its apex, else at one of its ends.
+double least_squared_speed(const Flight& flight, double until_s) {
+    const bool has_apex = flight.velocity_mps.z() > 0.0 && flight.velocity_at(until_s).z() < 0.0;
+    return has_apex ? flight.velocity_mps.head<2>().squaredNorm()
+                    : std::min(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
+}
 
 /// The straight plan view of a path as it goes from grid cell to grid cell.
 class CellSteps {
@@ -80,6 +88,7 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     record_.rock = start.id;
     record_.source = start.source;
     record_.diameter_m = static_cast<float>(start.rock.diameter_m);
+    record_.min_speed_mps = start.velocity_mps.norm();
     record_.start_m = start.position_m;
     const double energy_j = kinetic_energy_j(start.rock, start.velocity_mps.squaredNorm(), 0.0);
     for (const TargetArrival& last : arrivals_) {
@@ -184,10 +193,12 @@ void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
     const double highest_m = walk_cells(rock, flight, until_s, stretches, rotation_j);
     const double squared_speed = std::max(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
     record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(squared_speed));
+    record_.min_speed_mps = std::min(record_.min_speed_mps, std::sqrt(least_squared_speed(flight, until_s)));
     record_.max_energy_j = std::max(record_.max_energy_j, 0.5 * rock.mass_kg * squared_speed + rotation_j);
     record_.max_height_m = std::max(record_.max_height_m, highest_m);
     record_.jump_height_sum_m += highest_m;
     ++record_.jumps;
+    measure_jump(flight, until_s);
     record_.path_m += path_length_m(flight, until_s);
     record_.time_s += until_s;
     if (!targets_.empty()) {
@@ -196,6 +207,27 @@ void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
     if (with_path_) {
         draw(flight, until_s, stretches, rock, rotation_j);
     }
+}
+
+void Footprint::measure_jump(const Flight& flight, double until_s) {
+    const double length_m = (flight.position_m(until_s) - flight.start_m).norm();
+    if (length_m < least_jump_m) {
+        return;
+    }
+    const bool is_first = record_.long_jumps++ == 0;
+    record_.jump_length_sum_m += length_m;
+    record_.min_jump_length_m = is_first ? length_m : std::min(record_.min_jump_length_m, length_m);
+    record_.max_jump_length_m = std::max(record_.max_jump_length_m, length_m);
+}
+
+void Footprint::impacted(const Eigen::Vector3d&, int ground) {
+    for (GroundCount& known : record_.impacts_by_ground) {
+        if (known.ground == ground) {
+            ++known.impacts;
+            return;
+        }
+    }
+    record_.impacts_by_ground.push_back({ground, 1});
 }
 
 void Footprint::watch_targets(const Rock& rock, const Flight& flight, double until_s,
@@ -261,6 +293,7 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     }
     const double largest2 = std::max(begin2, end2);
     record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(largest2));
+    record_.min_speed_mps = std::min(record_.min_speed_mps, std::sqrt(std::min(begin2, end2)));
     record_.max_energy_j = std::max(record_.max_energy_j, energy_j(largest2));
     record_.path_m += move.norm();
     record_.time_s += piece.duration_s;

@@ -13,6 +13,12 @@
 
 namespace rockfall {
 
+/// Impacts of one rock on one ground.
+struct GroundCount {
+    int ground = 0;  ///< code of the ground type
+    std::uint32_t impacts = 0;
+};
+
 /// One fall in numbers: a row of the table of rocks.
 struct RockRecord {
     std::uint64_t rock = 0;
@@ -24,11 +30,17 @@ struct RockRecord {
     double path_m = 0.0;  ///< length of the path in space: arcs of flights, straight pieces on the ground
     double time_s = 0.0;
     double max_speed_mps = 0.0;
+    double min_speed_mps = 0.0;      ///< 0 where it starts at rest or rolls to a stop
     double max_energy_j = 0.0;       ///< translation and rotation
     double max_height_m = 0.0;       ///< of the underside above the ground, vertical
     double jump_height_sum_m = 0.0;  ///< sum over the flights of their largest heights
     std::uint32_t jumps = 0;
+    std::uint32_t long_jumps = 0;    ///< of at least `least_jump_m`: those whose lengths count
+    double jump_length_sum_m = 0.0;  ///< straight lengths from launch to end
+    double min_jump_length_m = 0.0;  ///< 0 without a jump
+    double max_jump_length_m = 0.0;
     std::uint32_t ground_impacts = 0;
+    std::vector<GroundCount> impacts_by_ground;  ///< in the order of their first impacts
     std::uint32_t tree_hits = 0;
     std::uint32_t trees_broken = 0;
     double tree_energy_j = 0.0;  ///< taken by trees
@@ -39,6 +51,9 @@ struct RockRecord {
     [[nodiscard]] double run_out_m() const { return (end_m - start_m).head<2>().norm(); }
     [[nodiscard]] double mean_speed_mps() const { return time_s > 0.0 ? path_m / time_s : 0.0; }
     [[nodiscard]] double mean_jump_height_m() const { return jumps > 0 ? jump_height_sum_m / jumps : 0.0; }
+    [[nodiscard]] double mean_jump_length_m() const {
+        return long_jumps > 0 ? jump_length_sum_m / long_jumps : 0.0;
+    }
 };
 
 /// A corner of a drawn path.
@@ -97,7 +112,7 @@ public:
     void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
               double spin_radps);
     void rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle);
-    void impacted(const Eigen::Vector3d&) {}
+    void impacted(const Eigen::Vector3d& place_m, int ground);
     void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
                   double energy_j);
     void met_log(const Eigen::Vector3d& position_m, const LogHit& hit, const LogImpact& impact,
@@ -126,6 +141,7 @@ private:
                        std::span<const Stretch> stretches, double rotation_j);
     double walk_cells(const Rock& rock, const Flight& flight, double until_s,
                       std::span<const Stretch> stretches, double rotation_j);
+    void measure_jump(const Flight& flight, double until_s);
     void draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
               double rotation_j);
 

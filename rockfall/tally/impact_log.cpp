@@ -30,15 +30,15 @@ void ImpactLog::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     in_flight_ = false;
 }
 
-void ImpactLog::impacted(const Eigen::Vector3d& place_m) {
-    jumps_.impacted(place_m);
+void ImpactLog::impacted(const Eigen::Vector3d& place_m, int ground) {
+    jumps_.impacted(place_m, ground);
     if (!in_flight_) {
         return;  // a rolling rock that runs into rising ground
     }
     in_flight_ = false;
     GroundImpact impact;
     impact.place_m = place_m;
-    impact.ground = slope_->type_at(triangle_, place_m.x(), place_m.y()).code;
+    impact.ground = ground;
     impact.before = speeds_of(arriving_mps_, normal_, -1.0);
     impact.jump = jumps_.jumps().back();
     impacts_.push_back(impact);

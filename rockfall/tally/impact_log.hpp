@@ -59,7 +59,7 @@ public:
     void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
               double spin_radps);
     void rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle);
-    void impacted(const Eigen::Vector3d& place_m);
+    void impacted(const Eigen::Vector3d& place_m, int ground);
     void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
                   double energy_j);
     void met_log(const Eigen::Vector3d& position_m, const LogHit& hit, const LogImpact& impact,

@@ -33,7 +33,7 @@ void JumpLog::flew(const Rock&, const Flight& flight, double until_s, std::span<
     in_flight_ = true;
 }
 
-void JumpLog::impacted(const Eigen::Vector3d&) {
+void JumpLog::impacted(const Eigen::Vector3d&, int) {
     // A rolling rock too may run into the ground: that ends no jump.
     if (in_flight_) {
         jumps_.back().landed = true;

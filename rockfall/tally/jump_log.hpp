@@ -40,7 +40,7 @@ public:
     void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
               double spin_radps);
     void rolled(const Rock&, const RollingPiece&, std::uint32_t) { in_flight_ = false; }
-    void impacted(const Eigen::Vector3d&);
+    void impacted(const Eigen::Vector3d& place_m, int ground);
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) { in_flight_ = false; }
     void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) { in_flight_ = false; }
     void crossed_net(const Eigen::Vector3d&, const NetCrossing&) {}
@@ -68,9 +68,9 @@ struct BothWatch {
         first.rolled(rock, piece, triangle);
         second.rolled(rock, piece, triangle);
     }
-    void impacted(const Eigen::Vector3d& place_m) {
-        first.impacted(place_m);
-        second.impacted(place_m);
+    void impacted(const Eigen::Vector3d& place_m, int ground) {
+        first.impacted(place_m, ground);
+        second.impacted(place_m, ground);
     }
     void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
                   double energy_j) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -34,6 +35,32 @@ TEST(Ensemble, CountsTheSameForAnyWorkersAndOrder) {
         EXPECT_EQ(one.targets[0].reached_both, other->targets[0].reached_both);
         EXPECT_EQ(one.targets[0].by_cover[0].energy, other->targets[0].by_cover[0].energy);
     }
+}
+
+TEST(Ensemble, MarksTheRepeatsInWhichACellIsReached) {
+    Scene scene{2000};
+    scene.assessment.repeats = 7;
+    std::vector<Chunk> chunks = plan_chunks(scene.sources, 150);
+    const EnsembleTally one = tally_of(scene, chunks, 1);
+    std::reverse(chunks.begin(), chunks.end());
+    const EnsembleTally three = tally_of(scene, chunks, 3);
+    for (std::size_t c = 0; c < covers; ++c) {
+        EXPECT_EQ(one.cells[c].repeats, three.cells[c].repeats);
+        std::size_t some = 0;
+        for (std::size_t cell = 0; cell < one.cells[c].cells.size(); ++cell) {
+            const auto reached = static_cast<std::uint32_t>(std::popcount(one.cells[c].repeats[cell]));
+            const std::uint32_t passages = one.cells[c].cells[cell].passages;
+            EXPECT_LE(reached, std::min(passages, 7U));
+            EXPECT_EQ(reached > 0, passages > 0);
+            EXPECT_LT(one.cells[c].repeats[cell], 1U << 7);
+            some += reached > 0 && reached < 7 ? 1 : 0;
+        }
+        EXPECT_GT(some, 100U);
+    }
+    Scene plain{2000};
+    EXPECT_TRUE(tally_of(plain, plan_chunks(plain.sources, 150), 1).cells[1].repeats.empty());
+    EXPECT_TRUE(
+        same_but_for_marks(one.cells[1], tally_of(plain, plan_chunks(plain.sources, 150), 1).cells[1]));
 }
 
 TEST(Ensemble, CountsRocksOfDifferentSourcesTheSameForAnyWorkersAndOrder) {

@@ -66,7 +66,7 @@ struct EnergyWatch {
              piece.position_m(piece.duration_s).z(), end_mps.squaredNorm(), end_mps.norm() / rock.radius_m);
         fastest_rolling_mps = std::max({fastest_rolling_mps, piece.velocity_mps.norm(), end_mps.norm()});
     }
-    void impacted(const Eigen::Vector3d&) {}
+    void impacted(const Eigen::Vector3d&, int) {}
     void met_stem(const Eigen::Vector3d&, const StemHit&, const TreeImpact&, double) {}
     void met_log(const Eigen::Vector3d&, const LogHit&, const LogImpact&, double) {}
     void crossed_net(const Eigen::Vector3d&, const NetCrossing&) {}

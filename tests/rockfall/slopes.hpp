@@ -30,9 +30,10 @@ inline config::Raster<double> heights_of(const config::GridFrame& frame,
 /// A soil of PiR3D with round numbers: widths, then threshold 5 degrees.
 inline Soil test_soil(double friction = 0.6, Restitution restitution = {0.35, 0.85}) {
     const auto radians = [](double degrees) { return config::Angle::from_degrees(degrees).in_radians(); };
-    return {"test soil",  restitution,           friction,
-            {0.10, 0.06}, {0.15, 0.10},          {radians(20.0), radians(15.0)},
-            10.0,         std::tan(radians(5.0))};
+    const Width restitution_share{0.10, 0.06, 10.0};
+    const Width angle{radians(20.0), radians(15.0), 10.0};
+    return {"test soil",        restitution, friction, restitution_share,     restitution_share,
+            {0.15, 0.10, 10.0}, angle,       angle,    std::tan(radians(5.0))};
 }
 
 /// A slope of one ground type over heights.
@@ -140,7 +141,7 @@ struct EventLog {
     void rolled(const Rock&, const RollingPiece& piece, std::uint32_t triangle) {
         rolls.push_back({piece, triangle});
     }
-    void impacted(const Eigen::Vector3d& position) { impacts.push_back(position); }
+    void impacted(const Eigen::Vector3d& position, int) { impacts.push_back(position); }
     void met_stem(const Eigen::Vector3d& position, const StemHit& hit, const TreeImpact& impact,
                   double energy) {
         hits.push_back({position, hit, impact, energy});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 
 #include "tests/coupling/inputs/sample_project.hpp"
@@ -31,6 +32,74 @@ TEST(ObservedStops, StandBesideTheSimulatedOnes) {
     ASSERT_EQ(call(project, "run scenario.ini --quiet --out without").code, 0);
     EXPECT_EQ(project.read("out/tables/rocks.csv"), project.read("without/tables/rocks.csv"))
         << "what was observed changes no rock";
+}
+
+TEST(ObservedEvents, StandBesideTheSimulatedOnes) {
+    const SampleProject project;
+    project.write("passages.csv",
+                  "target_id,speed_mps,height_m,group\nroad,8.5,0.2,a\nroad,11.5,,b\nroad,,,b\n");
+    project.write("impacts.csv", "speed_in_mps,speed_out_mps,angle_out_deg,ground\n9,6,14,3\n7,5.6,22,3\n");
+    const std::string with_events =
+        "run scenario.ini --quiet --set observed.passages=passages.csv --set observed.impacts=impacts.csv "
+        "--set observed.rocks=12 ";
+    const Outcome run = call(project, with_events + "--out out");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string table = project.read("out/tables/observed_events.csv");
+    EXPECT_NE(table.find("passage,road,all,speed_mps,m/s,observed,2,10.0000,2.1213,"), std::string::npos)
+        << table;
+    EXPECT_NE(table.find("passage,road,all,passing_share,-,observed,3,0.2500,"), std::string::npos) << table;
+    EXPECT_NE(table.find("impact,,all,speed_ratio,-,observed,2,0.7333,"), std::string::npos) << table;
+    EXPECT_NE(table.find("impact,,all,speed_ratio,-,simulated,"), std::string::npos) << table;
+    EXPECT_NE(project.read("out/report.html").find("Observed and simulated passages and impacts"),
+              std::string::npos);
+    EXPECT_NE(project.read("out/summary.json").find("\"passage.speed_mps:road\""), std::string::npos);
+    // The simulated share is that of the rows of arrivals.csv.
+    std::istringstream arrivals{project.read("out/tables/arrivals.csv")};
+    std::size_t at_road = 0;
+    for (std::string line; std::getline(arrivals, line);) {
+        at_road += line.find(",road,forest,") != std::string::npos ? 1 : 0;
+    }
+    EXPECT_NE(table.find("passing_share,-,simulated," + std::to_string(at_road) + ","), std::string::npos)
+        << table;
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --out without").code, 0);
+    EXPECT_EQ(project.read("out/tables/rocks.csv"), project.read("without/tables/rocks.csv"));
+}
+
+TEST(ObservedEvents, AreRefusedWhereTheyCannotBeMeant) {
+    const SampleProject project;
+    const auto error_of = [&](const std::string& file, const std::string& table,
+                              const std::string& settings) {
+        project.write(file, table);
+        return call(project, "check scenario.ini " + settings).err;
+    };
+    const std::string passages = "--set observed.passages=p.csv ";
+    EXPECT_NE(error_of("p.csv", "target_id,speed_mps\nraod,3\n", passages)
+                  .find("p.csv:2:1: found target_id 'raod', expected a target of targets.file (road?)"),
+              std::string::npos);
+    EXPECT_NE(error_of("p.csv", "target_id,speed_mps\nroad,-3\n", passages)
+                  .find("p.csv:2:6: found speed_mps '-3', expected a number in [0, 200]"),
+              std::string::npos);
+    EXPECT_NE(error_of("p.csv", "target_id\nroad\n", passages + "--set targets.file=")
+                  .find("observed.passages without targets.file"),
+              std::string::npos);
+    const std::string impacts = "--set observed.impacts=i.csv ";
+    EXPECT_NE(error_of("i.csv", "speed_in_mps,ground\n,3\n", impacts).find("a row without a figure"),
+              std::string::npos);
+    EXPECT_NE(error_of("i.csv", "speed_in_mps,ground\n5,9\n", impacts)
+                  .find("i.csv: found ground 9, which this run does not have"),
+              std::string::npos);
+}
+
+TEST(Repeats, AreMappedAsShares) {
+    const SampleProject project;
+    const Outcome run = call(project, "run scenario.ini --quiet --set output.repeats=5 --out out");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string grid = project.read("out/rasters/bare/Reached_in_repeats.asc");
+    EXPECT_NE(grid.find("100"), std::string::npos) << grid;
+    EXPECT_NE(project.read("out/tables/data_dictionary.csv").find("Reached_in_repeats"), std::string::npos);
+    const Outcome few = call(project, "run scenario.ini --quiet --set output.repeats=6 --out few");
+    EXPECT_EQ(few.code, 2);
+    EXPECT_NE(few.err.find("output.repeats 6 with release.rocks_per_source 5"), std::string::npos) << few.err;
 }
 
 TEST(ObservedStops, AreTheSameFromALayerOfPoints) {

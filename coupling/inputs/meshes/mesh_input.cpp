@@ -11,6 +11,8 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/ground_names.hpp"
+#include "coupling/inputs/meshes/mesh_check.hpp"
 #include "coupling/inputs/terrain_input.hpp"
 
 namespace coupling::meshes {
@@ -19,125 +21,30 @@ namespace {
 using config::joined;
 using rockfall::TinFault;
 
-std::string to_cm(double value_m) {
-    return config::to_text(std::round(100.0 * value_m) / 100.0);
-}
-
-std::string at_place(const Eigen::Vector3d& place_m) {
-    return joined(" at ", to_cm(place_m.x()), ", ", to_cm(place_m.y()), ", ", to_cm(place_m.z()));
-}
-
-struct FaultWords {
-    const char* one;   ///< of what there is one
-    const char* many;  ///< the same where there are several
-    const char* expected;
-};
-
-FaultWords words_of(TinFault fault) {
-    switch (fault) {
-        case TinFault::no_area:
-            return {"face without area", "faces without area", "three corners that are not in one line"};
-        case TinFault::doubled:
-            return {"doubled face", "doubled faces", "each face once"};
-        case TinFault::crowded:
-            return {"edge of more than two faces", "edges of more than two faces",
-                    "a surface: two faces at an edge, one at a border"};
-        case TinFault::flipped:
-            return {"flipped face", "flipped faces",
-                    "corners counter-clockwise seen from above, as those of the neighbours"};
-        case TinFault::overhang:
-            return {"overhanging face", "overhanging faces",
-                    "one height over each place: only the side that rocks fall on"};
-        case TinFault::not_leaned:
-            return {"face that a leaning wall turns over", "faces that leaning walls turn over",
-                    "walls with a centimetre of ground at least behind and before them"};
-        case TinFault::overlap:
-            return {"border that lies over another face", "borders that lie over other faces",
-                    "one height over each place: parts that do not lie over each other in plan, and seams "
-                    "whose vertices are the same"};
-        case TinFault::hole:
-            return {"hole", "holes", "ground without holes: rocks that reach one have left the terrain"};
-        case TinFault::parts:
-            break;
-    }
-    return {"part without connection", "parts without connection", "faces that are connected"};
-}
-
-std::string found_in_words(const rockfall::TinFinding& finding) {
-    const FaultWords words = words_of(finding.fault);
-    std::string text =
-        joined(std::to_string(finding.count), " ", finding.count == 1 ? words.one : words.many);
-    text += (finding.count > 1 ? ", the first" : "") + at_place(finding.place_m);
-    if (finding.fault == TinFault::hole) {
-        text += " with " + counted(finding.size, "edge");
-    } else if (finding.fault == TinFault::parts) {
-        text += " with " + counted(finding.size, "face");
-    }
-    return text;
-}
-
-/// Distance between neighbouring numbers of 32 bits at the largest coordinate [m].
-double step_of_single_precision_m(const MeshFile& mesh) {
-    double largest_m = 0.0;
-    for (const Eigen::Vector3d& point : mesh.points_m) {
-        largest_m = std::max(largest_m, point.cwiseAbs().maxCoeff());
-    }
-    const auto single = static_cast<float>(largest_m);
-    return static_cast<double>(std::nextafter(single, std::numeric_limits<float>::infinity()) - single);
-}
-
-void doubt_precision(const MeshFile& mesh, const std::string& file, Reading& reading) {
-    constexpr double tolerable_m = 0.02;
-    if (mesh.single_precision && step_of_single_precision_m(mesh) > tolerable_m) {
-        reading.doubt(
-            {file},
-            joined("coordinates of 32 bits in steps of ", to_cm(step_of_single_precision_m(mesh)), " m"),
-            "double precision (PLY: property double), or coordinates from a nearer origin");
-    }
-}
-
-rockfall::Tin tin_of(MeshFile mesh) {
-    rockfall::Tin tin;
-    tin.faces.reserve(mesh.faces.size());
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        tin.faces.push_back({mesh.faces[f], mesh.codes.empty() ? 0 : mesh.codes[f] + 1});
-    }
-    tin.vertices_m = std::move(mesh.points_m);
-    return tin;
-}
-
-void note_changes(const rockfall::TinChanges& changes, const std::string& file, Reading& reading) {
-    if (changes.left_out > 0) {
-        reading.note(joined(file, ": ", counted(changes.left_out, "face"), " with a corner twice left out"));
-    }
-    if (changes.turned_over) {
-        reading.note(file + ": all faces look down; turned over");
-    }
-    if (changes.leaned > 0) {
-        reading.note(joined(file, ": ", counted(changes.leaned, "upright face"), " leaned by up to ",
-                            to_cm(changes.largest_lean_m), " m in plan"));
-    }
-}
-
-/// The faces, checked; throws with all faults.
-rockfall::Tin checked_tin(MeshFile mesh, const std::string& file, Reading& reading) {
-    rockfall::CheckedTin checked = rockfall::checked(tin_of(std::move(mesh)));
-    config::Problems faults;
-    for (const rockfall::TinFinding& finding : checked.findings) {
-        const char* expected = words_of(finding.fault).expected;
-        if (rockfall::is_doubt(finding.fault)) {
-            reading.doubt({file}, found_in_words(finding), expected);
-        } else {
-            faults.add(config::ExitCode::data, {file}, found_in_words(finding), expected);
+/// Turns a mesh whose y axis points up about its x axis.
+void turn_up(MeshFile& mesh, MeshUp up) {
+    if (up == MeshUp::y) {
+        for (Eigen::Vector3d& point : mesh.points_m) {
+            point = {point.x(), -point.z(), point.y()};
         }
     }
-    if (checked.tin.faces.empty()) {
-        faults.add(config::ExitCode::data, {file}, "no face with three corners", "a surface");
-    }
-    faults.throw_if_any();
-    note_changes(checked.changes, file, reading);
-    return std::move(checked.tin);
 }
+
+/// Where the faces of each file begin in the faces of all.
+struct Parts {
+    std::vector<std::string> names;
+    std::vector<std::size_t> first_face;
+
+    /// Says of faces of all which file they are in, and their number there.
+    void name(std::vector<LeftOutFace>& faces) const {
+        for (LeftOutFace& face : faces) {
+            const auto after = std::upper_bound(first_face.begin(), first_face.end(), face.number - 1);
+            const auto part = static_cast<std::size_t>(after - first_face.begin()) - 1;
+            face.file = names[part];
+            face.number -= first_face[part];
+        }
+    }
+};
 
 }  // namespace
 
@@ -196,7 +103,58 @@ MeshFile read_named_mesh(const std::string& name, Reading& reading) {
     return read_mesh_file(bytes.text(), reading.shown(name));
 }
 
+namespace {
+
+/// The files of terrain.meshes as one mesh; its codes are the numbers of their rows.
+MeshInput read_parts(Reading& reading) {
+    MeshInput input;
+    const config::Table table = reading.table("terrain.meshes", "meshes", reading.scenario().meshes);
+    config::Problems problems;
+    table.require({"file", "surface"}, problems);
+    problems.throw_if_any();
+    if (table.rows() == 0) {
+        config::fail(config::ExitCode::data, {table.file()}, "no mesh", "a row for each file");
+    }
+    MeshFile all;
+    Parts parts;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& name = table.text(row, "file");
+        const FileBytes bytes = reading.open_at(table.place(row, "file"), "mesh " + std::to_string(row + 1),
+                                                name, "a mesh (PLY, STL, DXF)");
+        MeshFile mesh = read_mesh_file(bytes.text(), reading.shown(name));
+        if (mesh.faces.empty()) {
+            problems.add(config::ExitCode::data, table.place(row, "file"),
+                         "no faces in " + config::in_quotes(name), "triangles (PLY, STL, DXF with 3DFACE)",
+                         "name contours and points in terrain.mesh instead");
+            continue;
+        }
+        turn_up(mesh, reading.scenario().mesh_up);
+        doubt_precision(mesh, reading.shown(name), reading);
+        note_passed_over(mesh, reading.shown(name), reading);
+        parts.names.push_back(name);
+        parts.first_face.push_back(all.faces.size());
+        const auto first_point = static_cast<std::uint32_t>(all.points_m.size());
+        all.points_m.insert(all.points_m.end(), mesh.points_m.begin(), mesh.points_m.end());
+        for (const auto& [a, b, c] : mesh.faces) {
+            all.faces.push_back({a + first_point, b + first_point, c + first_point});
+            all.codes.push_back(static_cast<std::uint32_t>(row));
+        }
+    }
+    problems.throw_if_any();
+    input.first_file = parts.names.front();
+    input.has_codes = true;
+    input.tin = checked_tin(tin_of(std::move(all)), table.file(), input.left_out, reading);
+    parts.name(input.left_out);
+    input.parts = table;
+    return input;
+}
+
+}  // namespace
+
 MeshInput read_mesh(Reading& reading) {
+    if (!reading.scenario().meshes.empty()) {
+        return read_parts(reading);
+    }
     const std::string& name = reading.scenario().mesh;
     const std::string file = reading.shown(name);
     MeshFile mesh = read_named_mesh(name, reading);
@@ -204,15 +162,11 @@ MeshInput read_mesh(Reading& reading) {
         config::fail(config::ExitCode::data, {file}, counted(mesh.points_m.size(), "point"),
                      "at least three");
     }
+    turn_up(mesh, reading.scenario().mesh_up);
     doubt_precision(mesh, file, reading);
-    std::string names;
-    for (const std::string& passed : mesh.passed_over) {
-        names += (names.empty() ? "" : ", ") + passed;
-    }
-    if (!names.empty()) {
-        reading.note(joined(file, ": passed over: ", names));
-    }
+    note_passed_over(mesh, file, reading);
     MeshInput input;
+    input.first_file = name;
     if (mesh.faces.empty()) {
         if (format_of("", file) == MeshFormat::ply) {
             reading.note(file + ": no faces in it; its points are triangulated as those of terrain.points");
@@ -227,12 +181,42 @@ MeshInput read_mesh(Reading& reading) {
         return input;
     }
     input.has_codes = !mesh.codes.empty();
-    input.tin = checked_tin(std::move(mesh), file, reading);
+    input.tin = checked_tin(tin_of(std::move(mesh)), file, input.left_out, reading);
+    Parts{{name}, {0}}.name(input.left_out);
     return input;
 }
 
-void name_ground(std::vector<rockfall::TinFace>& faces, const std::vector<rockfall::SurfaceType>& types,
-                 Reading& reading) {
+namespace {
+
+/// Faces carry the row of their file in terrain.meshes.
+void name_ground_by_file(std::vector<rockfall::TinFace>& faces, const config::Table& parts,
+                         std::vector<rockfall::SurfaceType>& types, Reading& reading) {
+    auto elsewhere = reading.attempt([&] { return uniform_ground(reading.scenario()); });
+    GroundNames names{types, elsewhere.value_or(std::nullopt), *reading.scenario().options};
+    config::Problems problems;
+    std::vector<std::uint32_t> ground_of_row;
+    for (std::size_t row = 0; row < parts.rows(); ++row) {
+        ground_of_row.push_back(names.place_of(parts, row, "file", problems).value_or(0) + 1U);
+    }
+    for (rockfall::TinFace& face : faces) {
+        face.surface = ground_of_row[face.surface - 1];
+    }
+    types = std::move(names).list();
+    config::Problems shown;
+    add_first(shown, problems, parts.file());
+    for (const config::Problem& problem : shown.list()) {
+        reading.problems().add(problem);
+    }
+}
+
+}  // namespace
+
+void name_ground(HeightInput& heights, std::vector<rockfall::SurfaceType>& types, Reading& reading) {
+    std::vector<rockfall::TinFace>& faces = heights.faces;
+    if (heights.mesh_parts) {
+        name_ground_by_file(faces, *heights.mesh_parts, types, reading);
+        return;
+    }
     std::map<std::uint32_t, std::uint32_t> place_of;
     std::string known;
     for (std::size_t i = 0; i < types.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include "coupling/inputs/meshes/mesh_file.hpp"
 #include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/terrain_input.hpp"
 #include "rockfall/slope.hpp"
 #include "rockfall/terrain/tin/tin.hpp"
 
@@ -19,6 +20,9 @@ struct MeshInput {
     std::vector<Eigen::Vector3d> points_m;
     std::vector<rockfall::PointPair> lines;  ///< between the points, to be edges of triangles
     bool has_codes = false;
+    std::optional<config::Table> parts{};  ///< of terrain.meshes; faces carry the number of their row, from 1
+    std::vector<LeftOutFace> left_out{};   ///< faces that lay below others
+    std::string first_file{};              ///< as the scenario names it
 };
 
 /// Reads and checks the file. Throws InputError (data) for what no terrain can be made of; doubts holes,
@@ -26,10 +30,9 @@ struct MeshInput {
 /// over.
 MeshInput read_mesh(Reading& reading);
 
-/// Puts the place of a ground type in the list of types, counted from 1, where faces carry its code. Refuses
-/// codes that the list lacks.
-void name_ground(std::vector<rockfall::TinFace>& faces, const std::vector<rockfall::SurfaceType>& types,
-                 Reading& reading);
+/// Puts the place of a ground type in the list of types, counted from 1, where faces carry its code or the
+/// row of their file. Refuses codes and names that are unknown; shipped types that rows name join the list.
+void name_ground(HeightInput& heights, std::vector<rockfall::SurfaceType>& types, Reading& reading);
 
 /// What a file holds, for `bannwald info`.
 void describe(const MeshFile& mesh, std::ostream& out);

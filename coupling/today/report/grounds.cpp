@@ -17,14 +17,28 @@ namespace {
 
 using config::joined;
 
-/// The columns in which any ground type has something.
+/// Whether a column says for every ground type what another one says already.
+bool is_repeated(const std::vector<GroundFigures>& grounds, std::size_t place) {
+    const std::string_view other = ground_columns()[place].repeats;
+    if (other.empty()) {
+        return false;
+    }
+    const std::size_t first = ground_column(other);
+    return std::all_of(grounds.begin(), grounds.end(), [&](const GroundFigures& ground) {
+        return ground.figures[place] == ground.figures[first] || !ground.has(place);
+    });
+}
+
+/// The columns in which any ground type has something, without repetitions.
 std::vector<std::size_t> shown_columns(const std::vector<GroundFigures>& grounds) {
     std::vector<std::size_t> shown;
     for (std::size_t i = 0; i < ground_columns().size(); ++i) {
         const bool is_soil = ground_columns()[i].name == soil_column;
-        if (std::any_of(grounds.begin(), grounds.end(), [&](const GroundFigures& ground) {
-                return is_soil ? !ground.soil.empty() : ground.has(i);
-            })) {
+        if (std::any_of(grounds.begin(), grounds.end(),
+                        [&](const GroundFigures& ground) {
+                            return is_soil ? !ground.soil.empty() : ground.has(i);
+                        }) &&
+            !is_repeated(grounds, i)) {
             shown.push_back(i);
         }
     }

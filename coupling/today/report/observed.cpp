@@ -86,4 +86,27 @@ std::string observed_stops(const std::vector<StopComparison>& comparisons) {
                   left, "<div class=\"halves\">", charts, "</div></section>\n");
 }
 
+std::string observed_events(const std::vector<observed::EventComparison>& comparisons) {
+    if (comparisons.empty()) {
+        return "";
+    }
+    HtmlTable table{page_text("today.observed.events_caption"),
+                    {page_text("today.observed.what"), page_text("today.observed.number"),
+                     page_text("today.observed.mean_of"), "±", "10 %", "50 %", "90 %",
+                     page_text("today.observed.largest"), "KS"}};
+    for (const observed::EventComparison& one : comparisons) {
+        const std::string name = joined("<code>", escaped(one.name()), "</code>");
+        const auto add = [&](const char* side, const observed::SampleFigures& figures, double ks) {
+            table.row({joined(name, ", ", page_text(side)), std::to_string(figures.count),
+                       fixed(figures.mean, 2), fixed(figures.deviation, 2), fixed(figures.quantiles[0], 2),
+                       fixed(figures.quantiles[2], 2), fixed(figures.quantiles[4], 2),
+                       fixed(figures.largest, 2), fixed(ks, 2)});
+        };
+        add("today.observed.observed", one.observed, std::nan(""));
+        add("today.observed.simulated", one.simulated, one.largest_distance);
+    }
+    return joined("<h2>", page_text("today.observed.events_title"), "</h2>\n<section class=\"card\">",
+                  table.html(), "</section>\n");
+}
+
 }  // namespace coupling::report

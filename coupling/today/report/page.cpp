@@ -26,9 +26,9 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
     out << first_screen(results, figures) << along_lines(results) << release_groups(results)
         << forest_of_today(results) << nets(results) << slope_view(results) << "<div class=\"appendix\">\n"
         << answers_in_detail(results, figures) << maps(results) << charts(results, figures)
-        << observed_stops(results.observed_stops) << along_paths(results) << key_figures(results, figures)
-        << grounds(results) << warnings(results) << settings(results) << sources_and_files(results, files)
-        << "</div>\n";
+        << observed_stops(results.observed_stops) << observed_events(results.observed_events)
+        << along_paths(results) << key_figures(results, figures) << grounds(results) << warnings(results)
+        << settings(results) << sources_and_files(results, files) << "</div>\n";
     end_page(out, frame);
 }
 

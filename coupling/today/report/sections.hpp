@@ -40,6 +40,8 @@ std::string key_figures(const RunResults& results, const Figures& figures);
 std::string grounds(const RunResults& results);
 /// Observed stops beside simulated ones; nothing where none were observed.
 std::string observed_stops(const std::vector<observed::StopComparison>& comparisons);
+/// Observed passages and impacts beside simulated ones; nothing where none were observed.
+std::string observed_events(const std::vector<observed::EventComparison>& comparisons);
 std::string warnings(const RunResults& results);
 /// Settings that differ from their defaults; all of them folded.
 std::string settings(const RunResults& results);

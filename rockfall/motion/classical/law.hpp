@@ -10,6 +10,7 @@ namespace rockfall::classical {
 enum class Friction : std::uint8_t {
     from_rt,  ///< of the ground type: (1 - r_t) / r_t
     angle,    ///< one angle for all
+    ground,   ///< sliding friction of the ground type, else of its soil
 };
 
 /// The settings of the classical lumped-mass model with constant restitution; sources in parameters.cpp and

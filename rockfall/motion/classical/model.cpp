@@ -20,10 +20,10 @@ constexpr std::array columns{
         .name = "r_t",
         .from = types,
         .value = [](const SurfaceType& type, const Law&, double) { return type.as_published().tangential; }},
-    GroundColumn<Law>{.name = "friction",
-                      .from = "(1 - r_t) / r_t, or classical.friction_angle_deg",
-                      .value = [](const SurfaceType& type, const Law& law,
-                                  double) { return friction_of(type.as_published(), law); }},
+    GroundColumn<Law>{
+        .name = "friction",
+        .from = "(1 - r_t) / r_t, classical.friction_angle_deg or the ground type",
+        .value = [](const SurfaceType& type, const Law& law, double) { return friction_of(type, law); }},
 };
 
 }  // namespace

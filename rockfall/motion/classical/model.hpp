@@ -1,6 +1,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "rockfall/motion/classical/law.hpp"
 #include "rockfall/motion/classical/motion.hpp"
@@ -18,6 +20,7 @@ struct Model {
     static const ModelDescription& description();
     static std::span<const GroundColumn<Law>> ground_columns();
     static SidewaysTurn sideways_turn(const Written& written);
+    static std::vector<std::string> doubts(const Slope& slope, double drop_m, const Law& law);
 
     // Settings: section [classical].
     static void declare(config::Options& options, Law& law, Written& written);

@@ -35,7 +35,7 @@ Contact Motion::touch(const Eigen::Vector3d& velocity_mps, double, const Eigen::
 }
 
 double Motion::friction(const SurfaceType& surface) const {
-    return friction_of(surface.as_published(), law_);
+    return friction_of(surface, law_);
 }
 
 EdgeWay Motion::way_over_edge(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& next_normal,

@@ -17,10 +17,12 @@ void Model::declare(config::Options& options, Law& law, Written& written) {
                     .high = 90.0,
                     .meaning = "largest turn of a rock at an impact, either way, at every speed",
                     .source = "choice: that of fast rocks under picus"});
-    options.choice("classical.friction", law.friction,
-                   {{"from_rt", Friction::from_rt}, {"angle", Friction::angle}},
-                   {.meaning = "friction of sliding: (1 - r_t) / r_t of the ground, or one angle",
-                    .source = "choice; both are in use (help of RocFall, analysis method)"});
+    options.choice(
+        "classical.friction", law.friction,
+        {{"from_rt", Friction::from_rt}, {"angle", Friction::angle}, {"ground", Friction::ground}},
+        {.meaning = "friction of sliding: (1 - r_t) / r_t of the ground, one angle, or ground: its "
+                    "sliding_friction, else that of its soil",
+         .source = "choice; both are in use (help of RocFall, analysis method)"});
     options.number("classical.friction_angle_deg", written.friction_angle_deg,
                    {.unit = "deg",
                     .low = 0.0,

@@ -37,7 +37,7 @@ Eigen::Vector3d turned(const Eigen::Vector3d& velocity_mps, config::Angle sidewa
 
 }  // namespace
 
-double width_at(const Width& width, double speed_mps, double limit_mps, Uncertainty uncertainty) {
+double width_at(const Width& width, double speed_mps, Uncertainty uncertainty) {
     switch (uncertainty) {
         case Uncertainty::off:
             return 0.0;
@@ -46,7 +46,7 @@ double width_at(const Width& width, double speed_mps, double limit_mps, Uncertai
         case Uncertainty::by_speed:
             break;
     }
-    return width.slow + std::min(speed_mps / limit_mps, 1.0) * (width.fast - width.slow);
+    return width.slow + std::min(speed_mps / width.limit_mps, 1.0) * (width.fast - width.slow);
 }
 
 double deviate(double u, Spread spread) {
@@ -61,12 +61,11 @@ ImpactDraws impact_draws(const config::FourUniforms& uniforms, const Law& law) {
 
 ImpactParameters impact_parameters(const Soil& soil, double speed_mps, const Law& law,
                                    const ImpactDraws& draws) {
-    const double share = width_at(soil.restitution_share, speed_mps, soil.limit_mps, law.uncertainty);
-    const double angle_rad = width_at(soil.angle_rad, speed_mps, soil.limit_mps, law.uncertainty);
-    return {{around(soil.restitution.normal, share, draws.normal),
-             around(soil.restitution.tangential, share, draws.tangential)},
-            within_right_angle(angle_rad * draws.sideways),
-            within_right_angle(angle_rad * draws.upwards)};
+    const auto at_speed = [&](const Width& width) { return width_at(width, speed_mps, law.uncertainty); };
+    return {{around(soil.restitution.normal, at_speed(soil.normal_share), draws.normal),
+             around(soil.restitution.tangential, at_speed(soil.tangential_share), draws.tangential)},
+            within_right_angle(at_speed(soil.sideways_rad) * draws.sideways),
+            within_right_angle(at_speed(soil.upwards_rad) * draws.upwards)};
 }
 
 Eigen::Vector3d vertical_projection(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal) {

@@ -8,8 +8,9 @@
 
 namespace rockfall::pir3d {
 
-/// Width at a speed: d(V) = d_slow + V / V_lim (d_fast - d_slow) up to V_lim, d_fast above (Eqs. 6-9).
-double width_at(const Width& width, double speed_mps, double limit_mps, Uncertainty uncertainty);
+/// Width at a speed: d(V) = d_slow + V / V_lim (d_fast - d_slow) up to V_lim, d_fast above (Eqs. 6-9). Each
+/// parameter has d_slow, d_fast and V_lim of its own (Table 1).
+double width_at(const Width& width, double speed_mps, Uncertainty uncertainty);
 
 /// A deviate from a uniform number on [0, 1): on [-1, 1), or standard normal cut at three deviations.
 ///

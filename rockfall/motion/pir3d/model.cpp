@@ -1,7 +1,9 @@
 #include "rockfall/motion/pir3d/model.hpp"
 
 #include <array>
+#include <cmath>
 
+#include "config/text/joined.hpp"
 #include "config/units/angle.hpp"
 
 namespace rockfall::pir3d {
@@ -40,13 +42,21 @@ constexpr std::array columns{
     of_soil(
         "friction", [](const Soil& soil) { return soil.friction; }, "the soil"),
     of_soil("threshold_deg", [](const Soil& soil) { return soil.threshold_tangent; }),
-    of_soil("dr_slow_percent", [](const Soil& soil) { return percent(soil.restitution_share.slow); }),
-    of_soil("dr_fast_percent", [](const Soil& soil) { return percent(soil.restitution_share.fast); }),
+    of_soil("dr_slow_percent", [](const Soil& soil) { return percent(soil.normal_share.slow); }),
+    of_soil("dr_fast_percent", [](const Soil& soil) { return percent(soil.normal_share.fast); }),
     of_soil("dk_slow_percent", [](const Soil& soil) { return percent(soil.friction_share.slow); }),
     of_soil("dk_fast_percent", [](const Soil& soil) { return percent(soil.friction_share.fast); }),
-    of_soil("angle_slow_deg", [](const Soil& soil) { return degrees(soil.angle_rad.slow); }),
-    of_soil("angle_fast_deg", [](const Soil& soil) { return degrees(soil.angle_rad.fast); }),
-    of_soil("limit_mps", [](const Soil& soil) { return soil.limit_mps; }),
+    of_soil("angle_slow_deg", [](const Soil& soil) { return degrees(soil.sideways_rad.slow); }),
+    of_soil("angle_fast_deg", [](const Soil& soil) { return degrees(soil.sideways_rad.fast); }),
+    of_soil("limit_mps", [](const Soil& soil) { return soil.normal_share.limit_mps; }),
+    of_soil("dr_t_slow_percent", [](const Soil& soil) { return percent(soil.tangential_share.slow); }),
+    of_soil("dr_t_fast_percent", [](const Soil& soil) { return percent(soil.tangential_share.fast); }),
+    of_soil("angle_v_slow_deg", [](const Soil& soil) { return degrees(soil.upwards_rad.slow); }),
+    of_soil("angle_v_fast_deg", [](const Soil& soil) { return degrees(soil.upwards_rad.fast); }),
+    of_soil("limit_r_t_mps", [](const Soil& soil) { return soil.tangential_share.limit_mps; }),
+    of_soil("limit_k_mps", [](const Soil& soil) { return soil.friction_share.limit_mps; }),
+    of_soil("limit_angle_h_mps", [](const Soil& soil) { return soil.sideways_rad.limit_mps; }),
+    of_soil("limit_angle_v_mps", [](const Soil& soil) { return soil.upwards_rad.limit_mps; }),
 };
 
 }  // namespace
@@ -67,6 +77,20 @@ const ModelDescription& Model::description() {
 
 std::span<const GroundColumn<Law>> Model::ground_columns() {
     return columns;
+}
+
+/// Restitution that knows no speed lets rocks get ever faster on long slopes.
+std::vector<std::string> Model::doubts(const Slope&, double drop_m, const Law&) {
+    constexpr double long_drop_m = 300.0;  // choice: beyond the slopes that the model was fitted on
+    if (drop_m < long_drop_m) {
+        return {};
+    }
+    return {config::joined(
+        "pir3d: restitution does not fall with speed, so nothing bounds the speed of rocks; they "
+        "may drop ",
+        std::to_string(std::lround(drop_m)),
+        " m here (over 1400 m this model gave up to 97 m/s). Compare speeds and energies with "
+        "another rockfall.motion")};
 }
 
 SidewaysTurn Model::sideways_turn(const Written&) {

@@ -33,7 +33,7 @@ EdgeWay Motion::way_over_edge(const Eigen::Vector3d& velocity_mps, const Eigen::
 double Motion::friction(const SurfaceType& surface) const {
     assert(surface.soil);
     const Soil& soil = *surface.soil;
-    const double share = width_at(soil.friction_share, first_speed_mps_, soil.limit_mps, law_.uncertainty);
+    const double share = width_at(soil.friction_share, first_speed_mps_, law_.uncertainty);
     return std::max(0.0, soil.friction * (1.0 + share * friction_draw_));
 }
 

@@ -129,7 +129,8 @@ TEST(GroundChanges, TellWhatNoGroundHas) {
               "--set ground.solidrock.r_t=0.8: found ground type 'solidrock', expected 'solid_rock'");
     EXPECT_EQ(open(project, {"ground.pasture.rt=0.8"}).errors,
               "--set ground.pasture.rt=0.8: found key 'rt' of a ground type, expected one of r_n, r_t, "
-              "jump_angle_factor, p_stop, rolling_stops_per_m, rolling_friction");
+              "jump_angle_factor, p_stop, rolling_stops_per_m, rolling_friction, "
+              "sliding_friction");
     EXPECT_EQ(open(project, {"ground.pasture.r_t=1.8"}).errors,
               "--set ground.pasture.r_t=1.8: found ground.pasture.r_t = '1.8', expected a number in [0, "
               "0.99]");

@@ -27,10 +27,11 @@ SmallRun on_scree() {
     scree.soil = rockfall::Soil{.name = "scree_step_1",
                                 .restitution = {0.35, 0.8},
                                 .friction = 0.6,
-                                .restitution_share = {0.2, 0.1},
-                                .friction_share = {0.3, 0.15},
-                                .angle_rad = {0.5, 0.25},
-                                .limit_mps = 8.0,
+                                .normal_share = {0.2, 0.1, 8.0},
+                                .tangential_share = {0.2, 0.05, 8.0},
+                                .friction_share = {0.3, 0.15, 6.0},
+                                .sideways_rad = {0.5, 0.25, 8.0},
+                                .upwards_rad = {0.5, 0.25, 8.0},
                                 .threshold_tangent = 0.1};
     run.site.slope.types = {rock, scree};
     run.site.surface = config::Raster<std::uint8_t>{run.site.map_frame, 1};
@@ -69,11 +70,18 @@ TEST(Grounds, TellTheSoilThatPir3dHeeds) {
     EXPECT_EQ(table.text(0, "dr_slow_percent"), "20.00");
     EXPECT_EQ(table.text(0, "dk_fast_percent"), "15.00");
     EXPECT_EQ(table.text(0, "limit_mps"), "8.00");
+    // Where a parameter has a width or a limit of its own.
+    EXPECT_EQ(table.text(0, "dr_t_slow_percent"), "20.00");
+    EXPECT_EQ(table.text(0, "dr_t_fast_percent"), "5.00");
+    EXPECT_EQ(table.text(0, "limit_k_mps"), "6.00");
+    EXPECT_EQ(table.text(0, "limit_angle_h_mps"), "8.00");
     EXPECT_EQ(table.text(0, "p_stop"), "");
     const std::string html = report::grounds(run.results());
     EXPECT_NE(html.find("scree &amp; sand"), std::string::npos) << html;
     EXPECT_NE(html.find("<code>scree_step_1</code>"), std::string::npos) << html;
     EXPECT_EQ(html.find("stops at an impact"), std::string::npos) << html;
+    EXPECT_NE(html.find("limit of k, m/s"), std::string::npos) << html;
+    EXPECT_EQ(html.find("limit of the vertical angle"), std::string::npos) << html;  // that of R_N
 }
 
 TEST(Grounds, TellTheFrictionOfTheClassicalModel) {

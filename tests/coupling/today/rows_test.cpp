@@ -31,6 +31,12 @@ TEST(WriteRock, HasAFieldForEveryColumnAndAbsoluteCoordinates) {
     record.max_energy_j = 12345.0;
     record.jumps = 2;
     record.jump_height_sum_m = 3.0;
+    record.min_speed_mps = 0.25;
+    record.long_jumps = 2;
+    record.jump_length_sum_m = 9.0;
+    record.min_jump_length_m = 3.5;
+    record.max_jump_length_m = 5.5;
+    record.impacts_by_ground = {{5, 2}, {3, 11}};
     std::ostringstream out;
     write_rock_header(out);
     write_rock(out, record, Cover::forest, origin_m, 7, 3);
@@ -50,6 +56,11 @@ TEST(WriteRock, HasAFieldForEveryColumnAndAbsoluteCoordinates) {
     EXPECT_EQ(table.text(0, "mean_speed_mps"), "12.000");
     EXPECT_EQ(table.text(0, "max_energy_kj"), "12.345");
     EXPECT_EQ(table.text(0, "mean_jump_height_m"), "1.500");
+    EXPECT_EQ(table.text(0, "min_speed_mps"), "0.250");
+    EXPECT_EQ(table.text(0, "min_jump_length_m"), "3.500");
+    EXPECT_EQ(table.text(0, "mean_jump_length_m"), "4.500");
+    EXPECT_EQ(table.text(0, "max_jump_length_m"), "5.500");
+    EXPECT_EQ(table.text(0, "impacts_by_ground"), "3:11 5:2");  // by code
 }
 
 TEST(WriteArrival, TellsWhereAndHowARockArrived) {

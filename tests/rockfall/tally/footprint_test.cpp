@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -196,6 +197,66 @@ TEST(Footprint, MeasuresPathAndMeanSpeedOfARockThatHopsOnTheSpot) {
     EXPECT_NEAR(footprint.record().path_m, 16.5625, 1e-6);
     EXPECT_NEAR(footprint.record().mean_speed_mps(),
                 16.5625 / (std::sqrt(20.0 / config::gravity_mps2) * 2.75), 1e-6);
+}
+
+TEST(Footprint, RecordsJumpLengthsAndSpeedsOfEveryEvent) {
+    const Slope slope = wavy_slope();
+    const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
+    for (std::uint64_t rock = 0; rock < 20; ++rock) {
+        const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5}, 0.9, rock);
+        const RockRecord record = watch(slope, frame, start).record;
+        const auto [end, log] = logged_fall(slope, lively_law(), start);
+        double least_mps = start.velocity_mps.norm();
+        std::vector<double> lengths_m;
+        for (const EventLog::Jump& jump : log.jumps) {
+            for (int i = 0; i <= 4000; ++i) {
+                const double t = jump.until_s * i / 4000.0;
+                least_mps = std::min(least_mps, std::sqrt(jump.flight.squared_speed_at(t)));
+            }
+            const double length_m = (jump.flight.position_m(jump.until_s) - jump.flight.start_m).norm();
+            if (length_m >= 1e-3) {
+                lengths_m.push_back(length_m);
+            }
+        }
+        for (const EventLog::Roll& roll : log.rolls) {
+            least_mps = std::min({least_mps, roll.piece.velocity_mps.norm(),
+                                  roll.piece.velocity_at(roll.piece.duration_s).norm()});
+        }
+        EXPECT_NEAR(record.min_speed_mps, least_mps, 2e-3);
+        EXPECT_LE(record.min_speed_mps, least_mps + 1e-12);  // sampling misses the apex, the record does not
+        ASSERT_FALSE(lengths_m.empty());
+        double sum_m = 0.0;
+        for (const double length_m : lengths_m) {
+            sum_m += length_m;
+        }
+        EXPECT_DOUBLE_EQ(record.min_jump_length_m, *std::min_element(lengths_m.begin(), lengths_m.end()));
+        EXPECT_DOUBLE_EQ(record.max_jump_length_m, *std::max_element(lengths_m.begin(), lengths_m.end()));
+        EXPECT_NEAR(record.mean_jump_length_m(), sum_m / static_cast<double>(lengths_m.size()), 1e-9);
+    }
+}
+
+TEST(Footprint, CountsImpactsByGround) {
+    Slope slope = wavy_slope();
+    SurfaceType lower = slope.types.front();
+    lower.code = 7;
+    slope.types.push_back(lower);
+    // The eastern half is ground 7.
+    const config::GridFrame halves{2,     1,    -slope.terrain.origin_m().x(), -slope.terrain.origin_m().y(),
+                                   100.0, 100.0};
+    slope.surface = SurfaceMap{halves, {0, 1}};
+    const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
+    const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5});
+    const RockRecord record = watch(slope, frame, start).record;
+    const auto [end, log] = logged_fall(slope, lively_law(), start);
+    const double middle_m = 100.0 - slope.terrain.origin_m().x();
+    const auto in_east = static_cast<std::uint32_t>(
+        std::count_if(log.impacts.begin(), log.impacts.end(),
+                      [&](const Eigen::Vector3d& at) { return at.x() >= middle_m; }));
+    ASSERT_EQ(record.impacts_by_ground.size(), 2U);
+    EXPECT_EQ(record.impacts_by_ground[0].ground, 1);
+    EXPECT_EQ(record.impacts_by_ground[1].ground, 7);
+    EXPECT_EQ(record.impacts_by_ground[1].impacts, in_east);
+    EXPECT_EQ(record.impacts_by_ground[0].impacts + in_east, record.ground_impacts);
 }
 
 }  // namespace

@@ -119,14 +119,14 @@ TEST(JumpLog, DoesNotTakeARollingRocksImpactForTheEndOfAJump) {
     const Landing landing = fly(slope.terrain, flight, start.triangle, stretches);
     log.flew(start.rock, flight, landing.time_s, stretches, 0.0);
     log.met_stem(start.position_m, {}, {}, 1.0);
-    log.impacted(start.position_m);
+    log.impacted(start.position_m, 0);
     EXPECT_FALSE(log.jumps().back().landed);
     log.flew(start.rock, flight, landing.time_s, stretches, 0.0);
     log.rolled(start.rock, {}, landing.triangle);
-    log.impacted(start.position_m);
+    log.impacted(start.position_m, 0);
     EXPECT_FALSE(log.jumps().back().landed);
     log.flew(start.rock, flight, landing.time_s, stretches, 0.0);
-    log.impacted(start.position_m);
+    log.impacted(start.position_m, 0);
     EXPECT_TRUE(log.jumps().back().landed);
 }
 
@@ -136,7 +136,7 @@ TEST(JumpLog, BeginsEachRockAnew) {
     Watched fall{slope, deterministic_law(), start};
     fall.jumps.begin();
     EXPECT_TRUE(fall.jumps.jumps().empty());
-    fall.jumps.impacted(start.position_m);  // without a flight there is nothing to mark
+    fall.jumps.impacted(start.position_m, 0);  // without a flight there is nothing to mark
     EXPECT_TRUE(fall.jumps.jumps().empty());
 }
 

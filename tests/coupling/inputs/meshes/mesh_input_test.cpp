@@ -289,5 +289,90 @@ TEST(MeshInput, TakesContoursWhoseLinesAreEdges) {
         << crossing.errors;
 }
 
+/// A square of ground, and a roof over a part of it.
+const std::string ground_and_roof = ply_of(
+    "1000 2000 400\n1120 2000 340\n1120 2100 340\n1000 2100 400\n"
+    "1050 2040 390\n1070 2040 380\n1070 2060 380\n1050 2060 390\n",
+    8, "3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n", 4);
+
+TEST(MeshInput, KeepsTheUpperFacesIfAsked) {
+    const MeshProject project;
+    std::vector<std::string> settings{"targets.file=", "trees.file="};
+    settings.insert(settings.end(), one_ground.begin(), one_ground.end());
+    const Opened refused = open_mesh(project, "m.ply", ground_and_roof, settings);
+    EXPECT_EQ(refused.code, ExitCode::data);
+    EXPECT_NE(refused.errors.find("terrain.mesh_overhangs = keep_upper leaves out what lies below"),
+              std::string::npos)
+        << refused.errors;
+    settings.emplace_back("terrain.mesh_overhangs=keep_upper");
+    const Opened opened = open_mesh(project, "m.ply", ground_and_roof, settings);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const Site& site = *opened.site;
+    const auto height_m = [&](double x_m, double y_m) {
+        return site.slope.terrain.height_m(x_m - site.origin_m().x(), y_m - site.origin_m().y()).value();
+    };
+    EXPECT_NEAR(height_m(1061.0, 2052.0), 390.0 - 0.5 * 11.0, 1e-9);
+    EXPECT_NEAR(height_m(1000.5, 2099.0), 400.0 - 0.5 * 0.5, 1.0);
+    ASSERT_EQ(site.left_out_faces.size(), 2U);  // both faces of the ground reach below the roof
+    EXPECT_EQ(site.left_out_faces[0].file, "m.ply");
+    EXPECT_EQ(site.left_out_faces[0].number, 1U);
+    ASSERT_FALSE(opened.warnings.empty());
+    EXPECT_NE(opened.warnings[0].find("m.ply: 2 faces of 4 left out below others"), std::string::npos)
+        << opened.warnings[0];
+}
+
+TEST(MeshInput, MayBeSeveralFilesWithAGroundEach) {
+    const MeshProject project;
+    project.write("west.ply", ply_of("1000 2000 400\n1060 2000 370\n1060 2100 370\n1000 2100 400\n", 4,
+                                     "3 0 1 2\n3 0 2 3\n", 2));
+    project.write("east.ply", ply_of("1060 2000 370\n1120 2000 340\n1120 2100 340\n1060 2100 370\n", 4,
+                                     "3 0 1 2\n3 0 2 3\n", 2));
+    project.write("parts.csv", "file,surface\nwest.ply,1\neast.ply,pasture\n");
+    const std::vector<std::string> settings{"terrain.dem=",          "terrain.meshes=parts.csv",
+                                            "release.source=",       "release.source_shapes=cliffs.csv",
+                                            "output.cell_size_m=10", "terrain.surface="};
+    const Opened opened = open(project, settings);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const rockfall::Slope& slope = opened.site->slope;
+    const auto label_at = [&](double x_m, double y_m) {
+        const Eigen::Vector2d p = Eigen::Vector2d{x_m, y_m} - slope.terrain.origin_m();
+        return slope.type_at(*slope.terrain.locate(p.x(), p.y()), p.x(), p.y()).label;
+    };
+    EXPECT_EQ(label_at(1059.0, 2051.0), "rock");
+    EXPECT_EQ(label_at(1061.0, 2051.0), "pasture");
+    EXPECT_EQ(slope.terrain.triangles().size(), 4U);
+
+    project.write("parts.csv", "file,surface\nwest.ply,1\neast.ply,8\nsouth.ply,1\n");
+    const Opened missing = open(project, settings);
+    EXPECT_NE(missing.errors.find("parts.csv:4:1: found no file 'south.ply'"), std::string::npos)
+        << missing.errors;
+    project.write("parts.csv", "file,surface\nwest.ply,1\neast.ply,8\n");
+    const Opened unknown = open(project, settings);
+    EXPECT_NE(
+        unknown.errors.find("parts.csv:3:10: found surface '8', expected a name of `bannwald info surfaces` "
+                            "or a code of terrain.surface_types"),
+        std::string::npos)
+        << unknown.errors;
+}
+
+TEST(MeshInput, MayHaveItsYAxisUp) {
+    const MeshProject project;
+    // The same square as (x, z, -y).
+    const std::string upright = ply_of("1000 400 -2000\n1120 340 -2000\n1120 340 -2100\n1000 400 -2100\n", 4,
+                                       "3 0 1 2\n3 0 2 3\n", 2);
+    std::vector<std::string> settings{"terrain.mesh_up=y"};
+    settings.insert(settings.end(), one_ground.begin(), one_ground.end());
+    const Opened opened = open_mesh(project, "m.ply", upright, settings);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const Site& site = *opened.site;
+    EXPECT_NEAR(
+        site.slope.terrain.height_m(1060.0 - site.origin_m().x(), 2050.0 - site.origin_m().y()).value(),
+        370.0, 1e-9);
+    const Opened without = open(project, {"terrain.mesh_up=y"});
+    EXPECT_EQ(without.code, ExitCode::settings);
+    EXPECT_NE(without.errors.find("terrain.mesh_up without terrain.mesh"), std::string::npos)
+        << without.errors;
+}
+
 }  // namespace
 }  // namespace coupling::meshes::mesh_input_test

@@ -16,13 +16,13 @@ const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
 TEST(WidthAt, FallsStraightToTheLimitSpeedAndStays) {
     // Eqs. 6-9 with 12 % at rest and 8 % from 10 m/s on.
-    const Width width{0.12, 0.08};
-    EXPECT_DOUBLE_EQ(width_at(width, 0.0, 10.0, Uncertainty::by_speed), 0.12);
-    EXPECT_DOUBLE_EQ(width_at(width, 5.0, 10.0, Uncertainty::by_speed), 0.10);
-    EXPECT_DOUBLE_EQ(width_at(width, 10.0, 10.0, Uncertainty::by_speed), 0.08);
-    EXPECT_DOUBLE_EQ(width_at(width, 40.0, 10.0, Uncertainty::by_speed), 0.08);
-    EXPECT_DOUBLE_EQ(width_at(width, 40.0, 10.0, Uncertainty::constant), 0.12);
-    EXPECT_DOUBLE_EQ(width_at(width, 40.0, 10.0, Uncertainty::off), 0.0);
+    const Width width{0.12, 0.08, 10.0};
+    EXPECT_DOUBLE_EQ(width_at(width, 0.0, Uncertainty::by_speed), 0.12);
+    EXPECT_DOUBLE_EQ(width_at(width, 5.0, Uncertainty::by_speed), 0.10);
+    EXPECT_DOUBLE_EQ(width_at(width, 10.0, Uncertainty::by_speed), 0.08);
+    EXPECT_DOUBLE_EQ(width_at(width, 40.0, Uncertainty::by_speed), 0.08);
+    EXPECT_DOUBLE_EQ(width_at(width, 40.0, Uncertainty::constant), 0.12);
+    EXPECT_DOUBLE_EQ(width_at(width, 40.0, Uncertainty::off), 0.0);
 }
 
 TEST(Deviate, HasTheMomentsOfItsDistribution) {

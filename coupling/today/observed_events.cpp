@@ -1,0 +1,121 @@
+#include "coupling/today/observed_events.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/results/csv_row.hpp"
+#include "coupling/results/figures.hpp"
+#include "coupling/results/geopackage/csv_rows.hpp"
+#include "coupling/today/static_layouts.hpp"
+
+namespace coupling {
+namespace {
+
+using observed::EventComparison;
+using observed::SampleFigures;
+using observed::SimulatedPassage;
+
+const char* kind_in_words(const EventComparison& one) {
+    return one.kind == EventComparison::Kind::passage ? "passage" : "impact";
+}
+
+void write_event_side(TableRows& row, const EventComparison& one, const char* side,
+                      const SampleFigures& figures) {
+    row.text(kind_in_words(one)).text(one.place).text(one.group.empty() ? "all" : one.group);
+    row.text(one.quantity).text(one.unit).text(side).whole(figures.count);
+    row.number<4>(figures.mean).number<4>(figures.deviation);
+    for (const double quantile : figures.quantiles) {
+        row.number<4>(quantile);
+    }
+    row.number<4>(figures.largest);
+}
+
+Json json_event_side(const SampleFigures& figures) {
+    Json quantiles;
+    for (std::size_t i = 0; i < figures.quantiles.size(); ++i) {
+        const auto percent = static_cast<int>(100.0 * observed::quantile_shares[i] + 0.5);
+        quantiles["p" + std::to_string(percent)] = json_number(figures.quantiles[i]);
+    }
+    return {{"count", figures.count},
+            {"mean", json_number(figures.mean)},
+            {"deviation", json_number(figures.deviation)},
+            {"quantiles", quantiles},
+            {"largest", json_number(figures.largest)}};
+}
+
+/// A number of a field that this program wrote.
+double number_of(std::string_view field, const std::filesystem::path& file) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc{} || end != field.data() + field.size()) {
+        config::fail(config::ExitCode::file, {file.string()}, "a damaged row", "a row that this run wrote",
+                     "run again with --overwrite");
+    }
+    return value;
+}
+
+}  // namespace
+
+std::vector<SimulatedPassage> simulated_passages(const std::filesystem::path& arrivals_csv, const Site& site,
+                                                 rockfall::Cover cover) {
+    std::map<std::string, std::uint32_t, std::less<>> place_of;
+    for (std::size_t i = 0; i < site.targets.size(); ++i) {
+        place_of.emplace(site.targets[i].id, static_cast<std::uint32_t>(i));
+    }
+    const FileBytes bytes = open_file(arrivals_csv, {arrivals_csv.string()}, "the arrivals of this run");
+    geopackage::CsvRows rows{bytes.text()};
+    const auto column = [&](std::string_view name) {
+        const auto found = std::find(rows.columns().begin(), rows.columns().end(), name);
+        return static_cast<std::size_t>(found - rows.columns().begin());
+    };
+    const std::size_t target = column("target_id"), slope = column("cover"), speed = column("speed_mps"),
+                      height = column("height_m"), energy = column("energy_kj"),
+                      translational = column("translational_kj");
+    std::vector<SimulatedPassage> passages;
+    while (rows.next()) {
+        const auto& fields = rows.fields();
+        if (fields.size() != rows.columns().size() || !place_of.contains(fields[target])) {
+            config::fail(config::ExitCode::file, {arrivals_csv.string()}, "a damaged row",
+                         "a row that this run wrote", "run again with --overwrite");
+        }
+        if (fields[slope] == name_of(cover)) {
+            const auto number = [&](std::size_t place) { return number_of(fields[place], arrivals_csv); };
+            passages.push_back({place_of.find(fields[target])->second, number(speed), number(height),
+                                number(energy), number(translational)});
+        }
+    }
+    return passages;
+}
+
+void write_observed_events(std::ostream& out, const std::vector<EventComparison>& comparisons) {
+    TableRows row{out, static_layouts(), "observed_events.csv"};
+    for (const EventComparison& one : comparisons) {
+        write_event_side(row, one, "observed", one.observed);
+        row.empty().empty().empty();
+        row.end();
+        write_event_side(row, one, "simulated", one.simulated);
+        row.number<4>(one.largest_distance).number<4>(one.distance_by_chance).number<4>(one.energy_distance);
+        row.end();
+    }
+}
+
+Json json_observed_events(const std::vector<EventComparison>& comparisons) {
+    Json list = Json::array();
+    for (const EventComparison& one : comparisons) {
+        list.push_back({{"name", one.name()},
+                        {"unit", one.unit},
+                        {"observed", json_event_side(one.observed)},
+                        {"simulated", json_event_side(one.simulated)},
+                        {"kolmogorov_smirnov", json_number(one.largest_distance)},
+                        {"kolmogorov_smirnov_by_chance", json_number(one.distance_by_chance)},
+                        {"energy_distance", json_number(one.energy_distance)}});
+    }
+    return list;
+}
+
+}  // namespace coupling

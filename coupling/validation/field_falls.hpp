@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/observed/events.hpp"
+#include "coupling/observed/stops.hpp"
+#include "coupling/validation/comparison.hpp"
+
+namespace coupling::validation {
+
+/// A scenario of a field case, opened.
+struct OpenedField {
+    std::string model;  ///< name of its motion model
+    std::unique_ptr<Scenario> scenario;
+    Site site;
+
+    [[nodiscard]] std::uint64_t rocks() const {
+        return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+    }
+};
+
+/// What its rocks did, over the slope with its trees and logs where it has any.
+struct FallenField {
+    std::vector<observed::SimulatedStop> stops;
+    std::vector<observed::EventComparison> events;  ///< beside what was observed
+    std::vector<std::uint64_t> arrived{};           ///< rocks that reached each target
+};
+
+/// Throws InputError where the scenario or its files are wrong. Its warnings are those of `bannwald check`.
+OpenedField open_field(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// Throws Interrupted.
+FallenField fall_field(const OpenedField& opened, const Work& work);
+
+}  // namespace coupling::validation
