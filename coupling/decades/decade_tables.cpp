@@ -92,9 +92,6 @@ void write_losses(std::ostream& out, const Names& names, std::span<const MemberY
     TableRows row{out, decade_layouts(), "mortality.csv"};
     for (const MemberYears& member : members) {
         for (const LossRow& loss : member.losses) {
-            if (loss.species == all) {
-                continue;
-            }
             begin_row(row, names, member.member, loss.year);
             row.text(forest::name_of(loss.cause)).text(species_of(names, loss.species));
             row.number<3>(loss.loss.stems_pha).number<4>(loss.loss.volume_m3pha);

@@ -146,10 +146,6 @@ void record_losses(const forest::Stand& stand, const forest::SpeciesTable& speci
     add_wood(stand, kept.years.back());
     const forest::StandYear whole = forest::year_of(stand, species, 0.0);
     for (std::size_t cause = 0; cause < forest::cause_count; ++cause) {
-        if (whole.losses[cause].stems_pha <= 0.0) {
-            continue;
-        }
-        kept.losses.push_back({year, all, static_cast<forest::Cause>(cause), whole.losses[cause]});
         for (std::uint32_t s = 0; s < whole.losses_by_species.size(); ++s) {
             const forest::Loss& loss = whole.losses_by_species[s][cause];
             if (loss.stems_pha > 0.0) {

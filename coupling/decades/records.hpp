@@ -82,10 +82,10 @@ struct YearRow {
     double mean_temperature_degc = 0.0;  ///< over the patches
 };
 
-/// Trees of a species, or all, that left the stand in a year for one cause, per hectare of the whole forest.
+/// Trees of a species that left the stand in a year for one cause, per hectare of the whole forest.
 struct LossRow {
     std::int32_t year = 0;
-    std::uint32_t species = all;
+    std::uint32_t species = 0;
     forest::Cause cause = forest::Cause::background;
     forest::Loss loss;
 };

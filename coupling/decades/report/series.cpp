@@ -35,9 +35,6 @@ std::vector<YearView> years_of(const Names& names, const MemberYears& member, do
     // What is done at the start belongs to the first year: sums over years begin with that.
     const auto place_of = [&](std::size_t year) { return year == 0 && years.size() > 1 ? 1 : year; };
     for (const LossRow& loss : member.losses) {
-        if (loss.species != all) {
-            continue;
-        }
         forest::Loss& sum =
             years[place_of(static_cast<std::size_t>(loss.year))].losses[forest::index_of(loss.cause)];
         sum.stems_pha += loss.loss.stems_pha;

@@ -76,8 +76,8 @@ struct SomeYears {
             row.logs_m3pha = 22.0;
             member.years.push_back(row);
             if (i > 0) {
-                member.losses.push_back({year, forest::Cause::wind, {1.0, 2.5, 1.0}});
-                member.losses.push_back({year, forest::Cause::felled, {1.0, 1.5, 1.0}});
+                member.losses.push_back({year, 0, forest::Cause::wind, {1.0, 2.5, 1.0}});
+                member.losses.push_back({year, 0, forest::Cause::felled, {1.0, 1.5, 1.0}});
                 HarvestRow work;
                 work.year = year;
                 work.taken_m3 = 1.2 * grid.area_ha();
