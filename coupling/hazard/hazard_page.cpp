@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "config/text/joined.hpp"
+#include "coupling/hazard/arrival_sections.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
 #include "coupling/hazard/hazard_results.hpp"
 #include "coupling/results/few_rocks.hpp"
@@ -340,15 +341,6 @@ std::string stopped_by_forest(const PeriodArrivals& arrivals) {
                   report::fixed(arrivals.protection_high_percent, 1), ")");
 }
 
-/// Mean time between two arrivals in words.
-std::string arrival_period(double release_years, double arrive_percent) {
-    const double years = arrival_return_period_years(release_years, arrive_percent);
-    return std::isnan(arrive_percent) ? "–"
-           : std::isinf(years)
-               ? report::page_text("hazard_page.none_arrives")
-               : report::page_text("hazard_page.years_3", {{"years", report::three_digits(years)}});
-}
-
 std::string arrivals_table(const HazardResults& results) {
     if (results.site.targets.empty()) {
         return "";
@@ -398,17 +390,9 @@ std::string maps(const HazardResults& results) {
              sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
             report::MapSize::half);
     }
-    html += joined("</div>\n<h3>", report::page_text("hazard_page.levels_by_arrival"), "</h3>\n<p>",
-                   report::page_text("hazard_page.about_the_arrival"), "</p>\n<div class=\"halves\">");
-    for (const SlopeHazard& slope : results.slopes) {
-        html += sheet.figure(
-            {joined(words_of(slope.cover), report::page_text("hazard_page.comma_by_arrival")),
-             report::page_text("hazard_page.hazard_levels", {{"words_of_slope", words_of(slope.cover)}}),
-             sheet.picture(slope.map.arrival_level, by_level), by_level.legend("levels"), ""},
-            report::MapSize::half);
-    }
+    html += joined("</div>\n", levels_by_arrival(results, sheet, by_level));
     html +=
-        joined("</div>\n<p class=\"soft\">",
+        joined("<p class=\"soft\">",
                report::page_text(
                    "hazard_page.north_is_up_coordinates_and",
                    {{"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)}}),

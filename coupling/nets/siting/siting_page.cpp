@@ -257,7 +257,7 @@ void write_siting_page(std::ostream& out, const SitingResults& results, const ro
                                   .scripts = {},
                                   .style =
                                       ".left{stroke:#7b3294;stroke-width:2.2;fill:none}"
-                                      "tr.best td,tr.best th{font-weight:600}",
+                                      ".best>*{font-weight:600}",
                                   .before_main = {}};
     report::begin_page(out, frame);
     out << opening(results) << map(results, terrain) << details(results) << how_found(results) << files();
