@@ -51,7 +51,11 @@ TableLayout stands() {
         {"lorey_height_m", "m", "mean height weighted by basal area; 0 without trees", simulated},
         {"dominant_height_m", "m",
          "mean height of the 100 thickest stems per hectare, of all where there are fewer", simulated},
-        {"leaf_area_index", "-", "projected leaf area over ground area", simulated}};
+        {"leaf_area_index", "-", "projected leaf area over ground area", simulated},
+        {"drought_index", "-",
+         "share of the year's demand for water that was not met in the months above 5.5 degC, mean over the "
+         "patches of the stand; 0 at the start",
+         simulated}};
     return {"stands.csv", "a stand, or all, and a species, or all, at the end of a year",
             together(member_columns(), rest)};
 }
@@ -103,7 +107,8 @@ TableLayout forest_years() {
 TableLayout mortality() {
     const std::vector<Column> rest{
         {"cause", "text",
-         "background, stress, self_thinning, wind, snow, beetle, rock, wound, felled or browsing", simulated},
+         "background, stress, self_thinning, wind, snow, beetle, rock, wound, felled, browsing or drought",
+         simulated},
         {"stems_pha", "1/ha", "stems that left the forest in the year", simulated},
         {"volume_m3pha", "m3/ha", "their stem wood over bark", simulated},
         {"above_ground_tpha", "t/ha", "their dry mass above ground", simulated}};

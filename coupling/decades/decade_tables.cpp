@@ -26,6 +26,7 @@ void write_stands(std::ostream& out, const Names& names, std::span<const MemberY
             row.number<1>(f.stems_pha).number<3>(f.basal_area_m2pha).number<2>(f.volume_m3pha);
             row.number<3>(f.above_ground_tpha).number<2>(f.mean_dbh_cm).number<2>(f.lorey_height_m);
             row.number<2>(f.dominant_height_m).number<3>(f.leaf_area_index);
+            row.number<3>(stand.drought_index);
             row.end();
         }
     }

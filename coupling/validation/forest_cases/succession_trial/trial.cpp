@@ -49,6 +49,14 @@ void count_year(const Stand& stand, DeathsBySize& sizes) {
     }
 }
 
+double mean_drought_index(const Stand& stand) {
+    double sum = 0.0;
+    for (const PatchState& patch : stand.patch_states()) {
+        sum += patch.drought_index;
+    }
+    return sum / static_cast<double>(stand.grid().size());
+}
+
 SuccessionState state_of(const Stand& stand, const SpeciesTable& species) {
     constexpr double thick_cm = 60.0;
     SuccessionState state;
@@ -100,16 +108,23 @@ std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial, const
 
     std::vector<SuccessionState> states;
     DeathsBySize deaths{};
+    double drought = 0.0;
+    int drought_years = 0;
     for (int year = 1; year <= trial.years; ++year) {
         const ClimateYear* const climate = trial.climate.find(sequence.source_of(year));
         assert(climate != nullptr);
         const std::vector<ClimateYear> weather(site.units().size(), *climate);
         static_cast<void>(grow_year(stand, site, species, {.units = weather}, trial.parameters, key));
         count_year(stand, deaths);
+        drought += mean_drought_index(stand);
+        ++drought_years;
         if (year % trial.interval_years == 0 || year == trial.years) {
             states.push_back(state_of(stand, species));
             states.back().deaths = deaths;
+            states.back().drought_index = drought / drought_years;
             deaths = {};
+            drought = 0.0;
+            drought_years = 0;
         }
     }
     return states;

@@ -47,10 +47,11 @@ struct SuccessionState {
     int year = 0;                       ///< since bare ground
     std::vector<SpeciesShare> species;  ///< in the order of the table
     double volume_m3pha = 0.0;
-    double thick_stems_pha = 0.0;                             ///< above 60 cm diameter
-    double top_height_m = 0.0;                                ///< of the 100 thickest stems of a hectare
-    double dead_wood_m3pha = 0.0;                             ///< standing and lying
-    double ground_light = 1.0;                                ///< mean over the patches
+    double thick_stems_pha = 0.0;  ///< above 60 cm diameter
+    double top_height_m = 0.0;     ///< of the 100 thickest stems of a hectare
+    double dead_wood_m3pha = 0.0;  ///< standing and lying
+    double ground_light = 1.0;     ///< mean over the patches
+    double drought_index = 0.0;    ///< mean over the patches and the years since the state before
     std::array<Deaths, death_class_from_cm.size()> deaths{};  ///< since the state before, by size
 
     [[nodiscard]] double biomass_tpha() const;
