@@ -11,7 +11,7 @@ namespace forest {
 
 /// How often trees of the canopy die of what no process here explains.
 struct CanopyDeaths {
-    double at_any_size = 0.0065;  ///< probability a year
+    double at_any_size = 0.0025;  ///< probability a year
     double by_size = 0.05;        ///< added at a diameter of 1 m; falls with its sixth power, conifers
     double broadleaves = 1.5;     ///< of it, broadleaves
     double beside_storms = 0.5;   ///< share of both where storms are simulated: they contain the rest

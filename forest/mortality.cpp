@@ -57,7 +57,9 @@ std::vector<std::uint16_t> stress_years_after(const Stand& stand, const SpeciesT
 }
 
 std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& species, const MortalityLaw& law,
-                                    bool storms, std::uint64_t seed, std::uint32_t replicate) {
+                                    bool storms, std::span<const double> of_drought, std::uint64_t seed,
+                                    std::uint32_t replicate) {
+    assert(of_drought.empty() || of_drought.size() == stand.trees().size());
     std::vector<Removal> deaths;
     std::vector<std::size_t> fallen;
     for (std::size_t i = 0; i < stand.trees().size(); ++i) {
@@ -66,16 +68,21 @@ std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& spec
         const double of_age =
             law.background ? background_death(kind, tree.dbh_cm, tree.age_years, law, storms) : 0.0;
         const double of_stress =
-            law.stress && tree.stress_years >= law.bad_years ? stress_death(kind.light, law) : 0.0;
+            law.stress ? (tree.stress_years >= law.bad_years ? stress_death(kind.light, law) : 0.0) +
+                             suppression_death(kind.light, tree.dbh_cm, tree.light_ratio, law.suppression)
+                       : 0.0;
         config::RandomStream stream{
             {seed, replicate, static_cast<std::uint16_t>(stand.year()), number_of(tree.id)},
             config::Purpose::tree_death};
         std::uint32_t die_of_age = 0;
         std::uint32_t die_of_stress = 0;
+        std::uint32_t die_of_drought = 0;
+        const double dry = of_drought.empty() ? 0.0 : of_drought[i];
         for (std::uint32_t stem = 0; stem < tree.stems; ++stem) {
             const double u = stream.uniform();
             die_of_age += u < of_age ? 1 : 0;
             die_of_stress += u >= of_age && u < of_age + of_stress ? 1 : 0;
+            die_of_drought += u >= of_age + of_stress && u < of_age + of_stress + dry ? 1 : 0;
         }
         if (die_of_age > 0) {
             deaths.push_back({tree.id, Cause::background, die_of_age});
@@ -85,6 +92,9 @@ std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& spec
         }
         if (die_of_stress > 0) {
             deaths.push_back({tree.id, Cause::stress, die_of_stress});
+        }
+        if (die_of_drought > 0) {
+            deaths.push_back({tree.id, Cause::drought, die_of_drought});
         }
     }
     const std::vector<Removal> taken = taken_along(stand, fallen, seed, replicate);

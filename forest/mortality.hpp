@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "forest/canopy_deaths.hpp"
+#include "forest/drought_deaths.hpp"
 #include "forest/species.hpp"
 #include "forest/stand.hpp"
+#include "forest/suppression_deaths.hpp"
 
 namespace forest {
 
@@ -20,6 +22,8 @@ enum class AgeLaw : std::uint8_t {
 struct MortalityLaw {
     AgeLaw age = AgeLaw::rising;
     CanopyDeaths canopy;
+    DroughtDeaths drought;
+    SuppressionDeaths suppression;
     double least_growth_cm = 0.03;  ///< diameter growth below which a year is bad
     double least_relative_growth =
         0.1;  ///< the same, relative to the mean of its species in the production unit, most tolerant species
@@ -48,10 +52,12 @@ std::vector<std::uint16_t> stress_years_after(const Stand& stand, const SpeciesT
                                               std::span<const std::uint32_t> production_unit,
                                               std::size_t units);
 
-/// Deaths by age and size and by stress in the stand's current year, with the neighbours that thick trees
-/// take along. One random number a stem decides, keyed by tree and year. `storms`: whether they are
-/// simulated.
+/// Deaths by age and size, by stress and shade, and by drought in the stand's current year, with the
+/// neighbours that thick trees take along. One random number a stem decides, keyed by tree and year.
+/// `storms`: whether they are simulated. `of_drought`: probability of each tree to die of the year's drought;
+/// empty = none.
 std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& species, const MortalityLaw& law,
-                                    bool storms, std::uint64_t seed, std::uint32_t replicate);
+                                    bool storms, std::span<const double> of_drought, std::uint64_t seed,
+                                    std::uint32_t replicate);
 
 }  // namespace forest

@@ -22,6 +22,27 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .meaning = "added to it at a diameter of 1 m, falling with its sixth power, conifers; "
                                "broadleaves 1.5 times; with storms half of it",
                     .source = "choice; Holzwarth et al. 2013"});
+    options.number(
+        "forest.suppression_death", law.suppression.in_full_shade,
+        {.unit = "-",
+         .low = 0.0,
+         .high = 1.0,
+         .meaning = "probability of a very thin tree without light to die in a year; falls with the "
+                    "third power of shade and with diameter",
+         .source = "choice; Holzwarth et al. 2013, Guyennon et al. 2023"});
+    options.number("forest.suppression_dbh", law.suppression.dbh_scale_cm,
+                   {.unit = "cm",
+                    .low = 1.0,
+                    .high = 500.0,
+                    .meaning = "diameter by which that probability has fallen to 1/e",
+                    .source = "choice"});
+    options.number("forest.drought_death", law.drought.at_full_drought,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "probability of a tree to die in a year in which its stomata never open for "
+                               "want of water; 0 while they are closed for less than 60 % of the season",
+                    .source = "choice"});
     options.flag("forest.background_deaths", law.background,
                  {.meaning = "trees die of age", .source = "choice"});
     options.flag("forest.stress_deaths", law.stress,

@@ -51,7 +51,6 @@ struct PatchState {
     double ground_light = 1.0;    ///< [0, 1], May to September light at the ground relative to the open
     double june_sun_hours = 0.0;  ///< hours a day of direct sun reaching the ground in June
     double drought_index = 0.0;  ///< [0, 1], share of the year's water demand that was not met; 0 = never dry
-    double water_modifier = 1.0;     ///< [0, 1], mean soil-water modifier of the last growing season
     double usual_degree_days = 0.0;  ///< >= 0, above 5.5 degC, mean of the last 30 years or so
     std::uint16_t warmth_years = 0;  ///< that this mean is made of
     std::uint16_t open_years = 0;    ///< years in a row with ground light above 0.3

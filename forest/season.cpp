@@ -9,6 +9,7 @@
 #include "forest/climate/summary.hpp"
 #include "forest/production/calendar.hpp"
 #include "forest/production/day_length.hpp"
+#include "forest/production/three_pg_modifiers.hpp"
 #include "forest/site_height.hpp"
 
 namespace forest {
@@ -32,15 +33,11 @@ std::vector<SpeciesId> species_present(const Stand& stand) {
     return list;
 }
 
-/// Leaf area index by patch and species present.
-std::vector<double> leaf_areas(const Stand& stand, std::span<const SpeciesId> present) {
-    std::vector<std::size_t> place(stand.species_count(), 0);
-    for (std::size_t i = 0; i < present.size(); ++i) {
-        place[index_of(present[i])] = i;
-    }
-    std::vector<double> lai(stand.grid().size() * present.size(), 0.0);
+/// Leaf area index by patch and species.
+std::vector<double> leaf_areas(const Stand& stand) {
+    std::vector<double> lai(stand.grid().size() * stand.species_count(), 0.0);
     for (const Tree& tree : stand.trees()) {
-        lai[index_of(tree.patch) * present.size() + place[index_of(tree.species)]] +=
+        lai[index_of(tree.patch) * stand.species_count() + index_of(tree.species)] +=
             tree.stems * tree.crown.leaf_area_m2 / patch_area_m2;
     }
     return lai;
@@ -75,14 +72,14 @@ UnitRadiation radiation_of(const SiteUnit& unit, const Stand& stand, const Site&
 struct UnitMonth {
     UnitRadiation radiation;
     WaterMonth water;
-    std::vector<WaterUse> uses;  ///< of the species present
+    std::vector<WaterUse> uses;  ///< by species
 };
 
 using UnitYear = std::array<UnitMonth, months>;
 
 UnitYear year_of_unit(const SiteUnit& unit, const ClimateYear& climate, const Stand& stand, const Site& site,
-                      const SpeciesTable& species, std::span<const SpeciesId> present, double co2_ppm,
-                      const LightYear& light_year, const LightField& light) {
+                      const SpeciesTable& species, double co2_ppm, const LightYear& light_year,
+                      const LightField& light) {
     constexpr double prime_age = 1.0;
     UnitYear year;
     for (std::size_t m = 0; m < months; ++m) {
@@ -92,75 +89,81 @@ UnitYear year_of_unit(const SiteUnit& unit, const ClimateYear& climate, const St
         year[m].radiation = radiation_of(unit, stand, site, light, m, flat_mjpm2);
         year[m].water = water_month(climate.months[m], month, day_length_s(site.latitude(), month),
                                     year[m].radiation.on_map);
-        for (const SpeciesId id : present) {
-            year[m].uses.push_back(water_use(species[id], climate.months[m], prime_age, co2_ppm));
+        for (const Species& kind : species.all()) {
+            year[m].uses.push_back(water_use(kind, climate.months[m], prime_age, co2_ppm));
         }
     }
     return year;
 }
 
-/// Means over the patches of a production unit.
+/// Sums over the patches of a production unit.
 struct UnitWater {
-    std::array<double, months> modifier{};
+    explicit UnitWater(std::size_t species) : response(months * species, 0.0) {}
+    std::vector<double> response;  ///< by month and species
     std::array<double, months> supply{};
     double patches = 0.0;
 };
 
-constexpr double growing_degc = 5.5;
-
-/// The water of one patch, month by month.
+/// The water of one patch, month by month. `response` receives that of each species over the growing season.
 PatchState balance_patch(PatchState state, const WaterStore& store, const UnitYear& year,
                          const ClimateYear& climate, std::span<const double> lai_of_month,
                          std::span<const float> ground_mjpm2, std::span<const float> incoming_mjpm2,
-                         UnitWater& unit, WaterYear& sum) {
-    const std::size_t kinds = lai_of_month.size() / months;
+                         UnitWater& unit, WaterYear& sum, std::span<double> response) {
+    const std::size_t kinds = response.size();
     WaterState water{state.soil_water_mm, state.snow_water_mm};
     DroughtSum drought;
-    double modifier = 0.0;
-    double growing_months = 0.0;
+    double weight = 0.0;
+    std::fill(response.begin(), response.end(), 0.0);
+    std::vector<double> of_month(kinds);
     for (std::size_t m = 0; m < months; ++m) {
         const double ground_light =
             incoming_mjpm2[m] > 0.0F
                 ? std::clamp(static_cast<double>(ground_mjpm2[m] / incoming_mjpm2[m]), 0.0, 1.0)
                 : 1.0;
-        const WaterFlows flows = balance_month(water, year[m].water, store, year[m].uses,
-                                               lai_of_month.subspan(m * kinds, kinds), ground_light);
+        const WaterFlows flows =
+            balance_month(water, year[m].water, store, year[m].uses, lai_of_month.subspan(m * kinds, kinds),
+                          ground_light, of_month);
         drought.add(climate.months[m].tave_degc, flows);
-        if (climate.months[m].tave_degc > growing_degc) {
-            modifier += flows.soil_water_modifier;
-            growing_months += 1.0;
+        const double demand_mm = DroughtSum::counts(climate.months[m].tave_degc) ? flows.demand_mm : 0.0;
+        weight += demand_mm;
+        for (std::size_t s = 0; s < kinds; ++s) {
+            unit.response[m * kinds + s] += of_month[s];
+            response[s] += demand_mm * of_month[s];
         }
-        unit.modifier[m] += flows.soil_water_modifier;
         unit.supply[m] += flows.supply;
         sum.precipitation_mm += year[m].water.rain_mm + year[m].water.snow_mm;
         sum.evapotranspiration_mm += flows.evapotranspiration_mm;
         sum.transpiration_mm += flows.transpiration_mm;
         sum.runoff_mm += flows.runoff_mm;
     }
+    for (double& of_species : response) {
+        of_species = weight > 0.0 ? of_species / weight : 1.0;
+    }
     unit.patches += 1.0;
     sum.storage_gain_mm += water.soil_mm + water.snow_mm - state.soil_water_mm - state.snow_water_mm;
     state.soil_water_mm = water.soil_mm;
     state.snow_water_mm = water.snow_mm;
     state.drought_index = drought.index();
-    state.water_modifier = growing_months > 0.0 ? modifier / growing_months : 1.0;
     return state;
 }
 
 /// A patch that is never short of water.
 PatchState patch_without_limits(PatchState state, UnitWater& unit) {
-    for (std::size_t m = 0; m < months; ++m) {
-        unit.modifier[m] += 1.0;
-        unit.supply[m] += 1.0;
+    for (double& response : unit.response) {
+        response += 1.0;
+    }
+    for (double& supply : unit.supply) {
+        supply += 1.0;
     }
     unit.patches += 1.0;
     state.drought_index = 0.0;
-    state.water_modifier = 1.0;
     return state;
 }
 
-YearOfLightUse light_use_of_unit(const Species& species, const SiteUnit& site_unit, const UnitYear& year,
-                                 const ClimateYear& climate, const UnitWater& water,
+YearOfLightUse light_use_of_unit(const SpeciesTable& table, SpeciesId id, const SiteUnit& site_unit,
+                                 const UnitYear& year, const ClimateYear& climate, const UnitWater& water,
                                  const SiteWeather& weather) {
+    const Species& species = table[id];
     const double co2_modifier =
         weather.co2_response
             ? co2_assimilation_modifier(weather.co2_ppm, species.three_pg.assimilation_at_700)
@@ -170,7 +173,7 @@ YearOfLightUse light_use_of_unit(const Species& species, const SiteUnit& site_un
         conditions[m] = {.mean_degc = climate.months[m].tave_degc,
                          .frost_days = climate.months[m].frost_days,
                          .vpd_kpa = climate.months[m].vpd_kpa,
-                         .water_modifier = water.modifier[m] / water.patches,
+                         .water_modifier = water.response[m * table.size() + index_of(id)] / water.patches,
                          .co2_modifier = co2_modifier,
                          .supply = water.supply[m] / water.patches,
                          .slope_radiation = year[m].radiation.on_slope};
@@ -178,13 +181,13 @@ YearOfLightUse light_use_of_unit(const Species& species, const SiteUnit& site_un
     return light_use_of_year(species, conditions, site_unit.soil.fertility, site_unit.soil.ph);
 }
 
-/// Leaf area index of the species present on a patch, month by month: none while leaves are off.
-void leaves_of_months(std::span<const double> full, std::span<const SpeciesId> present,
-                      const SpeciesTable& species, std::span<double> lai_of_month) {
+/// Leaf area index of the species on a patch, month by month: none while leaves are off.
+void leaves_of_months(std::span<const double> full, const SpeciesTable& species,
+                      std::span<double> lai_of_month) {
     for (std::size_t m = 0; m < months; ++m) {
-        for (std::size_t s = 0; s < present.size(); ++s) {
-            const bool in_leaf = species[present[s]].light.in_leaf(static_cast<int>(m) + 1);
-            lai_of_month[m * present.size() + s] = in_leaf ? full[s] : 0.0;
+        for (std::size_t s = 0; s < full.size(); ++s) {
+            const bool in_leaf = full[s] > 0.0 && species.all()[s].light.in_leaf(static_cast<int>(m) + 1);
+            lai_of_month[m * full.size() + s] = in_leaf ? full[s] : 0.0;
         }
     }
 }
@@ -226,18 +229,21 @@ Season compute_season(const Stand& stand, const Site& site, const SpeciesTable& 
     constexpr double reference_co2_ppm = 350.0;
     const double co2_ppm = weather.co2_response ? weather.co2_ppm : reference_co2_ppm;
     const std::vector<SpeciesId> present = species_present(stand);
-    const std::vector<double> lai = leaf_areas(stand, present);
+    const std::vector<double> lai = leaf_areas(stand);
+    const std::size_t kinds = species.size();
 
     Season season;
+    season.drought = SpeciesDrought{stand.grid().size(), kinds};
     std::vector<UnitYear> years;
     for (std::size_t u = 0; u < site.units().size(); ++u) {
-        years.push_back(year_of_unit(site.units()[u], weather.units[u], stand, site, species, present,
-                                     co2_ppm, light_year, light));
+        years.push_back(year_of_unit(site.units()[u], weather.units[u], stand, site, species, co2_ppm,
+                                     light_year, light));
         season.degree_days.push_back(degree_days(weather.units[u]));
     }
 
-    std::vector<UnitWater> water(site.production_units().size());
-    std::vector<double> lai_of_month(months * present.size());
+    std::vector<UnitWater> water(site.production_units().size(), UnitWater{kinds});
+    std::vector<double> lai_of_month(months * kinds);
+    std::vector<double> response(kinds);
     season.patches.reserve(stand.grid().size());
     for (std::size_t i = 0; i < stand.grid().size(); ++i) {
         const PatchId patch{static_cast<std::uint32_t>(i)};
@@ -245,13 +251,15 @@ Season compute_season(const Stand& stand, const Site& site, const SpeciesTable& 
         const std::uint32_t unit = site.unit_of(patch);
         PatchState state = stand.patch_states()[i];
         if (processes.water) {
-            leaves_of_months(std::span{lai}.subspan(i * present.size(), present.size()), present, species,
-                             lai_of_month);
+            leaves_of_months(std::span{lai}.subspan(i * kinds, kinds), species, lai_of_month);
             state =
                 balance_patch(state, site.water_store(patch), years[unit], weather.units[unit], lai_of_month,
                               std::span{light.ground_mjpm2}.subspan(column * months, months),
                               std::span{light.incoming_mjpm2}.subspan(column * months, months),
-                              water[site.production_unit_of(patch)], season.water);
+                              water[site.production_unit_of(patch)], season.water, response);
+            for (std::size_t s = 0; s < kinds; ++s) {
+                season.drought.set(patch, SpeciesId{static_cast<std::uint16_t>(s)}, response[s]);
+            }
         } else {
             state = patch_without_limits(state, water[site.production_unit_of(patch)]);
         }
@@ -270,7 +278,7 @@ Season compute_season(const Stand& stand, const Site& site, const SpeciesTable& 
         const std::uint32_t unit = site.production_units()[p].site_unit;
         for (const SpeciesId id : present) {
             season.light_use[p * species.size() + index_of(id)] = light_use_of_unit(
-                species[id], site.units()[unit], years[unit], weather.units[unit], water[p], weather);
+                species, id, site.units()[unit], years[unit], weather.units[unit], water[p], weather);
         }
     }
     return season;

@@ -9,6 +9,7 @@
 #include "forest/production/water_balance.hpp"
 #include "forest/site.hpp"
 #include "forest/species.hpp"
+#include "forest/species_drought.hpp"
 #include "forest/stand.hpp"
 #include "forest/unit_production.hpp"
 
@@ -39,6 +40,7 @@ struct Season {
     std::vector<PatchState> patches;        ///< after the year
     std::vector<YearOfLightUse> light_use;  ///< by production unit and species
     std::vector<double> degree_days;        ///< above 5.5 degC, by site unit
+    SpeciesDrought drought;
     WaterYear water;
 };
 

@@ -63,7 +63,7 @@ Site::Site(const PatchGrid& grid, config::Angle latitude, const LightFrame& ligh
         unit_of_patch_.push_back(unit);
         production_unit_of_patch_.push_back(shared);
         column_of_patch_.push_back(grid.frame().index(patch.cell));
-        stores_.push_back({patch.soil.water_capacity_mm, soil_water_curve(patch.soil.texture_class)});
+        stores_.push_back({patch.soil.water_capacity_mm, soil_potential_of(patch.soil.texture_class)});
     }
     for (SiteUnit& unit : units_) {
         unit.elevation_m /= static_cast<double>(unit.patches.size());

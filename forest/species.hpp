@@ -175,9 +175,8 @@ struct Response {
     double full_growth_degc = 0.0;
     double min_degree_days = 0.0;  ///< above 5.5 degC, per year [LandClim, ForClim]
     double max_degree_days = 0.0;
-    double min_winter_degc = 0.0;    ///< coldest monthly mean survived; -99 for none
-    double drought_tolerance = 0.0;  ///< tolerated drought index [-]
-    double min_optimum_ph = 0.0;     ///< lower end of the best top-soil pH [choice]
+    double min_winter_degc = 0.0;  ///< coldest monthly mean survived; -99 for none
+    double min_optimum_ph = 0.0;   ///< lower end of the best top-soil pH [choice]
 };
 
 /// Seeds and their dispersal [iLand].

@@ -94,7 +94,7 @@ constexpr NumberField numbers[] = {
     {"vigour_power", "-", {0.1, 20}, AT(vigour.power)},
     // response
     {"k_npp", "-", {0, 5, above}, AT(response.npp_multiplier)},
-    {"psi_min", "MPa", {-10, 0}, AT(response.min_potential_mpa)},
+    {"psi_min", "MPa", {-10, -0.05}, AT(response.min_potential_mpa)},
     {"n_class", "1-3", {1, 3}, AT(response.nitrogen_class)},
     {"vpd_exp_iland", "kPa-1", {-5, 0}, AT(response.vpd_exponent_pkpa)},
     {"temp_min_iland", "degC", {-20, 20}, AT(response.zero_growth_degc)},
@@ -102,7 +102,6 @@ constexpr NumberField numbers[] = {
     {"gdd_min", "degC_d", {0, 5000}, AT(response.min_degree_days)},
     {"gdd_max", "degC_d", {0, 10000}, AT(response.max_degree_days)},
     {"winter_tmin", "degC", {-99, 20}, AT(response.min_winter_degc)},
-    {"drought_tol", "0-1", {0, 1}, AT(response.drought_tolerance)},
     {"ph_opt_min", "pH", {2, 9}, AT(response.min_optimum_ph)},
     // seeds
     {"maturity_age", "yr", {1, 300}, AT(seeds.maturity_years)},

@@ -6,8 +6,8 @@ namespace forest {
 
 std::string_view name_of(Cause cause) {
     constexpr std::array<std::string_view, cause_count> names = {
-        "background", "stress", "self_thinning", "wind",   "snow",
-        "beetle",     "rock",   "wound",         "felled", "browsing"};
+        "background", "stress", "self_thinning", "wind",     "snow",   "beetle",
+        "rock",       "wound",  "felled",        "browsing", "drought"};
     return names[index_of(cause)];
 }
 

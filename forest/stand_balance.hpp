@@ -21,8 +21,9 @@ enum class Cause : std::uint8_t {
     wound,  ///< late consequence of a wound
     felled,
     browsing,
+    drought,  ///< soil drier than the species tolerates
 };
-inline constexpr std::size_t cause_count = 10;
+inline constexpr std::size_t cause_count = 11;
 
 constexpr std::size_t index_of(Cause cause) {
     return static_cast<std::size_t>(cause);

@@ -112,12 +112,14 @@ void grow_trees(Stand& stand, const SpeciesTable& species, std::span<const TreeS
 }
 
 void apply_mortality(Stand& stand, const Site& site, const SpeciesTable& species,
-                     const Parameters& parameters, const YearKey& key) {
+                     const SpeciesDrought& drought, const Parameters& parameters, const YearKey& key) {
     stand.set_stress_years(stress_years_after(stand, species, parameters.mortality,
                                               production_units_of(stand, site),
                                               site.production_units().size()));
+    const std::vector<double> of_drought =
+        drought_death_chances(stand, drought, parameters.mortality.drought);
     stand.remove_trees(natural_deaths(stand, species, parameters.mortality, parameters.disturbance.wind,
-                                      key.seed, key.replicate));
+                                      of_drought, key.seed, key.replicate));
     stand.remove_trees(wound_deaths(stand, species, key.seed, key.replicate));
     if (parameters.processes.self_thinning) {
         stand.remove_trees(self_thinning(stand, species, site.windows(), key.seed, key.replicate));
@@ -141,11 +143,12 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
 
     grow_trees(stand, species, seasons_of(stand, site, species, light.trees, season), report);
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
-    apply_mortality(stand, site, species, parameters, key);
+    apply_mortality(stand, site, species, season.drought, parameters, key);
     disturb(stand, site, species, weather, parameters.disturbance, key.seed, key.replicate);
     heal(stand, species);
     if (parameters.processes.regeneration) {
-        regenerate(stand, site, species, weather.units, parameters.regeneration, key.seed, key.replicate);
+        regenerate(stand, site, species, weather.units, season.drought, parameters.regeneration, key.seed,
+                   key.replicate);
     }
     age_dead_wood(stand, site, species, weather.units, key.seed, key.replicate);
     return report;

@@ -59,7 +59,11 @@ TableLayout stands() {
         {"volume_from_7cm_m3pha", "m3/ha", "their stem wood over bark", simulated},
         {"stems_from_12cm_pha", "1/ha", "stems from 12 cm diameter on", simulated},
         {"basal_area_from_12cm_m2pha", "m2/ha", "their basal area", simulated},
-        {"volume_from_12cm_m3pha", "m3/ha", "their stem wood over bark", simulated}};
+        {"volume_from_12cm_m3pha", "m3/ha", "their stem wood over bark", simulated},
+        {"drought_index", "-",
+         "share of the year's demand for water that was not met in the months above 5.5 degC, mean over the "
+         "patches of the stand; 0 at the start",
+         simulated}};
     return {"stands.csv", "a stand, or all, and a species, or all, at the end of a year",
             together(member_columns(), rest)};
 }
@@ -116,7 +120,8 @@ TableLayout forest_years() {
 TableLayout mortality() {
     const std::vector<Column> rest{
         {"cause", "text",
-         "background, stress, self_thinning, wind, snow, beetle, rock, wound, felled or browsing", simulated},
+         "background, stress, self_thinning, wind, snow, beetle, rock, wound, felled, browsing or drought",
+         simulated},
         species_column("species code"),
         {"stems_pha", "1/ha", "stems that left the forest in the year", simulated},
         {"volume_m3pha", "m3/ha", "their stem wood over bark", simulated},

@@ -29,6 +29,7 @@ void write_stands(std::ostream& out, const Names& names, std::span<const MemberY
             for (const forest::ThickTrees& from : f.from) {
                 row.number<1>(from.stems_pha).number<3>(from.basal_area_m2pha).number<2>(from.volume_m3pha);
             }
+            row.number<3>(stand.drought_index);
             row.end();
         }
     }

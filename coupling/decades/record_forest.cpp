@@ -15,19 +15,24 @@ constexpr double kg_per_t = 1000.0;
 
 /// The whole of some trees and each species that has any.
 void add_stands(std::span<const forest::Tree> trees, const forest::SpeciesTable& species, double area_ha,
-                std::int32_t year, std::uint32_t unit, MemberYears& kept) {
-    kept.stands.push_back({year, unit, all, forest::figures_of(trees, species, area_ha)});
+                std::int32_t year, std::uint32_t unit, double drought_index, MemberYears& kept) {
+    kept.stands.push_back({year, unit, all, forest::figures_of(trees, species, area_ha), drought_index});
     const std::vector<forest::StandFigures> by_species = forest::figures_by_species(trees, species, area_ha);
     for (std::uint32_t s = 0; s < by_species.size(); ++s) {
         if (by_species[s].stems_pha > 0.0) {
-            kept.stands.push_back({year, unit, s, by_species[s]});
+            kept.stands.push_back({year, unit, s, by_species[s], drought_index});
         }
     }
 }
 
 struct Unit {
     std::size_t patches = 0;
+    double drought = 0.0;  ///< sum of the index over the patches
     std::vector<forest::Tree> trees;
+
+    [[nodiscard]] double drought_index() const {
+        return patches > 0 ? drought / static_cast<double>(patches) : 0.0;
+    }
 };
 
 /// Gaps of the whole forest and of each management unit.
@@ -86,8 +91,10 @@ void add_wood(const forest::Stand& stand, YearRow& row) {
 
 std::map<std::uint32_t, Unit> units_of(const forest::Stand& stand) {
     std::map<std::uint32_t, Unit> units;
-    for (const forest::Patch& patch : stand.grid().patches()) {
-        ++units[patch.management_unit].patches;
+    for (std::size_t i = 0; i < stand.grid().size(); ++i) {
+        Unit& unit = units[stand.grid().patches()[i].management_unit];
+        ++unit.patches;
+        unit.drought += stand.patch_states()[i].drought_index;
     }
     if (units.size() > 1) {
         for (const forest::Tree& tree : stand.trees()) {
@@ -103,12 +110,17 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
                  const std::optional<forest::YearReport>& report, double mean_temperature_degc,
                  MemberYears& kept) {
     const double area_ha = stand.grid().area_ha();
-    add_stands(stand.trees(), species, area_ha, year, all, kept);
     const std::map<std::uint32_t, Unit> units = units_of(stand);
+    Unit whole_forest;
+    for (const auto& [number, unit] : units) {
+        whole_forest.patches += unit.patches;
+        whole_forest.drought += unit.drought;
+    }
+    add_stands(stand.trees(), species, area_ha, year, all, whole_forest.drought_index(), kept);
     if (units.size() > 1) {
         for (const auto& [number, unit] : units) {
             const double unit_ha = static_cast<double>(unit.patches) * forest::patch_area_m2 / 10'000.0;
-            add_stands(unit.trees, species, unit_ha, year, number, kept);
+            add_stands(unit.trees, species, unit_ha, year, number, unit.drought_index(), kept);
         }
     }
 

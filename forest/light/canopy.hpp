@@ -16,8 +16,8 @@ namespace forest {
 /// included: fitted to the light of a mapped mountain stand on three slopes (validation/forest_light) with
 /// leaf areas from allometry, for columns of 10 and of 5 m. The finer the columns, the less clumping they
 /// hide.
-inline constexpr double effective_extinction = 0.55;
-inline constexpr double effective_extinction_of_5m = 0.65;
+inline constexpr double effective_extinction = 0.372;
+inline constexpr double effective_extinction_of_5m = 0.44;
 
 /// A tree as light sees it.
 struct LightTree {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "forest/climate/series.hpp"
-#include "forest/production/three_pg_modifiers.hpp"
+#include "forest/production/soil_potential.hpp"
 #include "forest/production/transpiration.hpp"
 #include "forest/species.hpp"
 
@@ -28,7 +28,8 @@ WaterMonth water_month(const ClimateMonth& climate, int month, double day_length
 struct WaterUse {
     double max_conductance_mps = 0.0;
     double full_conductance_lai = 0.0;
-    double limit = 0.0;  ///< modifier of conductance but for soil water [-]
+    double limit = 0.0;                 ///< modifier of conductance but for soil water [-]
+    double least_potential_mpa = -1.0;  ///< of the soil, at which stomata are closed
     Interception interception;
 };
 
@@ -38,7 +39,7 @@ WaterUse water_use(const Species& species, const ClimateMonth& climate, double a
 /// Water storage of the soil of a patch.
 struct WaterStore {
     double capacity_mm = 0.0;  ///< above 0
-    SoilWaterCurve curve;
+    SoilPotential potential;
 };
 
 /// Water of a patch.
@@ -50,28 +51,34 @@ struct WaterState {
 /// Where the water of the month went. Rain and snow = evapotranspiration + runoff + change of soil and snow
 /// water.
 struct WaterFlows {
-    double soil_water_modifier = 1.0;  ///< at the beginning of the month, for production [-]
     double interception_mm = 0.0;
     double transpiration_mm = 0.0;
     double soil_evaporation_mm = 0.0;
     double evapotranspiration_mm = 0.0;  ///< the three together
     double runoff_mm = 0.0;
-    double demand_mm = 0.0;  ///< evapotranspiration with water enough
-    double supply = 1.0;     ///< evapotranspiration / demand [-]; 1 without demand
+    double demand_mm =
+        0.0;  ///< evapotranspiration with the soil at capacity: no stomata closed for want of water
+    double supply = 1.0;  ///< evapotranspiration / what the stomata asked for [-]; 1 if for nothing
 };
 
-/// Moves the water of one month.
+/// Moves the water of one month, in four parts of equal weather.
 ///
 /// `lai` holds the leaf area index of each species of `uses`, 0 while its leaves are off. `ground_light` is
 /// the share of light that reaches the ground [0, 1]: soil evaporation has that share of net radiation, the
-/// crowns the rest. Under more than 20 mm of snow nothing transpires or evaporates from the soil [choice].
+/// crowns the rest. `response` receives the mean opening of the stomata of each species [0, 1]
+/// (water_response), also of those without leaves. Stomata of each species close by its own threshold, and
+/// all species drink from one store. Under more than 20 mm of snow nothing transpires or evaporates from the
+/// soil [choice].
 WaterFlows balance_month(WaterState& state, const WaterMonth& month, const WaterStore& store,
-                         std::span<const WaterUse> uses, std::span<const double> lai, double ground_light);
+                         std::span<const WaterUse> uses, std::span<const double> lai, double ground_light,
+                         std::span<double> response);
 
 /// Demand and supply of the months that are warm enough for growth, for the drought of a year.
 class DroughtSum {
 public:
-    /// Counts a month if its mean is above 5.5 degC.
+    /// Whether a month of this mean counts: above 5.5 degC.
+    static bool counts(double tave_degc) { return tave_degc > 5.5; }
+    /// Counts a month if it is warm enough.
     void add(double tave_degc, const WaterFlows& flows);
     /// Share of the demand that was not met [0, 1]; 0 without demand.
     [[nodiscard]] double index() const { return demand_mm_ > 0.0 ? 1.0 - met_mm_ / demand_mm_ : 0.0; }

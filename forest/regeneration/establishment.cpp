@@ -8,6 +8,7 @@
 #include "forest/climate/normal.hpp"
 #include "forest/climate/summary.hpp"
 #include "forest/production/calendar.hpp"
+#include "forest/species_drought.hpp"
 
 namespace forest {
 
@@ -110,10 +111,8 @@ double light_chance(const Light& species, double ground_light) {
     return std::clamp((ground_light - species.min_sapling) / (species.min_sapling + beyond), 0.0, 1.0);
 }
 
-double water_chance(const Response& species, double drought_index) {
-    return species.drought_tolerance > 0.0
-               ? std::clamp(1.0 - drought_index / species.drought_tolerance, 0.0, 1.0)
-               : (drought_index > 0.0 ? 0.0 : 1.0);
+double water_chance(double drought) {
+    return std::clamp(1.0 - drought / tolerated_drought, 0.0, 1.0);
 }
 
 double sun_chance(double degree_days, double june_sun_hours) {

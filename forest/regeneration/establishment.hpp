@@ -28,8 +28,9 @@ double climate_chance(const Species& species, const ClimateYear& year);
 /// (L - least) / (least + 0.1) of the ground's light [choice], 0 below the species' least light (ForClim).
 double light_chance(const Light& species, double ground_light);
 
-/// 1 - drought index / tolerated one.
-double water_chance(const Response& species, double drought_index);
+/// 1 - drought / tolerated drought [choice]. `drought` is that of the species: how far its stomata were
+/// closed over the growing season (SpeciesDrought) [0, 1].
+double water_chance(double drought);
 
 /// Where it is colder than in the montane belt, seedlings want two hours of sun a day in June: hours / 2
 /// within 0.2 and 1 (practice of NaiS), 1 below.

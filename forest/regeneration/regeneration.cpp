@@ -84,14 +84,15 @@ private:
 SaplingPlace place_of(const Stand& stand, std::size_t patch, double deer) {
     const PatchState& state = stand.patch_states()[patch];
     const bool steep = stand.grid().patches()[patch].slope.in_degrees() > gliding_slope_deg;
-    return {.environment = state.water_modifier,
+    return {.environment = 1.0,
             .ground_light = state.ground_light,
             .deer = state.fenced_years > 0 ? 0.0 : deer,
             .snow_glides = steep && state.ground_light > gliding_light};
 }
 
 void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
-                   std::span<const UnitClimate> climates, double deer, const Chance& chance) {
+                   std::span<const UnitClimate> climates, const SpeciesDrought& drought, double deer,
+                   const Chance& chance) {
     CohortsByPatch by_patch{stand};
     std::vector<CohortGrowth> growth(stand.cohorts().size());
     std::vector<SaplingRemoval> deaths;
@@ -114,7 +115,8 @@ void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
             const Species& kind = species[cohort.species];
             SaplingPlace own = place;
             // The geometric mean of the three responses, as ForClim takes them (v3.0, Eq. 4.8).
-            own.environment = config::pow_of(own.environment * climate.warmth[index_of(cohort.species)] *
+            own.environment = config::pow_of(drought.response(cohort.patch, cohort.species) *
+                                                 climate.warmth[index_of(cohort.species)] *
                                                  nitrogen_response(kind.response.nitrogen_class, nitrogen_kg),
                                              1.0 / 3.0);
             own.deer = cohort.guarded_years > 0 ? 0.0 : own.deer;
@@ -231,23 +233,25 @@ std::vector<double> rooms_taken(const Stand& stand) {
 
 /// Expected seedlings of every species on a patch.
 void expect_seedlings(const Stand& stand, const SpeciesTable& species, const SeedRain& rain,
-                      const UnitClimate& climate, std::size_t patch, double rotten_cover,
-                      std::span<double> expected) {
+                      const UnitClimate& climate, const SpeciesDrought& drought, std::size_t patch,
+                      double rotten_cover, std::span<double> expected) {
     const PatchState& state = stand.patch_states()[patch];
     const double sun = sun_chance(climate.degree_days, state.june_sun_hours);
     for (std::size_t s = 0; s < species.size(); ++s) {
         const SpeciesId id{static_cast<std::uint16_t>(s)};
         const Species& kind = species[id];
         const double seeds_pm2 = rain.seedlings_pm2(id, PatchId{static_cast<std::uint32_t>(patch)});
-        const double chance = climate.chance[s] * sun * light_chance(kind.light, state.ground_light) *
-                              water_chance(kind.response, state.drought_index) *
-                              seed_bed(kind, static_cast<double>(state.herb_cover), rotten_cover);
+        const double chance =
+            climate.chance[s] * sun * light_chance(kind.light, state.ground_light) *
+            water_chance(1.0 - drought.response(PatchId{static_cast<std::uint32_t>(patch)}, id)) *
+            seed_bed(kind, static_cast<double>(state.herb_cover), rotten_cover);
         expected[s] = std::min(most_seedlings, patch_area_m2 * seeds_pm2 * chance);
     }
 }
 
 void establish(Stand& stand, const Site& site, const SpeciesTable& species,
-               std::span<const UnitClimate> climates, const SeedRain& rain, const Chance& chance) {
+               std::span<const UnitClimate> climates, const SpeciesDrought& drought, const SeedRain& rain,
+               const Chance& chance) {
     const std::vector<double> taken = rooms_taken(stand);
     const std::vector<double> rotten = rotten_wood_cover(stand);
     const double each = room_of_stem(seedling_height_m);
@@ -256,7 +260,8 @@ void establish(Stand& stand, const Site& site, const SpeciesTable& species,
     std::vector<double> wanted(species.size());
     for (std::size_t patch = 0; patch < stand.grid().size(); ++patch) {
         const PatchId id{static_cast<std::uint32_t>(patch)};
-        expect_seedlings(stand, species, rain, climates[site.unit_of(id)], patch, rotten[patch], expected);
+        expect_seedlings(stand, species, rain, climates[site.unit_of(id)], drought, patch, rotten[patch],
+                         expected);
         const std::span<const double> here = std::span{taken}.subspan(patch * species.size(), species.size());
         for (std::size_t s = 0; s < expected.size(); ++s) {
             wanted[s] = here[s] + expected[s] * each;
@@ -350,8 +355,8 @@ std::vector<double> rotten_wood_cover(const Stand& stand) {
 }
 
 void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
-                std::span<const ClimateYear> weather, const RegenerationLaw& law, std::uint64_t seed,
-                std::uint32_t replicate) {
+                std::span<const ClimateYear> weather, const SpeciesDrought& drought,
+                const RegenerationLaw& law, std::uint64_t seed, std::uint32_t replicate) {
     assert(weather.size() == site.units().size());
     const Chance chance{seed, replicate, stand.year()};
     const std::vector<UnitClimate> climates = climates_of(species, weather);
@@ -360,13 +365,13 @@ void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
     std::transform(states.begin(), states.end(), states.begin(), after_year_of_herbs);
     stand.set_patch_states(states);
 
-    grow_saplings(stand, site, species, climates, law.browsing_pressure, chance);
+    grow_saplings(stand, site, species, climates, drought, law.browsing_pressure, chance);
     pass_fenced_year(stand);
     thin_saplings(stand);
     recruit_trees(stand, species, chance);
 
     const SeedRain rain{stand, species, crops_of_year(species, seed, replicate, stand.year()), law.outside};
-    establish(stand, site, species, climates, rain, chance);
+    establish(stand, site, species, climates, drought, rain, chance);
     thin_saplings(stand);
     stand.add_cohorts(sprouts_of(stand, species));
 }

@@ -8,6 +8,7 @@
 #include "forest/regeneration/seed_rain.hpp"
 #include "forest/site.hpp"
 #include "forest/species.hpp"
+#include "forest/species_drought.hpp"
 #include "forest/stand.hpp"
 
 namespace forest {
@@ -22,11 +23,11 @@ struct RegenerationLaw {
 /// lose their smallest, the tallest become trees; seeds fall and germinate where seed bed and climate allow;
 /// stumps sprout.
 ///
-/// Runs after growth and death of the trees, with light, drought and soil water of the season in the patch
-/// states. `weather` has one year for each of the site's units. Chance is drawn by patch and year.
+/// Runs after growth and death of the trees, with the light of the season in the patch states. `weather` has
+/// one year for each of the site's units. Chance is drawn by patch and year.
 void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
-                std::span<const ClimateYear> weather, const RegenerationLaw& law, std::uint64_t seed,
-                std::uint32_t replicate);
+                std::span<const ClimateYear> weather, const SpeciesDrought& drought,
+                const RegenerationLaw& law, std::uint64_t seed, std::uint32_t replicate);
 
 /// Ground cover after a year [choice]: herbs spread over five years once the ground has had more than 0.3 of
 /// the open light for three, and vanish below 0.15.

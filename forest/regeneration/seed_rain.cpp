@@ -17,7 +17,7 @@ namespace {
 
 constexpr double cut_lengths = 4.0;
 constexpr double least_light_of_seed_trees = 0.25;
-constexpr double full_leaf_area_index = 3.0;
+constexpr double full_leaf_area_index = 4.5;
 
 double exponential_density_pm2(double distance_m, double length_m) {
     return config::exp_of(-distance_m / length_m) / (length_m * 2.0 * std::numbers::pi * distance_m);

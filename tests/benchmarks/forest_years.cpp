@@ -101,8 +101,9 @@ void changing(State& state, int side, Change change) {
 void regeneration(State& state, int side) {
     changing(state, side, [](const forest::SmallForest& forest, forest::Stand& stand) {
         stand.begin_year();
-        forest::regenerate(stand, forest.site, forest.species, forest.weather, forest.parameters.regeneration,
-                           1, 0);
+        forest::regenerate(stand, forest.site, forest.species, forest.weather,
+                           {stand.grid().size(), forest.species.size()}, forest.parameters.regeneration, 1,
+                           0);
     });
 }
 

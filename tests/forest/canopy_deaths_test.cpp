@@ -25,11 +25,12 @@ TEST(CanopyDeath, RisesWithTheSixthPowerOfTheDiameter) {
     EXPECT_NEAR(canopy_death(table[beech], 100.0, 0.0, law, !storms) - thin, 1.5 * law.by_size, 1e-12);
 }
 
-TEST(CanopyDeath, OfACommonTreeIsThatOfGapModels) {
+TEST(CanopyDeath, OfATreeInTheCanopyIsBelowThatOfGapModels) {
+    // Gap models have 0.5 to 1 % a year at any size, the deaths of suppressed trees included.
     for (const SpeciesId kind : {spruce, beech}) {
         const double p = canopy_death(table[kind], 50.0, 150.0, {}, !storms);
-        EXPECT_GT(p, 0.004);
-        EXPECT_LT(p, 0.01);
+        EXPECT_GT(p, 0.002);
+        EXPECT_LT(p, 0.005);
     }
 }
 

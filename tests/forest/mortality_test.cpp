@@ -96,7 +96,7 @@ TEST(NaturalDeaths, ComeAsOftenAsTheirChanceSays) {
     const Stand stand = spruces(std::vector<double>(20'000, 0.0), 3);
     MortalityLaw law;
     law.background = false;
-    const auto deaths = static_cast<double>(natural_deaths(stand, table, law, false, 1, 0).size());
+    const auto deaths = static_cast<double>(natural_deaths(stand, table, law, false, {}, 1, 0).size());
     const double p = stress_death(table[spruce].light, law);
     EXPECT_NEAR(deaths / 20'000.0, p, 4.0 * std::sqrt(p * (1.0 - p) / 20'000.0));
 }
@@ -104,7 +104,8 @@ TEST(NaturalDeaths, ComeAsOftenAsTheirChanceSays) {
 TEST(NaturalDeaths, NeedThreeBadYears) {
     MortalityLaw law;
     law.background = false;
-    EXPECT_TRUE(natural_deaths(spruces(std::vector<double>(1000, 0.0), 2), table, law, false, 1, 0).empty());
+    EXPECT_TRUE(
+        natural_deaths(spruces(std::vector<double>(1000, 0.0), 2), table, law, false, {}, 1, 0).empty());
 }
 
 }  // namespace

@@ -71,7 +71,12 @@ TEST(ComputeSeason, ProducesLessWhereItIsDry) {
     const Season in_rain = wet.season();
     const Season in_drought = dry.season();
     EXPECT_LT(dry.spruce_of(in_drought).npp_gpmj[july], 0.8 * wet.spruce_of(in_rain).npp_gpmj[july]);
-    EXPECT_LT(in_drought.patches.front().water_modifier, in_rain.patches.front().water_modifier);
+    const SpeciesId spruce = *wet.forest.species.find("piab");
+    const SpeciesId pine = *wet.forest.species.find("pisy");
+    EXPECT_LT(in_drought.drought.response(PatchId{0}, spruce), in_rain.drought.response(PatchId{0}, spruce));
+    EXPECT_LT(in_drought.drought.response(PatchId{0}, spruce), in_drought.drought.response(PatchId{0}, pine));
+    EXPECT_GT(in_drought.patches.front().drought_index, 0.3);
+    EXPECT_LT(in_rain.patches.front().drought_index, 0.1);
     EXPECT_LT(in_drought.patches.front().soil_water_mm, in_rain.patches.front().soil_water_mm);
 }
 
@@ -100,7 +105,9 @@ TEST(ComputeSeason, IgnoresDroughtWithoutWaterLimits) {
     EXPECT_GE(wet.spruce_of(in_rain).npp_gpmj[july], wet.spruce_of(wet.season()).npp_gpmj[july]);
     for (std::size_t i = 0; i < in_drought.patches.size(); ++i) {
         EXPECT_EQ(in_drought.patches[i].drought_index, 0.0);
-        EXPECT_EQ(in_drought.patches[i].water_modifier, 1.0);
+        EXPECT_EQ(in_drought.drought.response(PatchId{static_cast<std::uint32_t>(i)},
+                                              *dry.forest.species.find("piab")),
+                  1.0);
         EXPECT_EQ(in_drought.patches[i].soil_water_mm, dry.stand.patch_states()[i].soil_water_mm);
     }
     EXPECT_EQ(in_drought.water.evapotranspiration_mm, 0.0);

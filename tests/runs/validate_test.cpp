@@ -44,6 +44,9 @@ const std::map<std::string, std::string> few_years{
     {"forest_belts",
      " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
      "--set belts.replicates=1"},
+    {"forest_dry",
+     " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
+     "--set belts.replicates=1"},
     {"forest_old",
      " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
      "--set belts.replicates=1"},

@@ -61,7 +61,8 @@ constexpr std::array<Fill, forest::cause_count> cause_fills{{{"#bbbbbb", "#bbbbb
                                                              {"#555555", "#8a8a8a", crossed, "#fff"},
                                                              {"#aa3377", "#c75a97", upright, "#fff"},
                                                              {"#774411", "#b57a45", upright, "#fff"},
-                                                             {"#ee99aa", "#ee99aa", level, "#222"}}};
+                                                             {"#ee99aa", "#ee99aa", level, "#222"},
+                                                             {"#eecc66", "#eecc66", rising, "#222"}}};
 constexpr std::size_t regime_lines = 8;
 
 template <std::size_t Count>

@@ -19,7 +19,7 @@ std::vector<YearView> years_of(const Names& names, const MemberYears& member, do
     std::vector<YearView> years;
     for (const YearRow& row : member.years) {
         assert(row.year == static_cast<std::int32_t>(years.size()));
-        years.push_back({&row, nullptr, std::vector<double>(names.species.size(), 0.0), {}, {}});
+        years.push_back({&row, nullptr, std::vector<double>(names.species.size(), 0.0), {}, {}, 0.0});
     }
     for (const StandRow& stand : member.stands) {
         if (stand.unit != all) {
@@ -28,6 +28,7 @@ std::vector<YearView> years_of(const Names& names, const MemberYears& member, do
         YearView& year = years[static_cast<std::size_t>(stand.year)];
         if (stand.species == all) {
             year.stand = &stand.figures;
+            year.drought_index = stand.drought_index;
         } else {
             year.volumes_m3pha[stand.species] = stand.figures.volume_m3pha;
         }

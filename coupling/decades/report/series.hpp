@@ -21,6 +21,7 @@ struct YearView {
     std::vector<double> volumes_m3pha;            ///< by species of the table
     std::array<forest::Loss, forest::cause_count> losses{};
     YearlyWork work{};
+    double drought_index = 0.0;  ///< mean over the forest
 };
 
 /// A figure of a year.

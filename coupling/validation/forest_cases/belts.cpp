@@ -36,8 +36,24 @@ std::string group_words(std::string name) {
     return name;
 }
 
+bool has_other_climate(const SuccessionSite& site) {
+    return site.warmer_k != 0.0 || site.rain_factor != 1.0;
+}
+
+/// "1200 m", or "1200 m, +4 K, rain x 0.7".
+std::string site_words(const SuccessionSite& site) {
+    std::string words = joined(std::to_string(std::lround(site.elevation_m)), " m");
+    if (site.warmer_k != 0.0) {
+        words += joined(", ", site.warmer_k > 0.0 ? "+" : "", report::tick_text(site.warmer_k), " K");
+    }
+    if (site.rain_factor != 1.0) {
+        words += joined(", rain x ", report::tick_text(site.rain_factor));
+    }
+    return words;
+}
+
 std::string at_words(const SuccessionSite& site) {
-    return joined("at ", std::to_string(std::lround(site.elevation_m)), " m");
+    return joined("at ", site_words(site));
 }
 
 void add_figures(Comparison& comparison, const BeltData& data) {
@@ -156,7 +172,7 @@ Plot over_years(const BeltData& data, const Found& found, const Palette& palette
     const SuccessionSite& at = data.tables.sites[site];
     const auto last = static_cast<double>(data.settings.years);
     constexpr double room_for_names = 1.35;
-    Plot plot{.title = joined(std::to_string(std::lround(at.elevation_m)), " m"),
+    Plot plot{.title = site_words(at),
               .x = {"Years since bare ground", 0.0, room_for_names * last},
               .y = report::Axis::from_zero("Biomass above ground, t/ha", most_tpha),
               .series = {},
@@ -181,6 +197,9 @@ Plot over_elevation(const BeltData& data, const Found& found, const Palette& pal
     std::vector<std::vector<double>> layers;
     double most_tpha = 0.0;
     for (std::size_t site = 0; site < data.tables.sites.size(); ++site) {
+        if (has_other_climate(data.tables.sites[site])) {
+            continue;
+        }
         const double all_tpha = sum_of(found.judged_tpha[site]);
         std::vector<double> here = palette.layered(found.judged_tpha[site]);
         for (double& value : here) {
@@ -208,15 +227,14 @@ PlainTable biomass_table(const BeltData& data, const Found& found, const Palette
     PlainTable table{
         .caption = joined("Biomass above ground, t/ha, and its share in %: mean over the years ",
                           std::to_string(data.judged.first), " to ", std::to_string(data.judged.last)),
-        .head = {"elevation, m", "all, t/ha"},
+        .head = {"place", "all, t/ha"},
         .rows = {}};
     for (std::size_t layer = 0; layer < palette.layers(); ++layer) {
         table.head.push_back(joined(palette.name(layer), ", t/ha (%)"));
     }
     for (std::size_t site = 0; site < data.tables.sites.size(); ++site) {
         const double all_tpha = sum_of(found.judged_tpha[site]);
-        std::vector<std::string> row{std::to_string(std::lround(data.tables.sites[site].elevation_m)),
-                                     fixed(all_tpha, 0)};
+        std::vector<std::string> row{site_words(data.tables.sites[site]), fixed(all_tpha, 0)};
         for (const double tpha : palette.layered(found.judged_tpha[site])) {
             row.push_back(
                 joined(fixed(tpha, 0), " (", fixed(all_tpha > 0.0 ? 100.0 * tpha / all_tpha : 0.0, 0), ")"));
@@ -229,18 +247,18 @@ PlainTable biomass_table(const BeltData& data, const Found& found, const Palette
 /// Structure of the stands in the judged years.
 PlainTable structure_table(const BeltData& data, const std::map<std::string, double>& values) {
     PlainTable table{.caption = "Structure, and deaths in % of the trees of a diameter class a year",
-                     .head = {"elevation, m", "stem wood, m3/ha", "basal area, m2/ha",
-                              "stems above 60 cm, 1/ha", "top height, m", "dead wood, m3/ha",
-                              "deaths from 10 cm", "from 20 cm", "from 40 cm", "from 60 cm"},
+                     .head = {"place", "stem wood, m3/ha", "basal area, m2/ha", "stems above 60 cm, 1/ha",
+                              "top height, m", "dead wood, m3/ha", "drought index", "deaths from 10 cm",
+                              "from 20 cm", "from 40 cm", "from 60 cm"},
                      .rows = {}};
     for (const SuccessionSite& site : data.tables.sites) {
         const auto figure = [&](const char* name, double factor, int decimals) {
             return fixed(factor * values.at(joined(name, ":", site.name)), decimals);
         };
         table.rows.push_back(
-            {std::to_string(std::lround(site.elevation_m)), figure("volume_m3pha", 1.0, 0),
-             figure("basal_area_m2pha", 1.0, 1), figure("stems_60cm_pha", 1.0, 0),
-             figure("top_height_m", 1.0, 1), figure("dead_wood_m3pha", 1.0, 0),
+            {site_words(site), figure("volume_m3pha", 1.0, 0), figure("basal_area_m2pha", 1.0, 1),
+             figure("stems_60cm_pha", 1.0, 0), figure("top_height_m", 1.0, 1),
+             figure("dead_wood_m3pha", 1.0, 0), figure("drought_index", 1.0, 2),
              figure("death_rate_from_10cm", 100.0, 2), figure("death_rate_from_20cm", 100.0, 2),
              figure("death_rate_from_40cm", 100.0, 2), figure("death_rate_from_60cm", 100.0, 2)});
     }
@@ -304,7 +322,7 @@ std::string spread_of(const BeltData& data, const Found& found, const succession
 PlainTable group_table(const BeltData& data, const Found& found,
                        const std::map<std::string, double>& values) {
     PlainTable table{.caption = "What grows there by the literature, and what grew here",
-                     .head = {"elevation, m", "group", "share of the biomass [-]", "by replicate [-]",
+                     .head = {"place", "group", "share of the biomass [-]", "by replicate [-]",
                               "lead over the greatest other species [-]", "the literature"},
                      .rows = {}};
     for (std::size_t g = 0; g < data.tables.groups.size(); ++g) {
@@ -312,7 +330,7 @@ PlainTable group_table(const BeltData& data, const Found& found,
         for (const SuccessionSite& site : data.tables.sites) {
             if (site.name == group.site) {
                 const std::string of = joined(":", group.name, ":", site.name);
-                table.rows.push_back({std::to_string(std::lround(site.elevation_m)), group_words(group.name),
+                table.rows.push_back({site_words(site), group_words(group.name),
                                       fixed(values.at(joined("share", of)), 2), spread_of(data, found, group),
                                       fixed(values.at(joined("margin", of)), 2),
                                       joined(data.published[g], " (", data.sources[g], ")")});

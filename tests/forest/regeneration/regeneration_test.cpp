@@ -68,7 +68,8 @@ Stand years_under(const SmallForest& forest, double ground_light, double deer, i
     for (int year = 0; year < years; ++year) {
         stand.begin_year();
         stand.set_patch_states(states);
-        regenerate(stand, forest.site, forest.species, forest.weather, law, 1, 0);
+        regenerate(stand, forest.site, forest.species, forest.weather,
+                   SpeciesDrought{stand.grid().size(), forest.species.size()}, law, 1, 0);
         for (std::size_t p = 0; p < states.size(); ++p) {
             states[p].fenced_years = stand.patch_states()[p].fenced_years;
         }
@@ -85,6 +86,27 @@ double taller_than(const Stand& stand, SpeciesId species, double height_m) {
         stems += tree.species == species ? tree.stems : 0.0;
     }
     return stems;
+}
+
+TEST(Regenerate, BringsPineAndNoSpruceWhereOnlyPineHasWater) {
+    const SmallForest forest{square_of_forest(6)};
+    const SpeciesId spruce = *forest.species.find("piab");
+    const SpeciesId pine = *forest.species.find("pisy");
+    Stand stand{forest.grid, forest.species.size(), {}, 2000};
+    std::vector<PatchState> states(stand.patch_states().begin(), stand.patch_states().end());
+    SpeciesDrought drought{forest.grid.size(), forest.species.size()};
+    for (std::uint32_t p = 0; p < states.size(); ++p) {
+        states[p].ground_light = 0.8;
+        drought.set(PatchId{p}, spruce, 0.3);
+        drought.set(PatchId{p}, pine, 0.8);
+    }
+    for (int year = 0; year < 10; ++year) {
+        stand.begin_year();
+        stand.set_patch_states(states);
+        regenerate(stand, forest.site, forest.species, forest.weather, drought, {}, 1, 0);
+    }
+    EXPECT_EQ(taller_than(stand, spruce, 0.0), 0.0);
+    EXPECT_GT(taller_than(stand, pine, 0.0), 50.0);
 }
 
 TEST(Regenerate, BringsFirWhereItIsTooDarkForSpruceAndLarch) {

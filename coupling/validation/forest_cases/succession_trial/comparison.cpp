@@ -76,6 +76,12 @@ std::vector<SuccessionSite> read_succession_sites(const config::Table& table) {
         site.soil.water_capacity_mm = number(row, "water_mm", 1.0, 600.0);
         site.soil.nitrogen_kg_per_ha_year = number(row, "nitrogen_kg_ha_yr", 0.0, 200.0);
         site.soil.ph = number(row, "ph", 2.5, 9.0);
+        if (table.has("warmer_k")) {
+            site.warmer_k = number(row, "warmer_k", -15.0, 15.0);
+        }
+        if (table.has("rain_factor")) {
+            site.rain_factor = number(row, "rain_factor", 0.0, 10.0);
+        }
         sites.push_back(site);
     }
     problems.throw_if_any();
@@ -124,6 +130,10 @@ SuccessionTrial trial_at(const SuccessionCase& data, const SuccessionSite& site)
     trial.parameters = data.parameters;
     trial.climate =
         at_elevation(data.climate, site.elevation_m - *data.climate.elevation_m, data.lapse_rates);
+    const forest::ClimateChange change = forest::ClimateChange::of(site.warmer_k, site.rain_factor);
+    for (forest::ClimateYear& year : trial.climate.years) {
+        year = forest::changed(year, change);
+    }
     trial.window = {trial.climate.first_year(), trial.climate.last_year()};
     return trial;
 }
@@ -181,7 +191,8 @@ const std::vector<StandMeasure>& stand_measures() {
         {"lost_to_wind_m3pha", "stem wood thrown by storms a year", "m3/ha", lost_to<forest::Cause::wind>},
         {"lost_to_snow_m3pha", "stem wood broken by wet snow a year", "m3/ha", lost_to<forest::Cause::snow>},
         {"lost_to_beetle_m3pha", "stem wood killed by bark beetles a year", "m3/ha",
-         lost_to<forest::Cause::beetle>}};
+         lost_to<forest::Cause::beetle>},
+        {"drought_index", "drought index", "-", [](const auto& s) { return s.drought_index; }}};
     return measures;
 }
 

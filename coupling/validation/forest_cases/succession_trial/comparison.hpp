@@ -17,6 +17,8 @@ struct SuccessionSite {
     std::string name;  ///< such as "e1500"
     double elevation_m = 0.0;
     forest::Soil soil;
+    double warmer_k = 0.0;     ///< than the climate of the case at that elevation
+    double rain_factor = 1.0;  ///< of its precipitation
 };
 
 /// Species of a site that a criterion speaks of together.
@@ -42,8 +44,9 @@ struct SuccessionCase {
     std::vector<SpeciesGroup> natives{};  ///< one species each, named by its code
 };
 
-/// Reads site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph. Each reader throws one InputError (data)
-/// for all problems.
+/// Reads site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph and, where there are such columns, warmer_k
+/// and rain_factor: another climate than that of the case at the elevation. Each reader throws one InputError
+/// (data) for all problems.
 std::vector<SuccessionSite> read_succession_sites(const config::Table& table);
 /// Reads site,group,species (codes or names of one word, separated by blanks); other columns are read over.
 std::vector<SpeciesGroup> read_species_groups(const config::Table& table,
@@ -52,7 +55,7 @@ std::vector<SpeciesGroup> read_species_groups(const config::Table& table,
 /// Reads site,species (one code or name), for each species that grows at a place by nature.
 std::vector<SpeciesGroup> read_natives(const config::Table& table, const forest::SpeciesTable& species);
 
-/// The trial of a site: climate at its elevation, weather drawn from all years of
+/// The trial of a site: climate at its elevation, changed as the site says, weather drawn from all years of
 /// the series. Throws InputError (data) if the series does not know its elevation.
 SuccessionTrial trial_at(const SuccessionCase& data, const SuccessionSite& site);
 

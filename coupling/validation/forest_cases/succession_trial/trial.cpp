@@ -60,6 +60,14 @@ void count_losses(const Stand& stand, const SpeciesTable& species, LostByCause& 
     }
 }
 
+double mean_drought_index(const Stand& stand) {
+    double sum = 0.0;
+    for (const PatchState& patch : stand.patch_states()) {
+        sum += patch.drought_index;
+    }
+    return sum / static_cast<double>(stand.grid().size());
+}
+
 SuccessionState state_of(const Stand& stand, const SpeciesTable& species) {
     constexpr double thick_cm = 60.0;
     constexpr double counted_cm = 10.0;
@@ -121,6 +129,7 @@ std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial, const
     int years_counted = 0;
     forest::Parameters undisturbed = trial.parameters;
     undisturbed.disturbance.wind = undisturbed.disturbance.snow = undisturbed.disturbance.beetle = false;
+    double drought = 0.0;
     for (int year = 1; year <= trial.years; ++year) {
         const ClimateYear* const climate = trial.climate.find(sequence.source_of(year));
         assert(climate != nullptr);
@@ -130,15 +139,18 @@ std::vector<SuccessionState> grow_succession(const SuccessionTrial& trial, const
         count_year(stand, deaths);
         count_losses(stand, species, lost_m3pha);
         ++years_counted;
+        drought += mean_drought_index(stand);
         if (year % trial.interval_years == 0 || year == trial.years) {
             states.push_back(state_of(stand, species));
             states.back().deaths = deaths;
+            states.back().drought_index = drought / years_counted;
             deaths = {};
             for (std::size_t cause = 0; cause < lost_m3pha.size(); ++cause) {
                 states.back().lost_m3pha[cause] = lost_m3pha[cause] / years_counted;
             }
             lost_m3pha = {};
             years_counted = 0;
+            drought = 0.0;
         }
     }
     return states;

@@ -56,8 +56,9 @@ struct SuccessionState {
     double dead_wood_m3pha = 0.0;  ///< standing and lying
     std::array<double, forest::decay_class_count> dead_wood_by_class_m3pha{};
     std::array<double, forest::cause_count>
-        lost_m3pha{};           ///< stem wood a year since the state before, by cause
-    double ground_light = 1.0;  ///< mean over the patches
+        lost_m3pha{};            ///< stem wood a year since the state before, by cause
+    double ground_light = 1.0;   ///< mean over the patches
+    double drought_index = 0.0;  ///< mean over the patches and the years since the state before
     std::array<Deaths, death_class_from_cm.size()> deaths{};  ///< since the state before, by size
 
     [[nodiscard]] double biomass_tpha() const;

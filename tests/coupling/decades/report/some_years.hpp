@@ -66,8 +66,8 @@ struct SomeYears {
             figures.leaf_area_index = volumes_m3pha[i] / 100.0;
             figures.stems_pha_by_class[2] = 50.0;
             figures.stems_pha_by_class[3] = 100.0;
-            member.stands.push_back({year, all, all, figures});
-            member.stands.push_back({year, all, 0, figures});
+            member.stands.push_back({year, all, all, figures, 0.1});
+            member.stands.push_back({year, all, 0, figures, 0.1});
             YearRow row;
             row.year = year;
             row.calendar_year = 2020 + year;

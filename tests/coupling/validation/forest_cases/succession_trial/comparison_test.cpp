@@ -213,6 +213,30 @@ TEST(ReadSuccessionSites, TellsAllThatIsWrong) {
     }
 }
 
+TEST(TrialAt, ChangesTheClimateAsTheSiteSays) {
+    SuccessionCase data = shipped_case(SpeciesTable::shipped());
+    const SuccessionSite as_given = site_named(data, "e1000");
+    SuccessionSite changed = as_given;
+    changed.warmer_k = 4.0;
+    changed.rain_factor = 0.7;
+    const forest::ClimateMonth before = trial_at(data, as_given).climate.years[3].months[6];
+    const forest::ClimateMonth after = trial_at(data, changed).climate.years[3].months[6];
+    EXPECT_NEAR(after.tave_degc, before.tave_degc + 4.0, 1e-9);
+    EXPECT_NEAR(after.prec_mm, 0.7 * before.prec_mm, 1e-9);
+}
+
+TEST(ReadSuccessionSites, TakesAnotherClimateWhereItIsGiven) {
+    const std::vector<SuccessionSite> sites = read_succession_sites(
+        table_of("site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph,warmer_k,rain_factor\n"
+                 "a,500,0.7,120,60,5,4,0.7\n"));
+    EXPECT_EQ(sites[0].warmer_k, 4.0);
+    EXPECT_EQ(sites[0].rain_factor, 0.7);
+    EXPECT_THROW(static_cast<void>(read_succession_sites(table_of(
+                     "site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph,warmer_k,rain_factor\n"
+                     "a,500,0.7,120,60,5,40,-1\n"))),
+                 config::InputError);
+}
+
 TEST(TrialAt, AsksForTheElevationOfTheClimate) {
     SuccessionCase data = shipped_case(SpeciesTable::shipped());
     const SuccessionTrial high = trial_at(data, site_named(data, "e2000"));

@@ -1,0 +1,14 @@
+#include "forest/suppression_deaths.hpp"
+
+#include "config/math/elementary.hpp"
+
+namespace forest {
+
+double suppression_death(const Light& species, double dbh_cm, double light_ratio,
+                         const SuppressionDeaths& law) {
+    const double shade = 1.0 - light_ratio;
+    const double level = law.in_full_shade + law.by_class * (species.response_class - 1.0);
+    return level * shade * shade * shade * config::exp_of(-dbh_cm / law.dbh_scale_cm);
+}
+
+}  // namespace forest
