@@ -27,8 +27,8 @@ inline constexpr std::size_t least_for_skewness = 5;
 /// A figure over replicates. NaN is unknown.
 ///
 /// Student's interval alone holds the mean of skewed figures too seldom: of one that is 0 in two thirds of
-/// the replicates in 77 to 81 % of runs of 5 to 20, as stops by few logs are. From five replicates on each
-/// end is the wider of Student's and of the one that Hall's transformation (1992) gives.
+/// the replicates in 77 to 81 % of runs of 5 to 20, as stops by few logs are. From five replicates on the
+/// ends are those that Hall's transformation (1992) gives; of symmetric figures they are Student's.
 struct Band {
     double mean = 0.0;
     double low = 0.0;   ///< of the 90 % interval of the mean, unknown for one replicate and

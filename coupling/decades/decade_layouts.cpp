@@ -3,6 +3,8 @@
 #include "coupling/decades/decision/decision_tables.hpp"
 #include "coupling/decades/intervention_areas.hpp"
 #include "coupling/decades/nais_years.hpp"
+#include "coupling/decades/pooled_reduction.hpp"
+#include "coupling/decades/storm_table.hpp"
 #include "coupling/results/figure_columns.hpp"
 
 namespace coupling::decades {
@@ -162,7 +164,7 @@ TableLayout gaps() {
         {"open_percent", "%", "of the area on patches without a living stem of 12 cm", measured},
         {"gaps", "-", "lines of open patches down the fall line that touch the stand", measured},
         {"gap_mean_m", "m", "their mean length along the ground; 0 without gaps", measured},
-        {"gap_95_m", "m", "95th percentile of their lengths, straight between them", measured},
+        {"gap_95_m", "m", "95th percentile of their lengths, linearly interpolated", measured},
         {"gap_max_m", "m", "the longest of them", measured}};
     return {"gaps.csv", "a stand, or all, at the end of a year", together(member_columns(), rest)};
 }
@@ -245,7 +247,9 @@ TableLayout work_by_year() {
         {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", prices},
         {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", prices},
         {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting, tending and fencing", prices},
-        {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead", prices}};
+        {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead", prices},
+        {"machine_hours_pha", "h/ha", "to bring the removed wood out", "input regimes.machine_m3_per_hour"},
+        {"cable_setups", "-", "corridors in the whole forest from which timber was taken", simulated}};
     return {"work_by_year.csv", "a year, also one without work; per hectare of the whole forest",
             together(member_columns(), rest)};
 }
@@ -290,7 +294,7 @@ std::vector<Column> figure_columns() {
 
 std::vector<Column> band_columns() {
     constexpr const char* over_replicates = "over the replicates";
-    constexpr const char* students_t = "over the replicates, Student's t";
+    constexpr const char* students_t = "over the replicates, Student's t; from five on Hall (1992)";
     return {{"replicates", "-", "replicates that know the figure", over_replicates},
             {"mean", "as the quantity says", "mean of the replicates", over_replicates},
             {"mean_low_90", "as the quantity says",
@@ -378,6 +382,8 @@ const std::vector<TableLayout>& decade_layouts() {
                                                   causes(),
                                                   gaps(),
                                                   target_profile(),
+                                                  pooled_reduction_layout(),
+                                                  storms_layout(),
                                                   nais_layout(),
                                                   intervention_areas_layout(),
                                                   regimes_by_year(),

@@ -14,6 +14,7 @@
 #include "coupling/decades/intervention_areas.hpp"
 #include "coupling/decades/nais_years.hpp"
 #include "coupling/decades/patch_maps.hpp"
+#include "coupling/decades/pooled_reduction.hpp"
 #include "coupling/decades/profile_tables.hpp"
 #include "coupling/decades/report/area_maps.hpp"
 #include "coupling/decades/report/decade_page.hpp"
@@ -21,6 +22,7 @@
 #include "coupling/decades/report/nais_table.hpp"
 #include "coupling/decades/report/protection.hpp"
 #include "coupling/decades/report/target_profile.hpp"
+#include "coupling/decades/storm_table.hpp"
 #include "coupling/decades/work_tables.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/excel_csv.hpp"
@@ -83,7 +85,8 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
             {report::page_text("decades.answers.stands_against_rocks"),
              stands_against_rocks(
                  results.names, series, profile,
-                 rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m)});
+                 rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m),
+             results.management == nullptr || results.management->target_profile.empty()});
     }
     if (std::string html = nais_table(results.names, nais); !html.empty()) {
         sections.push_back({report::page_text("decades.nais.heading"), std::move(html)});
@@ -119,9 +122,11 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     watch("tables");
     if (results.rocks > 0) {
         add(write_fall_tables(folder, results.names, results.site, results.members));
+        add(write_pooled_reductions(folder, results.names, results.site, results.members));
     }
     add(write_forest_tables(folder, results.names, results.members,
                             chosen_years(results.scenario.forest.tree_list_years, results.scenario.years)));
+    add(write_storms(folder, results.scenario, results.site.forest->first_year()));
     watch("tables of work");
     add(write_work_tables(folder, results.names, results.members, results.site.forest->grid.area_ha()));
     watch("rasters of patches");

@@ -15,7 +15,7 @@ std::uint32_t row_of(const Regime& regime, const std::string& name) {
 }  // namespace
 
 void record_work(const RegimeReport& report, const Regime& regime, const PriceTable& prices,
-                 std::int32_t year, MemberYears& kept) {
+                 double machine_m3ph, std::int32_t year, MemberYears& kept) {
     if (report.entries.empty()) {
         return;
     }
@@ -41,7 +41,16 @@ void record_work(const RegimeReport& report, const Regime& regime, const PriceTa
             }
         }
     }
-    kept.margins.push_back({year, contribution_margin(report, prices)});
+    MarginRow work;
+    work.year = year;
+    work.margin = contribution_margin(report, prices);
+    for (const Entry& entry : report.entries) {
+        work.machine_hours += entry.taken_m3 / machine_m3ph;
+        const Intervention& row = regime.interventions()[row_of(regime, entry.intervention)];
+        const bool is_setup = row.ground.where == Where::corridors && entry.taken_m3 > 0.0;
+        work.cable_setups += is_setup ? static_cast<double>(entry.areas) : 0.0;
+    }
+    kept.margins.push_back(work);
 }
 
 }  // namespace coupling::decades

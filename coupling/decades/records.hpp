@@ -176,6 +176,8 @@ struct TimberRow {
 struct MarginRow {
     std::int32_t year = 0;
     Margin margin;
+    double machine_hours = 0.0;  ///< to bring the wood out
+    double cable_setups = 0.0;   ///< corridors from which timber was taken
 };
 
 /// The rocks of a year on one slope.

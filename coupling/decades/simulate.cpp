@@ -48,13 +48,14 @@ public:
         record_lists(0);  // as the forest stood before its first rocks
         const exchange::YearOutcome outcome = exchange::run_start(state_, site_);
         record_rocks(outcome.falls, 0, first_tree);
-        record_work(outcome.work, site_.regime, decades_.management.prices, 0, kept_);
+        record_work(outcome.work, site_.regime, decades_.management.prices, settings_.machine_m3ph, 0, kept_);
         record_losses(state_.stand, species(), 0, settings_.list_all_removed, kept_);
     }
 
     void simulate_year(std::int32_t year) {
         const exchange::YearOutcome outcome = exchange::run_year(state_, site_, year);
-        record_work(outcome.work, site_.regime, decades_.management.prices, year, kept_);
+        record_work(outcome.work, site_.regime, decades_.management.prices, settings_.machine_m3ph, year,
+                    kept_);
         record_year(state_.stand, species(), year, outcome.growth, outcome.mean_temperature_degc, kept_);
         record_losses(state_.stand, species(), year, settings_.list_all_removed, kept_);
         const std::size_t first_tree = kept_.trees.size();

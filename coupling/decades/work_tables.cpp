@@ -68,6 +68,7 @@ void write_work_by_year(std::ostream& out, const Names& names, std::span<const M
             row.number<4>(work.removed_m3pha).number<4>(work.left_m3pha);
             row.number<2>(work.revenue_eur_pha).number<2>(work.harvest_cost_eur_pha);
             row.number<2>(work.young_cost_eur_pha).number<2>(work.margin_eur_pha());
+            row.number<3>(work.machine_hours_pha).number<0>(work.cable_setups);
             row.end();
         }
     }

@@ -14,6 +14,8 @@ YearlyWork& YearlyWork::operator+=(const YearlyWork& other) {
     revenue_eur_pha += other.revenue_eur_pha;
     harvest_cost_eur_pha += other.harvest_cost_eur_pha;
     young_cost_eur_pha += other.young_cost_eur_pha;
+    machine_hours_pha += other.machine_hours_pha;
+    cable_setups += other.cable_setups;
     return *this;
 }
 
@@ -34,6 +36,8 @@ std::vector<YearlyWork> work_by_year(const Names& names, const MemberYears& memb
         work.revenue_eur_pha += row.margin.revenue_eur / area_ha;
         work.harvest_cost_eur_pha += row.margin.harvest_eur / area_ha;
         work.young_cost_eur_pha += row.margin.young_eur / area_ha;
+        work.machine_hours_pha += row.machine_hours / area_ha;
+        work.cable_setups += row.cable_setups;
     }
     return years;
 }
@@ -44,7 +48,9 @@ const std::vector<WorkFigure>& work_figures() {
         {"salvaged_m3pha", [](const YearlyWork& work) { return work.salvaged_m3pha; }},
         {"removed_m3pha", [](const YearlyWork& work) { return work.removed_m3pha; }},
         {"left_m3pha", [](const YearlyWork& work) { return work.left_m3pha; }},
-        {"contribution_margin_eur_pha", [](const YearlyWork& work) { return work.margin_eur_pha(); }}};
+        {"contribution_margin_eur_pha", [](const YearlyWork& work) { return work.margin_eur_pha(); }},
+        {"machine_hours_pha", [](const YearlyWork& work) { return work.machine_hours_pha; }},
+        {"cable_setups", [](const YearlyWork& work) { return work.cable_setups; }}};
     return figures;
 }
 

@@ -18,6 +18,8 @@ struct YearlyWork {
     double revenue_eur_pha = 0.0;
     double harvest_cost_eur_pha = 0.0;  ///< felling and hauling
     double young_cost_eur_pha = 0.0;    ///< planting, tending, fencing
+    double machine_hours_pha = 0.0;     ///< to bring the removed wood out
+    double cable_setups = 0.0;          ///< corridors in the whole forest from which timber was taken
     [[nodiscard]] double margin_eur_pha() const {
         return revenue_eur_pha - harvest_cost_eur_pha - young_cost_eur_pha;
     }
@@ -32,7 +34,8 @@ struct WorkFigure {
     const char* quantity;
     double (*of)(const YearlyWork&);
 };
-/// felled_m3pha, salvaged_m3pha, removed_m3pha, left_m3pha and contribution_margin_eur_pha.
+/// felled_m3pha, salvaged_m3pha, removed_m3pha, left_m3pha and contribution_margin_eur_pha,
+/// machine_hours_pha, cable_setups.
 const std::vector<WorkFigure>& work_figures();
 
 }  // namespace coupling::decades

@@ -3,16 +3,18 @@
     python3 read_run.py OUT [protection.png]
 
 OUT is the folder of the results. Needs the standard library alone; with matplotlib it also draws: of a run over
-years a line for each regime (in each climate) with the 90 % interval of the mean as a band, of an assessment
-of today a bar for each target with its 95 % interval.
+years a panel for each target and climate with a line for each regime and the 90 % interval of the mean as a band,
+of an assessment of today a bar for each target with its 95 % interval.
 """
 
 import csv
 import os
 import sys
 
-# Okabe and Ito's colours: told apart by colour-blind readers.
+# Okabe and Ito's colours: told apart by colour-blind readers. From the eighth regime on they come again with
+# another kind of line: 28 regimes look different.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+LINES = ["-", "--", ":", "-."]
 
 
 def read_table(out, name):
@@ -39,22 +41,15 @@ def names(rows, column):
 
 
 def protection_over_years(out):
-    """{target: {regime: [(year, mean, low, high), ...]}} in percent; of several climates "regime, climate"."""
-    rows = [row for row in read_table(out, "regimes_by_year.csv") if row["quantity"] == "protection_percent"]
-    if len(names(rows, "climate")) > 1:
-        for row in rows:
-            row["regime"] = f"{row['regime']}, {row['climate']}"
-    return {
-        target: {
-            regime: [
-                (int(row["year"]), number(row["mean"]), number(row["mean_low_90"]), number(row["mean_high_90"]))
-                for row in rows
-                if row["target_id"] == target and row["regime"] == regime
-            ]
-            for regime in names([row for row in rows if row["target_id"] == target], "regime")
-        }
-        for target in names(rows, "target_id")
-    }
+    """{(target, climate): {regime: [(year, mean, low, high), ...]}} in percent."""
+    protection = {}
+    for row in read_table(out, "regimes_by_year.csv"):
+        if row["quantity"] == "protection_percent":
+            mean = number(row["mean"])
+            low, high = (number(row[end]) if row[end] else mean for end in ("mean_low_90", "mean_high_90"))
+            panel = protection.setdefault((row["target_id"], row["climate"]), {})
+            panel.setdefault(row["regime"], []).append((int(row["year"]), mean, low, high))
+    return protection
 
 
 def protection_today(out):
@@ -68,14 +63,22 @@ def protection_today(out):
 
 
 def draw_years(pyplot, protection):
-    figure, panels = pyplot.subplots(len(protection), 1, figsize=(8, 4.5 * len(protection)), squeeze=False)
-    for panel, (target, regimes) in zip(panels[:, 0], protection.items()):
-        for i, (regime, line) in enumerate(regimes.items()):
+    targets = list(dict.fromkeys(target for target, _ in protection))
+    climates = list(dict.fromkeys(climate for _, climate in protection))
+    regimes = list(dict.fromkeys(regime for panel in protection.values() for regime in panel))
+    figure, panels = pyplot.subplots(len(targets), len(climates), sharex=True, sharey=True, squeeze=False,
+                                     figsize=(7 * len(climates), 4.5 * len(targets)))
+    for (target, climate), lines in protection.items():
+        panel = panels[targets.index(target)][climates.index(climate)]
+        for regime, line in lines.items():
             years, mean, low, high = zip(*line)
-            colour = COLOURS[i % len(COLOURS)]
+            style = regimes.index(regime)
+            colour = COLOURS[style % len(COLOURS)]
             panel.fill_between(years, low, high, color=colour, alpha=0.2, linewidth=0)
-            panel.plot(years, mean, color=colour, label=regime, linestyle=["-", "--", ":", "-."][i % 4])
-        panel.set(title=f"Rocks stopped by the forest: {target}", xlabel="year", ylabel="protection effect [%]")
+            panel.plot(years, mean, color=colour, label=regime,
+                       linestyle=LINES[style // len(COLOURS) % len(LINES)])
+        panel.set(title=f"Rocks stopped by the forest: {target}, {climate}", xlabel="year",
+                  ylabel="protection effect [%]")
         panel.legend(title="mean, 90 % interval")
     return figure
 
@@ -103,10 +106,10 @@ def main(arguments):
     if not protection:
         sys.exit(f"{out}: too few rocks arrive over the bare slope for a protection figure; simulate more rocks")
     if over_years:
-        for target, regimes in protection.items():
+        for (target, climate), regimes in protection.items():
             for regime, line in regimes.items():
                 year, mean, low, high = line[-1]
-                print(f"{target}, {regime}: {mean:.1f} % ({low:.1f} to {high:.1f}) in year {year}")
+                print(f"{target}, {climate}, {regime}: {mean:.1f} % ({low:.1f} to {high:.1f}) in year {year}")
     else:
         for target, percent, low, high in protection:
             print(f"{target}: {percent:.1f} % ({low:.1f} to {high:.1f})")

@@ -108,6 +108,14 @@ void declare_regimes(config::Options& options, ForestSettings& s) {
         {.meaning = "CSV of prices by species and diameter, with regimes.work_costs; none: shipped"});
     options.text("regimes.work_costs", s.work_costs,
                  {.meaning = "CSV of the costs of planting, tending and fencing"});
+    options.number(
+        "regimes.machine_m3_per_hour", s.machine_m3ph,
+        {.unit = "m3/h",
+         .low = 0.1,
+         .high = 100.0,
+         .meaning = "stem wood that a machine (cable yarder, forwarder) brings out in an hour: makes the "
+                    "machine hours of removed wood",
+         .source = "choice; cable yarders in the Alps mostly 5 to 12 (Spinelli et al. 2015 [lit*])"});
 }
 
 void declare_decision(config::Options& options, DecisionSettings& s) {

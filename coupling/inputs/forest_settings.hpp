@@ -66,6 +66,7 @@ struct ForestSettings {
     std::string regimes = "none";  ///< names of shipped regimes or CSV files, parted by commas
     std::string timber_prices;     ///< CSV, with
     std::string work_costs;        ///< CSV; both empty: the shipped ones
+    double machine_m3ph = 8.0;     ///< stem wood that a machine brings out in an hour of work
 
     DecisionSettings decision;  ///< [decision]
 

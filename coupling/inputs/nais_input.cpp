@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "forest/protection/target_profile.hpp"
@@ -20,8 +21,8 @@ constexpr double highest_stand_of_profiles = 4e9;
 class NaisReader {
 public:
     NaisReader(const config::Table& table, const forest::SpeciesTable& species, const forest::PatchGrid& grid,
-               double effective_cm)
-        : table_{table}, species_{species}, effective_cm_{effective_cm} {
+               double effective_cm, std::string name)
+        : table_{table}, species_{species}, effective_cm_{effective_cm}, name_{std::move(name)} {
         for (const forest::Patch& patch : grid.patches()) {
             stands_.insert(patch.management_unit);
         }
@@ -33,7 +34,7 @@ public:
         result.stand = stand_of(row);
         result.site_type = table_.text(row, "site_type");
         result.hazard = table_.text(row, "hazard");
-        result.source = table_.file();
+        result.source = name_;
         const std::string& name = table_.text(row, "criterion");
         const auto criterion = forest::nais_criterion(name, species_, effective_cm_);
         if (!criterion) {
@@ -109,6 +110,7 @@ private:
     const config::Table& table_;
     const forest::SpeciesTable& species_;
     double effective_cm_;
+    std::string name_;  ///< of the file, as the scenario names it
     std::set<std::uint32_t> stands_;
     std::vector<NaisRow> rows_;
     config::Problems problems_;
@@ -125,7 +127,7 @@ std::optional<std::vector<NaisRow>> read_nais_profile(const forest::SpeciesTable
         config::Problems problems;
         table.require({"stand", "site_type", "hazard", "criterion", "minimal", "ideal"}, problems);
         problems.throw_if_any();
-        NaisReader reader{table, species, grid, effective_cm};
+        NaisReader reader{table, species, grid, effective_cm, name};
         for (std::size_t row = 0; row < table.rows(); ++row) {
             reader.read(row);
         }

@@ -280,6 +280,35 @@ std::string list_of(const std::vector<std::string>& items) {
     return text.empty() ? "–" : text;
 }
 
+/// What the forest of the start held beside its trees, and where that comes from.
+std::string start_fact(const PageContent& content) {
+    double dead_m3pha = 0.0;
+    double young_pha = 0.0;
+    double members = 0.0;
+    for (const MemberYears& member : content.members) {
+        if (!member.years.empty()) {
+            dead_m3pha += member.years.front().snags_m3pha + member.years.front().logs_m3pha;
+            young_pha += member.years.front().saplings_pha;
+            members += 1.0;
+        }
+    }
+    const ForestSettings& settings = content.scenario.forest;
+    const auto source = [&](const std::string& file) {
+        return !file.empty() ? report::page_text("decades.answers.of_the_inventory")
+               : settings.spin_up_years > 0
+                   ? report::page_text("decades.answers.of_the_spin_up",
+                                       {{"years", std::to_string(settings.spin_up_years)}})
+                   : report::page_text("decades.answers.not_given");
+    };
+    return members > 0.0 ? fact(report::page_text("decades.answers.start"),
+                                report::page_text("decades.answers.start_held",
+                                                  {{"dead_wood", report::fixed(dead_m3pha / members, 1)},
+                                                   {"dead_wood_from", source(settings.dead_wood)},
+                                                   {"young", report::fixed(young_pha / members, 0)},
+                                                   {"young_from", source(settings.saplings)}}))
+                         : "";
+}
+
 }  // namespace
 
 std::string page_opening(const PageContent& content, const RunView& run) {
@@ -325,6 +354,7 @@ std::string page_opening(const PageContent& content, const RunView& run) {
         content.grid.size() > 0 ? fact(report::page_text("common.ground"), elevation_text(content.grid)) : "";
     html += joined(fact(report::page_text("decades.answers.years"), years_text(run)),
                    fact(report::page_text("decades.answers.regimes_2"), list_of(regime_names)));
+    html += start_fact(content);
     html += joined(fact(report::page_text("decades.answers.replicates"), replicates),
                    fact(report::page_text("decades.answers.species"), list_of(species_names)));
     html += content.climate.empty() ? ""

@@ -90,9 +90,8 @@ TEST(CommandLine, TellsTheNearestWord) {
     EXPECT_EQ(message_of({"run", "a.ini", "--treads", "2"}),
               "found option '--treads' of run, expected '--threads'");
     EXPECT_EQ(message_of({"xyz"}),
-              "found command 'xyz', expected init, check, run, merge, compare, vary, net, validate, "
-              "stopping-table, info or completion; see "
-              "`bannwald --help`");
+              "found command 'xyz', expected init, check, run, merge, compare, vary, pack, verify, "
+              "net, validate, stopping-table, info or completion; see `bannwald --help`");
 }
 
 TEST(CommandLine, KnowsWhatToDoWithNets) {
@@ -127,8 +126,8 @@ TEST(CommandLine, TakesWhatHoldsEverywhereBeforeTheCommandToo) {
 }
 
 TEST(CommandLine, RefusesWhatACommandDoesNotTake) {
-    EXPECT_EQ(message_of({"check", "a.ini", "--overwrite"}),
-              "found option '--overwrite' of check, expected one of `bannwald check --help`");
+    EXPECT_EQ(message_of({"check", "a.ini", "--pictures"}),
+              "found option '--pictures' of check, expected one of `bannwald check --help`");
     EXPECT_EQ(message_of({"run"}), "found `bannwald run` alone, expected a scenario file after it");
     EXPECT_EQ(message_of({"run", "a.ini", "b.ini"}),
               "found 'b.ini' after 'a.ini', expected only a scenario file");
