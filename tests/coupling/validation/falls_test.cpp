@@ -77,16 +77,19 @@ TEST(LetFall, FindsFewerTreesWhereBrokenOnesFall) {
 
 TEST(JumpSums, KeepShortestAndLongest) {
     JumpSums sums;
-    sums.add(4.0);
-    sums.add(2.0);
+    sums.add(4.0, 0.5);
+    sums.add(2.0, 1.5);
     JumpSums others;
-    others.add(9.0);
+    others.add(9.0, 1.0);
     sums.add(others);
     sums.add(JumpSums{});
     EXPECT_EQ(sums.jumps, 3U);
     EXPECT_DOUBLE_EQ(sums.shortest_m, 2.0);
     EXPECT_DOUBLE_EQ(sums.longest_m, 9.0);
     EXPECT_DOUBLE_EQ(sums.sum_m, 15.0);
+    EXPECT_DOUBLE_EQ(sums.squares_m2, 101.0);
+    EXPECT_DOUBLE_EQ(sums.height_sum_m, 3.0);
+    EXPECT_DOUBLE_EQ(sums.highest_m, 1.5);
 }
 
 }  // namespace
