@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rockfall/motion/block_ground.hpp"
 #include "rockfall/motion/restitution.hpp"
 #include "rockfall/motion/soil.hpp"
 #include "rockfall/motion/stopping.hpp"
@@ -24,6 +25,7 @@ struct SurfaceType {
     double rolling_friction = 0.0;         ///< of a rolling rock [-]; 0: that of the law
     double sliding_friction = 0.0;         ///< coefficient of a sliding rock [-]; 0: none of its own
     std::optional<Soil> soil;              ///< for motion models that take the ground from soils
+    BlockGround block;                     ///< for rigid blocks: friction, restitution, resistance
 
     /// The coefficients before any fit.
     [[nodiscard]] Restitution as_published() const { return published.value_or(restitution); }
