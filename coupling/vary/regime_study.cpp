@@ -143,14 +143,24 @@ RegimeRun outcome_of(const Combination& combination, const decades::Names& names
 }
 
 void mark_rank_changes(std::vector<RegimeRun>& runs) {
+    const std::vector<RegimeOutcome> base = runs.front().regimes;
+    const auto percent_in = [&base](const RegimeOutcome& wanted) {
+        const auto found = std::find_if(base.begin(), base.end(), [&](const RegimeOutcome& each) {
+            return each.regime == wanted.regime && each.climate == wanted.climate &&
+                   each.target == wanted.target;
+        });
+        return found == base.end() ? std::numeric_limits<double>::quiet_NaN() : found->protection_percent;
+    };
     for (RegimeRun& run : runs) {
         for (RegimeOutcome& regime : run.regimes) {
-            for (const RegimeOutcome& base : runs.front().regimes) {
-                if (base.regime == regime.regime && base.climate == regime.climate &&
-                    base.target == regime.target) {
-                    regime.changes_rank = base.rank != regime.rank;
-                }
-            }
+            regime.changes_rank =
+                std::any_of(run.regimes.begin(), run.regimes.end(), [&](const RegimeOutcome& other) {
+                    const double now = regime.protection_percent - other.protection_percent;
+                    const double then = percent_in(regime) - percent_in(other);
+                    // A tie that is broken is no change of order.
+                    return other.climate == regime.climate && other.target == regime.target &&
+                           now * then < 0.0;
+                });
         }
     }
 }

@@ -20,7 +20,7 @@ struct RegimeOutcome {
     std::size_t rank = 0;             ///< 1: the regime with the highest
     /// Protection minus that of the first regime, paired by replicate; nothing for the first regime.
     std::optional<decades::PairedDifference> difference{};
-    bool changes_rank = false;  ///< another rank than in the scenario as it is
+    bool changes_rank = false;  ///< before a regime that it is behind in the scenario, or the other way round
 };
 
 /// A run over years under one combination.
@@ -35,7 +35,7 @@ struct RegimeRun {
 RegimeRun outcome_of(const Combination& combination, const decades::Names& names, const Site& site,
                      std::span<const decades::MemberYears> members, const Scenario& scenario);
 
-/// Marks where ranks differ from those of the first run.
+/// Marks where two regimes have exchanged their order of the first run.
 void mark_rank_changes(std::vector<RegimeRun>& runs);
 
 /// The study of a scenario with run.years above 0: how the paired difference of its regimes moves with the
