@@ -93,7 +93,7 @@ TEST(SeedRain, ComesFromOldLitTreesAndFromOutside) {
     }
     const Stand stand{grid, table.size(), trees, 2000};
     const std::vector<float> sources = seed_sources(stand, table, spruce);
-    EXPECT_NEAR(sources[4], trees[0].crown.leaf_area_m2 / 300.0, 1e-6);
+    EXPECT_NEAR(sources[4], trees[0].crown.leaf_area_m2 / 450.0, 1e-6);
     EXPECT_EQ(std::accumulate(sources.begin(), sources.end(), 0.0F), sources[4]);
 
     const SeedRain rain{stand, table, std::vector<double>(table.size(), 1.0), {0.02, {spruce}}};
