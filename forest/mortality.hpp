@@ -21,9 +21,9 @@ enum class AgeLaw : std::uint8_t {
 /// Deaths by age and by stress.
 struct MortalityLaw {
     AgeLaw age = AgeLaw::rising;
-    CanopyDeaths canopy;
-    DroughtDeaths drought;
-    SuppressionDeaths suppression;
+    CanopyDeaths canopy{};
+    DroughtDeaths drought{};
+    SuppressionDeaths suppression{};
     double least_growth_cm = 0.03;  ///< diameter growth below which a year is bad
     double least_relative_growth =
         0.1;  ///< the same, relative to the mean of its species in the production unit, most tolerant species

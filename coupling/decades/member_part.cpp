@@ -8,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t member_part_magic = 0x37304D45'4D4E4142ULL;  // "BANMEM07", least byte first
+constexpr std::uint64_t member_part_magic = 0x38304D45'4D4E4142ULL;  // "BANMEM08", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
