@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* byte_order_mark = "\xEF\xBB\xBF";
 
 /// With quotes where the form needs them.
-std::string quoted(std::string_view field) {
+std::string excel_field(std::string_view field) {
     if (field.find_first_of(";\"\n\r") == std::string_view::npos) {
         return std::string{field};
     }
@@ -39,14 +39,14 @@ void write_excel_csv(std::ostream& out, std::string_view table, char decimal_sig
     std::vector<bool> is_key;
     out << byte_order_mark;
     for (const geopackage::Column& column : geopackage::ColumnTypes{rows.columns()}.columns()) {
-        out << (is_key.empty() ? "" : ";") << quoted(column.name);
+        out << (is_key.empty() ? "" : ";") << excel_field(column.name);
         is_key.push_back(column.type == geopackage::ColumnType::text);  // nothing was seen: keys alone
     }
     out << '\n';
     while (rows.next()) {
         const std::vector<std::string_view>& fields = rows.fields();
         for (std::size_t i = 0; i < fields.size(); ++i) {
-            std::string text = quoted(fields[i]);
+            std::string text = excel_field(fields[i]);
             if (decimal_sign != '.' && !is_key[i] && geopackage::plain_number(fields[i])) {
                 std::replace(text.begin(), text.end(), '.', decimal_sign);
             }
