@@ -89,7 +89,8 @@ std::string rocks_chart(const RunResults& results, const AlongLine& line) {
 std::vector<std::vector<ChartPoint>> energy_runs(const AlongLine& line, Cover cover) {
     std::vector<std::vector<ChartPoint>> runs(1);
     for (const Stretch& stretch : line.stretches) {
-        const double energy_kj = figures_of(stretch.tally.by_cover[index_of(cover)], 1).energy_kj.p95;
+        const rockfall::ArrivalTally& arrived = stretch.tally.by_cover[index_of(cover)];
+        const double energy_kj = figures_of(arrived, arrived.reached).energy_kj.p95;
         if (std::isnan(energy_kj)) {
             if (!runs.back().empty()) {
                 runs.emplace_back();
