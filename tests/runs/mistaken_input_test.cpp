@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Practitioners, MistakenInput, ::testing::ValuesIn(mista
 /// What stands on a page above its heading.
 std::string first_screen(const SampleProject& project, const std::string& page) {
     const std::string text = project.read(page);
-    return text.substr(0, text.find("<h1>"));
+    return text.substr(0, text.find("<h2>"));
 }
 
 TEST(MistakenInputPartly, StandsOnTheFirstScreenAndInTheClosingLinesOfAQuietRun) {
