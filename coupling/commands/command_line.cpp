@@ -31,6 +31,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
         {"compare", {"out", "page", "overwrite"}},
         {"vary", {"set", "seed", "threads", "out", "overwrite"}},
+        {"collapse", {"set", "seed", "threads", "out", "overwrite"}},
         {"net", {"nets", "distances", "azimuth", "out", "overwrite"}},
         {"info", {}},
         {"completion", {}},
@@ -41,8 +42,10 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
 /// What the word after the command is.
 const std::map<std::string, std::string>& arguments_of_commands() {
     static const std::map<std::string, std::string> arguments{
-        {"init", "a folder"},           {"check", "a scenario file"}, {"run", "a scenario file"},
-        {"stopping-table", "a recipe"}, {"info", "a file"},           {"completion", "bash"}};
+        {"init", "a folder"},           {"check", "a scenario file"},
+        {"run", "a scenario file"},     {"collapse", "a scenario file"},
+        {"stopping-table", "a recipe"}, {"info", "a file"},
+        {"completion", "bash"}};
     return arguments;
 }
 
@@ -380,17 +383,18 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty() ? "init, check, run, merge, compare, vary, net, validate, stopping-table, info or "
-                             "completion; see `bannwald --help`"
-                           : config::in_quotes(nearest));
+           nearest.empty()
+               ? "init, check, run, merge, compare, vary, collapse, net, validate, stopping-table, info or "
+                 "completion; see `bannwald --help`"
+               : config::in_quotes(nearest));
 }
 
 }  // namespace
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init",           "check", "run",       "merge",
-                                                "compare",        "vary",  "net",       "validate",
-                                                "stopping-table", "info",  "completion"};
+    static const std::vector<std::string> names{"init",           "check", "run",        "merge",
+                                                "compare",        "vary",  "net",        "validate",
+                                                "stopping-table", "info",  "completion", "collapse"};
     return names;
 }
 

@@ -78,7 +78,7 @@ TEST(CommandLine, TellsTheNearestWord) {
     EXPECT_EQ(message_of({"run", "a.ini", "--treads", "2"}),
               "found option '--treads' of run, expected '--threads'");
     EXPECT_EQ(message_of({"xyz"}),
-              "found command 'xyz', expected init, check, run, merge, compare, vary, net, validate, "
+              "found command 'xyz', expected init, check, run, merge, compare, vary, collapse, net, validate, "
               "stopping-table, info or completion; see "
               "`bannwald --help`");
 }
