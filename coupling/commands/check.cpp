@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "config/text/numbers.hpp"
+#include "coupling/collapse/collapse_run.hpp"
 #include "coupling/commands/describe_forest.hpp"
 #include "coupling/commands/estimate.hpp"
 #include "coupling/commands/listing.hpp"
@@ -223,8 +224,17 @@ void print_settings(const config::Options& options, std::ostream& out) {
 }  // namespace
 
 void check_scenario(const CommandLine& line, config::Warnings& warnings, std::ostream& out) {
-    const auto scenario = read_scenario(line.argument, line.overrides);
     const int threads = line.threads > 0 ? line.threads : omp_get_max_threads();
+    if (collapse::is_collapse(line.argument)) {
+        const auto collapse_scenario = collapse::read_collapse(line.argument, line.overrides);
+        refuse_page(line, collapse_scenario->scenario);
+        collapse::describe(*collapse_scenario, threads, warnings, out);
+        if (line.print_settings) {
+            print_settings(*collapse_scenario->scenario.options, out);
+        }
+        return;
+    }
+    const auto scenario = read_scenario(line.argument, line.overrides);
     refuse_page(line, *scenario);
     if (wants_hazard_map(*scenario)) {
         check_return_periods(line, *scenario, threads, warnings, out);

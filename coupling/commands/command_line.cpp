@@ -383,7 +383,7 @@ CommandLine parse_general(const std::string& word) {
     words.insert(words.end(), {"--help", "--help-all", "--version"});
     const std::string nearest = config::nearest_word(word, words);
     refuse("command " + config::in_quotes(word),
-           nearest.empty() ? "init, check, run, merge, compare, vary, pack, verify, net, validate, "
+           nearest.empty() ? "init, check, run, merge, compare, vary, collapse, pack, verify, net, validate, "
                              "stopping-table, info or completion; see `bannwald --help`"
                            : config::in_quotes(nearest));
 }

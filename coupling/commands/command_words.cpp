@@ -15,6 +15,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
         {"compare", {"out", "page", "overwrite"}},
         {"vary", {"set", "seed", "threads", "out", "overwrite"}},
+        {"collapse", {"set", "seed", "threads", "out", "overwrite"}},
         {"pack", {"scenario", "title", "creator", "licence", "date", "out", "overwrite"}},
         {"verify", {"rerun", "out", "threads"}},
         {"net", {"nets", "distances", "azimuth", "out", "overwrite"}},
@@ -25,21 +26,19 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
 }
 
 const std::map<std::string, std::string>& arguments_of_commands() {
-    static const std::map<std::string, std::string> arguments{{"init", "a folder"},
-                                                              {"check", "a scenario file"},
-                                                              {"run", "a scenario file"},
-                                                              {"stopping-table", "a recipe"},
-                                                              {"info", "a file"},
-                                                              {"completion", "bash"},
-                                                              {"pack", "the folder of a run"},
-                                                              {"verify", "an archive"}};
+    static const std::map<std::string, std::string> arguments{
+        {"init", "a folder"},           {"check", "a scenario file"},
+        {"run", "a scenario file"},     {"collapse", "a scenario file"},
+        {"stopping-table", "a recipe"}, {"info", "a file"},
+        {"completion", "bash"},         {"pack", "the folder of a run"},
+        {"verify", "an archive"}};
     return arguments;
 }
 
 const std::vector<std::string>& command_names() {
-    static const std::vector<std::string> names{"init",           "check", "run",       "merge", "compare",
-                                                "vary",           "pack",  "verify",    "net",   "validate",
-                                                "stopping-table", "info",  "completion"};
+    static const std::vector<std::string> names{
+        "init",   "check", "run",      "merge",          "compare", "vary",       "pack",
+        "verify", "net",   "validate", "stopping-table", "info",    "completion", "collapse"};
     return names;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/run/ranks.hpp"
 #include "coupling/validation/quantities.hpp"
@@ -23,12 +24,13 @@ namespace {
 constexpr std::string_view short_help = R"(bannwald - how well a forest protects from rockfall
 
   bannwald init DIR [--example NAME]   writes an example project, ready to run: tyrol, profile, forest,
-                                       jura, regimes-small, regimes
+                                       jura, regimes-small, regimes, collapse-small
   bannwald check SCENARIO              reads everything, prints size, memory and time; writes nothing
   bannwald run SCENARIO                simulates rockfall and writes maps, tables and a report
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
   bannwald vary SCENARIO FACTORS.csv   other settings one by one and crossed: which decide the result
   bannwald compare DIR DIR...          puts finished runs side by side, with which differences are significant
+  bannwald collapse SCENARIO           simulates a jointed rock mass that breaks up
   bannwald pack DIR                    makes an archive of a finished run that can be cited and repeated
   bannwald verify FILE.zip             checks such an archive; --rerun repeats the run and compares
   bannwald net try DIR --nets FILE     evaluates other nets without another simulation
@@ -71,6 +73,7 @@ Writes an example project into a new or empty folder, whole or not at all.
                         forest: a mapped mountain stand grows for a hundred years, without rocks
                         regimes-small: 9 ha under four regimes for thirty years, with rocks
                         regimes: 40 ha under four regimes for a hundred years, ten replicates
+                        collapse-small: a SYNTHETIC cliff of 40 m breaks up into about a hundred blocks
   --from-rockyfor3d FOLDER   instead: a project from the inputs of Rockyfor3D (dem.asc, rockdensity.asc,
                         d1 d2 d3, blshape, soiltype, rg70 rg20 rg10, treefile.txt or nrtrees ...); prints
                         and writes into README.md what became of them and what has no counterpart
@@ -146,6 +149,17 @@ With run.years above 0 the chart is about the paired difference of the regimes, 
 change their ranking. Any setting may vary, files too: trees.file, terrain.dem; ground.pasture.r_t is a value of a ground type.
   --out DIR                 folder of vary.csv and report.html
   --overwrite               replaces a study that the folder holds
+)";
+
+constexpr std::string_view collapse_help = R"(bannwald collapse SCENARIO [options]
+
+Simulates how a jointed rock mass breaks up, runs down the slope and comes to rest: convex blocks between joints or
+Voronoi cells, joined by bonds that break. The section [collapse] of the scenario says which rock, which joints and
+how strong; terrain, trees and targets are those of any scenario. Writes energies over time with their residual, maps,
+tables, a page and, with output.vtp = yes, a series for ParaView. `bannwald check SCENARIO` prints blocks, steps,
+memory and time beforehand. Interrupted by Ctrl-C it keeps its last state; the same call continues from there.
+  --out DIR                 folder of the results (default: out beside the scenario)
+  --overwrite               replaces results or parts that the folder holds
 )";
 
 constexpr std::string_view pack_help = R"(bannwald pack DIR [options]
@@ -287,29 +301,26 @@ void write_help_of_section(std::ostream& out, std::string section) {
 }  // namespace
 
 void write_help(std::ostream& out, const std::string& command) {
-    const std::map<std::string, std::string_view> texts{{"init", init_help},
-                                                        {"check", check_help},
-                                                        {"run", run_help},
-                                                        {"merge", merge_help},
-                                                        {"compare", compare_help},
-                                                        {"completion", completion_help},
-                                                        {"vary", vary_help},
-                                                        {"pack", pack_help},
-                                                        {"verify", verify_help},
-                                                        {"validate", validate_help},
-                                                        {"stopping-table", stopping_table_help},
-                                                        {"info", info_help},
-                                                        {"net", net_help}};
+    const std::map<std::string, std::string_view> texts{
+        {"init", init_help},         {"check", check_help},
+        {"run", run_help},           {"merge", merge_help},
+        {"compare", compare_help},   {"completion", completion_help},
+        {"vary", vary_help},         {"collapse", collapse_help},
+        {"pack", pack_help},         {"verify", verify_help},
+        {"validate", validate_help}, {"stopping-table", stopping_table_help},
+        {"info", info_help},         {"net", net_help}};
     const auto text = texts.find(command);
     if (text == texts.end()) {
         out << short_help << exit_codes;
         return;
     }
     out << text->second;
-    if (command == "check" || command == "run" || command == "merge" || command == "vary") {
+    if (command == "check" || command == "run" || command == "merge" || command == "vary" ||
+        command == "collapse") {
         out << scenario_options;
     }
-    if (command == "check" || command == "run" || command == "vary" || command == "verify") {
+    if (command == "check" || command == "run" || command == "vary" || command == "collapse" ||
+        command == "verify") {
         out << threads_option;
     }
     if (command == "validate") {
@@ -327,14 +338,16 @@ void write_help_all(std::ostream& out, std::string section) {
     out << short_help;
     for (const std::string_view text :
          {init_help, check_help, run_help, threads_option, merge_help, scenario_options, compare_help,
-          vary_help, pack_help, verify_help, net_help, validate_help, stopping_table_help, info_help,
-          completion_help}) {
+          vary_help, collapse_help, pack_help, verify_help, net_help, validate_help, stopping_table_help,
+          info_help, completion_help}) {
         out << text << '\n';
     }
     out << exit_codes << "\nSettings of a scenario file\n\n";
     Scenario scenario;
     config::Options options;
     declare(options, scenario);
+    collapse::CollapseSettings settings;
+    collapse::declare(options, settings);
     options.write_help(out);
 }
 

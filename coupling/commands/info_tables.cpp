@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/collapse/collapse_results.hpp"
 #include "coupling/compare/side_by_side.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/hazard/hazard_results.hpp"
@@ -27,6 +28,7 @@ constexpr std::array kinds{Kind{"an assessment of today", static_layouts},
                            Kind{"a hazard map", hazard::hazard_layouts},
                            Kind{"every run", dictionary_layouts},
                            Kind{"`bannwald net` (nets.csv and others as of today)", net_command_layouts},
+                           Kind{"a rock mass that breaks up", collapse::collapse_layouts},
                            Kind{"a comparison of runs", compare::compare_layouts}};
 
 void write_columns(const TableLayout& layout, const char* kind, std::ostream& out) {

@@ -11,6 +11,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/errors/warnings.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/collapse/collapse_run.hpp"
 #include "coupling/commands/check.hpp"
 #include "coupling/commands/command_line.hpp"
 #include "coupling/commands/completion.hpp"
@@ -195,6 +196,15 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
                                     .overwrite = line.overwrite,
                                     .quiet = line.quiet},
                                    std::cout);
+    }
+    if (line.command == "collapse") {
+        return collapse::run_collapse({.scenario = line.argument,
+                                       .overrides = line.overrides,
+                                       .out = line.out,
+                                       .threads = line.threads,
+                                       .overwrite = line.overwrite,
+                                       .quiet = line.quiet,
+                                       .verbose = line.verbose});
     }
     if (line.command == "pack") {
         return pack_run(line);

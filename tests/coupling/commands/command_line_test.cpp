@@ -90,8 +90,8 @@ TEST(CommandLine, TellsTheNearestWord) {
     EXPECT_EQ(message_of({"run", "a.ini", "--treads", "2"}),
               "found option '--treads' of run, expected '--threads'");
     EXPECT_EQ(message_of({"xyz"}),
-              "found command 'xyz', expected init, check, run, merge, compare, vary, pack, verify, "
-              "net, validate, stopping-table, info or completion; see `bannwald --help`");
+              "found command 'xyz', expected init, check, run, merge, compare, vary, collapse, pack, "
+              "verify, net, validate, stopping-table, info or completion; see `bannwald --help`");
 }
 
 TEST(CommandLine, KnowsWhatToDoWithNets) {

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/collapse/collapse_record.hpp"
+#include "coupling/results/out_file.hpp"
+#include "coupling/results/table_layout.hpp"
+#include "coupling/results/write_watch.hpp"
+
+namespace coupling::collapse {
+
+/// A finished collapse, ready to be written.
+struct CollapseResults {
+    const CollapseScenario& scenario;
+    const CollapseSite& site;
+    const CollapseRecord& record;
+    const rockfall::rock_mass::RockMass& mass;
+    const config::Warnings& warnings;
+    std::string version;
+};
+
+/// The figures that are held against those of others.
+struct KeyFigures {
+    double duration_s = 0.0;  ///< until a hundredth of the blocks moves, after the mean speed's peak
+    double peak_mean_speed_mps = 0.0;
+    double peak_time_s = 0.0;
+    double largest_speed_mps = 0.0;
+    double front_m = 0.0;
+    double area_m2 = 0.0;           ///< of cells that a block passed
+    double largest_residual = 0.0;  ///< share of the energy turned over
+};
+KeyFigures key_figures(const CollapseResults& results);
+
+/// Pieces that hold together at the end: blocks by number of their piece.
+std::vector<std::size_t> pieces_of(const CollapseResults& results);
+
+const std::vector<TableLayout>& collapse_layouts();
+
+/// Writes tables, rasters, perhaps VTP, summary.json and report.html into an existing folder. Throws
+/// config::InputError (file), and what `watch` throws.
+std::vector<WrittenFile> write_results(const CollapseResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch);
+
+void write_summary(std::ostream& out, const CollapseResults& results, const std::vector<WrittenFile>& files);
+void write_page(std::ostream& out, const CollapseResults& results, const std::vector<WrittenFile>& files);
+
+/// Blocks of a frame as VTK poly data, absolute coordinates, with number, speed and volume.
+void write_blocks_vtp(std::ostream& out, const CollapseResults& results, std::size_t frame);
+
+}  // namespace coupling::collapse

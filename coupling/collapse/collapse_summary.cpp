@@ -1,0 +1,50 @@
+#include "coupling/collapse/collapse_results.hpp"
+#include "coupling/results/json.hpp"
+
+namespace coupling::collapse {
+
+void write_summary(std::ostream& out, const CollapseResults& results, const std::vector<WrittenFile>& files) {
+    const KeyFigures figures = key_figures(results);
+    const BlockCount& count = results.site.count;
+    const Scenario& scenario = results.scenario.scenario;
+    Json summary{{"program", "Bannwald"}, {"version", results.version}};
+    summary["run"] = {
+        {"scenario", scenario.file.filename().string()}, {"kind", "collapse"}, {"seed", scenario.seed}};
+    summary["mass"] = {{"blocks", count.free},
+                       {"fixed_blocks", count.fixed},
+                       {"bonds", count.bonds},
+                       {"open_faces", count.open_faces},
+                       {"volume_m3", json_number(count.body_m3)},
+                       {"blocks_m3", json_number(count.blocks_m3)},
+                       {"left_out_m3", json_number(count.left_out_m3)},
+                       {"slivers_merged", count.merged},
+                       {"step_s", json_number(results.mass.step_s())}};
+    summary["collapse"] = {{"duration_s", json_number(figures.duration_s)},
+                           {"peak_mean_speed_mps", json_number(figures.peak_mean_speed_mps)},
+                           {"peak_time_s", json_number(figures.peak_time_s)},
+                           {"largest_speed_mps", json_number(figures.largest_speed_mps)},
+                           {"front_m", json_number(figures.front_m)},
+                           {"area_m2", json_number(figures.area_m2)},
+                           {"bonds_intact", results.mass.bonds_intact()},
+                           {"residual_percent", json_number(100.0 * figures.largest_residual)}};
+    Json targets = Json::array();
+    for (std::size_t t = 0; t < results.site.targets.size(); ++t) {
+        std::size_t blocks = 0;
+        double largest_j = 0.0;
+        for (const TargetHit& hit : results.record.hits) {
+            if (hit.target == static_cast<double>(t)) {
+                ++blocks;
+                largest_j = std::max(largest_j, hit.energy_j);
+            }
+        }
+        targets.push_back({{"target_id", results.site.targets[t].id},
+                           {"blocks", blocks},
+                           {"largest_energy_kj", json_number(largest_j / 1e3)}});
+    }
+    summary["targets"] = targets;
+    summary["map"] = json_map_frame(results.site.map_frame);
+    summary["warnings"] = results.warnings.sentences();
+    write_json_summary(out, std::move(summary), results.site.inputs, scenario, files);
+}
+
+}  // namespace coupling::collapse

@@ -1,0 +1,287 @@
+#include "coupling/inputs/collapse_settings.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "config/text/joined.hpp"
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/reading.hpp"
+
+namespace coupling::collapse {
+namespace {
+
+using config::joined;
+using rockfall::rock_mass::ContactLaw;
+using rockfall::rock_mass::JointSet;
+using rockfall::rock_mass::SpacingLaw;
+
+constexpr const char* choice = "choice";
+
+void declare_body(config::Options& options, CollapseSettings& s) {
+    options.text(
+        "collapse.source", s.source,
+        {.meaning =
+             "table or layer with wkt (POLYGON): the rock below them, to collapse.depth_m, breaks up"});
+    options.text("collapse.mesh", s.mesh,
+                 {.meaning = "instead: closed surface of the rock that breaks up, PLY or STL"});
+    options.number("collapse.depth_m", s.depth_m,
+                   {.unit = "m",
+                    .low = 0.1,
+                    .high = 1000.0,
+                    .meaning = "vertical depth of the rock mass",
+                    .source = choice});
+    options.choice("collapse.blocks", s.blocks,
+                   {{"joints", BlockKind::joints}, {"voronoi", BlockKind::voronoi}},
+                   {.meaning = "blocks between joints, or Voronoi cells", .source = choice});
+    options.text(
+        "collapse.joint_sets", s.joint_sets,
+        {.meaning = "table of joint sets: name, dip_deg, dip_direction_deg, spacing_m; perhaps spacing_law, "
+                    "spacing_deviation_m, persistence, tensile_mpa, shear_mpa"});
+    options.number(
+        "collapse.block_size_m", s.block_size_m,
+        {.unit = "m", .low = 0.2, .high = 100.0, .meaning = "mean size of Voronoi cells", .source = choice});
+    options.number("collapse.least_block_m", s.least_block_m,
+                   {.unit = "m",
+                    .low = 0.05,
+                    .high = 20.0,
+                    .meaning = "smaller pieces are merged with a neighbour",
+                    .source = choice});
+    options.number(
+        "collapse.density_kgpm3", s.density_kgpm3,
+        {.unit = "kg/m3", .low = 500.0, .high = 6000.0, .meaning = "density of the rock", .source = choice});
+}
+
+void declare_strength(config::Options& options, CollapseSettings& s) {
+    options.number("collapse.tensile_mpa", s.tensile_mpa,
+                   {.unit = "MPa",
+                    .low = 0.0,
+                    .high = 1000.0,
+                    .meaning = "tensile strength of intact rock",
+                    .source = choice});
+    options.number("collapse.shear_mpa", s.shear_mpa,
+                   {.unit = "MPa",
+                    .low = 0.0,
+                    .high = 1000.0,
+                    .meaning = "shear strength of intact rock",
+                    .source = choice});
+    options.number("collapse.strength_factor", s.strength_factor,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "all strengths times this: rock masses are weaker than samples",
+                    .source = choice});
+    options.number("collapse.strength_angle_deg", s.strength_angle_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 80.0,
+                    .meaning = "shear strength grows with pressure by the tangent of this angle",
+                    .source = "PFC's bond"});
+    options.number("collapse.persistence", s.persistence,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "share of the faces between Voronoi cells that are open",
+                    .source = choice});
+    options.number("collapse.base_persistence", s.base_persistence,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "share of the border to the rock that stays that is open",
+                    .source = choice});
+}
+
+void declare_laws(config::Options& options, CollapseSettings& s) {
+    auto& laws = s.laws;
+    options.choice("collapse.contact_law", laws.contact,
+                   {{"foundation", ContactLaw::foundation}, {"pfc", ContactLaw::pfc}},
+                   {.meaning = "elastic foundation, or one spring a pair", .source = choice});
+    options.flag("collapse.disc_areas", s.disc_areas,
+                 {.meaning = "with pfc: areas of discs of the smaller block instead of the polygons",
+                  .source = choice});
+    options.number("collapse.modulus_mpa", s.modulus_mpa,
+                   {.unit = "MPa",
+                    .low = 0.1,
+                    .high = 1e6,
+                    .meaning = "effective modulus of contacts and bonds",
+                    .source = choice});
+    options.number(
+        "collapse.stiffness_ratio", laws.stiffness_ratio,
+        {.unit = "-", .low = 1.0, .high = 100.0, .meaning = "normal by shear stiffness", .source = choice});
+    options.number(
+        "collapse.friction", laws.friction,
+        {.unit = "-", .low = 0.0, .high = 5.0, .meaning = "friction between blocks", .source = choice});
+    options.number("collapse.ground_friction", laws.ground_friction,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 5.0,
+                    .meaning = "friction between blocks and ground",
+                    .source = choice});
+    options.number("collapse.damping_ratio", laws.damping_ratio,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "dashpot of contacts by the critical one",
+                    .source = choice});
+    options.number("collapse.bond_damping_ratio", laws.bond_damping_ratio,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "dashpot of intact bonds by the critical one",
+                    .source = choice});
+    options.number(
+        "collapse.local_damping", laws.local_damping,
+        {.unit = "-", .low = 0.0, .high = 0.9, .meaning = "PFC's local damping", .source = choice});
+    options.number("collapse.step_factor", laws.step_factor,
+                   {.unit = "-",
+                    .low = 0.005,
+                    .high = 0.5,
+                    .meaning = "time step by the smallest 2 sqrt(m / k)",
+                    .source = choice});
+    options.flag("collapse.sleeping", laws.sleeping,
+                 {.meaning = "blocks at rest are left out until something moves them", .source = choice});
+    options.number(
+        "collapse.duration_s", s.duration_s,
+        {.unit = "s", .low = 0.01, .high = 3600.0, .meaning = "time that is simulated", .source = choice});
+    options.number("collapse.frame_s", s.frame_s,
+                   {.unit = "s",
+                    .low = 0.01,
+                    .high = 60.0,
+                    .meaning = "time between two states that are kept and reported",
+                    .source = choice});
+}
+
+void check_collapse(const CollapseScenario& s) {
+    config::Problems problems;
+    const auto refuse = [&](const std::string& key, std::string found, std::string expected) {
+        problems.add(config::ExitCode::settings, s.scenario.options->place_of(key), std::move(found),
+                     std::move(expected));
+    };
+    if (s.settings.source.empty() == s.settings.mesh.empty()) {
+        refuse("collapse.source",
+               s.settings.source.empty() ? "neither collapse.source nor collapse.mesh"
+                                         : "collapse.source beside collapse.mesh",
+               "one of them: a polygon with collapse.depth_m, or a closed surface");
+    }
+    if (s.settings.blocks == BlockKind::joints && s.settings.joint_sets.empty()) {
+        refuse("collapse.joint_sets", "collapse.blocks = joints without collapse.joint_sets",
+               "a table of joint sets, or collapse.blocks = voronoi");
+    }
+    if (s.scenario.dem.empty() && s.scenario.points.empty() && s.scenario.mesh.empty()) {
+        refuse("terrain.dem", "no terrain", "terrain.dem, terrain.points or terrain.mesh");
+    }
+    if (s.scenario.years != 0 || !s.scenario.profile.empty()) {
+        refuse("run.years", "a rock mass beside years or a profile",
+               "neither: it breaks up on today's terrain");
+    }
+    problems.throw_if_any();
+}
+
+std::optional<SpacingLaw> law_named(const std::string& name) {
+    for (const auto& [word, law] : {std::pair{"constant", SpacingLaw::constant},
+                                    {"uniform", SpacingLaw::uniform},
+                                    {"exponential", SpacingLaw::exponential},
+                                    {"lognormal", SpacingLaw::lognormal}}) {
+        if (name == word) {
+            return law;
+        }
+    }
+    return std::nullopt;
+}
+
+JointSet joint_set_of(const config::Table& table, std::size_t row, const CollapseSettings& settings,
+                      config::Problems& problems) {
+    const auto number = [&](const char* column, config::NumberRange range) {
+        return table.number(row, column, range, problems).value_or(1.0);
+    };
+    const auto number_or = [&](const char* column, config::NumberRange range, double otherwise) {
+        return has_value(table, row, column) ? number(column, range) : otherwise;
+    };
+    JointSet set;
+    set.name = table.text(row, "name");
+    set.dip_deg = number("dip_deg", {.low = 0.0, .high = 90.0});
+    set.dip_direction_deg = number("dip_direction_deg", {.low = 0.0, .high = 360.0});
+    set.spacing_m = number("spacing_m", {.low = 0.1, .high = 1000.0});
+    set.spacing_deviation_m = number_or("spacing_deviation_m", {.low = 0.0, .high = 1000.0}, 0.0);
+    set.persistence = number_or("persistence", {.low = 0.0, .high = 1.0}, 1.0);
+    const config::NumberRange strengths{.low = 0.0, .high = 1000.0};
+    set.strength = {
+        1e6 * settings.strength_factor * number_or("tensile_mpa", strengths, settings.tensile_mpa),
+        1e6 * settings.strength_factor * number_or("shear_mpa", strengths, settings.shear_mpa)};
+    if (has_value(table, row, "spacing_law")) {
+        const auto law = law_named(table.text(row, "spacing_law"));
+        if (!law) {
+            problems.add(config::ExitCode::data, table.place(row, "spacing_law"),
+                         joined("spacing law ", config::in_quotes(table.text(row, "spacing_law"))),
+                         "constant, uniform, exponential or lognormal");
+        }
+        set.law = law.value_or(SpacingLaw::constant);
+    }
+    return set;
+}
+
+}  // namespace
+
+rockfall::rock_mass::Laws CollapseScenario::laws() const {
+    rockfall::rock_mass::Laws laws = settings.laws;
+    laws.modulus_pa = 1e6 * settings.modulus_mpa;
+    laws.disc_areas = settings.disc_areas;
+    laws.strength_angle_tan = std::tan(settings.strength_angle_deg * std::numbers::pi / 180.0);
+    return laws;
+}
+
+void declare(config::Options& options, CollapseSettings& settings) {
+    declare_body(options, settings);
+    declare_strength(options, settings);
+    declare_laws(options, settings);
+}
+
+bool is_collapse(const std::filesystem::path& file) {
+    try {
+        const FileBytes bytes = open_file(file, {file.string()}, "a scenario file");
+        std::istringstream in{std::string{bytes.text()}};
+        for (std::string line; std::getline(in, line);) {
+            if (line.starts_with("[collapse]")) {
+                return true;
+            }
+        }
+    } catch (const config::InputError&) {
+        // Whoever reads it next says what is wrong.
+    }
+    return false;
+}
+
+std::unique_ptr<CollapseScenario> read_collapse(const std::filesystem::path& file,
+                                                const std::vector<std::string>& overrides) {
+    auto all = std::make_unique<CollapseScenario>();
+    Scenario& scenario = all->scenario;
+    scenario.file = file;
+    scenario.options = std::make_shared<config::Options>();
+    declare(*scenario.options, scenario);
+    declare(*scenario.options, all->settings);
+    const FileBytes bytes = open_file(file, {file.string()}, "a scenario file");
+    std::istringstream in{std::string{bytes.text()}};
+    scenario.options->read(in, file.string(), overrides, "rockfall.preset");
+    check_collapse(*all);
+    rockfall::take_over(scenario.rockfall, *scenario.options);
+    return all;
+}
+
+std::vector<JointSet> joint_sets_of(const config::Table& table, const CollapseSettings& settings) {
+    config::Problems problems;
+    table.require({"name", "dip_deg", "dip_direction_deg", "spacing_m"}, problems);
+    problems.throw_if_any();
+    std::vector<JointSet> sets;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        sets.push_back(joint_set_of(table, row, settings, problems));
+    }
+    if (sets.empty()) {
+        problems.add(config::ExitCode::data, {table.file()}, "no joint sets", "at least one row");
+    }
+    config::Problems shown;
+    add_first(shown, problems, table.file());
+    shown.throw_if_any();
+    return sets;
+}
+
+}  // namespace coupling::collapse
