@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rockfall/motion/block_ground.hpp"
 #include "rockfall/motion/restitution.hpp"
 #include "rockfall/motion/soil.hpp"
 #include "rockfall/motion/stopping.hpp"
@@ -23,6 +24,7 @@ struct SurfaceType {
     StopCurve rolling_stops_per_m;         ///< rate at which a rolling rock is caught [1/m]
     double rolling_friction = 0.0;         ///< of a rolling rock [-]; 0: that of the law
     std::optional<Soil> soil;              ///< for motion models that take the ground from soils
+    BlockGround block;                     ///< for rigid blocks: friction, restitution, resistance
 
     /// The coefficients before any fit.
     [[nodiscard]] Restitution as_published() const { return published.value_or(restitution); }

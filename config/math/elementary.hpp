@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -104,6 +105,29 @@ inline SinCos sin_cos_of(double angle_rad) {
         q4 * ((1.0 / 40320 + q * (-1.0 / 3628800)) + q2 * (1.0 / 479001600 + q * (-1.0 / 87178291200.0)) +
               q4 * (1.0 / 20922789888000.0));
     return {angle_rad * s, c};
+}
+
+/// Arc tangent, absolute error below 1e-13 rad, for every number.
+///
+/// Two halvings of the angle leave at most pi/16 to the series.
+inline double atan_of(double x) {
+    const double size = x < 0.0 ? -x : x;
+    const bool steep = size > 1.0;
+    double t = steep ? 1.0 / size : size;
+    for (int i = 0; i < 2; ++i) {
+        t = t / (1.0 + std::sqrt(1.0 + t * t));
+    }
+    const double q = t * t;
+    const double series =
+        1.0 -
+        q * (1.0 / 3 -
+             q * (1.0 / 5 -
+                  q * (1.0 / 7 -
+                       q * (1.0 / 9 - q * (1.0 / 11 - q * (1.0 / 13 - q * (1.0 / 15 - q * (1.0 / 17))))))));
+    const double angle_rad = 4.0 * t * series;
+    constexpr double quarter_turn_rad = 1.570796326794896619231321691639751;
+    const double positive_rad = steep ? quarter_turn_rad - angle_rad : angle_rad;
+    return x < 0.0 ? -positive_rad : positive_rad;
 }
 
 }  // namespace config

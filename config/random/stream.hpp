@@ -19,6 +19,7 @@ enum class Purpose : std::uint8_t {
     relief = 7,          ///< height of one node of a synthetic relief
     facet = 8,           ///< facet of rough ground at one ground contact
     block = 20,          ///< size and place of one block of a virtual surface
+    block_shape = 9,     ///< shape, sides and attitude of a rock that is no sphere
     rock_throw = 21,     ///< start of one throw at a virtual surface
     tree_place = 40,     ///< where a tree stands that leaves a group of young ones
     tree_death = 41,     ///< whether a tree dies this year: of age, of stress

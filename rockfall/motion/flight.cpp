@@ -196,6 +196,47 @@ Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle
     }
 }
 
+Landing pass_over(const Terrain& terrain, const Flight& flight, double until_s, std::uint32_t triangle,
+                  std::vector<Stretch>& stretches) {
+    stretches.clear();
+    const View view{terrain, flight};
+    const double squared_plan_speed = view.vx_mps * view.vx_mps + view.vy_mps * view.vy_mps;
+    const auto end_here = [&](double time_s) {
+        const Eigen::Vector3d end = flight.position_m(time_s);
+        stretches.push_back({time_s, terrain.plane_of(triangle).height_m(end.x(), end.y()), triangle});
+        return Landing{time_s, triangle, FlightEnd::ground, {}};
+    };
+    if (squared_plan_speed < vertical_flight_mps * vertical_flight_mps) {
+        return end_here(until_s);
+    }
+    Gate gate;
+    if (!first_gate(view, triangle, gate)) {
+        Gate nearby;
+        if (!first_gate_nearby(terrain, flight, triangle, nearby)) {
+            return end_here(until_s);
+        }
+        gate = nearby;
+    }
+    double entry_s = 0.0;
+    while (true) {
+        const double share = gate.left_end.side / (gate.left_end.side - gate.right_end.side);
+        const double along = gate.left_end.along + share * (gate.right_end.along - gate.left_end.along);
+        const double exit_s = std::max(entry_s, along / squared_plan_speed);
+        if (exit_s >= until_s) {
+            return end_here(until_s);
+        }
+        const double ground_m =
+            gate.left_end.height_m + share * (gate.right_end.height_m - gate.left_end.height_m);
+        stretches.push_back({exit_s, ground_m, triangle});
+        if (gate.beyond == no_triangle) {
+            return {exit_s, triangle, FlightEnd::left_terrain, {}};
+        }
+        triangle = gate.beyond;
+        step_over(view, gate);
+        entry_s = exit_s;
+    }
+}
+
 void cut(std::vector<Stretch>& stretches, const Terrain& terrain, const Flight& flight, double time_s) {
     std::size_t k = 0;
     while (k + 1 < stretches.size() && stretches[k].end_s < time_s) {

@@ -63,6 +63,11 @@ struct Landing {
 Landing fly(const Terrain& terrain, const Flight& flight, std::uint32_t triangle,
             std::vector<Stretch>& stretches);
 
+/// The ground below a flight up to a time, wherever the flight is: of a block whose centre may pass nearer to
+/// the ground than the point that is followed. Ends before that time at the border.
+Landing pass_over(const Terrain& terrain, const Flight& flight, double until_s, std::uint32_t triangle,
+                  std::vector<Stretch>& stretches);
+
 /// Cuts the profile below a flight at a time before its end.
 void cut(std::vector<Stretch>& stretches, const Terrain& terrain, const Flight& flight, double time_s);
 

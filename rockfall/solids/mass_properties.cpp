@@ -107,4 +107,18 @@ Solid solid_of(const Hull& hull, double density_kgpm3) {
     return solid;
 }
 
+Solid ball_of(double diameter_m, double density_kgpm3) {
+    assert(diameter_m > 0.0 && density_kgpm3 > 0.0);
+    const double radius_m = 0.5 * diameter_m;
+    const double volume_m3 = std::numbers::pi / 6.0 * diameter_m * diameter_m * diameter_m;
+    const double mass_kg = density_kgpm3 * volume_m3;
+    return {{},
+            volume_m3,
+            mass_kg,
+            Eigen::Vector3d::Constant(0.4 * mass_kg * radius_m * radius_m),
+            Eigen::Vector3d::Zero(),
+            Eigen::Quaterniond::Identity(),
+            radius_m};
+}
+
 }  // namespace rockfall::solids

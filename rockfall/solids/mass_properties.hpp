@@ -39,9 +39,14 @@ struct Solid {
     double bounding_radius_m;       ///< distance of the farthest vertex from the centroid
     /// Diameter of the sphere of equal volume.
     [[nodiscard]] double diameter_m() const;
+    /// A ball has no vertices.
+    [[nodiscard]] bool is_sphere() const { return hull.vertices_m.empty(); }
 };
 
 /// Requires a positive density.
 Solid solid_of(const Hull& hull, double density_kgpm3);
+
+/// A ball: a solid without vertices whose bounding radius is its radius. Requires positive numbers.
+Solid ball_of(double diameter_m, double density_kgpm3);
 
 }  // namespace rockfall::solids

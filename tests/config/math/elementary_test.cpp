@@ -149,5 +149,13 @@ RC_GTEST_PROP(SinCosOf, MatchesTheLibraryUpToARightAngle, (std::int32_t draw)) {
     RC_ASSERT(std::abs(found.cos - std::cos(angle_rad)) < 1e-11);
 }
 
+TEST(AtanOf, MatchesTheLibraryEverywhere) {
+    for (double x = -50.0; x <= 50.0; x += 0.0137) {
+        EXPECT_NEAR(atan_of(x), std::atan(x), 2e-13) << x;
+    }
+    EXPECT_EQ(atan_of(0.0), 0.0);
+    EXPECT_NEAR(atan_of(1e300), std::atan(1e300), 1e-13);
+}
+
 }  // namespace
 }  // namespace config::elementary_test

@@ -1,0 +1,319 @@
+#include "rockfall/motion/rigid/block.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "rockfall/motion/rigid/scarring.hpp"
+#include "rockfall/motion/rigid/slip_friction.hpp"
+
+namespace rockfall::rigid {
+namespace {
+
+using config::gravity_mps2;
+using Eigen::Vector3d;
+
+/// Contacts within this gap strike together.
+constexpr double together_m = 1e-7;
+
+/// A contact that lasts counts up to this gap: what a block that turns about an edge lifts in one step.
+constexpr double lasting_reach_m = 1e-5;
+
+/// Overlaps beyond this are taken out, a fifth in each step.
+constexpr double overlap_m = 1e-4;
+constexpr double taken_out = 0.2;
+
+/// A contact that parts no faster than this goes on if the block is pressed to it.
+constexpr double parting_mps = 1e-6;
+
+}  // namespace
+
+Block::Block(const Slope& slope, const Law& law, const solids::Solid& solid, const Body& start,
+             std::uint32_t triangle, BlockScratch& scratch)
+    : slope_{slope},
+      law_{law},
+      solid_{solid},
+      scratch_{scratch},
+      body_{start},
+      triangle_{triangle},
+      turning_{solid.inertia_kgm2},
+      solver_{law.solver} {
+    scratch_.patch.clear();
+    ledger_.start_j = body_.kinetic_j(solid_) + body_.potential_j(solid_);
+    turning_.begin(body_.rotation);
+    flight_ = {body_.centre_m, body_.velocity_mps};
+}
+
+double Block::patch_radius_m() const {
+    return 1.5 * solid_.bounding_radius_m;
+}
+
+/// Finds the triangle under a place and gathers the ground around it. False beyond the terrain.
+bool Block::is_over_ground(const Body& body) {
+    if (scratch_.patch.covers(body.centre_m.head<2>(), solid_.bounding_radius_m)) {
+        return true;
+    }
+    const auto under = slope_.terrain.locate(body.centre_m.x(), body.centre_m.y(), triangle_);
+    if (!under) {
+        return false;
+    }
+    triangle_ = *under;
+    scratch_.patch.gather(slope_.terrain, triangle_, body.centre_m.head<2>(), patch_radius_m(),
+                          scratch_.marks);
+    return true;
+}
+
+void Block::pose(const Body& body) {
+    scratch_.posed.pose(solid_, body.centre_m, body.rotation.attitude);
+}
+
+Velocities Block::velocities_of(const Body& body) const {
+    return {body.velocity_mps, body.spin_radps(solid_)};
+}
+
+void Block::take_velocities(const Velocities& velocities) {
+    body_.velocity_mps = velocities.linear_mps;
+    if (law_.in_plane) {
+        // Profiles run along x: what leads out of their plane is lost.
+        ledger_.other_j += 0.5 * solid_.mass_kg * body_.velocity_mps.y() * body_.velocity_mps.y();
+        body_.velocity_mps.y() = 0.0;
+    }
+    const Vector3d local_radps = body_.rotation.attitude.conjugate() * velocities.spin_radps;
+    body_.rotation.momentum_nms = solid_.inertia_kgm2.cwiseProduct(local_radps);
+    const double spin = local_radps.norm();
+    if (law_.spin_cap_radps > 0.0 && spin > law_.spin_cap_radps) {
+        const double before_j = body_.rotation.energy_j(solid_.inertia_kgm2);
+        body_.rotation.momentum_nms *= law_.spin_cap_radps / spin;
+        ledger_.other_j += before_j - body_.rotation.energy_j(solid_.inertia_kgm2);
+    }
+}
+
+Ground Block::ground_at(const TouchPoint& touch) const {
+    return ground_under(law_, slope_.type_at(touch.triangle, touch.point_m.x(), touch.point_m.y()).block);
+}
+
+/// The contacts with what the ground does there.
+void Block::take_points(const Velocities& before, double plastic_mps) {
+    scratch_.points.clear();
+    const bool doubled = law_.double_friction && scratch_.touches.size() >= 2;
+    for (const TouchPoint& touch : scratch_.touches) {
+        const Ground ground = ground_at(touch);
+        const Vector3d arm_m = touch.point_m - body_.centre_m;
+        const double into_mps = -before.at(arm_m).dot(touch.normal);
+        double restitution = into_mps < plastic_mps ? 0.0 : ground.restitution;
+        if (law_.restitution_halved_mps > 0.0) {
+            const double ratio = into_mps / law_.restitution_halved_mps;
+            restitution /= 1.0 + ratio * ratio;
+        }
+        scratch_.points.push_back({arm_m, touch.normal,
+                                   (doubled ? 2.0 : 1.0) * slip_friction(ground, slip_m_), restitution,
+                                   touch.feature});
+        beta_ps_ = ground.slip_beta_ps;
+        drag_ps_ = ground.drag_ps;
+    }
+}
+
+/// The percussions at the contacts that were found, with what they cost.
+Touchdown Block::percuss(const Velocities& before, const Vector3d& kick_mps) {
+    take_points(before, law_.plastic_mps);
+    Touchdown touchdown;
+    double rolling_arm_m = 0.0;
+    for (std::size_t i = 0; i < scratch_.points.size(); ++i) {
+        const PercussionPoint& point = scratch_.points[i];
+        const TouchPoint& touch = scratch_.touches[i];
+        const double into_mps = -before.at(point.arm_m).dot(point.normal);
+        if (!touchdown.touched || into_mps > touchdown.into_ground_mps) {
+            touchdown.into_ground_mps = into_mps;
+            touchdown.point_m = touch.point_m;
+            touchdown.triangle = touch.triangle;
+        }
+        touchdown.touched = true;
+        rolling_arm_m =
+            std::max(rolling_arm_m, ground_at(touch).rolling_resistance * 0.5 * solid_.diameter_m());
+    }
+    const BlockMass mass{1.0 / solid_.mass_kg, body_.inverse_inertia(solid_)};
+    const PercussionResult result = solver_.solve(mass, before, kick_mps, scratch_.points, rolling_arm_m);
+    ++percussions_;
+    unsolved_ += result.converged ? 0 : 1;
+    ledger_.normal_j -= result.normal_work_j;
+    ledger_.friction_j -= result.tangential_work_j;
+    ledger_.rolling_j -= result.rolling_work_j;
+    take_velocities(result.after);
+    if (law_.scar.on && touchdown.into_ground_mps > law_.plastic_mps) {
+        scar_m_ = scar_depth_m(solid_.mass_kg, law_.scar.soil_strength_kpa, touchdown.into_ground_mps);
+    }
+    return touchdown;
+}
+
+/// Whether some contact goes on: it does not part, and without it the block would move into the ground.
+bool Block::is_pressed(const Velocities& now) const {
+    const Vector3d inertia_spin = body_.rotation.momentum_in_space_nms();
+    const Vector3d turns = body_.inverse_inertia(solid_) * inertia_spin.cross(now.spin_radps);
+    const Vector3d gravity{0.0, 0.0, -gravity_mps2};
+    for (const PercussionPoint& point : scratch_.points) {
+        // The lowest point of a ball is always another one: only the centre counts.
+        const Vector3d free_mps2 = solid_.is_sphere()
+                                       ? gravity
+                                       : Vector3d{gravity + turns.cross(point.arm_m) +
+                                                  now.spin_radps.cross(now.spin_radps.cross(point.arm_m))};
+        if (now.at(point.arm_m).dot(point.normal) < parting_mps && free_mps2.dot(point.normal) < 0.0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Touchdown Block::strike() {
+    is_over_ground(body_);
+    pose(body_);
+    find_touches(scratch_.patch, scratch_.posed, together_m, scratch_.touches);
+    keep_four(scratch_.touches);
+    const Velocities before = velocities_of(body_);
+    const double speed_mps = body_.velocity_mps.norm();
+    Touchdown touchdown = percuss(before, Vector3d::Zero());
+    touchdown.lasts = airborne_s_ < law_.step_s || is_pressed(velocities_of(body_));
+    if (law_.scar.on && touchdown.into_ground_mps > law_.plastic_mps) {
+        // Through the scar and out of it at about the speed of the impact.
+        drag_in_contact(2.0 * scar_m_ / std::max(speed_mps, law_.plastic_mps));
+    }
+    return touchdown;
+}
+
+void Block::grow_slip(bool touched, double duration_s, double speed_mps) {
+    if (touched && solver_.normal_sum_ns() > 0.0) {
+        slip_m_ += speed_mps * duration_s;
+    } else {
+        slip_m_ = slip_without_contact_m(slip_m_, beta_ps_, duration_s);
+    }
+}
+
+/// Lifts the block. It pays with its motion; what that does not cover is booked as work done on it.
+void Block::lift(const Vector3d& by_m) {
+    const double work_j = solid_.mass_kg * gravity_mps2 * by_m.z();
+    const double kinetic_j = body_.kinetic_j(solid_);
+    const double paid_j = std::clamp(work_j, 0.0, kinetic_j);
+    if (paid_j > 0.0) {
+        const double factor = std::sqrt(1.0 - paid_j / kinetic_j);
+        body_.velocity_mps *= factor;
+        body_.rotation.momentum_nms *= factor;
+    }
+    ledger_.correction_j += work_j - paid_j;
+    body_.centre_m += by_m;
+}
+
+void Block::clear_overlap() {
+    constexpr int most = 8;
+    for (int i = 0; i < most && is_over_ground(body_); ++i) {
+        pose(body_);
+        find_touches(scratch_.patch, scratch_.posed, 0.0, scratch_.touches);
+        const auto deepest =
+            std::min_element(scratch_.touches.begin(), scratch_.touches.end(),
+                             [](const TouchPoint& a, const TouchPoint& b) { return a.gap_m < b.gap_m; });
+        if (deepest == scratch_.touches.end() || deepest->gap_m >= -together_m) {
+            return;
+        }
+        lift(-deepest->gap_m * deepest->normal);
+    }
+}
+
+/// Takes out a share of the overlap along the deepest contact.
+void Block::correct_overlap() {
+    const TouchPoint* deepest = nullptr;
+    for (const TouchPoint& touch : scratch_.touches) {
+        if (deepest == nullptr || touch.gap_m < deepest->gap_m) {
+            deepest = &touch;
+        }
+    }
+    if (deepest == nullptr || deepest->gap_m >= -overlap_m) {
+        return;
+    }
+    lift(taken_out * (-deepest->gap_m - overlap_m) * deepest->normal);
+}
+
+/// v <- v exp(-nu t), and the drag of a scar where that is switched on.
+void Block::drag_in_contact(double duration_s) {
+    double rate_ps = drag_ps_;
+    if (law_.scar.on && scar_m_ > 0.0) {
+        const double speed_mps = body_.velocity_mps.norm();
+        if (speed_mps > 0.0) {
+            rate_ps += scar_drag_mps2(law_.scar, solid_.mass_kg, solid_.diameter_m(), scar_m_, speed_mps) /
+                       speed_mps;
+        }
+    }
+    if (rate_ps <= 0.0) {
+        return;
+    }
+    const double factor = config::exp_of(-rate_ps * duration_s);
+    ledger_.drag_j += 0.5 * solid_.mass_kg * body_.velocity_mps.squaredNorm() * (1.0 - factor * factor);
+    body_.velocity_mps *= factor;
+}
+
+Touchdown Block::step(double duration_s, bool& inside) {
+    const double half_s = 0.5 * duration_s;
+    const auto drift = [&] {
+        turning_.begin(body_.rotation);
+        body_.rotation = turning_.at(half_s);
+        body_.centre_m += half_s * body_.velocity_mps;
+    };
+    drift();
+    inside = is_over_ground(body_);
+    if (!inside) {
+        return {};
+    }
+    pose(body_);
+    find_touches(scratch_.patch, scratch_.posed, lasting_reach_m, scratch_.touches);
+    keep_four(scratch_.touches);
+    const Vector3d kick_mps{0.0, 0.0, -gravity_mps2 * duration_s};
+    Touchdown touchdown;
+    if (scratch_.touches.empty()) {
+        body_.velocity_mps += kick_mps;
+        solver_.forget();
+        scratch_.points.clear();
+    } else {
+        const double speed_mps = body_.velocity_mps.norm();
+        touchdown = percuss(velocities_of(body_), kick_mps);
+        grow_slip(true, duration_s, 0.5 * (speed_mps + body_.velocity_mps.norm()));
+        drag_in_contact(duration_s);
+        correct_overlap();
+        touchdown.lasts = is_pressed(velocities_of(body_));
+    }
+    if (!touchdown.touched) {
+        grow_slip(false, duration_s, 0.0);
+    }
+    drift();
+    return touchdown;
+}
+
+void Block::meet_obstacle(const Vector3d& velocity_mps, double spin_factor) {
+    const double before_j = body_.kinetic_j(solid_);
+    body_.velocity_mps = velocity_mps;
+    body_.rotation.momentum_nms *= spin_factor;
+    ledger_.obstacles_j += before_j - body_.kinetic_j(solid_);
+}
+
+void Block::come_to_rest(double& booked_j) {
+    booked_j += body_.kinetic_j(solid_);
+    body_.velocity_mps.setZero();
+    body_.rotation.momentum_nms.setZero();
+}
+
+double Block::gap_m(double reach_m) {
+    if (!is_over_ground(body_)) {
+        return reach_m;
+    }
+    pose(body_);
+    find_touches(scratch_.patch, scratch_.posed, reach_m, scratch_.touches);
+    double gap_m = reach_m;
+    for (const TouchPoint& touch : scratch_.touches) {
+        gap_m = std::min(gap_m, touch.gap_m);
+    }
+    return gap_m;
+}
+
+void Block::move_by(const Vector3d& by_m) {
+    const double before_j = body_.potential_j(solid_);
+    body_.centre_m += by_m;
+    ledger_.start_j += body_.potential_j(solid_) - before_j;
+}
+
+}  // namespace rockfall::rigid

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "rockfall/motion/block_ground.hpp"
+
+namespace rockfall::rigid {
+
+using rockfall::FrictionLaw;
+using Ground = rockfall::BlockGround;
+
+}  // namespace rockfall::rigid

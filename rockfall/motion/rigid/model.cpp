@@ -1,0 +1,90 @@
+#include "rockfall/motion/rigid/model.hpp"
+
+#include <array>
+
+namespace rockfall::rigid {
+namespace {
+
+constexpr std::string_view grounds = "rigid_ground or the column of terrain.surface_types, or [rigid]";
+
+Ground figures_of(const SurfaceType& type, const Law& law) {
+    return ground_under(law, type.block);
+}
+
+constexpr std::array columns{
+    GroundColumn<Law>{.name = "friction",
+                      .from = grounds,
+                      .remark = "at the start of a slip",
+                      .value = [](const SurfaceType& type, const Law& law,
+                                  double) { return figures_of(type, law).friction; }},
+    GroundColumn<Law>{.name = "friction_max",
+                      .from = grounds,
+                      .value =
+                          [](const SurfaceType& type, const Law& law, double) {
+                              const Ground ground = figures_of(type, law);
+                              return ground.law == FrictionLaw::slip ? ground.friction_max : ground.friction;
+                          }},
+    GroundColumn<Law>{.name = "slip_kappa_pm",
+                      .from = grounds,
+                      .value =
+                          [](const SurfaceType& type, const Law& law, double) {
+                              const Ground ground = figures_of(type, law);
+                              return ground.law == FrictionLaw::slip ? ground.slip_kappa_pm : 0.0;
+                          }},
+    GroundColumn<Law>{.name = "slip_beta_ps",
+                      .from = grounds,
+                      .value =
+                          [](const SurfaceType& type, const Law& law, double) {
+                              const Ground ground = figures_of(type, law);
+                              return ground.law == FrictionLaw::slip ? ground.slip_beta_ps : 0.0;
+                          }},
+    GroundColumn<Law>{.name = "contact_drag_ps",
+                      .from = grounds,
+                      .value = [](const SurfaceType& type, const Law& law,
+                                  double) { return figures_of(type, law).drag_ps; }},
+    GroundColumn<Law>{.name = "restitution",
+                      .from = grounds,
+                      .value = [](const SurfaceType& type, const Law& law,
+                                  double) { return figures_of(type, law).restitution; }},
+    GroundColumn<Law>{.name = "rolling_resistance",
+                      .from = grounds,
+                      .value = [](const SurfaceType& type, const Law& law,
+                                  double) { return figures_of(type, law).rolling_resistance; }},
+    GroundColumn<Law>{
+        .name = "p_stop",
+        .from = "terrain.stopping, the column p_stop or the shipped type; counts with rigid.stops_by_chance",
+        .value = [](const SurfaceType& type, const Law& law,
+                    double diameter_m) { return law.stops_by_chance ? type.stopping.at(diameter_m) : 0.0; }},
+    GroundColumn<Law>{.name = "rolling_stops_per_m",
+                      .from = "as p_stop",
+                      .value =
+                          [](const SurfaceType& type, const Law& law, double diameter_m) {
+                              return law.stops_by_chance ? type.rolling_stops_per_m.at(diameter_m) : 0.0;
+                          }},
+};
+
+}  // namespace
+
+const ModelDescription& Model::description() {
+    static const ModelDescription description{
+        .name = "rigid",
+        .title = "Rigid blocks",
+        .rocks = "rocks are rigid blocks with a shape: they fly, turn, strike, slide and roll",
+        .law = "rigid blocks of real shape, non-smooth contact with Coulomb friction",
+        .source = "Leine et al. 2014",
+        .energy = "translation and rotation",
+        .spins = true,
+        .path_bytes_per_m = 400.0,
+        .shared_settings = {}};
+    return description;
+}
+
+std::span<const GroundColumn<Law>> Model::ground_columns() {
+    return columns;
+}
+
+SidewaysTurn Model::sideways_turn(const Written&) {
+    return {"by the shape of the block and of the ground", {}};
+}
+
+}  // namespace rockfall::rigid

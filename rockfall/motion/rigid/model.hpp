@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rockfall/motion/description.hpp"
+#include "rockfall/motion/rigid/law.hpp"
+#include "rockfall/motion/rigid/motion.hpp"
+#include "rockfall/motion/settings.hpp"
+
+namespace rockfall::rigid {
+
+/// What replaces the figures of all ground types, as users write it: empty for those of the types.
+struct Written {
+    std::string friction_law = "by_ground";
+    std::string friction;
+    std::string friction_max;
+    std::string slip_kappa_pm;
+    std::string slip_beta_ps;
+    std::string drag_ps;
+    std::string restitution;
+    std::string rolling_resistance;
+};
+
+/// Rigid blocks of real shape (Leine et al. 2014) as an entry of the list of motion models.
+struct Model {
+    using Law = rigid::Law;
+    using Written = rigid::Written;
+    using Motion = rigid::Motion;
+
+    static const ModelDescription& description();
+    static std::span<const GroundColumn<Law>> ground_columns();
+    static SidewaysTurn sideways_turn(const Written& written);
+
+    // Settings: section [rigid].
+    static void declare(config::Options& options, Law& law, Written& written);
+    static void take_over(const Written& written, const SharedSettings& shared, Law& law,
+                          const config::Options& options, config::Problems& problems);
+    static void stay_in_plane(Law& law, Written& written);
+};
+
+}  // namespace rockfall::rigid

@@ -1,0 +1,277 @@
+#include "rockfall/motion/rigid/percussion.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace rockfall::rigid {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Matrix3d cross_matrix(const Vector3d& v) {
+    Matrix3d m;
+    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return m;
+}
+
+Matrix3d frame_of(const Vector3d& normal) {
+    const Vector3d other = std::abs(normal.x()) < 0.7 ? Vector3d::UnitX() : Vector3d::UnitY();
+    Matrix3d frame;
+    frame.col(0) = normal;
+    frame.col(1) = normal.cross(other).normalized();
+    frame.col(2) = normal.cross(frame.col(1));
+    return frame;
+}
+
+/// Impulse that brings the contact to rest, if it is within the cone of friction.
+bool sticks(const Matrix3d& inverse, const Vector3d& free_mps, double shift_mps, double least_ns,
+            double friction, Vector3d& impulse) {
+    const Vector3d wanted = -(inverse * (free_mps + Vector3d{shift_mps, 0.0, 0.0}));
+    if (wanted.x() < least_ns ||
+        wanted.tail<2>().squaredNorm() > friction * friction * wanted.x() * wanted.x()) {
+        return false;
+    }
+    impulse = wanted;
+    return true;
+}
+
+/// Slip in direction d takes P_t = -mu P_n d, and P_n from the line of the normal; d is that of the slip
+/// itself. Newton steps on the angle of d, from the present slip. False where they find none.
+bool slips_by_angle(const Matrix3d& delassus, const Vector3d& free_mps, double shift_mps, double friction,
+                    Vector3d& impulse) {
+    const double normal_mps = free_mps.x() + shift_mps;
+    const Eigen::Vector2d coupling = delassus.block<2, 1>(1, 0);
+    const Eigen::Matrix2d tangential = delassus.bottomRightCorner<2, 2>();
+    const Eigen::Vector2d slip_mps = free_mps.tail<2>() + delassus.bottomRows<2>() * impulse;
+    const double speed_mps = slip_mps.norm();
+    const double hold_ns = impulse.tail<2>().norm();
+    Eigen::Vector2d d = hold_ns > 0.0     ? Eigen::Vector2d{-impulse.tail<2>() / hold_ns}
+                        : speed_mps > 0.0 ? Eigen::Vector2d{slip_mps / speed_mps}
+                                          : Eigen::Vector2d{1.0, 0.0};
+    constexpr int most = 12;
+    constexpr double still_rad = 1e-14;
+    for (int i = 0; i < most; ++i) {
+        const Eigen::Vector2d across{-d.y(), d.x()};
+        const double stiffness = delassus(0, 0) - friction * coupling.dot(d);
+        if (stiffness <= 0.0) {
+            return false;
+        }
+        const double normal_ns = -normal_mps / stiffness;
+        const Eigen::Vector2d pull = coupling - friction * tangential * d;
+        const Eigen::Vector2d moves_mps = free_mps.tail<2>() + normal_ns * pull;
+        // The slip across d is sought to vanish; by the angle of d it changes as follows.
+        const double off_mps = across.dot(moves_mps);
+        const double normal_rate = normal_ns * friction * coupling.dot(across) / stiffness;
+        const double rate = -d.dot(moves_mps) + across.dot(normal_rate * pull) -
+                            normal_ns * friction * across.dot(tangential * across);
+        if (rate == 0.0) {
+            return false;
+        }
+        const double turn_rad = std::clamp(-off_mps / rate, -0.5, 0.5);
+        if (std::abs(turn_rad) <= still_rad || (i > 2 && std::abs(off_mps) <= 1e-15 * moves_mps.norm())) {
+            impulse << normal_ns, -friction * normal_ns * d;
+            return d.dot(moves_mps) >= 0.0;
+        }
+        d = (d + turn_rad * across).normalized();
+    }
+    return false;
+}
+
+/// The same by proximal steps, which begin from the last impulse.
+void slips_by_steps(const Matrix3d& delassus, const Vector3d& free_mps, double shift_mps, double least_ns,
+                    double friction, Vector3d& impulse) {
+    const double step_ns = 1.0 / (delassus(1, 1) + delassus(2, 2));
+    constexpr int most = 60;
+    constexpr double still = 1e-13;
+    for (int i = 0; i < most; ++i) {
+        const Vector3d before = impulse;
+        const double rest_mps =
+            free_mps.x() + shift_mps + delassus(0, 1) * impulse.y() + delassus(0, 2) * impulse.z();
+        impulse.x() = std::max(least_ns, -rest_mps / delassus(0, 0));
+        const Eigen::Vector2d slip_mps = free_mps.tail<2>() + delassus.bottomRows<2>() * impulse;
+        Eigen::Vector2d along = impulse.tail<2>() - step_ns * slip_mps;
+        const double most_ns = friction * impulse.x();
+        const double size = along.norm();
+        if (size > most_ns) {
+            along *= most_ns / size;
+        }
+        impulse.tail<2>() = along;
+        const double change = (impulse - before).norm();
+        if (change <= still * (impulse.norm() + 1e-300)) {
+            break;
+        }
+    }
+}
+
+void slips(const Matrix3d& delassus, const Vector3d& free_mps, double shift_mps, double least_ns,
+           double friction, Vector3d& impulse) {
+    const Vector3d before = impulse;
+    if (least_ns == 0.0 && slips_by_angle(delassus, free_mps, shift_mps, friction, impulse) &&
+        impulse.x() >= 0.0) {
+        return;
+    }
+    impulse = before;
+    slips_by_steps(delassus, free_mps, shift_mps, least_ns, friction, impulse);
+}
+
+}  // namespace
+
+double PercussionSolver::normal_sum_ns() const {
+    double sum = 0.0;
+    for (const Percussion& percussion : percussions_) {
+        sum += percussion.normal_ns;
+    }
+    return sum;
+}
+
+void PercussionSolver::build(const BlockMass& mass, const Velocities& before,
+                             std::span<const PercussionPoint> points) {
+    rows_.clear();
+    for (const PercussionPoint& point : points) {
+        Row row;
+        row.arm_m = point.arm_m;
+        row.frame = frame_of(point.normal);
+        const Matrix3d arm = cross_matrix(point.arm_m) * row.frame;
+        row.delassus =
+            mass.inverse_mass_pkg * Matrix3d::Identity() + arm.transpose() * mass.inverse_inertia * arm;
+        row.inverse = row.delassus.inverse();
+        row.friction = point.friction;
+        row.shift_mps = point.restitution * std::min(0.0, point.normal.dot(before.at(point.arm_m)));
+        row.least_ns = 0.0;
+        row.impulse = Vector3d::Zero();
+        for (const Percussion& last : percussions_) {
+            if (last.feature == point.feature) {
+                row.impulse = row.frame.transpose() * last.impulse_ns;
+            }
+        }
+        rows_.push_back(row);
+    }
+}
+
+Velocities PercussionSolver::apply(const BlockMass& mass, const Velocities& before,
+                                   const Vector3d& kick_mps) const {
+    Velocities now = before;
+    now.linear_mps += kick_mps;
+    for (const Row& row : rows_) {
+        const Vector3d impulse = row.frame * row.impulse;
+        now.linear_mps += mass.inverse_mass_pkg * impulse;
+        now.spin_radps += mass.inverse_inertia * row.arm_m.cross(impulse);
+    }
+    now.spin_radps += mass.inverse_inertia * couple_nms_;
+    return now;
+}
+
+bool PercussionSolver::sweep_until_still(const BlockMass& mass, Velocities& now, double rolling_arm_m) {
+    const double couple_step = 1.0 / mass.inverse_inertia.trace();
+    for (int sweep = 0; sweep < law_.most_sweeps; ++sweep) {
+        double change_mps = 0.0;
+        double normal_sum_ns = 0.0;
+        for (Row& row : rows_) {
+            const Vector3d velocity_mps = row.frame.transpose() * now.at(row.arm_m);
+            const Vector3d free_mps = velocity_mps - row.delassus * row.impulse;
+            Vector3d impulse = row.impulse;
+            if (free_mps.x() + row.shift_mps >= 0.0 && row.least_ns == 0.0) {
+                impulse.setZero();
+            } else if (!sticks(row.inverse, free_mps, row.shift_mps, row.least_ns, row.friction, impulse)) {
+                slips(row.delassus, free_mps, row.shift_mps, row.least_ns, row.friction, impulse);
+            }
+            const Vector3d more = impulse - row.impulse;
+            row.impulse = impulse;
+            change_mps = std::max(change_mps, (row.delassus * more).cwiseAbs().maxCoeff());
+            const Vector3d more_ns = row.frame * more;
+            now.linear_mps += mass.inverse_mass_pkg * more_ns;
+            now.spin_radps += mass.inverse_inertia * row.arm_m.cross(more_ns);
+            normal_sum_ns += impulse.x();
+        }
+        if (rolling_arm_m > 0.0) {
+            Vector3d couple_nms = couple_nms_ - couple_step * now.spin_radps;
+            const double most_nms = rolling_arm_m * normal_sum_ns;
+            const double size = couple_nms.norm();
+            if (size > most_nms) {
+                couple_nms *= most_nms / size;
+            }
+            const Vector3d more = mass.inverse_inertia * (couple_nms - couple_nms_);
+            couple_nms_ = couple_nms;
+            now.spin_radps += more;
+            change_mps = std::max(change_mps, more.norm() * rolling_arm_m);
+        }
+        if (change_mps <= law_.tolerance_mps || (rows_.size() == 1 && rolling_arm_m == 0.0)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Velocities PercussionSolver::run(const BlockMass& mass, const Velocities& before, const Vector3d& kick_mps,
+                                 std::span<const PercussionPoint> points, double rolling_arm_m,
+                                 double restitution_share, bool& converged) {
+    build(mass, before, points);
+    couple_nms_.setZero();
+    const bool poisson = law_.impact == ImpactLaw::poisson;
+    for (Row& row : rows_) {
+        row.shift_mps *= poisson ? 0.0 : restitution_share;
+    }
+    Velocities now = apply(mass, before, kick_mps);
+    converged = sweep_until_still(mass, now, rolling_arm_m);
+    if (!poisson) {
+        return now;
+    }
+    // Decompression: what compression stored at each contact comes back, and no contact may close.
+    const std::vector<Row> compression = rows_;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const double e = points[i].normal.dot(before.at(points[i].arm_m)) < 0.0 ? points[i].restitution : 0.0;
+        rows_[i].least_ns = restitution_share * e * compression[i].impulse.x();
+        rows_[i].impulse.setZero();
+    }
+    const Vector3d couple_nms = couple_nms_;
+    couple_nms_.setZero();
+    converged = sweep_until_still(mass, now, rolling_arm_m) && converged;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_[i].impulse += compression[i].impulse;
+    }
+    couple_nms_ += couple_nms;
+    return now;
+}
+
+PercussionResult PercussionSolver::result(const BlockMass&, const Velocities& before,
+                                          const Velocities& after) const {
+    PercussionResult result;
+    result.after = after;
+    for (const Row& row : rows_) {
+        const Vector3d mean_mps = 0.5 * row.frame.transpose() * (before.at(row.arm_m) + after.at(row.arm_m));
+        result.normal_work_j += mean_mps.x() * row.impulse.x();
+        result.tangential_work_j += mean_mps.tail<2>().dot(row.impulse.tail<2>());
+    }
+    result.rolling_work_j = 0.5 * (before.spin_radps + after.spin_radps).dot(couple_nms_);
+    return result;
+}
+
+PercussionResult PercussionSolver::solve(const BlockMass& mass, const Velocities& before,
+                                         const Vector3d& kick_mps, std::span<const PercussionPoint> points,
+                                         double rolling_arm_m) {
+    constexpr int most_halvings = 6;
+    PercussionResult done;
+    for (int halved = 0; halved <= most_halvings; ++halved) {
+        const double share = halved == most_halvings ? 0.0 : 1.0 / (1 << halved);
+        bool converged = true;
+        const Velocities after = run(mass, before, kick_mps, points, rolling_arm_m, share, converged);
+        done = result(mass, before, after);
+        done.converged = converged;
+        const double work_j = done.normal_work_j + done.tangential_work_j + done.rolling_work_j;
+        // Beside gravity's kick the work of a percussion is only that of the solution's own step.
+        const double kick_j = 0.5 * kick_mps.squaredNorm() / mass.inverse_mass_pkg;
+        const double energy_j = 0.5 * before.linear_mps.squaredNorm() / mass.inverse_mass_pkg;
+        if (work_j <= 1e-12 * energy_j + kick_j) {
+            break;
+        }
+    }
+    percussions_.resize(rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        percussions_[i] = {rows_[i].frame * rows_[i].impulse, rows_[i].impulse.x(), points[i].feature};
+    }
+    return done;
+}
+
+}  // namespace rockfall::rigid
