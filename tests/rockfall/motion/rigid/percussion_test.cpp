@@ -13,17 +13,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-<<<<<<< HEAD
-constexpr double mass_kg = 10.0;
-constexpr double radius_m = 0.5;
-const double ball_inertia = 0.4 * mass_kg * radius_m * radius_m;
-
-BlockMass ball() {
-    return {1.0 / mass_kg, Matrix3d::Identity() / ball_inertia};
-}
-
-double energy_j(const BlockMass& mass, const Velocities& v) {
-=======
 constexpr double body_kg = 10.0;
 constexpr double body_radius_m = 0.5;
 const double ball_inertia = 0.4 * body_kg * body_radius_m * body_radius_m;
@@ -33,7 +22,6 @@ BlockMass ball_mass() {
 }
 
 double energy_of_motion_j(const BlockMass& mass, const Velocities& v) {
->>>>>>> in-rigid
     return 0.5 * v.linear_mps.squaredNorm() / mass.inverse_mass_pkg +
            0.5 * v.spin_radps.dot(mass.inverse_inertia.inverse() * v.spin_radps);
 }
@@ -43,24 +31,6 @@ TEST(PercussionOfASphere, FollowsTheClosedFormOfObliqueImpact) {
     for (const double e : {0.0, 0.4, 1.0}) {
         for (const double friction : {0.05, 0.2, 0.9}) {
             const Velocities before{{6.0, 2.0, -5.0}, {0.5, -1.0, 3.0}};
-<<<<<<< HEAD
-            const PercussionPoint point{{0.0, 0.0, -radius_m}, Vector3d::UnitZ(), friction, e};
-            PercussionSolver solver{SolverLaw{}};
-            const PercussionResult result =
-                solver.solve(ball(), before, Vector3d::Zero(), std::span{&point, 1}, 0.0);
-
-            const Vector3d slip = before.at(point.arm_m) - Vector3d{0.0, 0.0, -5.0};
-            const double normal_ns = mass_kg * (1.0 + e) * 5.0;
-            const double stick_ns = 2.0 / 7.0 * mass_kg * slip.norm();
-            const Vector3d impulse =
-                -std::min(stick_ns, friction * normal_ns) * slip.normalized() + normal_ns * Vector3d::UnitZ();
-            const Vector3d linear = before.linear_mps + impulse / mass_kg;
-            const Vector3d spin = before.spin_radps + point.arm_m.cross(impulse) / ball_inertia;
-            EXPECT_LT((result.after.linear_mps - linear).norm(), 1e-8) << e << " " << friction;
-            EXPECT_LT((result.after.spin_radps - spin).norm(), 1e-8) << e << " " << friction;
-            EXPECT_NEAR(result.normal_work_j + result.tangential_work_j,
-                        energy_j(ball(), result.after) - energy_j(ball(), before), 1e-8);
-=======
             const PercussionPoint point{{0.0, 0.0, -body_radius_m}, Vector3d::UnitZ(), friction, e};
             PercussionSolver solver{SolverLaw{}};
             const PercussionResult result =
@@ -79,26 +49,17 @@ TEST(PercussionOfASphere, FollowsTheClosedFormOfObliqueImpact) {
                 result.normal_work_j + result.tangential_work_j,
                 energy_of_motion_j(ball_mass(), result.after) - energy_of_motion_j(ball_mass(), before),
                 1e-8);
->>>>>>> in-rigid
         }
     }
 }
 
 /// A disc is a body with the moment m r^2 / 2 about its axis: sticking takes a third of the slip's impulse.
 TEST(PercussionOfADisc, SticksWithAThirdOfTheSlip) {
-<<<<<<< HEAD
-    Matrix3d inverse = Matrix3d::Identity() / (0.25 * mass_kg * radius_m * radius_m);
-    inverse(1, 1) = 1.0 / (0.5 * mass_kg * radius_m * radius_m);
-    const BlockMass disc{1.0 / mass_kg, inverse};
-    const Velocities before{{3.0, 0.0, -4.0}, Vector3d::Zero()};
-    const PercussionPoint point{{0.0, 0.0, -radius_m}, Vector3d::UnitZ(), 0.5, 0.5};
-=======
     Matrix3d inverse = Matrix3d::Identity() / (0.25 * body_kg * body_radius_m * body_radius_m);
     inverse(1, 1) = 1.0 / (0.5 * body_kg * body_radius_m * body_radius_m);
     const BlockMass disc{1.0 / body_kg, inverse};
     const Velocities before{{3.0, 0.0, -4.0}, Vector3d::Zero()};
     const PercussionPoint point{{0.0, 0.0, -body_radius_m}, Vector3d::UnitZ(), 0.5, 0.5};
->>>>>>> in-rigid
     PercussionSolver solver{SolverLaw{}};
     const auto after = solver.solve(disc, before, Vector3d::Zero(), std::span{&point, 1}, 0.0).after;
     EXPECT_NEAR(after.linear_mps.x(), 2.0, 1e-8);
@@ -117,11 +78,7 @@ TEST(Percussions, NeverRaiseTheEnergyAndHoldCoulombsLaw) {
         const Matrix3d turn = Eigen::Quaterniond{chance.uniform(), chance.uniform(), chance.uniform(), 0.1}
                                   .normalized()
                                   .toRotationMatrix();
-<<<<<<< HEAD
-        const BlockMass mass{1.0 / mass_kg, turn * moments.cwiseInverse().asDiagonal() * turn.transpose()};
-=======
         const BlockMass mass{1.0 / body_kg, turn * moments.cwiseInverse().asDiagonal() * turn.transpose()};
->>>>>>> in-rigid
         const Velocities before{5.0 * vector() - Vector3d{0.0, 0.0, 5.0}, 10.0 * vector()};
         std::vector<PercussionPoint> points;
         const int count = 1 + static_cast<int>(4.0 * chance.uniform());
@@ -136,12 +93,8 @@ TEST(Percussions, NeverRaiseTheEnergyAndHoldCoulombsLaw) {
             settings.impact = law;
             PercussionSolver solver{settings};
             const PercussionResult result = solver.solve(mass, before, Vector3d::Zero(), points, 0.0);
-<<<<<<< HEAD
-            EXPECT_LE(energy_j(mass, result.after), energy_j(mass, before) * (1.0 + 1e-9)) << trial;
-=======
             EXPECT_LE(energy_of_motion_j(mass, result.after), energy_of_motion_j(mass, before) * (1.0 + 1e-9))
                 << trial;
->>>>>>> in-rigid
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const Percussion& p = solver.percussions()[i];
                 EXPECT_GE(p.normal_ns, -1e-9);

@@ -10,23 +10,6 @@ namespace {
 using namespace testing;
 using config::gravity_mps2;
 
-<<<<<<< HEAD
-constexpr double slope_deg = 38.0;
-constexpr double time_s = 10.0;
-const double half_square = 0.5 * time_s * time_s;
-
-double down_mps2(double share_of_sine, double friction) {
-    return gravity_mps2 *
-           (share_of_sine * std::sin(radians(slope_deg)) - friction * std::cos(radians(slope_deg)));
-}
-
-TEST(RigidBlockOnAPlane, SphereRollsWithFiveSeventhsOfGravity) {
-    const Slope slope = plane(slope_deg, 400.0);
-    const solids::Solid ball = solids::ball_of(0.5, 2700.0);
-    const double exact_m = half_square * down_mps2(5.0 / 7.0, 0.0);
-    EXPECT_NEAR(exact_m, 215.701, 1e-3);
-    EXPECT_NEAR(way_m(slope, law_of(0.7, 0.0), ball, lying(slope, ball, slope_deg, 20.0, 10.0), time_s),
-=======
 constexpr double hillside_deg = 38.0;
 constexpr double moving_s = 10.0;
 const double half_square_s2 = 0.5 * moving_s * moving_s;
@@ -42,22 +25,10 @@ TEST(RigidBlockOnAPlane, SphereRollsWithFiveSeventhsOfGravity) {
     const double exact_m = half_square_s2 * down_mps2(5.0 / 7.0, 0.0);
     EXPECT_NEAR(exact_m, 215.701, 1e-3);
     EXPECT_NEAR(way_m(slope, law_of(0.7, 0.0), ball, lying(slope, ball, hillside_deg, 20.0, 10.0), moving_s),
->>>>>>> in-rigid
                 exact_m, 1e-4 * exact_m);
 }
 
 TEST(RigidBlockOnAPlane, SphereSlipsBelowTwoSeventhsOfTheTangent) {
-<<<<<<< HEAD
-    const Slope slope = plane(slope_deg, 400.0);
-    const solids::Solid ball = solids::ball_of(0.5, 2700.0);
-    const Body start = lying(slope, ball, slope_deg, 20.0, 10.0);
-    EXPECT_NEAR(way_m(slope, law_of(0.1, 0.0), ball, start, time_s), 263.330, 0.026);
-
-    const double threshold = 2.0 / 7.0 * std::tan(radians(slope_deg));
-    for (const double friction : {0.999 * threshold, 1.001 * threshold}) {
-        const double exact_m = half_square * std::max(down_mps2(1.0, friction), down_mps2(5.0 / 7.0, 0.0));
-        EXPECT_NEAR(way_m(slope, law_of(friction, 0.0), ball, start, time_s), exact_m, 1e-4 * exact_m)
-=======
     const Slope slope = plane(hillside_deg, 400.0);
     const solids::Solid ball = solids::ball_of(0.5, 2700.0);
     const Body start = lying(slope, ball, hillside_deg, 20.0, 10.0);
@@ -67,27 +38,17 @@ TEST(RigidBlockOnAPlane, SphereSlipsBelowTwoSeventhsOfTheTangent) {
     for (const double friction : {0.999 * threshold, 1.001 * threshold}) {
         const double exact_m = half_square_s2 * std::max(down_mps2(1.0, friction), down_mps2(5.0 / 7.0, 0.0));
         EXPECT_NEAR(way_m(slope, law_of(friction, 0.0), ball, start, moving_s), exact_m, 1e-4 * exact_m)
->>>>>>> in-rigid
             << friction;
     }
 }
 
 TEST(RigidBlockOnAPlane, CubeSlidesAndSticksByCoulomb) {
-<<<<<<< HEAD
-    const Slope slope = plane(slope_deg, 400.0);
-    const solids::Solid block = cube();
-    const Body start = lying(slope, block, slope_deg, 20.0, 10.0);
-    for (const double friction : {0.35, 0.70}) {
-        const double exact_m = half_square * down_mps2(1.0, friction);
-        EXPECT_NEAR(way_m(slope, law_of(friction, 0.0), block, start, time_s), exact_m, 1e-4 * exact_m)
-=======
     const Slope slope = plane(hillside_deg, 400.0);
     const solids::Solid block = cube();
     const Body start = lying(slope, block, hillside_deg, 20.0, 10.0);
     for (const double friction : {0.35, 0.70}) {
         const double exact_m = half_square_s2 * down_mps2(1.0, friction);
         EXPECT_NEAR(way_m(slope, law_of(friction, 0.0), block, start, moving_s), exact_m, 1e-4 * exact_m)
->>>>>>> in-rigid
             << friction;
     }
     EXPECT_LT(way_m(slope, law_of(0.85, 0.0), block, start, 60.0), 1e-3);
@@ -125,16 +86,6 @@ TEST(RigidBlockOnAPlane, SlidingSphereEndsRollingAtFiveSeventhsOfItsSpeed) {
 
 TEST(RigidBlockOnAPlane, RollingResistanceSlowsAsACoupleDoes) {
     // a = 5/7 g (sin - mu_r cos), and no motion above the threshold tan < mu_r.
-<<<<<<< HEAD
-    const Slope slope = plane(slope_deg, 400.0);
-    const solids::Solid ball = solids::ball_of(0.5, 2700.0);
-    Law law = law_of(0.9, 0.0);
-    law.rolling_resistance = 0.2;
-    const Body start = lying(slope, ball, slope_deg, 20.0, 10.0);
-    const double exact_m = half_square * 5.0 / 7.0 * gravity_mps2 *
-                           (std::sin(radians(slope_deg)) - 0.2 * std::cos(radians(slope_deg)));
-    EXPECT_NEAR(way_m(slope, law, ball, start, time_s), exact_m, 1e-4 * exact_m);
-=======
     const Slope slope = plane(hillside_deg, 400.0);
     const solids::Solid ball = solids::ball_of(0.5, 2700.0);
     Law law = law_of(0.9, 0.0);
@@ -143,7 +94,6 @@ TEST(RigidBlockOnAPlane, RollingResistanceSlowsAsACoupleDoes) {
     const double exact_m = half_square_s2 * 5.0 / 7.0 * gravity_mps2 *
                            (std::sin(radians(hillside_deg)) - 0.2 * std::cos(radians(hillside_deg)));
     EXPECT_NEAR(way_m(slope, law, ball, start, moving_s), exact_m, 1e-4 * exact_m);
->>>>>>> in-rigid
     law.rolling_resistance = 0.8;
     EXPECT_LT(way_m(slope, law, ball, start, 10.0), 1e-3);
 }
