@@ -118,9 +118,14 @@ private:
         const auto cells = sides_.cells_of(side);
         return level_of(cells[0]) != level_of(cells[1]);
     }
-    [[nodiscard]] bool on_rim(std::size_t corner) const {
-        const auto cells = sides_.cells_at(corner);
-        return std::find(cells.begin(), cells.end(), none) != cells.end();
+    /// Whether the side between two corners lies on the border of the map.
+    [[nodiscard]] bool is_border(std::size_t from, std::size_t to) const {
+        const auto columns = static_cast<std::size_t>(levels_.frame.columns);
+        const auto rows = static_cast<std::size_t>(levels_.frame.rows);
+        const std::size_t across = columns + 1;
+        const bool along_row = from / across == to / across;
+        const std::size_t place = along_row ? from / across : from % across;
+        return place == 0 || place == (along_row ? rows : columns);
     }
     [[nodiscard]] std::size_t go_on(std::size_t side, std::size_t corner) const;
     void find_zones();
@@ -267,9 +272,8 @@ void Outliner::smooth(Arc& arc) const {
         points.push_back(place_of(arc.corners.front()));
     }
     for (std::size_t i = 0; i + 1 < arc.corners.size(); ++i) {
-        // Along the border of the map outlines stay on it.
-        const bool rim = on_rim(arc.corners[i]) && on_rim(arc.corners[i + 1]);
-        if (rim && !points.empty()) {
+        // Along the border of the map outlines stay on it; an open one has its first corner already.
+        if ((arc.closed || i > 0) && is_border(arc.corners[i], arc.corners[i + 1])) {
             points.push_back(place_of(arc.corners[i]));
         }
         points.push_back(between(place_of(arc.corners[i]), place_of(arc.corners[i + 1]), 0.5));
