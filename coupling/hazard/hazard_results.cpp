@@ -114,8 +114,8 @@ void fill_arrivals(CsvRow& row, const HazardResults& results) {
         row.number<4>(arrivals.bare_percent).number<4>(arrivals.forest_percent);
         row.number<3>(arrivals.protection_percent).number<3>(arrivals.protection_low_percent);
         row.number<3>(arrivals.protection_high_percent);
-        row.number<1>(arrival_return_period_years(arrivals.return_period_years, arrivals.bare_percent));
-        row.number<1>(arrival_return_period_years(arrivals.return_period_years, arrivals.forest_percent))
+        row.number<2>(arrival_return_period_years(arrivals.return_period_years, arrivals.bare_percent));
+        row.number<2>(arrival_return_period_years(arrivals.return_period_years, arrivals.forest_percent))
             .end();
     }
 }

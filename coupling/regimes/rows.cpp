@@ -11,6 +11,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/regimes/columns.hpp"
+#include "coupling/regimes/known_columns.hpp"
 
 namespace coupling {
 namespace {
@@ -31,8 +32,6 @@ constexpr Synonym synonyms[] = {{"slit_cut", "'clear_cut' with where = slits"},
                                 {"clearance", "'clear_cut'"},
                                 {"plenter", "'selection'"},
                                 {"crop_trees", "'thin_crop_trees'"}};
-
-constexpr std::string_view comment_column = "note";
 
 /// Words between commas and semicolons; without any, between blanks.
 std::vector<std::string> words_in(std::string_view text, std::string_view separators) {
@@ -337,7 +336,6 @@ private:
         }
     }
 
-    /// What fields of one row say together.
     /// The list says when and where.
     void check_list_alone() {
         for (const char* column :
@@ -351,6 +349,7 @@ private:
         }
     }
 
+    /// What fields of one row say together.
     void check(const Intervention& i) {
         if (i.last_year && *i.last_year < i.first_year) {
             refuse("last_year", joined("last_year ", std::to_string(*i.last_year)),
@@ -423,22 +422,6 @@ private:
     std::size_t row_ = 0;
     bool fine_ = true;
 };
-
-void refuse_unknown_columns(const config::Table& table, config::Problems& problems) {
-    std::vector<std::string> known{std::string{comment_column}};
-    for (const RegimeColumn& column : regime_columns()) {
-        known.emplace_back(column.name);
-    }
-    for (const std::string& column : table.columns()) {
-        if (std::find(known.begin(), known.end(), column) == known.end()) {
-            const std::string nearest = config::nearest_word(column, known);
-            problems.add(config::ExitCode::data, {table.file(), 0, 0},
-                         joined("column ", config::in_quotes(column)),
-                         nearest.empty() ? "a column of a regime (coupling/regimes/README.md)"
-                                         : config::in_quotes(nearest));
-        }
-    }
-}
 
 }  // namespace
 

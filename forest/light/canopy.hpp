@@ -17,7 +17,7 @@ namespace forest {
 /// leaf areas from allometry, for columns of 10 and of 5 m. The finer the columns, the less clumping they
 /// hide.
 inline constexpr double effective_extinction = 0.372;
-inline constexpr double effective_extinction_of_5m = 0.44;
+inline constexpr double effective_extinction_of_5m = 0.437;
 
 /// A tree as light sees it.
 struct LightTree {

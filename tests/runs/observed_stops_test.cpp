@@ -96,7 +96,7 @@ TEST(Repeats, AreMappedAsShares) {
     ASSERT_EQ(run.code, 0) << run.err;
     const std::string grid = project.read("out/rasters/bare/Reached_in_repeats.asc");
     EXPECT_NE(grid.find("100"), std::string::npos) << grid;
-    EXPECT_NE(project.read("out/tables/data_dictionary.csv").find("Reached_in_repeats"), std::string::npos);
+    EXPECT_NE(project.read("out/tables/raster_dictionary.csv").find("Reached_in_repeats"), std::string::npos);
     const Outcome few = call(project, "run scenario.ini --quiet --set output.repeats=6 --out few");
     EXPECT_EQ(few.code, 2);
     EXPECT_NE(few.err.find("output.repeats 6 with release.rocks_per_source 5"), std::string::npos) << few.err;
@@ -163,7 +163,8 @@ TEST(ObservedStops, ShowInACaseOfTheirOwnForEachMotionModel) {
     project.replace("scenario.ini", "[observed]\nstops = stops.csv\n", "");
     const Outcome without = call(project, "validate --cases . --quiet --out nothing");
     EXPECT_EQ(without.code, 2);
-    EXPECT_NE(without.err.find("found no observed.stops, expected a table of the stops"), std::string::npos)
+    EXPECT_NE(without.err.find("found neither observed.stops nor observed.passages nor observed.impacts, expected a "
+                               "table of what was observed"), std::string::npos)
         << without.err;
 }
 

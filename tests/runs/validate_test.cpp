@@ -140,7 +140,7 @@ TEST(Validate, JudgesTheForestWithOneSetOfSettings) {
     const SampleProject project;
     const Outcome light = call(project, "validate forest_light --quiet --threads 1 --rocks 20 --out light");
     EXPECT_EQ(light.code, 5) << light.err;
-    EXPECT_NE(light.out.find("missed: trees' light, r, 35 deg south 0.806"), std::string::npos) << light.out;
+    EXPECT_NE(light.out.find("missed: trees' light, r, 35 deg south 0.803"), std::string::npos) << light.out;
     EXPECT_NE(light.out.find("note: --rocks changes nothing here"), std::string::npos) << light.out;
     EXPECT_EQ(light.out.find("strict"), std::string::npos) << light.out;
     const config::Table verdicts = result_table(project, "light/verdicts.csv");

@@ -31,9 +31,9 @@ constexpr const char* page_style =
     ".s0{stroke:#00664f}.s1{stroke:#b04a00;stroke-dasharray:6 4}.s2{stroke:#3566b0;stroke-dasharray:2 3}"
     ".s3{stroke:#8a3ea8;stroke-dasharray:9 3 2 3}.s4{stroke:#7a7a00}.s5{stroke:#777;stroke-dasharray:4 2}"
     ".views{display:grid;grid-template-columns:repeat(auto-fit,minmax(300px,1fr));gap:12px}"
-    ".views svg{width:100%;height:auto}.views .ground{fill:none;stroke:#888;stroke-width:1}"
-    ".views circle{stroke:none}.views .v0{fill:#9aa5b1}.views .v1{fill:#f0b429}.views .v2{fill:#de6b1f}"
-    ".views .v3{fill:#a31621}";
+    ".views>figure>svg{width:100%;height:auto}.views>figure>svg>.ground{fill:none;stroke:#888;stroke-width:1}"
+    ".views>figure>svg>circle{stroke:none}.v0{fill:#9aa5b1}.v1{fill:#f0b429}.v2{fill:#de6b1f}"
+    ".v3{fill:#a31621}";
 
 using Value = std::function<double(const FrameRow&)>;
 

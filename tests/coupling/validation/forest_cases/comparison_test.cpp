@@ -428,8 +428,8 @@ TEST(ForestCase, RefusesAProfileAndUnknownSettings) {
 
 TEST(ForestCase, NamesAMissingTableAndAnUnknownFigure) {
     CaseFiles files = shipped("forest_light");
-    files.texts.erase("ground.csv");
-    EXPECT_NE(problem_of(files).find("forest_light/ground.csv"), std::string::npos);
+    files.texts.erase("trees.csv");
+    EXPECT_NE(problem_of(files).find("forest_light/trees.csv"), std::string::npos);
     files = shipped("forest_light");
     files.texts["criteria.csv"] += "tree_light_bais:slope_6,0,1,independent,,\n";
     EXPECT_NE(problem_of(files).find("'tree_light_bias:slope_6'"), std::string::npos) << problem_of(files);
