@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "config/text/joined.hpp"
+#include "config/text/language.hpp"
 #include "coupling/decades/comparison.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/decision/decision_page.hpp"
@@ -183,7 +184,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
          .site = &results.site});
     page.close();
     if (results.scenario.gis.csv == CsvForm::excel) {
-        turn_into_excel_csv(folder / "tables", decimal_sign_of("en"));
+        turn_into_excel_csv(folder / "tables", config::decimal_sign(results.scenario.report.language));
     }
     return files;
 }

@@ -5,6 +5,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "config/text/language.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
@@ -291,7 +292,7 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
     write_page(page.stream(), results, files);
     page.close();
     if (results.scenario.gis.csv == CsvForm::excel) {
-        turn_into_excel_csv(folder / "tables", decimal_sign_of("en"));
+        turn_into_excel_csv(folder / "tables", config::decimal_sign(results.scenario.report.language));
     }
     return files;
 }

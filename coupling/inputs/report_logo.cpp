@@ -51,7 +51,9 @@ std::string fault_of_jpeg(std::string_view bytes) {
         const auto marker = static_cast<unsigned char>(bytes[at + 1]);
         const std::size_t length = big_endian(bytes, at + 2, 2);
         if (marker == 0xda) {  // pixels follow up to the mark of the end
-            return bytes.rfind("\xff\xd9") > at ? std::string{} : "a JPEG that ends before its end";
+            const std::size_t end = bytes.rfind("\xff\xd9");
+            return end != std::string_view::npos && end > at ? std::string{}
+                                                             : "a JPEG that ends before its end";
         }
         if (length < 2) {
             break;
@@ -110,9 +112,12 @@ std::string fault_of_svg(std::string_view bytes) {
     if (leads_out(lower, "href") || leads_out(lower, "url(")) {
         return "an SVG with an address outside of it";
     }
-    const bool is_whole =
-        lower.find("</svg>") != std::string::npos || lower.find("/>", root_of(bytes)) != std::string::npos;
-    return is_whole ? "" : "an SVG that ends before its end (</svg>)";
+    const std::size_t end_of_root_tag = lower.find('>', root_of(bytes));
+    const bool is_empty_drawing =
+        end_of_root_tag != std::string::npos && end_of_root_tag > 0 && lower[end_of_root_tag - 1] == '/';
+    return is_empty_drawing || lower.find("</svg>") != std::string::npos
+               ? ""
+               : "an SVG that ends before its end (</svg>)";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "config/text/language.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/profile/profile_layouts.hpp"
 #include "coupling/profile/report/profile_page.hpp"
@@ -179,7 +180,7 @@ std::vector<WrittenFile> write_results(const ProfileResults& results, const std:
     write_page(page.stream(), results, files);
     page.close();
     if (results.scenario.gis.csv == CsvForm::excel) {
-        turn_into_excel_csv(folder / "tables", decimal_sign_of("en"));
+        turn_into_excel_csv(folder / "tables", config::decimal_sign(results.scenario.report.language));
     }
     return files;
 }

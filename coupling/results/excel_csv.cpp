@@ -79,8 +79,4 @@ void turn_into_excel_csv(const fs::path& folder, char decimal_sign) {
     }
 }
 
-char decimal_sign_of(std::string_view language) {
-    return language == "de" || language == "fr" || language == "it" ? ',' : '.';
-}
-
 }  // namespace coupling

@@ -15,7 +15,4 @@ void write_excel_csv(std::ostream& out, std::string_view table, char decimal_sig
 /// another name keeps its bytes under that one. Throws config::InputError (file).
 void turn_into_excel_csv(const std::filesystem::path& folder, char decimal_sign);
 
-/// The decimal sign of a language of pages: a comma in German, French and Italian, a point in English.
-char decimal_sign_of(std::string_view language);
-
 }  // namespace coupling

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
+#include "config/text/language.hpp"
 #include "coupling/nets/net_paths.hpp"
 #include "coupling/observed/events_of_rocks.hpp"
 #include "coupling/results/excel_csv.hpp"
@@ -288,7 +289,7 @@ Ended AssessmentRun::write(OutputFolder& folder) {
     }
     tables_->link_to(folder.staging() / "tables");
     if (scenario_.gis.csv == CsvForm::excel) {
-        turn_into_excel_csv(folder.staging() / "tables", decimal_sign_of("en"));
+        turn_into_excel_csv(folder.staging() / "tables", config::decimal_sign(scenario_.report.language));
     }
     folder.publish();
     if (!request_.quiet) {

@@ -97,22 +97,46 @@ void expect_all_written(const std::vector<TableLayout>& layouts, const Columns& 
     }
 }
 
+/// Columns of mesh_left_out.csv, from a run on ground with a roof over a part of it.
+Columns columns_of_left_out_faces() {
+    const SampleProject project;
+    project.write("m.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\n"
+                  "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                  "1000 2000 400\n1120 2000 340\n1120 2100 340\n1000 2100 400\n"
+                  "1050 2040 390\n1070 2040 380\n1070 2060 380\n1050 2060 390\n"
+                  "3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n");
+    project.write("sources.csv", "wkt,blocks\nPOINT (1060 2050),5\n");
+    project.write("scenario.ini",
+                  "[terrain]\nmesh = m.ply\nmesh_overhangs = keep_upper\nground = forest_soil_coarse_debris\n"
+                  "[release]\nsource_shapes = sources.csv\n[output]\ncell_size_m = 5\n");
+    const Outcome outcome = call(project, "run scenario.ini --quiet --out out");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Columns files = columns_in_files(project, "out");
+    EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
+    return files;
+}
+
 TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
     const SampleProject project;
     ASSERT_EQ(call(project, "init tyrol --quiet").code, 0);
     project.write("tyrol/logs.csv",
                   "log_id,x1_m,y1_m,x2_m,y2_m,species,dbh_cm\nbeam,177700,377500,177712,377510,PIAB,40\n");
     project.write("tyrol/stops.csv", "x_m,y_m\n177700,377500\n");
+    project.write("tyrol/passages.csv", "target_id,speed_mps\nroad,8.5\n");
     const Outcome outcome = call(project,
                                  "run tyrol/scenario.ini --quiet --out out --set trees.logs=logs.csv "
                                  "--set nets.file=nets.csv "
                                  "--set release.rocks_per_source=1 --set output.tree_hit_table=yes "
-                                 "--set output.impact_table=yes --set observed.stops=stops.csv");
+                                 "--set output.impact_table=yes --set observed.stops=stops.csv "
+                                 "--set observed.passages=passages.csv");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Columns files = columns_in_files(project, "out");
     EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
     EXPECT_EQ(rasters_in_dictionary(project, "out"), rasters_in_files(project, "out")) << what_to_do;
-    expect_all_written(static_layouts(), files);
+    Columns written = files;
+    written.merge(columns_of_left_out_faces());
+    expect_all_written(static_layouts(), written);
     expect_all_written(dictionary_layouts(), files);
 }
 
@@ -125,6 +149,7 @@ TEST(DataDictionary, NamesTheColumnsOfTheCoupledExample) {
              "--set run.rockfall_every=1 "
              "--set release.rocks=300 --set \"regimes.list=none, single_tree_selection\" "
              "--set \"output.map_years=0, 2\" --set climate.variants=climates.csv --set feedback.on=yes "
+             "--set disturbance.wind=yes "
              "--set feedback.rocks_per_year=300");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Columns files = columns_in_files(project, "out");

@@ -30,7 +30,7 @@ Opened open_in_browser(const SampleProject& project, const std::string& flags) {
         project,
         joined("rm -rf browser; mkdir browser; chromium --headless --no-sandbox --disable-gpu --disable-quic "
                "--no-first-run --disable-background-networking --disable-component-update --disable-sync "
-               "--user-data-dir=\"$PWD/browser\" --enable-logging=stderr --v=0 --window-size=1280,8000 "
+               "--user-data-dir=\"$PWD/browser\" --enable-logging=stderr --v=0 --window-size=1280,14000 "
                "--virtual-time-budget=20000 ",
                flags, " --dump-dom \"file://$PWD/out/report.html\"\n"));
     EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -156,7 +156,9 @@ std::string paths_of(const ProfileResults& results, const Sheet& sheet) {
     }
     std::string svg = "<g class=\"paths\">";
     for (std::size_t c = 0; c < by_class.size(); ++c) {
-        svg += joined("<path class=\"class", std::to_string(c), "\" d=\"", by_class[c].text(), "\"/>");
+        if (const std::string text = by_class[c].text(); !text.empty()) {
+            svg += joined("<path class=\"class", std::to_string(c), "\" d=\"", text, "\"/>");
+        }
     }
     return joined(svg, "</g>");
 }

@@ -140,7 +140,9 @@ void Chart::add_line(const std::string& series, std::span<const ChartPoint> poin
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         line.line(x_of(points[i].x), y_of(points[i].y), x_of(points[i + 1].x), y_of(points[i + 1].y));
     }
-    drawing_ += joined("<path class=\"line ", series, "\" d=\"", line.text(), "\"/>");
+    if (const std::string text = line.text(); !text.empty()) {
+        drawing_ += joined("<path class=\"line ", series, "\" d=\"", text, "\"/>");
+    }
     keep("line", series, numbers_of(points));
 }
 

@@ -67,7 +67,7 @@ TEST(ForestSettings, RefuseWhatIsOutOfRangeOrContradictsItself) {
         "output.tree_list_years=0 5",
         "found output.tree_list_years with year 5, but the run ends with year 4, expected whole years from 0 "
         "to 4, or run.years of 5");
-    refused("output.map_years=1.5", "found output.map_years with year 1.5, expected whole years from 0 to 4");
+    refused("output.map_years=1.5", "found output.map_years = '1.5', expected whole numbers in [0, 1000] yr");
     refused("terrain.dem=", "neither terrain.dem nor terrain.points");
     expect_refused(project, {"climate.temperature_change_k=2", "climate.change=c.csv"}, ExitCode::settings,
                    "found climate.change beside climate.temperature_change_k");

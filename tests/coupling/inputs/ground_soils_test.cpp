@@ -55,14 +55,13 @@ TEST(Pir3dSoils, OfASurfaceThatHasNoneAreAskedForByThatModelOnly) {
     EXPECT_TRUE(open(project).site);
     const Opened opened = open(project, with_pir3d);
     EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(
-        opened.errors,
-        "surface_types.csv:2:1: found code 1 without soil, expected a soil in a column soil, as "
-        "rockfall.motion = pir3d needs it; write soil = sound_rock_step_1 (nearest in r_n and r_t), or "
-        "another name of `bannwald info pir3d_soils` or of terrain.soils\n"
-        "surface_types.csv:3:1: found code 3 without soil, expected a soil in a column soil, as "
-        "rockfall.motion = pir3d needs it; write soil = very_soft_soil_step_1 (nearest in r_n and r_t), or "
-        "another name of `bannwald info pir3d_soils` or of terrain.soils");
+    EXPECT_EQ(opened.errors,
+              "surface_types.csv:2:1: found code 1 without soil, expected a soil in a column soil, as "
+              "rockfall.motion = pir3d needs it; write soil = sound_rock_step_1 (nearest in r_n and r_t), or "
+              "another name of `bannwald info pir3d_soils` or of terrain.soils\n"
+              "surface_types.csv:3:1: found code 3 without soil, expected a soil in a column soil, as "
+              "rockfall.motion = pir3d needs it; write soil = soft_soil_step_1 (nearest in r_n and r_t), or "
+              "another name of `bannwald info pir3d_soils` or of terrain.soils");
 }
 
 TEST(Pir3dSoils, OfAnUnknownNameAreRefusedWithTheNearest) {
@@ -182,12 +181,12 @@ TEST(ModelLimits, AreSaidWherePir3dHasALongWayDown) {
     const SampleProject project;
     EXPECT_EQ(open(project, with_pir3d).warnings, std::vector<std::string>{});  // 63 m from the sources
     project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
-                                 return std::to_string(1400 - 80 * column);
+                                 return std::to_string(1400 - 60 * column);
                              }));
     const Opened opened = open(project, with_pir3d);
     ASSERT_TRUE(opened.site) << opened.errors;
     ASSERT_EQ(opened.warnings.size(), 1U);
-    EXPECT_NE(opened.warnings[0].find("they may drop 720 m here"), std::string::npos) << opened.warnings[0];
+    EXPECT_NE(opened.warnings[0].find("they may drop 540 m here"), std::string::npos) << opened.warnings[0];
 }
 
 }  // namespace

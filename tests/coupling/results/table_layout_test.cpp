@@ -49,10 +49,10 @@ TEST(TableRows, HaveAFieldForEachColumn) {
 /// What the end of a name says of its unit.
 std::string unit_of(const std::string& name) {
     static const std::map<std::string, std::string> units{
-        {"m", "m"},         {"cm", "cm"},     {"mm", "mm"},    {"s", "s"},         {"mps", "m/s"},
-        {"kj", "kJ"},       {"percent", "%"}, {"pha", "1/ha"}, {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"},
-        {"tpha", "t/ha"},   {"m3", "m3"},     {"ha", "ha"},    {"degc", "degC"},   {"kg", "kg"},
-        {"years", "years"}, {"deg", "deg"}};
+        {"m", "m"},       {"cm", "cm"},       {"mm", "mm"},    {"s", "s"},         {"mps", "m/s"},
+        {"kj", "kJ"},     {"percent", "%"},   {"pha", "1/ha"}, {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"},
+        {"tpha", "t/ha"}, {"m2", "m2"},       {"m3", "m3"},    {"ha", "ha"},       {"degc", "degC"},
+        {"kg", "kg"},     {"years", "years"}, {"deg", "deg"}};
     for (const char* interval : {"_low_90", "_high_90", "_low_95", "_high_95"}) {
         if (name.ends_with(interval)) {
             return unit_of(name.substr(0, name.size() - std::string{interval}.size()));
@@ -66,6 +66,9 @@ std::string unit_of(const std::string& name) {
     }
     if (name.ends_with("_percent_years")) {
         return "% years";
+    }
+    if (name.ends_with("_hours_pha")) {
+        return "h/ha";
     }
     if (name.ends_with("_eur_pha")) {
         return "EUR/ha";
@@ -89,8 +92,12 @@ TEST(TableLayout, HasTheUnitThatTheNameOfAColumnSays) {
                 EXPECT_TRUE(names.insert(column.name).second) << column.name << " twice in " << layout.file;
                 EXPECT_FALSE(column.meaning.empty()) << layout.file << ' ' << column.name;
                 EXPECT_FALSE(column.source.empty()) << layout.file << ' ' << column.name;
-                const std::set<std::string> without{"-", "text", "as the row says", "as the quantity says",
-                                                    "as the unit says"};
+                const std::set<std::string> without{"-",
+                                                    "text",
+                                                    "as the row says",
+                                                    "as the quantity says",
+                                                    "as the unit says",
+                                                    "as the criterion says"};
                 EXPECT_EQ(without.contains(column.unit) ? "" : column.unit, unit_of(column.name))
                     << layout.file << ' ' << column.name;
             }

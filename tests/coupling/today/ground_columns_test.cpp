@@ -47,7 +47,7 @@ TEST(GroundColumns, SayWhichMotionModelsUseThemAndWhereTheyComeFrom) {
     const Column& friction = column_of(columns, "friction");
     EXPECT_EQ(friction.meaning, "coefficient of sliding friction; pir3d, classical");
     EXPECT_EQ(friction.source,
-              "pir3d: the soil; classical: (1 - r_t) / r_t, or classical.friction_angle_deg");
+              "pir3d: the soil; classical: (1 - r_t) / r_t, classical.friction_angle_deg or the ground type");
     EXPECT_EQ(column_of(columns, "threshold_deg").source, "terrain.soils, or the shipped soil");
 }
 

@@ -30,6 +30,7 @@ SmallRun some_rocks() {
 TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
     constexpr std::array units{"_m", "_cm", "_s", "_mps", "_kj", "_percent", "_deg", "_per_m", "_per_1000"};
     const std::vector<std::string> without{"rock",
+                                           "impacts_by_ground",
                                            "cover",
                                            "zone",
                                            "source",

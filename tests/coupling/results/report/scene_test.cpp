@@ -54,8 +54,8 @@ TEST(SceneFigure, WritesLyingStemsAndPathsOfAYear) {
     const std::string figure = scene_figure(scene, "");
     // Both ends of the log in the corner: four numbers 0.
     EXPECT_TRUE(has(figure, "\"logs\":\"AAAAAAAAAAA=\""));
-    // Energy classes 2 (above 300 kJ) and 0.
-    EXPECT_TRUE(has(figure, "\"classes\":\"AgA=\",\"cover\":\"forest\"")) << figure;
+    // Energy classes 3 (above 300 kJ) and 0.
+    EXPECT_TRUE(has(figure, "\"classes\":\"AwA=\",\"cover\":\"forest\"")) << figure;
 }
 
 TEST(SceneFigure, SharesLogsAndPathsAmongStandsAndTellsHowManyThereAre) {

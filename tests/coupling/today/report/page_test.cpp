@@ -211,7 +211,7 @@ TEST(WritePage, SpeaksTheLanguageOfTheScenario) {
         // English is what settings mean and what the model calls its parts; headings are none of that.
         const std::string words = testing::without_scripts(page);
         for (const char* english : {"<h2>What", "<h2>Settings", "<h2>The forest", "with forest<",
-                                    "bare slope<", "rocks</small>", "of the rocks"}) {
+                                    "bare slope<", "rocks</small>", "% of the rocks"}) {
             EXPECT_EQ(words.find(english), std::string::npos) << spoken.tag << english;
         }
     }
