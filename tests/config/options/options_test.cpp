@@ -190,8 +190,9 @@ TEST(Options, NameTheUnitAndTheLegalWords) {
         message_of("[rockfall]\ndiameters_m = 0.5, 30\n"),
         "run.ini:2:15: found rockfall.diameters_m = '0.5, 30', expected numbers in [0, 20] m, with decimal "
         "points and a blank after each comma");
-    EXPECT_EQ(message_of("[rockfall]\nmotion = picsu\n"),
-              "run.ini:2:10: found rockfall.motion = 'picsu', expected one of picus, pir3d");
+    EXPECT_EQ(
+        message_of("[rockfall]\nmotion = picsu\n"),
+        "run.ini:2:10: found rockfall.motion = 'picsu', expected one of picus, pir3d (is 'picus' meant?)");
     EXPECT_EQ(
         message_of("[rockfall]\nmotion = pir3\n"),
         "run.ini:2:10: found rockfall.motion = 'pir3', expected one of picus, pir3d (is 'pir3d' meant?)");

@@ -181,12 +181,12 @@ TEST(ModelLimits, AreSaidWherePir3dHasALongWayDown) {
     const SampleProject project;
     EXPECT_EQ(open(project, with_pir3d).warnings, std::vector<std::string>{});  // 63 m from the sources
     project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
-                                 return std::to_string(1400 - 60 * column);
+                                 return std::to_string(1400 - 50 * column);
                              }));
     const Opened opened = open(project, with_pir3d);
     ASSERT_TRUE(opened.site) << opened.errors;
     ASSERT_EQ(opened.warnings.size(), 1U);
-    EXPECT_NE(opened.warnings[0].find("they may drop 540 m here"), std::string::npos) << opened.warnings[0];
+    EXPECT_NE(opened.warnings[0].find("they may drop 450 m here"), std::string::npos) << opened.warnings[0];
 }
 
 }  // namespace

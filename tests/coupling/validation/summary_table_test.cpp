@@ -39,7 +39,8 @@ std::vector<std::string> cells_of(const std::string& line) {
     return cells;
 }
 
-/// Whether a line of a table has these fixed cells: figure, unit, observed, published, ours twice, criterion.
+/// Whether a line of a table has these fixed cells: figure, unit, observed, published, ours under each set of
+/// settings, criterion.
 bool has_line(const std::string& part, const std::vector<std::string>& fixed) {
     std::istringstream in{part};
     for (std::string line; std::getline(in, line);) {
@@ -50,7 +51,7 @@ bool has_line(const std::string& part, const std::vector<std::string>& fixed) {
             return true;
         }
         if (cells.size() >= 7 && cells[0] == fixed[0] && cells[1] == fixed[1] && cells[2] == fixed[2] &&
-            cells[3] == fixed[3] && cells[6] == fixed[4]) {
+            cells[3] == fixed[3] && cells.back() == fixed[4]) {
             return true;
         }
     }
