@@ -196,7 +196,7 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
     reading.problems().throw_if_any();
     rockfall::GroundLaw as_it_is;  // blocks have their own shape: no contact zone of a sphere
     as_it_is.contact_support_m = 0.0;
-    constexpr double no_rock_m = 0.0;      // so its mean diameter plays no part
+    constexpr double no_rock_m = 0.0;  // so its mean diameter plays no part
     const rockfall::Terrain terrain =
         build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.longest_edge_m);
     CollapseSite site;

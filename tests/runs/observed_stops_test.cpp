@@ -163,8 +163,10 @@ TEST(ObservedStops, ShowInACaseOfTheirOwnForEachMotionModel) {
     project.replace("scenario.ini", "[observed]\nstops = stops.csv\n", "");
     const Outcome without = call(project, "validate --cases . --quiet --out nothing");
     EXPECT_EQ(without.code, 2);
-    EXPECT_NE(without.err.find("found neither observed.stops nor observed.passages nor observed.impacts, expected a "
-                               "table of what was observed"), std::string::npos)
+    EXPECT_NE(without.err.find(
+                  "found neither observed.stops nor observed.passages nor observed.impacts, expected a "
+                  "table of what was observed"),
+              std::string::npos)
         << without.err;
 }
 

@@ -90,8 +90,7 @@ TEST(ForestExample, WritesTheColumnsThatItsReadersKnow) {
     const std::map<std::string, std::vector<std::string>> columns{
         {"stands",
          {"stand", "species", "stems_pha", "basal_area_m2pha", "volume_m3pha", "above_ground_tpha",
-          "mean_dbh_cm", "lorey_height_m", "dominant_height_m", "leaf_area_index",
-          "drought_index"}},
+          "mean_dbh_cm", "lorey_height_m", "dominant_height_m", "leaf_area_index", "drought_index"}},
         {"dbh_classes", {"species", "dbh_from_cm", "dbh_to_cm", "stems_pha"}},
         {"forest_years",
          {"calendar_year", "volume_increment_m3pha", "production_tpha", "ingrowth_stems_pha", "saplings_pha",

@@ -65,10 +65,10 @@ std::vector<std::string> Model::doubts(const Slope& slope, double, const Law& la
     }
     std::vector<std::string> sentences;
     if (!endless.empty()) {
-        sentences.push_back(joined(
-            "classical: rocks that slide never stop on ground steeper than its friction, ", endless,
-            "; many leave the map. Take classical.friction = ground (`bannwald info surfaces`, "
-            "sliding_friction), or an r_t fitted to the site"));
+        sentences.push_back(
+            joined("classical: rocks that slide never stop on ground steeper than its friction, ", endless,
+                   "; many leave the map. Take classical.friction = ground (`bannwald info surfaces`, "
+                   "sliding_friction), or an r_t fitted to the site"));
     }
     if (!missing.empty()) {
         sentences.push_back(joined("classical: no sliding_friction and no soil for ", missing,

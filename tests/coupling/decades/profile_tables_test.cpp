@@ -13,7 +13,8 @@ void add(MemberYears& member, std::int32_t year, std::uint32_t unit, std::uint32
     forest::StandFigures figures;
     figures.stems_pha_by_class[forest::dbh_class_of(40.0)] = stems_pha;
     member.stands.push_back({year, unit, all, figures, 0.0});
-    member.stands.push_back({year, unit, 0, {}, 0.0});  // of one species: not what is held against the profile
+    member.stands.push_back(
+        {year, unit, 0, {}, 0.0});  // of one species: not what is held against the profile
     member.gaps.push_back({year, unit, {.gaps = 1, .patches = patches, .max_m = gap_m}});
 }
 
