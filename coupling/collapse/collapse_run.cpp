@@ -118,7 +118,7 @@ public:
                     throw CollapseInterrupted{};
                 }
             }
-            // States that are kept begin with pairs found anew, in runs without a stop too.
+            // States that are kept begin with a new search for pairs, in runs without a stop too.
             mass_.refresh();
             record_.add_frame(site_, mass_);
             last_mass_ = mass_.packed();

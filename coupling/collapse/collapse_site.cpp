@@ -58,7 +58,7 @@ rockfall::Terrain lowered(const rockfall::Terrain& terrain, const std::vector<Co
         }
     }
     for (rockfall::Triangle& triangle : triangles) {
-        triangle.normal_z = 0.0F;  // computed anew
+        triangle.normal_z = 0.0F;  // computed again
     }
     return rockfall::Terrain{terrain.origin_m(), std::move(vertices), std::move(triangles)};
 }

@@ -39,7 +39,7 @@ open_picture <- function(width, height) {
   }
 }
 
-# Okabe and Ito's colours: told apart by colour-blind readers. From the eighth regime on they come again with
+# Okabe and Ito's colours: distinct for colour-blind readers. From the eighth regime on they come again with
 # another kind of line: 42 regimes look different.
 colours <- c("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 colour_of <- function(i) colours[(i - 1) %% length(colours) + 1]

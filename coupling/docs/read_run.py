@@ -11,7 +11,7 @@ import csv
 import os
 import sys
 
-# Okabe and Ito's colours: told apart by colour-blind readers. From the eighth regime on they come again with
+# Okabe and Ito's colours: distinct for colour-blind readers. From the eighth regime on they come again with
 # another kind of line: 28 regimes look different.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 LINES = ["-", "--", ":", "-."]

@@ -79,7 +79,7 @@ private:
     lxw_format* bold_ = nullptr;
 };
 
-/// A name that is no other's, as far as Excel tells them apart.
+/// A name that is no other's, as far as Excel distinguishes them.
 std::string sheet_name(const fs::path& table, std::set<std::string>& taken) {
     std::string name = table.stem().string().substr(0, longest_sheet_name);
     for (int number = 2; !taken.insert(name).second; ++number) {

@@ -112,7 +112,7 @@ void add_hits(VariantOutcome& outcome, const Ensembles& ensembles) {
     }
 }
 
-/// `whole_m`: slope length of the profile, of which the upper half is told from the lower.
+/// `whole_m`: slope length of the profile, of which the upper half is distinguished from the lower.
 void add_jumps(VariantOutcome& outcome, const Falls& falls, double whole_m) {
     for (std::size_t k = 0; k < falls.segments.size(); ++k) {
         const JumpSums& sums = falls.segments[k];

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Steps after which pairs are found anew at the latest.
+/// Steps after which pairs are searched again at the latest.
 constexpr std::uint32_t steps_between = 24;
 
 Box3 box_around(std::span<const Vector3d> points_m, double margin_m) {

@@ -110,7 +110,7 @@ public:
     /// Bytes that it holds, about.
     [[nodiscard]] std::size_t bytes() const;
 
-    /// Finds pairs anew. A run that goes on from `packed` does so from here with the same bits.
+    /// Searches pairs again. A run that goes on from `packed` does so from here with the same bits.
     void refresh();
     /// Everything that changes, after `refresh`.
     [[nodiscard]] std::vector<double> packed() const;
@@ -218,7 +218,7 @@ private:
 
     std::vector<std::uint32_t> first_incidence_;
     std::vector<Incidence> incidences_;
-    std::vector<double> margins_m_;  ///< how far each block may go before pairs are found anew
+    std::vector<double> margins_m_;  ///< how far each block may go before pairs are searched again
     std::vector<double> ways_m_;     ///< how far it went
     std::uint32_t steps_to_refresh_ = 0;
 
