@@ -225,7 +225,6 @@ KeyFigures key_figures(const CollapseResults& results) {
         figures.front_m = std::max(figures.front_m, row.front_m);
         figures.largest_residual = std::max(figures.largest_residual, std::abs(row.residual_share));
     }
-    figures.duration_s = results.record.rows.back().time_s;
     for (const FrameRow& row : results.record.rows) {
         if (row.time_s > figures.peak_time_s && row.moving_share < 0.01) {
             figures.duration_s = row.time_s;

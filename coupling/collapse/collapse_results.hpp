@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,9 @@ struct CollapseResults {
 
 /// The figures that are held against those of others.
 struct KeyFigures {
-    double duration_s = 0.0;  ///< until a hundredth of the blocks moves, after the mean speed's peak
+    /// Until less than a hundredth of the blocks moves, after the mean speed's peak; none: more still move at
+    /// the end of the run.
+    std::optional<double> duration_s;
     double peak_mean_speed_mps = 0.0;
     double peak_time_s = 0.0;
     double largest_speed_mps = 0.0;

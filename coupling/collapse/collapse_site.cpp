@@ -219,9 +219,11 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
     add_stems(terrain, site);
     site.inputs = reading.inputs();
     if (site.count.left_out_m3 > 0.0) {
-        reading.note(
-            joined("slivers that fit no neighbour were left out: ", std::to_string(site.count.left_out_m3),
-                   " m3 of ", std::to_string(site.count.body_m3)));
+        reading.note(joined("slivers that fit no neighbour were left out: ",
+                            std::to_string(std::llround(site.count.left_out_m3)), " m3 of ",
+                            std::to_string(std::llround(site.count.body_m3)),
+                            "; a smaller "
+                            "collapse.least_block_m keeps more of them"));
     }
     return site;
 }

@@ -19,7 +19,8 @@ void write_summary(std::ostream& out, const CollapseResults& results, const std:
                        {"left_out_m3", json_number(count.left_out_m3)},
                        {"slivers_merged", count.merged},
                        {"step_s", json_number(results.mass.step_s())}};
-    summary["collapse"] = {{"duration_s", json_number(figures.duration_s)},
+    summary["collapse"] = {{"duration_s", figures.duration_s ? json_number(*figures.duration_s) : Json{}},
+                           {"simulated_s", json_number(results.record.rows.back().time_s)},
                            {"peak_mean_speed_mps", json_number(figures.peak_mean_speed_mps)},
                            {"peak_time_s", json_number(figures.peak_time_s)},
                            {"largest_speed_mps", json_number(figures.largest_speed_mps)},

@@ -206,7 +206,10 @@ std::string opening(const CollapseResults& results) {
     const auto fact = [&](const char* key, const std::string& value) {
         html += report::fact(page_text(key), value);
     };
-    fact("collapse_page.duration_until_rest", joined(fixed(figures.duration_s, 1), " s"));
+    fact("collapse_page.duration_until_rest",
+         figures.duration_s ? joined(fixed(*figures.duration_s, 1), " s")
+                            : page_text("collapse_page.still_moving",
+                                        {{"time", fixed(results.record.rows.back().time_s, 1)}}));
     fact("collapse_page.largest_speed", joined(fixed(figures.largest_speed_mps, 1), " m/s"));
     fact("collapse_page.area_passed",
          joined(grouped(static_cast<std::uint64_t>(std::llround(figures.area_m2))), " m²"));

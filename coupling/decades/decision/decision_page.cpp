@@ -38,12 +38,13 @@ std::string cell(const std::optional<PairedDifference>& difference, int decimals
     const bool is_known = difference->low > 0.0 || difference->high < 0.0;
     const auto needed = replicates_needed(difference->mean, difference->deviation);
     return joined(fixed(difference->mean, decimals), " <small>(", fixed(difference->low, decimals), " – ",
-                  fixed(difference->high, decimals),
-                  is_known  ? ""
-                  : !needed ? joined("; ", page_text("decades.decision.same"))
-                            : joined("; ", page_text("decades.decision.needs",
-                                                     {{"replicates", std::to_string(*needed)}})),
-                  ")</small>");
+                  fixed(difference->high, decimals), ")</small>",
+                  is_known ? ""
+                  : !needed
+                      ? joined("<br/><small>", page_text("decades.decision.same"), "</small>")
+                      : joined("<br/><small>",
+                               page_text("decades.decision.needs", {{"replicates", std::to_string(*needed)}}),
+                               "</small>"));
 }
 
 std::string share_cell(const KeptShare& share) {

@@ -17,7 +17,7 @@ constexpr int ramp_steps = 64;
 
 std::string class_legend(const std::vector<ClassColour>& classes) {
     return class_legend_of(
-        classes.size(), classes.size() > 4 ? 3 : std::max<std::size_t>(3, classes.size()), "",
+        classes.size(), classes.size() > 4 ? 2 : std::max<std::size_t>(3, classes.size()), "",
         [&](std::size_t i) {
             return LegendEntry{joined("<rect y=\"-12\" width=\"26\" height=\"14\" fill=\"",
                                       to_hex(classes[i].colour), "\" stroke=\"#555\" stroke-width=\".5\"/>"),

@@ -53,7 +53,7 @@ private:
 };
 
 std::string path_legend() {
-    return class_legend_of(energy_class_colours.size(), 3, " paths", [](std::size_t i) {
+    return class_legend_of(energy_class_colours.size(), 2, " paths", [](std::size_t i) {
         return LegendEntry{joined("<path class=\"class", std::to_string(i), "\" d=\"M0 -3l9 -5l9 6l9 -4\"/>"),
                            energy_class_name(i)};
     });

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <vector>
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -23,6 +24,27 @@ std::string name_of_size(const ReleaseGroup& group) {
                                              {"diameter_high_m", tick_text(group.largest_m)}});
 }
 
+/// Rows that the page has for each target; the tables have all [choice].
+constexpr std::size_t most_groups_shown = 10;
+
+/// The groups of which most rocks come to a target over the bare slope, in their own order.
+std::vector<const ReleaseGroup*> groups_that_matter(const std::vector<ReleaseGroup>& groups,
+                                                    std::size_t target) {
+    std::vector<const ReleaseGroup*> shown;
+    for (const ReleaseGroup& group : groups) {
+        shown.push_back(&group);
+    }
+    if (shown.size() > most_groups_shown) {
+        std::stable_sort(shown.begin(), shown.end(), [target](const ReleaseGroup* a, const ReleaseGroup* b) {
+            constexpr std::size_t bare = index_of(rockfall::Cover::bare);
+            return a->targets[target].by_cover[bare].reached > b->targets[target].by_cover[bare].reached;
+        });
+        shown.resize(most_groups_shown);
+        std::sort(shown.begin(), shown.end());
+    }
+    return shown;
+}
+
 /// A table of groups: for each target its arrivals, the rocks released first.
 std::string table_of_groups(const RunResults& results, const std::vector<ReleaseGroup>& groups,
                             const std::string& first, const std::string& caption,
@@ -35,9 +57,9 @@ std::string table_of_groups(const RunResults& results, const std::vector<Release
         if (results.site.targets.size() > 1) {
             table.group(escaped(of.name.empty() ? of.id : of.name));
         }
-        for (const ReleaseGroup& group : groups) {
-            std::vector<std::string> cells{name(group), grouped(group.released)};
-            add_arrival_cells(cells, group.targets[target], group.released, results.with_forest);
+        for (const ReleaseGroup* group : groups_that_matter(groups, target)) {
+            std::vector<std::string> cells{name(*group), grouped(group->released)};
+            add_arrival_cells(cells, group->targets[target], group->released, results.with_forest);
             table.row(cells);
         }
     }
@@ -50,9 +72,14 @@ std::string release_groups(const RunResults& results) {
     const Breakdown& breakdown = results.breakdown;
     std::string html;
     if (breakdown.zones.size() > 1) {
+        std::string caption = page_text("today.groups.zone_caption");
+        if (breakdown.zones.size() > most_groups_shown) {
+            caption += page_text("today.groups.zones_shown", {{"shown", std::to_string(most_groups_shown)},
+                                                              {"zones", grouped(breakdown.zones.size())}});
+        }
         html += joined("<h2>", page_text("today.groups.by_zone"), "</h2>\n",
                        table_of_groups(results, breakdown.zones, page_text("today.groups.release_zone"),
-                                       page_text("today.groups.zone_caption"), name_of_zone));
+                                       caption, name_of_zone));
     }
     if (!breakdown.sizes.empty()) {
         html += joined("<h2>", page_text("today.groups.by_size"), "</h2>\n",

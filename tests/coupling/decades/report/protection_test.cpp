@@ -44,7 +44,7 @@ TEST(ProtectionOverYears, OfOneReplicateHasTheIntervalOfItsRocksAndPromisesNoOth
     const std::string html = arrivals.html();
     EXPECT_TRUE(has(html, "at the start <b>96.7\u00a0%</b> (95 % interval 93.")) << html;
     EXPECT_TRUE(has(html, "One replicate: no intervals"));
-    EXPECT_FALSE(has(html, "90 % intervals (Student’s t)"));
+    EXPECT_FALSE(has(html, "90 % intervals (Student’s t, skewness by Hall 1992)"));
 }
 
 TEST(ProtectionOverYears, OfSeveralReplicatesHasTheIntervalOfTheirMean) {
@@ -52,7 +52,7 @@ TEST(ProtectionOverYears, OfSeveralReplicatesHasTheIntervalOfTheirMean) {
     arrivals.add_replicate({.both = 10, .only_forest = 0, .only_bare = 290});
     arrivals.add_replicate({.both = 20, .only_forest = 0, .only_bare = 280});
     const std::string html = arrivals.html();
-    EXPECT_TRUE(has(html, "90 % intervals (Student’s t)"));
+    EXPECT_TRUE(has(html, "90 % intervals (Student’s t, skewness by Hall 1992)"));
     EXPECT_FALSE(has(html, "One replicate"));
     EXPECT_FALSE(has(html, "(95 % interval"));
 }
