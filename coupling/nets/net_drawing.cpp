@@ -22,7 +22,9 @@ constexpr double left = 52.0;
 constexpr double right = 888.0;
 constexpr double top = 14.0;
 constexpr double bottom = 236.0;
-constexpr std::array<double, 3> radii{2.6, 3.8, 5.2};  ///< by energy class
+/// By energy class: as many as there are colours.
+constexpr std::array<double, energy_class_colours.size()> radii{2.2, 2.8, 3.4, 4.0, 4.6, 5.2};
+static_assert(radii.back() > 0.0, "a radius for each class");
 
 /// Held: disc. Over: triangle that points up. Below: triangle that points down. Broke: cross.
 std::string shape_of(rockfall::NetOutcome outcome, std::size_t energy_class, double x, double y) {

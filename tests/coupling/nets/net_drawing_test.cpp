@@ -4,6 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <set>
+#include <string>
+#include <vector>
+
+#include "coupling/results/colours.hpp"
 
 namespace coupling::report::net_drawing_test {
 namespace {
@@ -13,6 +17,26 @@ TEST(DrawnRocks, AreTheSameShareOnBothSlopes) {
     EXPECT_EQ(drawn_rocks(6'734, 19'408), 520U) << "6734 * 1500 / 19408 = 520.46";
     EXPECT_EQ(drawn_rocks(700, 1'500), 700U) << "all on both";
     EXPECT_EQ(drawn_rocks(0, 19'408), 0U);
+}
+
+/// Radii of the discs of a legend, in their order.
+std::vector<double> radii_of_discs(const std::string& legend) {
+    std::vector<double> radii;
+    for (std::size_t at = legend.find(" r=\""); at != std::string::npos; at = legend.find(" r=\"", at + 1)) {
+        radii.push_back(std::stod(legend.substr(at + 4)));
+    }
+    return radii;
+}
+
+TEST(DevelopedViewLegend, HasALargerDiscForEachHigherClassOfEnergy) {
+    std::vector<double> radii = radii_of_discs(developed_view_legend());
+    ASSERT_EQ(radii.size(), energy_class_colours.size() + 1);
+    radii.erase(radii.begin());  // the disc that stands for a rock that was held
+    EXPECT_GT(radii.front(), 1.0);
+    EXPECT_LT(radii.back(), 7.0) << "the sample is 14 high";
+    for (std::size_t i = 1; i < radii.size(); ++i) {
+        EXPECT_GT(radii[i], radii[i - 1]);
+    }
 }
 
 RC_GTEST_PROP(DrawnRocks, DifferFromTheSameShareByHalfARockAtMost, ()) {
