@@ -24,7 +24,7 @@ constexpr double top = 14.0;
 constexpr double bottom = 236.0;
 /// By energy class: as many as there are colours.
 constexpr std::array<double, energy_class_colours.size()> radii{2.2, 2.8, 3.4, 4.0, 4.6, 5.2};
-static_assert(radii.back() > 0.0, "a radius for each class");
+static_assert(radii.back() > 0.0);
 
 /// Held: disc. Over: triangle that points up. Below: triangle that points down. Broke: cross.
 std::string shape_of(rockfall::NetOutcome outcome, std::size_t energy_class, double x, double y) {
