@@ -55,7 +55,7 @@ TEST(LinkOrCopy, CopiesToAnotherDisk) {
         GTEST_SKIP() << "no second disk here";
     }
     write_letters(folder.path() / "first", "rocks\n");
-    const fs::path copy = other / folder.path().filename();
+    const fs::path copy = other / (folder.path().filename().string() + "-copy");
     link_or_copy(folder.path() / "first", copy);
     EXPECT_EQ(text_of(copy), "rocks\n");
     fs::remove(copy);
