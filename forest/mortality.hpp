@@ -38,8 +38,9 @@ struct MortalityLaw {
 };
 
 /// Probability to die of age or size within a year [0, 1]. `storms`: whether they are simulated.
-double background_death(const Species& species, double dbh_cm, double age_years, const MortalityLaw& law,
-                        bool storms);
+/// `crowding`: canopy_crowding() of the place.
+double background_death(const Species& species, double dbh_cm, double age_years, double crowding,
+                        const MortalityLaw& law, bool storms);
 
 /// Probability to die of stress within a year, after `bad_years` in a row [0, 1].
 double stress_death(const Light& species, const MortalityLaw& law);
@@ -54,10 +55,11 @@ std::vector<std::uint16_t> stress_years_after(const Stand& stand, const SpeciesT
 
 /// Deaths by age and size, by stress and shade, and by drought in the stand's current year, with the
 /// neighbours that thick trees take along. One random number a stem decides, keyed by tree and year.
-/// `storms`: whether they are simulated. `of_drought`: probability of each tree to die of the year's drought;
-/// empty = none.
+/// `storms`: whether they are simulated. `crowding`: canopy_crowding() at each tree; empty = 1. `of_drought`:
+/// probability of each tree to die of the year's drought; empty = none.
 std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& species, const MortalityLaw& law,
-                                    bool storms, std::span<const double> of_drought, std::uint64_t seed,
+                                    bool storms, std::span<const double> crowding,
+                                    std::span<const double> of_drought, std::uint64_t seed,
                                     std::uint32_t replicate);
 
 }  // namespace forest

@@ -15,6 +15,12 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .high = 0.1,
                     .meaning = "probability of a tree of any size to die in a year; with storms half of it",
                     .source = "choice"});
+    options.number("forest.canopy_death_by_density", law.canopy.by_density,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 4.0,
+                    .meaning = "it is multiplied by basal area / 40 m2/ha to this power, at most by 4",
+                    .source = "choice; direction: Guyennon et al. 2023"});
     options.number("forest.canopy_death_by_size", law.canopy.by_size,
                    {.unit = "-",
                     .low = 0.0,

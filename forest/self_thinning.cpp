@@ -8,6 +8,7 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/random/stream.hpp"
+#include "forest/allometry.hpp"
 
 namespace forest {
 
@@ -171,6 +172,19 @@ ThinningWindows::ThinningWindows(const PatchGrid& grid) : window_of_patch_(grid.
         window_of_patch_[i] = window_of_block[block];
         areas_ha_[window_of_patch_[i]] += patch_area_m2 / 10'000.0;
     }
+}
+
+std::vector<double> window_basal_areas_m2pha(const Stand& stand, const ThinningWindows& windows) {
+    std::vector<double> areas_m2pha(windows.size(), 0.0);
+    for (const Tree& tree : stand.trees()) {
+        if (is_counted(tree)) {
+            areas_m2pha[windows.window_of(tree.patch)] += tree.stems * basal_area_m2(tree.dbh_cm);
+        }
+    }
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+        areas_m2pha[w] /= windows.area_ha(w);
+    }
+    return areas_m2pha;
 }
 
 std::vector<double> relative_densities(const Stand& stand, const SpeciesTable& species,

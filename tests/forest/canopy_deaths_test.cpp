@@ -18,25 +18,45 @@ constexpr bool storms = true;
 
 TEST(CanopyDeath, RisesWithTheSixthPowerOfTheDiameter) {
     const CanopyDeaths law;
-    const double thin = canopy_death(table[spruce], 0.0, 0.0, law, !storms);
+    const double thin = canopy_death(table[spruce], 0.0, 0.0, 1.0, law, !storms);
     EXPECT_NEAR(thin, law.at_any_size, 1e-12);
-    EXPECT_NEAR(canopy_death(table[spruce], 100.0, 0.0, law, !storms) - thin, law.by_size, 1e-12);
-    EXPECT_NEAR(canopy_death(table[spruce], 50.0, 0.0, law, !storms) - thin, law.by_size / 64.0, 1e-12);
-    EXPECT_NEAR(canopy_death(table[beech], 100.0, 0.0, law, !storms) - thin, 1.5 * law.by_size, 1e-12);
+    EXPECT_NEAR(canopy_death(table[spruce], 100.0, 0.0, 1.0, law, !storms) - thin, law.by_size, 1e-12);
+    EXPECT_NEAR(canopy_death(table[spruce], 50.0, 0.0, 1.0, law, !storms) - thin, law.by_size / 64.0, 1e-12);
+    EXPECT_NEAR(canopy_death(table[beech], 100.0, 0.0, 1.0, law, !storms) - thin, 1.5 * law.by_size, 1e-12);
 }
 
 TEST(CanopyDeath, OfATreeInTheCanopyIsBelowThatOfGapModels) {
     // Gap models have 0.5 to 1 % a year at any size, the deaths of suppressed trees included.
     for (const SpeciesId kind : {spruce, beech}) {
-        const double p = canopy_death(table[kind], 50.0, 150.0, {}, !storms);
+        const double p = canopy_death(table[kind], 50.0, 150.0, 1.0, {}, !storms);
         EXPECT_GT(p, 0.002);
         EXPECT_LT(p, 0.005);
     }
 }
 
 TEST(CanopyDeath, LeavesRoomForStormsWhereTheyAreSimulated) {
-    const double alone = canopy_death(table[spruce], 60.0, 0.0, {}, !storms);
-    EXPECT_NEAR(canopy_death(table[spruce], 60.0, 0.0, {}, storms), 0.5 * alone, 1e-12);
+    const double alone = canopy_death(table[spruce], 60.0, 0.0, 1.0, {}, !storms);
+    EXPECT_NEAR(canopy_death(table[spruce], 60.0, 0.0, 1.0, {}, storms), 0.5 * alone, 1e-12);
+}
+
+TEST(CanopyCrowding, FollowsThePowerOfBasalAreaUpToItsMost) {
+    const CanopyDeaths law;
+    EXPECT_NEAR(canopy_crowding(law.usual_m2pha, law), 1.0, 1e-9);
+    EXPECT_NEAR(canopy_crowding(0.5 * law.usual_m2pha, law), std::pow(0.5, law.by_density), 1e-9);
+    EXPECT_NEAR(canopy_crowding(1.2 * law.usual_m2pha, law), std::pow(1.2, law.by_density), 1e-9);
+    EXPECT_EQ(canopy_crowding(3.0 * law.usual_m2pha, law), law.most_crowding);
+    EXPECT_GE(canopy_crowding(0.0, law), 0.0);
+    EXPECT_LT(canopy_crowding(0.0, law), 1e-9);
+    CanopyDeaths same_everywhere;
+    same_everywhere.by_density = 0.0;
+    EXPECT_EQ(canopy_crowding(70.0, same_everywhere), 1.0);
+}
+
+TEST(CanopyDeath, RisesWithCrowdingOnlyInItsPartThatHoldsAtAnySize) {
+    const CanopyDeaths law;
+    const double usual = canopy_death(table[spruce], 60.0, 100.0, 1.0, law, !storms);
+    const double crowded = canopy_death(table[spruce], 60.0, 100.0, 3.0, law, !storms);
+    EXPECT_NEAR(crowded - usual, 2.0 * law.at_any_size, 1e-12);
 }
 
 /// A thick tree with thinner ones at rising distances to the east, and one that is thicker still. Its crown

@@ -37,6 +37,28 @@ TEST(ThinningWindows, AreOneForASinglePatch) {
     EXPECT_EQ(ThinningWindows{square_of_forest(1)}.size(), 1U);
 }
 
+TEST(WindowBasalAreas, CountStemsFromSevenCentimetres) {
+    const PatchGrid grid = square_of_forest(10);
+    std::vector<Tree> trees = any_trees(grid, table, 3, 3);
+    const auto put = [&](std::size_t i, double x_m, double y_m, double dbh_cm, std::uint32_t stems) {
+        trees[i].x_m = x_m;
+        trees[i].y_m = y_m;
+        trees[i].patch = *grid.at(x_m, y_m);
+        trees[i].dbh_cm = dbh_cm;
+        trees[i].stems = stems;
+    };
+    put(0, 5.0, 5.0, 100.0, 1);
+    put(1, 45.0, 45.0, 20.0, 10);
+    put(2, 15.0, 15.0, 6.9, 50);
+    const Stand stand{grid, table.size(), trees, 2000};
+    const ThinningWindows windows{grid};
+    const std::vector<double> areas_m2pha = window_basal_areas_m2pha(stand, windows);
+    const std::size_t window = windows.window_of(trees[0].patch);
+    ASSERT_EQ(windows.window_of(trees[1].patch), window);
+    EXPECT_NEAR(areas_m2pha[window], (0.7853981634 + 10 * 0.0314159265) / 0.25, 1e-6);
+    EXPECT_EQ(areas_m2pha[windows.window_of(*grid.at(95.0, 95.0))], 0.0);
+}
+
 TEST(SelfThinning, LeavesNoWindowAboveOneAndNoneFarBelow) {
     const PatchGrid grid = square_of_forest(10);
     Stand stand{grid, table.size(), any_trees(grid, table, 4000, 3), 2000};
