@@ -14,6 +14,7 @@ namespace coupling::validation {
 struct FieldSettings {
     std::string scenario = "scenario.ini";  ///< a scenario of `bannwald run` in the folder of the case
     std::string states;  ///< table of states of the scenario that are compared with each other; or none
+    bool first_impacts = false;  ///< whether the first rebounds of each state are compared, too
 };
 
 /// Rocks of a scenario held against stops that were observed on real ground, once for each motion model.

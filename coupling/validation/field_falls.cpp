@@ -19,7 +19,7 @@ OpenedField open_field(const std::filesystem::path& file, const std::vector<std:
     return {std::string{description.name}, std::move(scenario), std::move(site)};
 }
 
-FallenField fall_field(const OpenedField& opened, const Work& work) {
+FallenField fall_field(const OpenedField& opened, const Work& work, bool first_impacts) {
     const Scenario& scenario = *opened.scenario;
     const Site& site = opened.site;
     const config::GridFrame frame = site.map_frame_on_terrain();
@@ -60,9 +60,11 @@ FallenField fall_field(const OpenedField& opened, const Work& work) {
         throw Interrupted{};
     }
     std::vector<observed::SimulatedImpact> impacts;
-    if (!site.observed_events.impacts.empty()) {
-        impacts = observed::simulated_impacts(
-            impacts_of(assessment, observed::rocks_for_impacts(opened.rocks())), cover);
+    if (first_impacts || !site.observed_events.impacts.empty()) {
+        const std::vector<rockfall::RockImpacts> of_rocks =
+            impacts_of(assessment, observed::rocks_for_impacts(opened.rocks()));
+        fallen.first_impacts = first_impacts_of(of_rocks, cover);
+        impacts = observed::simulated_impacts(of_rocks, cover);
     }
     fallen.events = observed::compare_events(site, passages, impacts, fallen.stops.size());
     return fallen;

@@ -11,6 +11,7 @@
 #include "coupling/observed/events.hpp"
 #include "coupling/observed/stops.hpp"
 #include "coupling/validation/comparison.hpp"
+#include "coupling/validation/first_impacts.hpp"
 
 namespace coupling::validation {
 
@@ -30,12 +31,13 @@ struct FallenField {
     std::vector<observed::SimulatedStop> stops;
     std::vector<observed::EventComparison> events;  ///< beside what was observed
     std::vector<std::uint64_t> arrived{};           ///< rocks that reached each target
+    FirstImpacts first_impacts{};                   ///< where they were asked for
 };
 
 /// Throws InputError where the scenario or its files are wrong. Its warnings are those of `bannwald check`.
 OpenedField open_field(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// Throws Interrupted.
-FallenField fall_field(const OpenedField& opened, const Work& work);
+/// Throws Interrupted. `first_impacts`: whether those are wanted.
+FallenField fall_field(const OpenedField& opened, const Work& work, bool first_impacts = false);
 
 }  // namespace coupling::validation

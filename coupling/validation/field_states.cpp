@@ -62,14 +62,14 @@ std::string of_state(const char* figure, const State& state) {
     return joined(figure, ":", state.name);
 }
 
-Outcome compare_states(const States& states, const Work& work) {
+Outcome compare_states(const States& states, bool first_impacts, const Work& work) {
     Outcome outcome;
     PlainTable table{.caption = "The same rocks in each state",
                      .head = {"state", "rocks", "mean run-out [m]", "change [%]", "pass the line [%]"},
                      .rows = {}};
     double first_m = 0.0;
     for (const State& state : states) {
-        const FallenField fallen = fall_field(state.opened, work);
+        const FallenField fallen = fall_field(state.opened, work, first_impacts);
         double sum_m = 0.0;
         for (const observed::SimulatedStop& stop : fallen.stops) {
             sum_m += (stop.end_m - stop.start_m).norm();
@@ -80,6 +80,9 @@ Outcome compare_states(const States& states, const Work& work) {
         const double change = percent * (mean_m / first_m - 1.0);
         outcome.values[of_state("run_out_mean_m", state)] = mean_m;
         outcome.values[of_state("run_out_change_percent", state)] = change;
+        if (first_impacts) {
+            take_first_impacts(state.name, fallen.first_impacts, outcome);
+        }
         std::string passing;
         if (!fallen.arrived.empty()) {
             const double share = percent * static_cast<double>(fallen.arrived.front()) / rocks;
@@ -93,7 +96,8 @@ Outcome compare_states(const States& states, const Work& work) {
     return outcome;
 }
 
-void name_state_figures(const CaseFiles& files, const States& states, Comparison& comparison) {
+void name_state_figures(const CaseFiles& files, const States& states, bool first_impacts,
+                        Comparison& comparison) {
     for (const State& state : states) {
         comparison.figures.push_back(
             {of_state("run_out_mean_m", state), joined("mean run-out, ", state.meaning), "m"});
@@ -102,6 +106,9 @@ void name_state_figures(const CaseFiles& files, const States& states, Comparison
         if (!state.opened.site.targets.empty()) {
             comparison.figures.push_back(
                 {of_state("passing_percent", state), joined("rocks that pass, ", state.meaning), "%"});
+        }
+        if (first_impacts) {
+            name_first_impacts(state.name, state.meaning, comparison);
         }
     }
     if (!files.has("observed.csv")) {
@@ -136,8 +143,10 @@ Comparison read_states(const CaseFiles& files, const FieldSettings& settings,
     comparison.extent =
         joined(std::to_string(states->size()), " states, ", std::to_string(states->front().opened.rocks()),
                " rocks in each, ", states->front().opened.model);
-    name_state_figures(files, *states, comparison);
-    comparison.run = [states](const Work& work) { return compare_states(*states, work); };
+    name_state_figures(files, *states, settings.first_impacts, comparison);
+    comparison.run = [states, first_impacts = settings.first_impacts](const Work& work) {
+        return compare_states(*states, first_impacts, work);
+    };
     return comparison;
 }
 

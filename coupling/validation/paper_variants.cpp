@@ -12,7 +12,7 @@
 namespace coupling::validation {
 namespace {
 
-constexpr std::array names{"initial", "improved_rebound", "strict", "strict_scatter", "default"};
+constexpr std::array variant_names{"initial", "improved_rebound", "strict", "strict_scatter", "default"};
 
 const VariantOutcome* outcome_named(const CaseResult& result, const std::string& name) {
     const auto found = std::find_if(result.variants.begin(), result.variants.end(),
@@ -42,7 +42,7 @@ std::string mean_jump(const VariantOutcome& variant, bool upper) {
 
 PaperVariants paper_variants(const CaseResult& result) {
     std::vector<const VariantOutcome*> variants;
-    for (const char* name : names) {
+    for (const char* name : variant_names) {
         if (const VariantOutcome* variant = outcome_named(result, name)) {
             variants.push_back(variant);
         }

@@ -357,6 +357,8 @@ void read_field_case(ValidationCase& out) {
     options.text(
         "field.states", settings.states,
         {.meaning = "instead of stops: CSV with state, overrides, meaning; what changes between them"});
+    options.flag("field.first_impacts", settings.first_impacts,
+                 {.meaning = "compare the first rebounds of each state, too"});
     std::istringstream in{out.files.texts.at("case.ini")};
     options.read(in, out.files.shown("case.ini"), {});
     if (out.head.title.empty()) {
