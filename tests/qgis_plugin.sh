@@ -66,6 +66,14 @@ printf 'name,height_m,capacity_kj,wkt\nnet,4,1000,"LINESTRING (1090 2010, 1090 2
 algorithm netplace RUN="$work/out" NETS="$work/nets.csv" \
     DISTANCES=0,10 RESULTS="$work/places" || fail "netplace"
 [ -s places/net_places.csv ] || fail "netplace"
+has "^PLACES:"
+
+# The road as it is: where nets are needed.
+algorithm netplace RUN="$work/out" NETS="$work/road.shp" RESULTS="$work/sited" || fail "netplace of a road"
+[ -s sited/net_stretches.csv ] || fail "no stretches"
+[ ! -e sited/net_places.csv ] || fail "places of nets that nobody gave"
+has "^Stretches where works are needed: \(none\|[1-9][0-9]* on the map\)$"
+has "^Best nets: \(none\|[1-9][0-9]* on the map\)$"
 
 printf 'return_period_years,diameter_m\n30,0.5\n100,1.0\n' >blocks.csv
 algorithm hazard SCENARIO="$scenario" BLOCKS="$work/blocks.csv" SETTINGS="release.rocks_per_source=20" \

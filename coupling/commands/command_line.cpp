@@ -258,6 +258,15 @@ void add_compare(CommandLine& line, const po::variables_map& values) {
     if (values.count("page") > 0) {
         line.page = values["page"].as<std::string>();
     }
+    for (const std::string& tag : texts(values, "language")) {
+        line.language = config::language_of(tag);
+        if (!line.language) {
+            refuse("--language " + config::in_quotes(tag), "en, de, fr or it");
+        }
+    }
+    if (line.language && line.page.empty()) {
+        refuse("--language without --page", "--page FILE, the page to write in that language");
+    }
 }
 
 /// The scenario and the folders after it.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "config/text/language.hpp"
 #include "coupling/commands/init_from_files.hpp"
 #include "coupling/run/run_request.hpp"
 
@@ -38,7 +39,8 @@ struct CommandLine {
 
     // merge, where the argument is the scenario; compare
     std::vector<std::filesystem::path> folders;
-    std::filesystem::path page;  ///< compare, check: HTML file; empty: none
+    std::filesystem::path page;                ///< compare, check: HTML file; empty: none
+    std::optional<config::Language> language;  ///< of the page of compare; none: that of the first run
 
     // vary, where the argument is the scenario
     std::filesystem::path factors;

@@ -13,7 +13,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"validate", {"set", "seed", "threads", "out", "overwrite", "cases", "profile", "rocks", "list"}},
         {"stopping-table",
          {"out", "surface", "diameters", "throws", "surfaces", "seed", "threads", "pictures", "overwrite"}},
-        {"compare", {"out", "page", "overwrite"}},
+        {"compare", {"out", "page", "language", "overwrite"}},
         {"vary", {"set", "seed", "threads", "out", "overwrite"}},
         {"collapse", {"set", "seed", "threads", "out", "overwrite"}},
         {"pack", {"scenario", "title", "creator", "licence", "date", "out", "overwrite"}},

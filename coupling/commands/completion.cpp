@@ -38,6 +38,7 @@ constexpr std::string_view middle = R"script(    esac
         --example) _bannwald_words "$_bannwald_examples"; return ;;
         --set) compopt -o nospace 2>/dev/null; _bannwald_words "$_bannwald_settings"; return ;;
         --page) _bannwald_files -f; return ;;
+        --language) _bannwald_words "en de fr it"; return ;;
         --out) if [ "$command" = compare ] || [ "$command" = pack ]; then _bannwald_files -f; else _bannwald_files -d; fi; return ;;
         --cases) _bannwald_files -d; return ;;
         --profile|--nets|--scenario) _bannwald_files -f; return ;;

@@ -133,6 +133,7 @@ whether a difference to the first run is more than chance, and when runs cannot 
 targets or rocks differ.
   --out FILE                writes the comparison as a table (CSV) too
   --page FILE               writes it as a page (HTML) too, with distributions and maps of the runs side by side
+  --language de             of the page: en, de, fr or it (default: that of the first run)
   --overwrite               replaces these files if they are there
   -q, --quiet               nothing on the screen
 )";

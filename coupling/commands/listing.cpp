@@ -7,7 +7,7 @@
 namespace coupling {
 
 void say(std::ostream& out, const std::string& name, const std::string& text) {
-    out << std::left << std::setw(14) << name << text << '\n';
+    out << std::left << std::setw(13) << name << ' ' << text << '\n';
 }
 
 std::string size_in_words(std::uint64_t bytes) {

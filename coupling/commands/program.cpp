@@ -182,6 +182,7 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
         compare::compare_runs({.folders = line.folders,
                                .out = line.out,
                                .page = line.page,
+                               .language = line.language,
                                .overwrite = line.overwrite,
                                .quiet = line.quiet},
                               std::cout);

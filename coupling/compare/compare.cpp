@@ -36,7 +36,7 @@ void compare_runs(const CompareRequest& request, std::ostream& screen) {
     // Made before any file is: a table that is missing leaves nothing half-written.
     std::ostringstream page;
     if (!request.page.empty()) {
-        write_page(page, runs, comparison);
+        write_page(page, runs, comparison, request.language);
     }
     const InterruptGuard until_written;
     if (!request.out.empty()) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <vector>
+
+#include "config/text/language.hpp"
 
 namespace coupling::compare {
 
@@ -10,6 +13,7 @@ struct CompareRequest {
     std::vector<std::filesystem::path> folders;  ///< of finished runs, the first is the reference
     std::filesystem::path out;                   ///< CSV file, empty for none
     std::filesystem::path page;                  ///< HTML file, empty for none
+    std::optional<config::Language> language{};  ///< of the page; none: that of the first run
     bool overwrite = false;
     bool quiet = false;
 };

@@ -1,10 +1,12 @@
 #include "coupling/decades/decade_layouts.hpp"
 
+#include "coupling/decades/cuts_made.hpp"
 #include "coupling/decades/decision/decision_tables.hpp"
 #include "coupling/decades/intervention_areas.hpp"
 #include "coupling/decades/nais_years.hpp"
 #include "coupling/decades/pooled_reduction.hpp"
 #include "coupling/decades/storm_table.hpp"
+#include "coupling/decades/variance_split.hpp"
 #include "coupling/results/figure_columns.hpp"
 
 namespace coupling::decades {
@@ -383,9 +385,11 @@ const std::vector<TableLayout>& decade_layouts() {
                                                   gaps(),
                                                   target_profile(),
                                                   pooled_reduction_layout(),
+                                                  variance_split_layout(),
                                                   storms_layout(),
                                                   nais_layout(),
                                                   intervention_areas_layout(),
+                                                  cuts_made_layout(),
                                                   regimes_by_year(),
                                                   regimes_worst_year(),
                                                   regime_differences(),

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/language.hpp"
 #include "coupling/decades/comparison.hpp"
+#include "coupling/decades/cuts_made.hpp"
 #include "coupling/decades/decade_layouts.hpp"
 #include "coupling/decades/decision/decision_page.hpp"
 #include "coupling/decades/decision/decision_tables.hpp"
@@ -22,8 +23,10 @@
 #include "coupling/decades/report/indicator_table.hpp"
 #include "coupling/decades/report/nais_table.hpp"
 #include "coupling/decades/report/protection.hpp"
+#include "coupling/decades/report/shown_ground.hpp"
 #include "coupling/decades/report/target_profile.hpp"
 #include "coupling/decades/storm_table.hpp"
+#include "coupling/decades/variance_split.hpp"
 #include "coupling/decades/work_tables.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/excel_csv.hpp"
@@ -124,6 +127,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     if (results.rocks > 0) {
         add(write_fall_tables(folder, results.names, results.site, results.members));
         add(write_pooled_reductions(folder, results.names, results.site, results.members));
+        add(write_variance_splits(folder, results.names, results.site, results.members));
     }
     add(write_forest_tables(folder, results.names, results.members,
                             chosen_years(results.scenario.forest.tree_list_years, results.scenario.years)));
@@ -143,6 +147,8 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     const forest::PatchGrid& grid = results.site.forest->grid;
     std::vector<NaisCell> nais;
     std::vector<InterventionArea> areas;
+    const std::vector<CutMade> cuts = cuts_made(results.names, results.members);
+    add(write_cuts_made(folder, results.names, grid, cuts));
     if (results.management != nullptr) {
         nais = nais_over_years(results.names, grid, results.members, results.management->target_profile);
         add(write_nais(folder, results.names, nais));
@@ -179,8 +185,10 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
          .climate = climates_in_words(*results.site.forest),
          .decision = decision ? decision_html(results.names, *decision) : "",
          .first = first_sections(results, series, profile, nais),
-         .areas =
-             results.management == nullptr ? "" : area_maps(results.site, *results.management, areas, true),
+         .areas = results.management == nullptr ? ""
+                                                : area_maps(results.site, *results.management, areas,
+                                                            shown_ground(results.site, grid, results.members),
+                                                            {&results.names, &grid, cuts}),
          .site = &results.site});
     page.close();
     if (results.scenario.gis.csv == CsvForm::excel) {

@@ -59,43 +59,6 @@ void add_holes(const InterventionArea& frame, const Intervention& row, const Are
 /// A corner of the grid of patches, counted in patches.
 using Corner = std::pair<int, int>;  // column, row
 
-std::string wkt_of(const config::Shape& shape) {
-    // Holes follow their outer ring by the even-odd rule only in our own reader: here each ring that lies in
-    // another one is written as a hole of it.
-    std::string text;
-    std::vector<bool> is_hole(shape.parts.size(), false);
-    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
-        for (std::size_t j = 0; j < shape.parts.size(); ++j) {
-            if (i != j && config::point_in_polygon({config::Shape::Kind::polygon, {shape.parts[j]}},
-                                                   shape.parts[i].front())) {
-                is_hole[i] = !is_hole[i];
-            }
-        }
-    }
-    const auto ring = [](const std::vector<config::Point2>& corners) {
-        std::string numbers;
-        for (const config::Point2& corner : corners) {
-            numbers += joined(numbers.empty() ? "" : ", ", config::to_text(corner.x_m), " ",
-                              config::to_text(corner.y_m));
-        }
-        return joined("(", numbers, ")");
-    };
-    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
-        if (is_hole[i]) {
-            continue;
-        }
-        std::string rings = ring(shape.parts[i]);
-        for (std::size_t j = 0; j < shape.parts.size(); ++j) {
-            if (is_hole[j] && config::point_in_polygon({config::Shape::Kind::polygon, {shape.parts[i]}},
-                                                       shape.parts[j].front())) {
-                rings += joined(", ", ring(shape.parts[j]));
-            }
-        }
-        text += joined(text.empty() ? "" : ", ", "(", rings, ")");
-    }
-    return joined("MULTIPOLYGON (", text, ")");
-}
-
 }  // namespace
 
 config::Shape outline_of(const forest::PatchGrid& grid, std::span<const forest::PatchId> patches) {
@@ -164,6 +127,43 @@ config::Shape outline_of(const forest::PatchGrid& grid, std::span<const forest::
         outline.parts.push_back(std::move(corners));
     }
     return outline;
+}
+
+std::string wkt_of(const config::Shape& shape) {
+    // Holes follow their outer ring by the even-odd rule only in our own reader: here each ring that lies in
+    // another one is written as a hole of it.
+    std::string text;
+    std::vector<bool> is_hole(shape.parts.size(), false);
+    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+        for (std::size_t j = 0; j < shape.parts.size(); ++j) {
+            if (i != j && config::point_in_polygon({config::Shape::Kind::polygon, {shape.parts[j]}},
+                                                   shape.parts[i].front())) {
+                is_hole[i] = !is_hole[i];
+            }
+        }
+    }
+    const auto ring = [](const std::vector<config::Point2>& corners) {
+        std::string numbers;
+        for (const config::Point2& corner : corners) {
+            numbers += joined(numbers.empty() ? "" : ", ", config::to_text(corner.x_m), " ",
+                              config::to_text(corner.y_m));
+        }
+        return joined("(", numbers, ")");
+    };
+    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+        if (is_hole[i]) {
+            continue;
+        }
+        std::string rings = ring(shape.parts[i]);
+        for (std::size_t j = 0; j < shape.parts.size(); ++j) {
+            if (is_hole[j] && config::point_in_polygon({config::Shape::Kind::polygon, {shape.parts[i]}},
+                                                       shape.parts[j].front())) {
+                rings += joined(", ", ring(shape.parts[j]));
+            }
+        }
+        text += joined(text.empty() ? "" : ", ", "(", rings, ")");
+    }
+    return joined("MULTIPOLYGON (", text, ")");
 }
 
 std::vector<InterventionArea> intervention_areas(const Management& management, const ForestSite& forest,

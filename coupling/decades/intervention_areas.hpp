@@ -37,6 +37,9 @@ std::vector<InterventionArea> intervention_areas(const Management& management, c
 /// The outline of patches as closed rings: outer ones and holes alike.
 config::Shape outline_of(const forest::PatchGrid& grid, std::span<const forest::PatchId> patches);
 
+/// The rings of a shape as MULTIPOLYGON; a ring within another is a hole of it.
+std::string wkt_of(const config::Shape& shape);
+
 TableLayout intervention_areas_layout();
 
 /// Writes tables/intervention_areas.csv with the shapes as well-known text; nothing where no row has an area.

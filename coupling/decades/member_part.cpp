@@ -8,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t member_part_magic = 0x38304D45'4D4E4142ULL;  // "BANMEM08", least byte first
+constexpr std::uint64_t member_part_magic = 0x39304D45'4D4E4142ULL;  // "BANMEM09", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
@@ -24,6 +24,7 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.patches);
     visit(years.removed);
     visit(years.harvest);
+    visit(years.cut_patches);
     visit(years.timber);
     visit(years.margins);
     visit(years.slopes);

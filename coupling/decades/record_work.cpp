@@ -32,6 +32,12 @@ void record_work(const RegimeReport& report, const Regime& regime, const PriceTa
                                 .guarded = entry.guarded,
                                 .tended = entry.tended,
                                 .fenced_ha = entry.fenced_ha});
+        for (const forest::PatchId patch : entry.cut_patches) {
+            if (kept.member.replicate == 0) {
+                kept.cut_patches.push_back(
+                    {year, kept.harvest.back().intervention, static_cast<std::uint32_t>(index_of(patch))});
+            }
+        }
     }
     for (std::uint32_t s = 0; s < report.timber.by_species.size(); ++s) {
         for (std::uint32_t c = 0; c < forest::dbh_classes; ++c) {

@@ -164,6 +164,13 @@ struct HarvestRow {
     double fenced_ha = 0.0;
 };
 
+/// A patch on which an intervention has felled or girdled trees, of the first replicate.
+struct CutPatchRow {
+    std::int32_t year = 0;
+    std::uint32_t intervention = 0;  ///< row of the regime
+    std::uint32_t patch = 0;
+};
+
 /// Wood of a species and diameter class that was felled in a year.
 struct TimberRow {
     std::int32_t year = 0;
@@ -246,6 +253,7 @@ struct MemberYears {
     std::vector<PatchRow> patches;
     std::vector<RemovedRow> removed;
     std::vector<HarvestRow> harvest;
+    std::vector<CutPatchRow> cut_patches;
     std::vector<TimberRow> timber;
     std::vector<MarginRow> margins;
     std::vector<SlopeRow> slopes;  ///< of years with rockfall

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <boost/crc.hpp>
 #include <cctype>
 #include <cstdint>
 #include <string>
@@ -23,6 +24,13 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at, std::size_t cou
     return value;
 }
 
+/// Of the kind and the data of a chunk.
+std::uint32_t crc_32(std::string_view bytes) {
+    boost::crc_32_type crc;
+    crc.process_bytes(bytes.data(), bytes.size());
+    return crc.checksum();
+}
+
 /// Why the bytes of a PNG (ISO/IEC 15948) are not whole; empty: they are.
 std::string fault_of_png(std::string_view bytes) {
     std::size_t at = png_signature.size();
@@ -32,6 +40,9 @@ std::string fault_of_png(std::string_view bytes) {
         const std::string_view kind = bytes.substr(at + 4, 4);
         if (length > bytes.size() - at - 12) {
             break;
+        }
+        if (crc_32(bytes.substr(at + 4, length + 4)) != big_endian(bytes, at + 8 + length, 4)) {
+            return joined("a damaged PNG: its chunk at byte ", std::to_string(at), " has another checksum");
         }
         if (kind == "IHDR" && length == 13) {
             has_size = big_endian(bytes, at + 8, 4) > 0 && big_endian(bytes, at + 12, 4) > 0;

@@ -5,6 +5,7 @@
 #include "config/options/values.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/browsing_note.hpp"
 
 namespace coupling {
 namespace {
@@ -14,6 +15,7 @@ using config::joined;
 
 /// Above, young trees are trees: they belong into the records of the stand.
 constexpr double highest_sapling_m = 1.9;
+constexpr double cm_pm = 100.0;
 constexpr double highest_stand_number = 4e9;
 
 /// Patches by stand number; those of the whole forest under 0.
@@ -145,16 +147,44 @@ void fill_dead_wood(StandTable<forest::DeadWoodRecord>& rows, std::size_t row,
     }
 }
 
+/// The middle of a class of heights such as 40-130, in centimetres; a problem if it is none.
+std::optional<double> middle_of_class_m(StandTable<forest::SaplingRecord>& rows, std::size_t row) {
+    const std::string& text = rows.table().text(row, "height_class");
+    const std::size_t dash = text.find('-');
+    const auto from = config::parse_number(text.substr(0, dash));
+    const auto to = dash == std::string::npos ? std::nullopt : config::parse_number(text.substr(dash + 1));
+    const bool in_order = from && to && *from >= 0.0 && *from < *to;
+    if (!in_order || *from + *to > 2.0 * cm_pm * highest_sapling_m) {
+        rows.problems().add(
+            ExitCode::data, rows.table().place(row, "height_class"),
+            joined("height_class ", config::in_quotes(text)),
+            "lower and upper height in cm, such as 10-40 or 40-130, with a middle of at most 190",
+            "enter taller young trees by diameter (stands.dbh_classes or stands.records)");
+        return std::nullopt;
+    }
+    return (*from + *to) / 2.0 / cm_pm;
+}
+
+std::optional<double> sapling_height_m(StandTable<forest::SaplingRecord>& rows, std::size_t row) {
+    const bool by_class = rows.has(row, "height_class");
+    if (by_class == rows.has(row, "height_m")) {
+        rows.problems().add(ExitCode::data, rows.table().place(row, "stand"),
+                            by_class ? "height_m and height_class" : "neither height_m nor height_class",
+                            "one of the two in each row", "delete or fill in one of them");
+        return std::nullopt;
+    }
+    return by_class ? middle_of_class_m(rows, row)
+                    : rows.optional(row, "height_m",
+                                    {.low = 0.0, .high = highest_sapling_m, .low_excluded = true});
+}
+
 void fill_sapling(StandTable<forest::SaplingRecord>& rows, std::size_t row, forest::SaplingRecord& record) {
     const config::Table& table = rows.table();
     record.stems_pha =
         table.number(row, "stems_pha", {.low = 0.0, .high = 1e6, .low_excluded = true}, rows.problems())
             .value_or(1.0);
-    record.height_m =
-        table
-            .number(row, "height_m", {.low = 0.0, .high = highest_sapling_m, .low_excluded = true},
-                    rows.problems())
-            .value_or(1.0);
+    record.height_m = sapling_height_m(rows, row).value_or(1.0);
+    record.browsed_percent = rows.optional(row, "browsed_percent", {0.0, 100.0});
     if (rows.has(row, "age_years")) {
         record.age_years =
             static_cast<int>(table.whole(row, "age_years", {0.0, 300.0}, rows.problems()).value_or(0));
@@ -179,11 +209,12 @@ std::optional<StartingWood> read_starting_wood(const ForestSpecies& species, con
         }
         if (!settings.saplings.empty()) {
             const config::Table table = table_with("stands.saplings", "saplings", settings.saplings,
-                                                   {"stand", "species", "height_m", "stems_pha"}, reading);
+                                                   {"stand", "species", "stems_pha"}, reading);
             StandTable<forest::SaplingRecord> rows{table, species, lookup, grid};
             wood.saplings = rows.read(reading, [&](std::size_t row, forest::SaplingRecord& record) {
                 fill_sapling(rows, row, record);
             });
+            note_browsing(wood.saplings, species, reading);
         }
         return wood;
     });

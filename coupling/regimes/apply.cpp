@@ -146,6 +146,7 @@ private:
             for (const std::size_t place : picks) {
                 taken_[place] = 1;
                 trees.push_back(stand_.trees()[place].id);
+                entry.cut_patches.push_back(stand_.trees()[place].patch);
             }
             const double hole_ha = row.groups.side_m * row.groups.side_m / square_metres_per_hectare;
             entry.area_ha += static_cast<double>(holes.size()) * hole_ha;
@@ -163,6 +164,9 @@ private:
                 cuts.push_back({intervention, year_, std::move(cut)});
             }
         }
+        std::sort(entry.cut_patches.begin(), entry.cut_patches.end());
+        entry.cut_patches.erase(std::unique(entry.cut_patches.begin(), entry.cut_patches.end()),
+                                entry.cut_patches.end());
         for (RegimeState::Cut& cut : cuts) {
             cut.area.number = static_cast<std::uint32_t>(state_.cuts.size());
             cut.area.order = 0;

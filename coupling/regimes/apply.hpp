@@ -47,16 +47,17 @@ struct Entry {
     int year = 0;
     std::string intervention;
     Treatment treatment = Treatment::thin_below;
-    std::size_t areas = 0;      ///< that it came to
-    double area_ha = 0.0;       ///< of them; of a group cut the holes
-    double stems = 0.0;         ///< felled; of salvage taken
-    double taken_m3 = 0.0;      ///< stem wood over bark that left the forest
-    double left_m3 = 0.0;       ///< stem wood that stayed as logs and stumps
-    std::uint64_t plants = 0;   ///< planted
-    std::uint64_t guarded = 0;  ///< of these, each with a guard
-    std::uint64_t tended = 0;   ///< young stems cut by tending
-    double tended_ha = 0.0;     ///< of the patches where it cut any
-    double fenced_ha = 0.0;     ///< of the patches that are fenced longer than before
+    std::size_t areas = 0;                       ///< that it came to
+    double area_ha = 0.0;                        ///< of them; of a group cut the holes
+    double stems = 0.0;                          ///< felled; of salvage taken
+    double taken_m3 = 0.0;                       ///< stem wood over bark that left the forest
+    double left_m3 = 0.0;                        ///< stem wood that stayed as logs and stumps
+    std::uint64_t plants = 0;                    ///< planted
+    std::uint64_t guarded = 0;                   ///< of these, each with a guard
+    std::uint64_t tended = 0;                    ///< young stems cut by tending
+    double tended_ha = 0.0;                      ///< of the patches where it cut any
+    double fenced_ha = 0.0;                      ///< of the patches that are fenced longer than before
+    std::vector<forest::PatchId> cut_patches{};  ///< that lost a tree by a cut, rising, each once
     [[nodiscard]] bool found_nothing() const {
         return stems == 0.0 && plants == 0 && tended == 0 && fenced_ha == 0.0;
     }

@@ -58,6 +58,14 @@ double browsing_chance(const Saplings& species, double pressure) {
     return odds > 0.0 ? odds / (1.0 - p + odds) : 0.0;
 }
 
+std::optional<double> pressure_of_browsing(const Saplings& species, double chance) {
+    const double p = species.browsing_probability;
+    if (p <= 0.0 || p >= 1.0 || chance >= 1.0) {
+        return std::nullopt;
+    }
+    return chance / (1.0 - chance) * (1.0 - p) / (usual_odds * p);
+}
+
 double share_in_reach(double mean_height_m) {
     if (mean_height_m <= browsed_from_m) {
         return 0.0;

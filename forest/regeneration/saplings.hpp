@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "config/random/stream.hpp"
 #include "forest/cohort.hpp"
@@ -29,6 +30,10 @@ struct SaplingPlace {
 /// (iLand) times the pressure [choice]: iLand's own chance is that of high pressure, 3. At pressure 1 a fir
 /// is browsed in four of nine years, a spruce in one of fifty.
 double browsing_chance(const Saplings& species, double pressure);
+
+/// The pressure at which deer browse a cohort with this chance [0, 1) within a year: the inverse of
+/// browsing_chance. Nothing for a species that deer leave alone.
+std::optional<double> pressure_of_browsing(const Saplings& species, double chance);
 
 /// Share of the stems of a cohort that deer reach [0, 1]: those from 0.1 to 1.3 m. Heights lie evenly within
 /// 40 % of the mean, so that the tallest escape first [choice].

@@ -30,9 +30,10 @@ struct DeadWoodRecord {
 /// Young trees below 1 cm of one species.
 struct SaplingRecord {
     SpeciesId species{};
-    double stems_pha = 0.0;  ///< > 0
-    double height_m = 0.3;   ///< (0, 1.9], mean
-    int age_years = 3;       ///< >= 0
+    double stems_pha = 0.0;                   ///< > 0
+    double height_m = 0.3;                    ///< (0, 1.9], mean
+    int age_years = 3;                        ///< >= 0
+    std::optional<double> browsed_percent{};  ///< [0, 100], leading shoots browsed in a year; changes no stem
 };
 
 /// Where records of dead wood or saplings hold.

@@ -167,6 +167,53 @@ std::unique_ptr<SampleProject> stands() {
     return project;
 }
 
+/// What an inventory adds to records, and a target profile.
+std::unique_ptr<SampleProject> inventory() {
+    auto project = std::make_unique<ForestProject>();
+    project->replace("scenario.ini", "map = stands.asc\n",
+                     "map = stands.asc\nrecords = records.csv\ndead_wood = wood.csv\nsaplings = young.csv\n"
+                     "dbh_classes = classes.csv\ntarget_profile = profile.csv\n");
+    project->replace("scenario.ini", "[trees]\nfile = trees.csv\n", "");
+    project->write("records.csv", "stand,species,stems_pha,mean_dbh_cm\n7,PIAB,600,25\n");
+    project->write("classes.csv",
+                   "stand,species,dbh_from_cm,dbh_to_cm,stems_pha,height_m\n8,FASY,12,24,400,15\n");
+    project->write("wood.csv",
+                   "stand,species,kind,volume_m3pha,dbh_cm,length_m,decay_class,log_angle_deg,anchored\n"
+                   "7,PIAB,snag,30,20,,2,,\nall,PIAB,log,50,20,6,3,70,yes\n");
+    project->write("young.csv",
+                   "stand,species,height_class,stems_pha,browsed_percent,height_m,age_years\n"
+                   "all,ABAL,10-40,600,40,,3\n8,PIAB,,300,,0.3,\n");
+    project->write("profile.csv",
+                   "stand,site_type,hazard,criterion,minimal,ideal\nall,55,rockfall,gap_m,40,20\n"
+                   "8,46,rockfall,mixture_ABAL_percent,10-90,30-60\n");
+    return project;
+}
+
+/// A logo of each kind, one for a page.
+std::unique_ptr<SampleProject> with_logo(const std::string& name, const std::string& bytes) {
+    auto project = std::make_unique<SampleProject>();
+    append(*project, "scenario.ini", "[report]\ntitle = Road\nlogo = " + name + "\n");
+    project->write(name, bytes);
+    return project;
+}
+std::unique_ptr<SampleProject> png() {
+    using namespace std::string_literals;
+    return with_logo("logo.png",
+                     "\x89PNG\r\n\x1a\n"s
+                     "\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55"s
+                     "\0\0\0\nIDAT\x78\x9c\x63\x60\0\0\0\2\0\1\x48\xaf\xa4\x71"s
+                     "\0\0\0\0IEND\xae\x42\x60\x82"s);
+}
+std::unique_ptr<SampleProject> jpeg() {
+    using namespace std::string_literals;
+    return with_logo("logo.jpg", "\xff\xd8\xff\xe0\0\4ab\xff\xda\0\4cd1234\xff\xd9"s);
+}
+std::unique_ptr<SampleProject> svg() {
+    return with_logo("logo.svg",
+                     "<?xml version=\"1.0\"?>\n<!-- a circle --><svg viewBox=\"0 0 2 2\"><circle cx=\"1\" "
+                     "cy=\"1\" r=\"1\" fill=\"url(#g)\"/></svg>\n");
+}
+
 /// The shipped regime with the most columns, as a file of the user's.
 std::unique_ptr<SampleProject> regime() {
     auto project = std::make_unique<ForestProject>();
@@ -227,6 +274,10 @@ std::vector<Subject> subjects_of_inputs() {
          years,
          read_project},
         {"stands", {"scenario.ini", "stands.csv", "records.csv"}, stands, read_project},
+        {"inventory", {"wood.csv", "young.csv", "classes.csv", "profile.csv"}, inventory, read_project},
+        {"png", {"logo.png"}, png, read_project},
+        {"jpeg", {"logo.jpg"}, jpeg, read_project},
+        {"svg", {"logo.svg"}, svg, read_project},
         {"regime", {"shelter.csv", "slits.csv"}, regime, read_project},
         {"gis",
          {"dem.tif", "surface.tif", "trees.shp", "trees.shx", "trees.dbf", "trees.prj", "trees.cpg",

@@ -61,6 +61,17 @@ TEST(Compare, DrawsRunsOfTodayOnOnePage) {
     }
     EXPECT_EQ(call(project, "compare thin dense --quiet --page compared.html").code, 2)
         << "a page of somebody is not written over";
+    // The runs are English; the page need not be.
+    ASSERT_EQ(call(project, "compare thin dense --quiet --page verglichen.html --language de").code, 0);
+    const std::string german = project.read("verglichen.html");
+    EXPECT_EQ(testing::markup_fault(german), "");
+    EXPECT_NE(german.find("<html lang=\"de\""), std::string::npos);
+    EXPECT_EQ(german.find("<h2>Main figures</h2>"), std::string::npos);
+    const Outcome unknown = call(project, "compare thin dense --page x.html --language rm");
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_NE(unknown.err.find("--language 'rm', expected en, de, fr or it"), std::string::npos)
+        << unknown.err;
+    EXPECT_EQ(call(project, "compare thin dense --language de").code, 2) << "the screen speaks English";
     project.remove("dense/tables/run_out.csv");
     const Outcome broken = call(project, "compare thin dense --quiet --page other.html");
     EXPECT_EQ(broken.code, 3) << broken.err;

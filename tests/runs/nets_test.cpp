@@ -230,10 +230,11 @@ TEST(NetPlace, TakesTheGivenWayAndNamesNoPlaceThatKeepsNothing) {
 /// A road as it is: nothing about nets stands in the file.
 TEST(NetPlace, TakesARoadAsItIsAndSaysWhereNetsAreNeeded) {
     const SampleProject project;
-    ASSERT_EQ(
-        call(project, "run scenario.ini --quiet --set release.rocks=2000 --set nets.keep_paths=yes --out out")
-            .code,
-        0);
+    ASSERT_EQ(call(project,
+                   "run scenario.ini --quiet --set release.rocks=2000 --set nets.keep_paths=yes --out out "
+                   "--set report.language=de --set report.title=Talstrasse --set report.client=Gemeinde")
+                  .code,
+              0);
     const Outcome placed = call(project, "net place out --nets targets.csv --distances 10,20,30");
     ASSERT_EQ(placed.code, 0) << placed.err;
     EXPECT_NE(placed.out.find("house: an area, left out"), std::string::npos) << placed.out;
@@ -276,7 +277,12 @@ TEST(NetPlace, TakesARoadAsItIsAndSaysWhereNetsAreNeeded) {
         best += judged && candidates.text(row, "best") == "yes" ? 1U : 0U;
     }
     EXPECT_EQ(best, stretches.rows());
-    EXPECT_NE(project.read("out/net_place/report.html").find("Where nets are needed"), std::string::npos);
+    // The page has the head and the language of the run; the screen is English.
+    const std::string page = project.read("out/net_place/report.html");
+    for (const char* part : {"<html lang=\"de\"", "<h1>Talstrasse</h1>", "Gemeinde"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+    EXPECT_EQ(page.find("Where nets are needed"), std::string::npos);
 
     // The nets stand in a run and leave there what the page says.
     ASSERT_EQ(call(project,

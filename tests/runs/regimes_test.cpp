@@ -137,6 +137,19 @@ TEST(OwnRegimes, TieWorkToTheGapsJustCut) {
     EXPECT_EQ(years["fences"], "1 ");
     EXPECT_EQ(years["plants"], "2 ");
     EXPECT_NEAR(area_ha["clear_cut"], 0.108, 0.01) << "12 x 90 m";
+
+    // Where trees were cut, as patches: at least all of the holes, at most those that touch them.
+    const config::Table made = table(project, "out/tables/cuts_made.csv");
+    ASSERT_EQ(made.rows(), 2U) << "a group cut and the corridors: fences and plants cut nothing";
+    for (std::size_t row = 0; row < made.rows(); ++row) {
+        EXPECT_EQ(made.text(row, "year"), "1");
+        EXPECT_EQ(made.text(row, "wkt").rfind("MULTIPOLYGON (((", 0), 0U);
+        const double cut_ha = area_ha[made.text(row, "intervention")];
+        EXPECT_GT(number(made, row, "area_ha"), 0.5 * cut_ha) << "patches without a tree are not cut";
+        EXPECT_LT(number(made, row, "area_ha"), 4.0 * cut_ha) << made.text(row, "intervention");
+    }
+    EXPECT_NE(project.read("out/results.gpkg").find("cuts_made"), std::string::npos);
+    EXPECT_NE(project.read("out/report.html").find("<h3>Cuts made</h3>"), std::string::npos);
     const config::Table money = table(project, "out/tables/margins.csv");
     for (std::size_t row = 0; row < money.rows(); ++row) {
         if (money.text(row, "year") == "2") {
@@ -172,6 +185,22 @@ TEST(OwnRegimes, AreRefusedWithOneClearErrorForAWrongValue) {
         }
         EXPECT_LE(found, 1U) << outcome.err;
     }
+}
+
+TEST(OwnRegimes, OfAWholeStudyAreTakenWithTheInventoryOfTheirStands) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, "init study --example regimes-small").code, 0);
+    for (const auto& file :
+         std::filesystem::directory_iterator{BANNWALD_SOURCE_DIR "/tests/runs/regime_study"}) {
+        std::filesystem::copy_file(file.path(), project.file("study") / file.path().filename(),
+                                   std::filesystem::copy_options::overwrite_existing);
+    }
+    const Outcome outcome = call(project, "check study/scenario.ini");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("4 regimes x 2 climates x 20 replicates, 2025 to 2064"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("target_profile profile.csv"), std::string::npos) << "columns are apart";
+    EXPECT_NE(outcome.err.find("of Abies alba browsed"), std::string::npos) << outcome.err;
 }
 
 TEST(OwnRegimes, CountSalvagedTimberInComparisons) {

@@ -150,6 +150,54 @@ TEST(Start, HoldsTheStemsOfDiameterClasses) {
     }
 }
 
+TEST(Start, TakesSaplingsByHeightClassAndComparesTheirBrowsing) {
+    const ForestProject project;
+    const std::string settings = "--set stands.saplings=saplings.csv ";
+    // 600 of 0.25 m, all in reach, and 400 of 1.6 m, of which 0.34 / 1.28 are: 0.70625 of them together.
+    project.write("saplings.csv",
+                  "stand,species,height_class,stems_pha,browsed_percent,height_m\nall,ABAL,10-40,600,40,\n"
+                  "all,ABAL,130-190,400,20,\nall,PIAB,,300,,0.3\n");
+    const Outcome outcome = call(project, std::string{inventoried} + settings);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NEAR(at_start(table(project, "out/tables/forest_years.csv"), "saplings_pha"), 1300.0, 1.0);
+    // (600 x 40 + 400 x 20) / 1000.
+    EXPECT_NE(outcome.err.find("the inventory found 32 % of Abies alba browsed; the model browses "),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(outcome.err.find("of Picea abies browsed"), std::string::npos) << "the inventory is silent";
+
+    // At the pressure that the note names, the model agrees.
+    const std::string words = "forest.browsing_pressure = 1; ";
+    const std::size_t at = outcome.err.find(words);
+    ASSERT_NE(at, std::string::npos) << outcome.err;
+    const std::string pressure =
+        outcome.err.substr(at + words.size(), outcome.err.find(' ', at + words.size()) - at - words.size());
+    const Outcome matched = call(
+        project, std::string{inventoried} + settings + "--out b --set forest.browsing_pressure=" + pressure);
+    ASSERT_EQ(matched.code, 0) << matched.err;
+    EXPECT_TRUE(matched.err.find("the model browses 32 %") != std::string::npos ||
+                matched.err.find("the model browses 31.9 %") != std::string::npos ||
+                matched.err.find("the model browses 32.1 %") != std::string::npos)
+        << matched.err;
+
+    const std::string head = "stand,species,height_class,stems_pha,browsed_percent,height_m\n";
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"all,ABAL,40-10,600,,\n", "height_class '40-10', expected lower and upper height in cm"},
+        {"all,ABAL,tall,600,,\n", "height_class 'tall'"},
+        {"all,ABAL,150-300,600,,\n", "enter taller young trees by diameter"},
+        {"all,ABAL,10-40,600,140,\n", "browsed_percent '140', expected a number in [0, 100]"},
+        {"all,ABAL,10-40,600,,0.3\n", "height_m and height_class, expected one of the two"},
+        {"all,ABAL,,600,,\n", "neither height_m nor height_class"},
+        {"all,ABAL,,600,,2.5\n", "height_m '2.5', expected a number in (0, 1.9]"}};
+    for (const auto& [rows, expected] : wrong) {
+        project.write("saplings.csv", head + rows);
+        const Outcome refused = call(project, std::string{inventoried} + settings + "--out wrong");
+        EXPECT_EQ(refused.code, 4) << rows;
+        EXPECT_NE(refused.err.find("saplings.csv:2"), std::string::npos) << refused.err;
+        EXPECT_NE(refused.err.find(expected), std::string::npos) << refused.err;
+    }
+}
+
 TEST(Start, SpinsUpWhatNoFileGives) {
     const ForestProject project;
     ASSERT_EQ(call(project, std::string{inventoried} + "--out without").code, 0);

@@ -8,6 +8,7 @@
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/results/report/first_warnings.hpp"
+#include "coupling/results/report/head_of_run.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
@@ -45,27 +46,21 @@ std::string warnings_of(std::span<const FinishedRun> runs, const SideBySide& com
                                   report::page_text("compare.page.the_pages_of_the_runs_list_all"));
 }
 
-std::string setting_of(const FinishedRun& run, const std::string& key) {
-    const auto found = std::find_if(run.summary.settings.begin(), run.summary.settings.end(),
-                                    [&](const auto& setting) { return setting.key == key; });
-    return found == run.summary.settings.end() ? "" : found->value;
-}
-
 /// For whom, by whom and where, if all runs agree; the language of the first one. A title, a date and a logo
 /// are those of a single run.
 ReportSettings common_head(std::span<const FinishedRun> runs) {
     const auto common = [&](const char* key) {
-        const std::string value = setting_of(runs.front(), key);
-        const bool agreed = std::all_of(
-            runs.begin(), runs.end(), [&](const FinishedRun& run) { return setting_of(run, key) == value; });
+        const std::string value = report::setting_of(runs.front().summary, key);
+        const bool agreed = std::all_of(runs.begin(), runs.end(), [&](const FinishedRun& run) {
+            return report::setting_of(run.summary, key) == value;
+        });
         return agreed ? value : std::string{};
     };
     ReportSettings head;
     head.client = common("report.client");
     head.author = common("report.author");
     head.place = common("report.place");
-    head.language =
-        config::language_of(setting_of(runs.front(), "report.language")).value_or(config::Language::en);
+    head.language = report::head_of_run(runs.front().summary).language;
     return head;
 }
 
@@ -209,8 +204,9 @@ std::string figures(const SideBySide& comparison, bool over_years, bool one_repl
 
 }  // namespace
 
-void write_page(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
-    const report::WritingLanguage language{common_head(runs).language};
+void write_page(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison,
+                std::optional<config::Language> chosen) {
+    const report::WritingLanguage language{chosen.value_or(common_head(runs).language)};
     const report::PageFrame frame{.title = report::page_text("compare.page.runs_side_by_side"),
                                   .version = version(),
                                   .scripts = {page_scripts::charts()},

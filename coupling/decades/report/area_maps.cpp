@@ -42,6 +42,15 @@ std::string when_of(const InterventionArea& area) {
                : page_text("decades.areas.by_condition");
 }
 
+/// The swatch of a row and its name, at the begin of a line of a legend.
+std::string swatch_of(const Intervention& row, std::size_t number) {
+    return joined(
+        "<li><svg viewBox=\"0 0 26 14\" width=\"26\" height=\"14\" aria-hidden=\"true\"><rect x=\"2\" "
+        "y=\"2\" width=\"22\" height=\"10\" ",
+        style_of(number), "/></svg> <b>", escaped(row.name), "</b> ",
+        row.name == name_of(row.treatment) ? "" : joined("(", name_of(row.treatment), ") "));
+}
+
 /// One line of the legend below the map: swatch, row, what, how much and when first.
 std::string legend_line(const Intervention& row, std::size_t number,
                         const std::vector<const InterventionArea*>& areas) {
@@ -69,15 +78,12 @@ std::string legend_line(const Intervention& row, std::size_t number,
         }
     }
     const std::size_t count = first->at_the_start ? areas.size() : numbers.size();
-    return joined(
-        "<li><svg viewBox=\"0 0 26 14\" width=\"26\" height=\"14\" aria-hidden=\"true\"><rect x=\"2\" "
-        "y=\"2\" width=\"22\" height=\"10\" ",
-        style_of(number), "/></svg> <b>", escaped(row.name), "</b> ",
-        row.name == name_of(row.treatment) ? "" : joined("(", name_of(row.treatment), ") "),
-        page_text("decades.areas.legend", {{"areas", std::to_string(count)},
-                                           {"hectares", report::fixed(sum_ha, 2)},
-                                           {"when", when_of(*first)}}),
-        first->at_the_start ? joined(" ", page_text("decades.areas.as_at_the_start")) : "", "</li>");
+    return joined(swatch_of(row, number),
+                  page_text("decades.areas.legend", {{"areas", std::to_string(count)},
+                                                     {"hectares", report::fixed(sum_ha, 2)},
+                                                     {"when", when_of(*first)}}),
+                  first->at_the_start ? joined(" ", page_text("decades.areas.as_at_the_start")) : "",
+                  "</li>");
 }
 
 /// Rows that need no map: they act on the whole forest, or where another row has cut.
@@ -94,14 +100,55 @@ std::string rows_without_area(const Regime& regime) {
     return html;
 }
 
+/// One regime in the first climate: the ground of each row over all years, and the years with its hectares.
+std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::size_t place,
+                     const DrawnCuts& made) {
+    constexpr double patch_ha = forest::patch_area_m2 / 10'000.0;
+    std::string drawing;
+    std::string legend;
+    for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
+        std::vector<forest::PatchId> ground;
+        std::string years;
+        for (const CutMade& cut : made.cuts) {
+            if (cut.course == made.names->course(place, 0) && cut.intervention == row) {
+                ground.insert(ground.end(), cut.patches.begin(), cut.patches.end());
+                years += joined(years.empty() ? "" : "; ", std::to_string(cut.year), ": ",
+                                report::fixed(static_cast<double>(cut.patches.size()) * patch_ha, 2));
+            }
+        }
+        if (!ground.empty()) {
+            drawing += sheet.polygon(outline_of(*made.grid, ground), style_of(row));
+            legend += joined(swatch_of(regime.interventions()[row], row),
+                             page_text("decades.areas.made_in", {{"years", years}}), "</li>");
+        }
+    }
+    return drawing.empty()
+               ? ""
+               : sheet.figure({escaped(regime.name()),
+                               joined(page_text("decades.areas.made"), ", ", escaped(regime.name())), drawing,
+                               "", joined("<ul class=\"areas\">", legend, "</ul>")},
+                              report::MapSize::half);
+}
+
+std::string made_maps(const report::MapSheet& sheet, const Management& management, const DrawnCuts& made) {
+    std::string figures;
+    for (std::size_t place = 0; place < management.regimes.size() && made.names != nullptr; ++place) {
+        figures += made_map(sheet, management.regimes[place], place, made);
+    }
+    return figures.empty() ? ""
+                           : joined("<h3>", page_text("decades.areas.made"), "</h3><p>",
+                                    page_text("decades.areas.made_how_to_read"), "</p><div class=\"halves\">",
+                                    figures, "</div>");
+}
+
 }  // namespace
 
 std::string area_maps(const Site& site, const Management& management, std::span<const InterventionArea> areas,
-                      bool with_definitions) {
+                      const report::MapWindow& window, const DrawnCuts& made) {
     if (areas.empty()) {
         return "";
     }
-    const report::MapSheet sheet{site};
+    const report::MapSheet sheet{site, window};
     std::string figures;
     for (std::size_t place = 0; place < management.regimes.size(); ++place) {
         const Regime& regime = management.regimes[place];
@@ -128,8 +175,8 @@ std::string area_maps(const Site& site, const Management& management, std::span<
             report::MapSize::half);
     }
     return joined("<section class=\"card\"><p>", page_text("decades.areas.how_to_read"), "</p>",
-                  with_definitions ? sheet.definitions() : "", "<div class=\"halves\">", figures,
-                  "</div></section>\n");
+                  sheet.definitions(), "<div class=\"halves\">", figures, "</div>",
+                  made_maps(sheet, management, made), "</section>\n");
 }
 
 }  // namespace coupling::decades

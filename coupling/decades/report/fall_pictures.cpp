@@ -6,6 +6,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
+#include "coupling/decades/report/shown_ground.hpp"
 #include "coupling/results/report/map_colours.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -92,11 +93,11 @@ class FallPictures {
 public:
     /// `defines`: the page has no other map of this site before.
     FallPictures(const Site& site, const Names& names, const RunView& run,
-                 std::span<const MemberYears> members, bool defines)
+                 std::span<const MemberYears> members, const report::MapWindow& window, bool defines)
         : defines_{defines},
           site_{site},
           run_{run},
-          sheet_{site},
+          sheet_{site, window},
           sums_{summed(names, run, members)},
           years_{shown_years(sums_)} {}
 
@@ -231,7 +232,12 @@ std::string maps_of_falls(const PageContent& content, const RunView& run) {
     const bool known = content.site != nullptr && !run.regimes.empty() &&
                        std::any_of(content.members.begin(), content.members.end(),
                                    [](const MemberYears& member) { return !member.maps.empty(); });
-    return known ? FallPictures{*content.site, content.names, run, content.members, content.areas.empty()}
+    return known ? FallPictures{*content.site,
+                                content.names,
+                                run,
+                                content.members,
+                                shown_ground(*content.site, content.grid, content.members),
+                                content.areas.empty()}
                        .html()
                  : "";
 }

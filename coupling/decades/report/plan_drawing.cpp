@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/decades/report/stand_drawing.hpp"
+#include "coupling/results/report/contours.hpp"
 #include "coupling/results/report/map_furniture.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/outlines.hpp"
@@ -78,25 +79,6 @@ std::string left_out_text(const Chosen& chosen, const std::string& which) {
                                    {{"chosen_left_out", report::grouped(chosen.left_out)}, {"which", which}});
 }
 
-/// The part of one contour inside a square of four heights: it enters through one side and leaves through
-/// another; a saddle has two such parts, and either way to join them is right.
-void add_contour(report::PathText& path, const std::array<double, 4>& heights_m,
-                 const std::array<std::array<double, 2>, 4>& corners, double level_m) {
-    std::array<std::array<double, 2>, 4> crossings{};
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t j = (i + 1) % 4;
-        if ((heights_m[i] < level_m) != (heights_m[j] < level_m)) {
-            const double part = (level_m - heights_m[i]) / (heights_m[j] - heights_m[i]);
-            crossings[count++] = {std::lerp(corners[i][0], corners[j][0], part),
-                                  std::lerp(corners[i][1], corners[j][1], part)};
-        }
-    }
-    for (std::size_t i = 0; i + 1 < count; i += 2) {
-        path.line(crossings[i][0], crossings[i][1], crossings[i + 1][0], crossings[i + 1][1]);
-    }
-}
-
 }  // namespace
 
 PlanDrawing::PlanDrawing(const forest::PatchGrid& grid, const ForestGround& ground,
@@ -116,7 +98,7 @@ PlanDrawing::PlanDrawing(const forest::PatchGrid& grid, const ForestGround& grou
             high_m = std::max(high_m, patch.ground_m);
         }
     }
-    contour_step_m_ = report::nice_step(std::max(1.0, (high_m - low_m) / 12.0));
+    contour_step_m_ = report::contour_step_m(low_m, high_m);
 }
 
 std::string PlanDrawing::forest_cells() const {
@@ -136,35 +118,13 @@ std::string PlanDrawing::forest_cells() const {
 }
 
 std::string PlanDrawing::contours() const {
-    const config::Raster<double>& heights = ground_.heights();
-    report::PathText path;
-    for (std::size_t i = 0; i < heights.values.size(); ++i) {
-        const config::Cell cell = heights.frame.cell_of(i);
-        const std::array<config::Cell, 4> around{
-            cell, {cell.column + 1, cell.row}, {cell.column + 1, cell.row + 1}, {cell.column, cell.row + 1}};
-        if (!heights.frame.contains(around[2])) {
-            continue;
-        }
-        std::array<double, 4> heights_m{};
-        std::array<std::array<double, 2>, 4> corners{};
-        for (std::size_t k = 0; k < 4; ++k) {
-            heights_m[k] = heights.at(around[k]);
-            corners[k] = {x_of(heights.frame.x_centre_m(around[k].column)),
-                          y_of(heights.frame.y_centre_m(around[k].row))};
-        }
-        const bool shown = corners[1][0] >= 0.0 && corners[0][0] <= width() && corners[2][1] >= 0.0 &&
-                           corners[0][1] <= height();
-        const auto [low, high] = std::minmax_element(heights_m.begin(), heights_m.end());
-        if (!shown ||
-            std::any_of(heights_m.begin(), heights_m.end(), [](double h) { return std::isnan(h); })) {
-            continue;
-        }
-        for (double level_m = std::ceil(*low / contour_step_m_) * contour_step_m_; level_m <= *high;
-             level_m += contour_step_m_) {
-            add_contour(path, heights_m, corners, level_m);
-        }
-    }
-    return path.text();
+    const auto on_sheet = [this](double x_m, double y_m) { return report::DrawnPoint{x_of(x_m), y_of(y_m)}; };
+    // From the south-western corner on, counter-clockwise on the sheet's frame.
+    const auto is_drawn = [this](const std::array<report::DrawnPoint, 4>& corners) {
+        return corners[1].x >= 0.0 && corners[0].x <= width() && corners[2].y >= 0.0 &&
+               corners[0].y <= height();
+    };
+    return report::contours(ground_.heights(), contour_step_m_, on_sheet, is_drawn);
 }
 
 std::string PlanDrawing::definitions() const {

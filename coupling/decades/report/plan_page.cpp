@@ -50,7 +50,8 @@ void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& si
         ""};
     report::begin_page(out, frame);
     out << "<h1>" << frame.title << "</h1>\n<p>" << page_text("decades.plan.what") << "</p>\n";
-    out << area_maps(site, management, intervention_areas(management, *site.forest, scenario.seed), true);
+    out << area_maps(site, management, intervention_areas(management, *site.forest, scenario.seed),
+                     report::whole_of(site.map_frame), {});
     out << table_of_rows(management);
     report::end_page(out, frame);
 }

@@ -15,7 +15,9 @@
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::siting {
@@ -177,9 +179,9 @@ std::string table_of_candidates(const SitingResults& results, const StretchResul
     return joined("<div class=\"wide\">", table.html(), "</div>\n");
 }
 
-std::string opening(const SitingResults& results) {
+std::string opening(const SitingResults& results, const ReportSettings& head) {
     std::string html =
-        joined("<h1>", page_text("nets.siting.title"), "</h1>\n<p class=\"lead\">",
+        joined(report::page_head(head, page_text("nets.siting.title")), "<p class=\"lead\">",
                page_text("nets.siting.lead", {{"wanted", report::percent(results.wanted_share)}}), "</p>\n");
     for (std::size_t line = 0; line < results.lines.size(); ++line) {
         html += joined("<section class=\"card\"><h3>", escaped(results.lines[line].name),
@@ -251,8 +253,10 @@ std::string files() {
 
 }  // namespace
 
-void write_siting_page(std::ostream& out, const SitingResults& results, const rockfall::Terrain& terrain) {
-    const report::PageFrame frame{.title = page_text("nets.siting.title"),
+void write_siting_page(std::ostream& out, const SitingResults& results, const rockfall::Terrain& terrain,
+                       const ReportSettings& head) {
+    const report::WritingLanguage language{head.language};
+    const report::PageFrame frame{.title = report::page_title(head, page_text("nets.siting.title")),
                                   .version = version(),
                                   .scripts = {},
                                   .style =
@@ -260,7 +264,8 @@ void write_siting_page(std::ostream& out, const SitingResults& results, const ro
                                       ".best>*{font-weight:600}",
                                   .before_main = {}};
     report::begin_page(out, frame);
-    out << opening(results) << map(results, terrain) << details(results) << how_found(results) << files();
+    out << opening(results, head) << map(results, terrain) << details(results) << how_found(results)
+        << files();
     report::end_page(out, frame);
 }
 

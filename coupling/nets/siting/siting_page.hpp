@@ -2,12 +2,14 @@
 
 #include <ostream>
 
+#include "coupling/inputs/report_settings.hpp"
 #include "coupling/nets/siting/siting.hpp"
 
 namespace coupling::siting {
 
 /// The page: where works are needed and which, a map, what comes to each line against the position along it,
-/// the candidates, and how they were found.
-void write_siting_page(std::ostream& out, const SitingResults& results, const rockfall::Terrain& terrain);
+/// the candidates, and how they were found. Head and language are those of the run.
+void write_siting_page(std::ostream& out, const SitingResults& results, const rockfall::Terrain& terrain,
+                       const ReportSettings& head);
 
 }  // namespace coupling::siting

@@ -18,6 +18,7 @@
 #include "coupling/results/geopackage/csv_rows.hpp"
 #include "coupling/results/geopackage/package.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/results/report/head_of_run.hpp"
 
 namespace coupling::siting {
 namespace {
@@ -36,6 +37,12 @@ struct TableWithLines {
     std::string csv;
     Lines lines;
 };
+
+ReportSettings head_of(const fs::path& run) {
+    const fs::path file = run / "summary.json";
+    const FileBytes bytes = open_file(file, {file.string()}, "the summary of a finished run");
+    return report::head_of_run(read_summary(bytes.text(), file.string()));
+}
 
 std::vector<Cover> covers_in(const SitingResults& results) {
     return results.with_forest ? std::vector{Cover::forest, Cover::bare} : std::vector{Cover::bare};
@@ -263,7 +270,7 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
     add_layer(package, "nets", "The best net of each stretch.", nets, origin_m);
     package.close();
     OutFile page{folder / "report.html"};
-    write_siting_page(page.stream(), results, terrain);
+    write_siting_page(page.stream(), results, terrain, head_of(results.run));
     page.close();
 }
 

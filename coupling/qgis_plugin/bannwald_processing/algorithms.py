@@ -210,10 +210,12 @@ class Hazard(Run):
 
 
 class NetPlace(Algorithm):
-    ID, TITLE = "netplace", "Place a net"
+    ID, TITLE = "netplace", "Place nets"
+    SHOWN = [("net_stretches", "Stretches where works are needed"), ("nets", "Best nets")]
     HELP = (
-        "Moves each net of a layer upslope and lists which rocks each place would keep from the line. The run has "
-        "to have been made with nets.keep_paths = yes. The best places are added to the map."
+        "Says where along lines to protect, such as a road, nets are needed, and which: stretches, and the best net "
+        "upslope of each. The run has to have been made with nets.keep_paths = yes. Lines with the columns of nets "
+        "(height_m, and capacity_kj or class) are also moved upslope as they are. The page has the reasons."
     )
 
     def initAlgorithm(self, config=None):
@@ -222,12 +224,14 @@ class NetPlace(Algorithm):
         )
         self.addParameter(
             QgsProcessingParameterFeatureSource(
-                "NETS", "Nets: lines with name, height_m, capacity_kj", [QgsProcessing.TypeVectorLine]
+                "NETS", "Lines to protect, such as a road, or nets", [QgsProcessing.TypeVectorLine]
             )
         )
-        self.addParameter(QgsProcessingParameterString("DISTANCES", "Distances in plan, m", optional=True))
-        self.addParameter(QgsProcessingParameterFolderDestination("RESULTS", "Folder of the tables"))
-        self.addOutput(QgsProcessingOutputFile("PLACES", "Table of places"))
+        self.addParameter(QgsProcessingParameterString("DISTANCES", "Distances in plan, m: 0,10,20", optional=True))
+        self.addParameter(QgsProcessingParameterFolderDestination("RESULTS", "Folder of the results"))
+        self.addOutput(QgsProcessingOutputFile("PAGE", "The page with all answers"))
+        self.addOutput(QgsProcessingOutputFile("STRETCHES", "Table of stretches with the best net of each"))
+        self.addOutput(QgsProcessingOutputFile("PLACES", "Table of places of given nets; without such none"))
 
     def processAlgorithm(self, parameters, context, feedback):
         folder = self.parameterAsString(parameters, "RESULTS", context)
@@ -237,16 +241,23 @@ class NetPlace(Algorithm):
         if distances:
             arguments += ["--distances", distances]
         call(arguments, feedback)
-        self.nets = os.path.join(folder, "nets.csv")
-        self.system = self.parameterAsSource(parameters, "NETS", context).sourceCrs()
-        return {"RESULTS": folder, "PLACES": os.path.join(folder, "net_places.csv")}
+        self.layers = os.path.join(folder, "net_place.gpkg")
+        results = {
+            "RESULTS": folder,
+            "PAGE": os.path.join(folder, "report.html"),
+            "STRETCHES": os.path.join(folder, "net_stretches.csv"),
+        }
+        places = os.path.join(folder, "net_places.csv")
+        return {**results, "PLACES": places} if os.path.isfile(places) else results
 
     def postProcessAlgorithm(self, context, feedback):
-        uri = f"file://{self.nets}?type=csv&wktField=wkt&geomType=line"
-        layer = QgsVectorLayer(uri, "Best places of nets", "delimitedtext")
-        if not layer.isValid():
-            feedback.reportError(f"{self.nets} cannot be added to the map")
-            return {}
-        layer.setCrs(self.system)
-        (context.project() or QgsProject.instance()).addMapLayer(layer)
+        for table, title in self.SHOWN:
+            layer = QgsVectorLayer(f"{self.layers}|layername={table}", title, "ogr")
+            if not layer.isValid():
+                feedback.reportError(f"{self.layers}: the layer {table} cannot be added to the map")
+            elif layer.featureCount() == 0:
+                feedback.pushInfo(f"{title}: none")
+            else:
+                (context.project() or QgsProject.instance()).addMapLayer(layer)
+                feedback.pushInfo(f"{title}: {layer.featureCount()} on the map")
         return {}

@@ -32,6 +32,10 @@ void add_level(PathText& path, const std::array<double, 4>& heights_m,
 
 }  // namespace
 
+double contour_step_m(double lowest_m, double highest_m) {
+    return highest_m > lowest_m ? nice_step(std::max(1.0, (highest_m - lowest_m) / 14.0)) : 1.0;
+}
+
 double contour_step_m(const config::Raster<double>& heights_m) {
     double low_m = std::numeric_limits<double>::infinity();
     double high_m = -low_m;
@@ -41,11 +45,12 @@ double contour_step_m(const config::Raster<double>& heights_m) {
             high_m = std::max(high_m, height_m);
         }
     }
-    return high_m > low_m ? nice_step(std::max(1.0, (high_m - low_m) / 14.0)) : 1.0;
+    return contour_step_m(low_m, high_m);
 }
 
 std::string contours(const config::Raster<double>& heights_m, double step_m,
-                     const std::function<DrawnPoint(double, double)>& on_sheet) {
+                     const std::function<DrawnPoint(double, double)>& on_sheet,
+                     const std::function<bool(const std::array<DrawnPoint, 4>&)>& is_drawn) {
     const config::GridFrame& frame = heights_m.frame;
     PathText path;
     for (std::size_t i = 0; i < heights_m.values.size(); ++i) {
@@ -61,7 +66,8 @@ std::string contours(const config::Raster<double>& heights_m, double step_m,
             corner_m[k] = heights_m.at(around[k]);
             corners[k] = on_sheet(frame.x_centre_m(around[k].column), frame.y_centre_m(around[k].row));
         }
-        if (std::any_of(corner_m.begin(), corner_m.end(), [](double h) { return std::isnan(h); })) {
+        if ((is_drawn && !is_drawn(corners)) ||
+            std::any_of(corner_m.begin(), corner_m.end(), [](double h) { return std::isnan(h); })) {
             continue;
         }
         const auto [low, high] = std::minmax_element(corner_m.begin(), corner_m.end());

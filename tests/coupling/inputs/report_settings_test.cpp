@@ -48,7 +48,7 @@ std::string refusal_of(const std::string& bytes) {
 }
 
 TEST(ReadLogo, RefusesPicturesThatWereCutOffAnywhere) {
-    for (std::size_t length = 0; length < small_png().size() - 4; ++length) {
+    for (std::size_t length = 0; length < small_png().size(); ++length) {
         refusal_of(small_png().substr(0, length));
     }
     for (std::size_t length = 0; length + 1 < small_jpeg().size(); ++length) {
@@ -56,6 +56,17 @@ TEST(ReadLogo, RefusesPicturesThatWereCutOffAnywhere) {
     }
     EXPECT_NE(refusal_of(small_png().substr(0, 40)).find("ends before its end"), std::string::npos);
     EXPECT_NE(refusal_of(small_svg.substr(0, 90)).find("</svg>"), std::string::npos);
+}
+
+TEST(ReadLogo, RefusesAPngWithAnyByteChanged) {
+    for (std::size_t at = 0; at < small_png().size(); ++at) {
+        std::string changed = small_png();
+        changed[at] = static_cast<char>(changed[at] ^ 0x20);
+        EXPECT_FALSE(refusal_of(changed).empty()) << at;
+    }
+    std::string changed = small_png();
+    changed.back() = static_cast<char>(changed.back() ^ 1);
+    EXPECT_NE(refusal_of(changed).find("has another checksum"), std::string::npos) << "that of IEND";
 }
 
 TEST(ReadLogo, RefusesWhatIsNoPictureOrReachesOutOfThePage) {

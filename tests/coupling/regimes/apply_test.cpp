@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "coupling/regimes/shipped.hpp"
 #include "forest/tables.hpp"
@@ -17,6 +18,9 @@ namespace {
 struct Worked {
     explicit Worked(const std::string& table, forest::Stand stand_in = spruce_stand(6), int year = 0)
         : before_m3{volume_m3(stand_in)}, before_trees{stand_in.trees().size()}, stand{std::move(stand_in)} {
+        for (const forest::Tree& tree : stand.trees()) {
+            patch_of[tree.id] = tree.patch;
+        }
         report = apply(regime_of(table, stand.grid()), year, stand, species_table(), state, {1, 0});
     }
 
@@ -31,8 +35,19 @@ struct Worked {
                   static_cast<double>(stand.balance().stems_out[forest::index_of(forest::Cause::felled)]));
         EXPECT_EQ(report.timber.total().taken_m3, entry.taken_m3);
         EXPECT_TRUE(books_close(stand));
+        std::map<forest::TreeId, forest::PatchId> gone = patch_of;
+        for (const forest::Tree& tree : stand.trees()) {
+            gone.erase(tree.id);
+        }
+        std::set<forest::PatchId> patches;
+        for (const auto& [tree, patch] : gone) {
+            patches.insert(patch);
+        }
+        EXPECT_EQ(entry.cut_patches, (std::vector<forest::PatchId>{patches.begin(), patches.end()}))
+            << "patches that lost a tree, rising";
     }
 
+    std::map<forest::TreeId, forest::PatchId> patch_of;  ///< before the work
     double before_m3;
     std::size_t before_trees;
     forest::Stand stand;

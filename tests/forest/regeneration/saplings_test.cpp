@@ -71,6 +71,18 @@ TEST(BrowsingChance, HasAThirdOfTheSpeciesOddsAtNormalPressureAndRisesInOdds) {
     EXPECT_LT(browsing_chance(kind("piab").saplings, 1.0), 0.025);
 }
 
+TEST(PressureOfBrowsing, IsTheInverseOfItsChance) {
+    for (const char* code : {"abal", "piab", "soau"}) {
+        const Saplings& species = kind(code).saplings;
+        for (const double pressure : {0.0, 0.3, 1.0, 3.0, 10.0}) {
+            EXPECT_NEAR(*pressure_of_browsing(species, browsing_chance(species, pressure)), pressure, 1e-9);
+        }
+        EXPECT_FALSE(pressure_of_browsing(species, 1.0)) << "no pressure browses all stems in every year";
+    }
+    Saplings left_alone;
+    EXPECT_FALSE(pressure_of_browsing(left_alone, 0.1));
+}
+
 TEST(ShareInReach, FallsAsTheTallestEscape) {
     EXPECT_EQ(share_in_reach(0.05), 0.0) << "below the snow and the herbs";
     EXPECT_EQ(share_in_reach(0.5), 1.0);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "coupling/inputs/report_settings.hpp"
+#include "coupling/results/read_summary.hpp"
+
+namespace coupling::report {
+
+/// The setting of a finished run; empty where its summary has none of this key.
+std::string setting_of(const SummaryOfRun& run, const std::string& key);
+
+/// What stands over a page about a finished run: its [report] without the logo, whose file may be elsewhere
+/// now.
+ReportSettings head_of_run(const SummaryOfRun& run);
+
+}  // namespace coupling::report
