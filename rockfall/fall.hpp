@@ -6,12 +6,14 @@
 
 #include "rockfall/motion/flight.hpp"
 #include "rockfall/motion/models.hpp"
+#include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/log_impact.hpp"
 #include "rockfall/obstacles/nets/net.hpp"
 #include "rockfall/obstacles/nets/net_watch.hpp"
 #include "rockfall/obstacles/obstacles.hpp"
 #include "rockfall/obstacles/tree_impact.hpp"
+#include "rockfall/release/block_shape.hpp"
 #include "rockfall/rock.hpp"
 
 namespace rockfall {
@@ -32,6 +34,8 @@ struct RockStart {
     std::uint32_t triangle = 0;
     bool rolling = false;  ///< begins on the ground
     Rock rock;
+    DrawnBlock block;  ///< its shape, for models whose rocks have one; else none
+    Eigen::Vector2d heading = Eigen::Vector2d::Zero();  ///< unit, in plan, where it is sent
 };
 
 /// Why a rock no longer moves.
@@ -60,12 +64,17 @@ struct FallEnd {
     std::uint32_t tree_hits = 0;
     std::uint32_t log_hits = 0;
     std::uint32_t crossings = 0;  ///< triangle stretches flown over, for benchmarks
+    double dissipated_j = 0.0;    ///< of models that keep a ledger: energy lost, and what the ledger misses
+    double residual_j = 0.0;
+    std::uint32_t unsolved = 0;     ///< percussions whose solver met its limit
+    std::uint64_t percussions = 0;  ///< solved, for benchmarks
 };
 
 /// Memory that falls reuse.
 struct FallScratch {
     std::vector<Stretch> stretches;
     NetScratch nets;
+    rigid::BlockScratch block;
 };
 
 /// Watches nothing: for falls of which only the end counts.

@@ -12,6 +12,7 @@
 #include "rockfall/motion/moving_rock.hpp"
 #include "rockfall/motion/on_face.hpp"
 #include "rockfall/motion/resting_place.hpp"
+#include "rockfall/motion/rigid/fall.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/meetings.hpp"
 #include "rockfall/obstacles/nets/net_watch.hpp"

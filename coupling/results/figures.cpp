@@ -191,6 +191,13 @@ SlopeFigures figures_of(const rockfall::RunTally& tally) {
     figures.log_hits_per_rock = mean_of(tally.log_hits, rocks, 1.0);
     figures.logs_broken_per_rock = mean_of(tally.logs_broken, rocks, 1.0);
     figures.log_energy_per_rock_kj = mean_of(tally.log_energy_sum_j, rocks, j_per_kj);
+    if (tally.dissipated_sum_j > 0) {
+        constexpr double mj_per_j = 1000.0;
+        figures.dissipated_per_rock_kj = mean_of(tally.dissipated_sum_j, rocks, j_per_kj);
+        figures.ledger_residual = static_cast<double>(tally.residual_sum_mj) / mj_per_j /
+                                  static_cast<double>(tally.dissipated_sum_j);
+        figures.unsolved_percussions = tally.unsolved;
+    }
     return figures;
 }
 

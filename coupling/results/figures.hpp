@@ -79,6 +79,9 @@ struct SlopeFigures {
     double log_hits_per_rock = 0.0;
     double logs_broken_per_rock = 0.0;
     double log_energy_per_rock_kj = 0.0;
+    double dissipated_per_rock_kj = 0.0;     ///< of models that keep a ledger of energy; 0: none is kept
+    double ledger_residual = 0.0;            ///< what the ledgers miss by what was dissipated [-]
+    std::uint64_t unsolved_percussions = 0;  ///< whose solver met its limit
 };
 
 /// All figures of a run, computed once for tables, summary and report.

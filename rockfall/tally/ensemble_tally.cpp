@@ -93,6 +93,9 @@ void RunTally::add(const RockRecord& record) {
     log_hits += record.log_hits;
     logs_broken += record.logs_broken;
     log_energy_sum_j += whole(record.log_energy_j);
+    dissipated_sum_j += whole(std::max(0.0, record.dissipated_j));
+    residual_sum_mj += thousandths(std::abs(record.residual_j));
+    unsolved += record.unsolved;
     max_speed_mps = std::max(max_speed_mps, record.max_speed_mps);
     max_energy_j = std::max(max_energy_j, record.max_energy_j);
     max_height_m = std::max(max_height_m, record.max_height_m);
@@ -121,6 +124,9 @@ void RunTally::add(const RunTally& other) {
     log_hits += other.log_hits;
     logs_broken += other.logs_broken;
     log_energy_sum_j += other.log_energy_sum_j;
+    dissipated_sum_j += other.dissipated_sum_j;
+    residual_sum_mj += other.residual_sum_mj;
+    unsolved += other.unsolved;
     max_speed_mps = std::max(max_speed_mps, other.max_speed_mps);
     max_energy_j = std::max(max_energy_j, other.max_energy_j);
     max_height_m = std::max(max_height_m, other.max_height_m);

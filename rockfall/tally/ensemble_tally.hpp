@@ -72,6 +72,9 @@ struct RunTally {
     std::uint64_t log_hits = 0;
     std::uint64_t logs_broken = 0;
     std::uint64_t log_energy_sum_j = 0;
+    std::uint64_t dissipated_sum_j = 0;  ///< of models that keep a ledger of energy
+    std::uint64_t residual_sum_mj = 0;   ///< sum of |what the ledger of a rock misses|, in thousandths of J
+    std::uint64_t unsolved = 0;          ///< percussions whose solver met its limit
     double max_speed_mps = 0.0;
     double max_energy_j = 0.0;
     double max_height_m = 0.0;

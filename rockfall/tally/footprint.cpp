@@ -108,6 +108,9 @@ void Footprint::finish(const FallEnd& end) {
     record_.ground_impacts = end.ground_impacts;
     record_.tree_hits = end.tree_hits;
     record_.log_hits = end.log_hits;
+    record_.dissipated_j = end.dissipated_j;
+    record_.residual_j = end.residual_j;
+    record_.unsolved = end.unsolved;
     std::sort(arrivals_.begin(), arrivals_.end(),
               [](const TargetArrival& a, const TargetArrival& b) { return a.target < b.target; });
     const config::Cell cell = frame_.cell_at(end.position_m.x(), end.position_m.y());
@@ -270,9 +273,9 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     const Eigen::Vector3d move = end - piece.start_m;
     const double begin2 = piece.velocity_mps.squaredNorm();
     const double end2 = piece.velocity_at(piece.duration_s).squaredNorm();
-    const double spin_factor = piece.slides ? 0.0 : 0.5 * rock.inertia_kgm2 / (rock.radius_m * rock.radius_m);
     const auto energy_j = [&](double squared_speed) {
-        return (0.5 * rock.mass_kg + spin_factor) * squared_speed;
+        return 0.5 * rock.mass_kg * squared_speed +
+               rotation_on_ground_j(rock, piece.slides, piece.rotation_j, squared_speed);
     };
 
     // Share of the way takes the place of time; the squared speed changes evenly along the way.

@@ -46,7 +46,10 @@ struct RockRecord {
     double tree_energy_j = 0.0;  ///< taken by trees
     std::uint32_t log_hits = 0;
     std::uint32_t logs_broken = 0;
-    double log_energy_j = 0.0;  ///< taken by logs
+    double log_energy_j = 0.0;   ///< taken by logs
+    double dissipated_j = 0.0;   ///< of models that keep a ledger of energy
+    double residual_j = 0.0;     ///< what that ledger misses
+    std::uint32_t unsolved = 0;  ///< percussions whose solver met its limit
 
     [[nodiscard]] double run_out_m() const { return (end_m - start_m).head<2>().norm(); }
     [[nodiscard]] double mean_speed_mps() const { return time_s > 0.0 ? path_m / time_s : 0.0; }
