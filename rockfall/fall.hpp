@@ -6,7 +6,6 @@
 
 #include "rockfall/motion/flight.hpp"
 #include "rockfall/motion/models.hpp"
-#include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/log_impact.hpp"
 #include "rockfall/obstacles/nets/net.hpp"
@@ -66,6 +65,7 @@ struct FallEnd {
     std::uint32_t crossings = 0;  ///< triangle stretches flown over, for benchmarks
     double dissipated_j = 0.0;    ///< of models that keep a ledger: energy lost, and what the ledger misses
     double residual_j = 0.0;
+    double corrected_j = 0.0;       ///< work done on the rock where overlaps with the ground are taken out
     std::uint32_t unsolved = 0;     ///< percussions whose solver met its limit
     std::uint64_t percussions = 0;  ///< solved, for benchmarks
 };
@@ -74,7 +74,12 @@ struct FallEnd {
 struct FallScratch {
     std::vector<Stretch> stretches;
     NetScratch nets;
-    rigid::BlockScratch block;
+    EachModel<ScratchOf>::type of_models;
+
+    template <class Model>
+    [[nodiscard]] typename ScratchOf<Model>::type& of() {
+        return std::get<place_in_list<Model>>(of_models);
+    }
 };
 
 /// Watches nothing: for falls of which only the end counts.

@@ -7,7 +7,7 @@
 #include "config/options/options.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/rigid_grounds.hpp"
+#include "coupling/inputs/block_grounds.hpp"
 #include "coupling/inputs/surface_types.hpp"
 
 namespace coupling {
@@ -59,9 +59,9 @@ constexpr std::array columns{
            [](SurfaceType& type, double value) { type.rolling_friction = value; }},
     Column{"sliding_friction", sliding_friction_range,
            [](SurfaceType& type, double value) { type.sliding_friction = value; }},
-    Column{"friction", rigid_friction_range,
+    Column{"friction", block_friction_range,
            [](SurfaceType& type, double value) { type.block.friction = value; }},
-    Column{"friction_max", rigid_friction_range,
+    Column{"friction_max", block_friction_range,
            [](SurfaceType& type, double value) { type.block.friction_max = value; }},
     Column{"slip_kappa_pm", slip_kappa_range,
            [](SurfaceType& type, double value) { type.block.slip_kappa_pm = value; }},
@@ -71,7 +71,7 @@ constexpr std::array columns{
            [](SurfaceType& type, double value) { type.block.drag_ps = value; }},
     Column{"restitution", probability_range,
            [](SurfaceType& type, double value) { type.block.restitution = value; }},
-    Column{"rolling_resistance", rigid_friction_range,
+    Column{"rolling_resistance", block_friction_range,
            [](SurfaceType& type, double value) { type.block.rolling_resistance = value; }},
 };
 

@@ -7,10 +7,10 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/inputs/block_grounds.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/ground_changes.hpp"
 #include "coupling/inputs/ground_soils.hpp"
-#include "coupling/inputs/rigid_grounds.hpp"
 #include "coupling/inputs/stopping_input.hpp"
 
 namespace coupling {
@@ -115,13 +115,13 @@ private:
         return type;
     }
 
-    /// Figures of rigid blocks: those of the ground class that the row names, else of the shipped type, and
-    /// what its columns say.
+    /// Figures of blocks with a shape: those of the ground class that the row names, else of the shipped
+    /// type, and what its columns say.
     void read_rigid(std::size_t row, const ShippedSurface* like, rockfall::SurfaceType& type) {
         if (like != nullptr) {
             type.block = like->type.block;
         }
-        read_rigid_ground(table_, row, type.block, problems_);
+        read_block_ground(table_, row, type.block, problems_);
     }
 
     /// The soil that the row names, else that of the shipped type.
@@ -266,7 +266,7 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
                                    "rolling_stops_per_m",
                                    "rolling_friction",
                                    "sliding_friction"};
-    for (std::string& column : rigid_ground_columns()) {
+    for (std::string& column : block_ground_columns()) {
         known.push_back(std::move(column));
     }
     doubt_columns(table, known, reading);
@@ -339,7 +339,7 @@ std::vector<ShippedSurface> shipped_surfaces() {
         surface.type.sliding_friction =
             table.number(row, "sliding_friction", sliding_friction_range, problems).value_or(0.0);
         surface.type.soil = named_soil(table, row, "soil", soils, problems);
-        read_rigid_ground(table, row, surface.type.block, problems);
+        read_block_ground(table, row, surface.type.block, problems);
         surfaces.push_back(std::move(surface));
     }
     problems.throw_if_any();

@@ -196,6 +196,8 @@ SlopeFigures figures_of(const rockfall::RunTally& tally) {
         figures.dissipated_per_rock_kj = mean_of(tally.dissipated_sum_j, rocks, j_per_kj);
         figures.ledger_residual = static_cast<double>(tally.residual_sum_mj) / mj_per_j /
                                   static_cast<double>(tally.dissipated_sum_j);
+        figures.ledger_corrected = static_cast<double>(tally.corrected_sum_mj) / mj_per_j /
+                                   static_cast<double>(tally.dissipated_sum_j);
         figures.unsolved_percussions = tally.unsolved;
     }
     return figures;

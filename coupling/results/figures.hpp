@@ -81,6 +81,7 @@ struct SlopeFigures {
     double log_energy_per_rock_kj = 0.0;
     double dissipated_per_rock_kj = 0.0;     ///< of models that keep a ledger of energy; 0: none is kept
     double ledger_residual = 0.0;            ///< what the ledgers miss by what was dissipated [-]
+    double ledger_corrected = 0.0;           ///< work done where overlaps were taken out, likewise [-]
     std::uint64_t unsolved_percussions = 0;  ///< whose solver met its limit
 };
 

@@ -51,7 +51,7 @@ void each_number(Tally& t, const Visit& visit) {
          {&t.rocks, &t.run_out_sum_mm, &t.max_speed_sum_mmps, &t.mean_speed_sum_mmps, &t.max_energy_sum_j,
           &t.max_height_sum_mm, &t.jump_height_sum_mm, &t.jumps, &t.ground_impacts, &t.hits, &t.trees_broken,
           &t.tree_energy_sum_j, &t.log_hits, &t.logs_broken, &t.log_energy_sum_j, &t.dissipated_sum_j,
-          &t.residual_sum_mj, &t.unsolved}) {
+          &t.residual_sum_mj, &t.corrected_sum_mj, &t.unsolved}) {
         visit(*v);
     }
     for (auto* v : {&t.max_speed_mps, &t.max_energy_j, &t.max_height_m, &t.max_run_out_m}) {

@@ -80,6 +80,7 @@ Json slope(const SlopeFigures& figures) {
     if (figures.dissipated_per_rock_kj > 0.0) {
         json["energy_ledger"] = {{"dissipated_per_rock_kj", json_number(figures.dissipated_per_rock_kj)},
                                  {"residual_share", json_number(figures.ledger_residual)},
+                                 {"overlap_work_share", json_number(figures.ledger_corrected)},
                                  {"unsolved_percussions", figures.unsolved_percussions}};
     }
     return json;

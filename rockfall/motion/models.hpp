@@ -81,6 +81,16 @@ struct LawOf : std::type_identity<typename Model::Law> {};
 template <class Model>
 struct WrittenOf : std::type_identity<typename Model::Written> {};
 
+/// Memory that the falls of a model reuse: its `Scratch`, if it has one.
+struct NoScratch {};
+template <class Model>
+struct ScratchOf : std::type_identity<NoScratch> {};
+template <class Model>
+requires requires {
+    typename Model::Scratch;
+}
+struct ScratchOf<Model> : std::type_identity<typename Model::Scratch> {};
+
 /// Which model moves the rocks, and the laws of all.
 struct MotionLaws {
     MotionModel model{};

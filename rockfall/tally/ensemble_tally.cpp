@@ -95,6 +95,7 @@ void RunTally::add(const RockRecord& record) {
     log_energy_sum_j += whole(record.log_energy_j);
     dissipated_sum_j += whole(std::max(0.0, record.dissipated_j));
     residual_sum_mj += thousandths(std::abs(record.residual_j));
+    corrected_sum_mj += thousandths(std::abs(record.corrected_j));
     unsolved += record.unsolved;
     max_speed_mps = std::max(max_speed_mps, record.max_speed_mps);
     max_energy_j = std::max(max_energy_j, record.max_energy_j);
@@ -126,6 +127,7 @@ void RunTally::add(const RunTally& other) {
     log_energy_sum_j += other.log_energy_sum_j;
     dissipated_sum_j += other.dissipated_sum_j;
     residual_sum_mj += other.residual_sum_mj;
+    corrected_sum_mj += other.corrected_sum_mj;
     unsolved += other.unsolved;
     max_speed_mps = std::max(max_speed_mps, other.max_speed_mps);
     max_energy_j = std::max(max_energy_j, other.max_energy_j);

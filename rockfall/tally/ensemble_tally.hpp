@@ -74,6 +74,7 @@ struct RunTally {
     std::uint64_t log_energy_sum_j = 0;
     std::uint64_t dissipated_sum_j = 0;  ///< of models that keep a ledger of energy
     std::uint64_t residual_sum_mj = 0;   ///< sum of |what the ledger of a rock misses|, in thousandths of J
+    std::uint64_t corrected_sum_mj = 0;  ///< sum of |work done where overlaps were taken out|
     std::uint64_t unsolved = 0;          ///< percussions whose solver met its limit
     double max_speed_mps = 0.0;
     double max_energy_j = 0.0;

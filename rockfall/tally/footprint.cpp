@@ -110,6 +110,7 @@ void Footprint::finish(const FallEnd& end) {
     record_.log_hits = end.log_hits;
     record_.dissipated_j = end.dissipated_j;
     record_.residual_j = end.residual_j;
+    record_.corrected_j = end.corrected_j;
     record_.unsolved = end.unsolved;
     std::sort(arrivals_.begin(), arrivals_.end(),
               [](const TargetArrival& a, const TargetArrival& b) { return a.target < b.target; });

@@ -47,6 +47,7 @@ public:
         }
         end_.dissipated_j = block_.ledger().dissipated_j();
         end_.residual_j = block_.residual_j();
+        end_.corrected_j = block_.ledger().correction_j;
         end_.unsolved = block_.unsolved();
         end_.percussions = block_.percussions();
         return end_;
@@ -77,7 +78,8 @@ private:
                scratch,
                observer,
                solid,
-               rigid::start_of_block(slope, law.motion.of<rigid::Model>(), start, *solid, scratch.block)} {}
+               rigid::start_of_block(slope, law.motion.of<rigid::Model>(), start, *solid,
+                                     scratch.of<rigid::Model>())} {}
 
     Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
@@ -93,7 +95,7 @@ private:
           has_nets_{obstacles.nets != nullptr},
           scratch_{scratch},
           observer_{observer},
-          block_{slope, law_, *solid_, begin.body, begin.triangle, scratch.block},
+          block_{slope, law_, *solid_, begin.body, begin.triangle, scratch.of<rigid::Model>()},
           surface_stops_{start.rock.diameter_m},
           on_ground_{begin.on_ground},
           under_{begin.triangle} {
@@ -175,12 +177,19 @@ private:
 
     void strike() {
         const rigid::Touchdown touchdown = block_.strike();
-        ++end_.ground_impacts;
-        observer_.impacted(touchdown.point_m);
         on_ground_ = touchdown.lasts;
+        if (!touchdown.touched) {
+            return;
+        }
+        ++end_.ground_impacts;
+        report(touchdown);
         if (is_caught_at_impact(touchdown)) {
             stop(StopReason::caught);
         }
+    }
+
+    void report(const rigid::Touchdown& touchdown) {
+        observer_.impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
     }
 
     /// One draw for each impact above the speed at which ground is plastic.
@@ -213,7 +222,7 @@ private:
         const bool strikes = touchdown.touched && touchdown.into_ground_mps > law_.plastic_mps;
         if (strikes) {
             ++end_.ground_impacts;
-            observer_.impacted(touchdown.point_m);
+            report(touchdown);
         }
         airborne_steps_ = touchdown.touched ? 0 : airborne_steps_ + 1;
         const bool leaves = touchdown.touched ? !touchdown.lasts : airborne_steps_ >= 2;

@@ -1,4 +1,4 @@
-#include "coupling/inputs/rigid_grounds.hpp"
+#include "coupling/inputs/block_grounds.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -9,27 +9,28 @@
 namespace coupling {
 namespace {
 
-using rockfall::rigid::FrictionLaw;
-using rockfall::rigid::Ground;
+using rockfall::BlockGround;
+using rockfall::FrictionLaw;
 
 constexpr config::NumberRange share_range{.low = 0.0, .high = 1.0};
 
 struct Figure {
     const char* name;
-    double Ground::*value;
+    double BlockGround::*value;
     config::NumberRange range;
 };
 constexpr Figure figures[] = {
-    {"friction", &Ground::friction, rigid_friction_range},
-    {"friction_max", &Ground::friction_max, rigid_friction_range},
-    {"slip_beta_ps", &Ground::slip_beta_ps, slip_beta_range},
-    {"slip_kappa_pm", &Ground::slip_kappa_pm, slip_kappa_range},
-    {"contact_drag_ps", &Ground::drag_ps, contact_drag_range},
-    {"restitution", &Ground::restitution, share_range},
-    {"rolling_resistance", &Ground::rolling_resistance, rigid_friction_range},
+    {"friction", &BlockGround::friction, block_friction_range},
+    {"friction_max", &BlockGround::friction_max, block_friction_range},
+    {"slip_beta_ps", &BlockGround::slip_beta_ps, slip_beta_range},
+    {"slip_kappa_pm", &BlockGround::slip_kappa_pm, slip_kappa_range},
+    {"contact_drag_ps", &BlockGround::drag_ps, contact_drag_range},
+    {"restitution", &BlockGround::restitution, share_range},
+    {"rolling_resistance", &BlockGround::rolling_resistance, block_friction_range},
 };
 
-void read_figures(const config::Table& table, std::size_t row, Ground& ground, config::Problems& problems) {
+void read_figures(const config::Table& table, std::size_t row, BlockGround& ground,
+                  config::Problems& problems) {
     if (has_value(table, row, "friction_law")) {
         const std::string& law = table.text(row, "friction_law");
         if (law == "constant" || law == "slip") {
@@ -54,7 +55,7 @@ void read_figures(const config::Table& table, std::size_t row, Ground& ground, c
 
 }  // namespace
 
-std::vector<std::string> rigid_ground_columns() {
+std::vector<std::string> block_ground_columns() {
     std::vector<std::string> names{"rigid_ground", "friction_law"};
     for (const Figure& figure : figures) {
         names.emplace_back(figure.name);
@@ -62,14 +63,14 @@ std::vector<std::string> rigid_ground_columns() {
     return names;
 }
 
-const std::vector<Ground>& shipped_rigid_grounds() {
-    static const std::vector<Ground> grounds = [] {
+const std::vector<BlockGround>& shipped_block_grounds() {
+    static const std::vector<BlockGround> grounds = [] {
         std::istringstream in{std::string{config::shipped_table("rigid_grounds.csv")}};
         const config::Table table = config::Table::read(in, "rigid_grounds.csv");
         config::Problems problems;
-        std::vector<Ground> all;
+        std::vector<BlockGround> all;
         for (std::size_t row = 0; row < table.rows(); ++row) {
-            Ground ground;
+            BlockGround ground;
             ground.name = table.text(row, "name");
             read_figures(table, row, ground, problems);
             all.push_back(std::move(ground));
@@ -80,18 +81,18 @@ const std::vector<Ground>& shipped_rigid_grounds() {
     return grounds;
 }
 
-void read_rigid_ground(const config::Table& table, std::size_t row, Ground& ground,
+void read_block_ground(const config::Table& table, std::size_t row, BlockGround& ground,
                        config::Problems& problems) {
     if (has_value(table, row, "rigid_ground")) {
         const std::string& name = table.text(row, "rigid_ground");
-        const std::vector<Ground>& shipped = shipped_rigid_grounds();
-        const auto found =
-            std::find_if(shipped.begin(), shipped.end(), [&](const Ground& of) { return of.name == name; });
+        const std::vector<BlockGround>& shipped = shipped_block_grounds();
+        const auto found = std::find_if(shipped.begin(), shipped.end(),
+                                        [&](const BlockGround& of) { return of.name == name; });
         if (found != shipped.end()) {
             ground = *found;
         } else {
             std::vector<std::string> names;
-            for (const Ground& of : shipped) {
+            for (const BlockGround& of : shipped) {
                 names.push_back(of.name);
             }
             const std::string nearest = config::nearest_word(name, names);
