@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -80,6 +81,12 @@ struct FallScratch {
     [[nodiscard]] typename ScratchOf<Model>::type& of() {
         return std::get<place_in_list<Model>>(of_models);
     }
+};
+
+/// A block as it is turned at some moment.
+struct ShownPose {
+    Eigen::Quaterniond attitude;  ///< of its principal axes in space
+    double above_centre_m;        ///< of its highest point
 };
 
 /// Watches nothing: for falls of which only the end counts.

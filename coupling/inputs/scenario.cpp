@@ -339,10 +339,18 @@ void declare(config::Options& options, Scenario& scenario) {
     declare(options, scenario.forest);
 }
 
+bool rocks_have_shapes(const Scenario& scenario) {
+    const auto& used = rockfall::description_of(scenario.rockfall.fall.motion.model).shared_settings;
+    return std::find(used.begin(), used.end(), "release.shape") != used.end();
+}
+
 namespace {
 
 /// The shapes of [release]. Throws InputError with every fault.
 void take_block_shapes(Scenario& scenario) {
+    if (!rocks_have_shapes(scenario)) {
+        return;
+    }
     config::Problems problems;
     scenario.shape_law = shape_law(
         scenario.shapes,

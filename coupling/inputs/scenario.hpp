@@ -157,6 +157,9 @@ bool wants_hazard_map(const Scenario& scenario);
 /// Whether rocks fall: always today, over years unless run.rockfall_every is 0.
 bool has_rocks(const Scenario& scenario);
 
+/// Whether the chosen motion model gives rocks a shape (release.shape).
+bool rocks_have_shapes(const Scenario& scenario);
+
 /// Start of the rocks as the rockfall room wants it.
 rockfall::StartLaw start_law(const Scenario& scenario);
 

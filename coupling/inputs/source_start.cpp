@@ -166,6 +166,9 @@ bool read_shape(Row& row, const Scenario& scenario, StartLaw& law) {
             law.diameter = rockfall::DiameterLaw::fixed(*own_m);
         }
     }
+    if (!rocks_have_shapes(scenario)) {
+        law.shape = nullptr;  // spheres of the same volume
+    }
     return true;
 }
 

@@ -157,6 +157,9 @@ ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t roc
     figures.height_m =
         distribution(rockfall::fine_height_bins, tally.height.all(),
                      mean_of(tally.height_sum_mm, tally.reached, per_milli), tally.height_max_m, 1.0);
+    figures.top_height_m =
+        distribution(rockfall::fine_height_bins, tally.top_height.all(),
+                     mean_of(tally.top_height_sum_mm, tally.reached, per_milli), tally.top_height_max_m, 1.0);
     for (std::size_t i = 0; i < figures.above.size(); ++i) {
         figures.above[i] = share_of(tally.above[i], rocks);
     }

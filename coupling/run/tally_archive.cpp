@@ -66,11 +66,12 @@ void write(ByteWriter& out, const rockfall::ArrivalTally& t) {
     write_bins(out, t.energy);
     write_bins(out, t.speed);
     write_bins(out, t.height);
+    write_bins(out, t.top_height);
     write_bins(out, t.above);
-    for (const double v : {t.energy_max_j, t.speed_max_mps, t.height_max_m}) {
+    for (const double v : {t.energy_max_j, t.speed_max_mps, t.height_max_m, t.top_height_max_m}) {
         out.value(v);
     }
-    for (const std::uint64_t v : {t.energy_sum_j, t.speed_sum_mmps, t.height_sum_mm}) {
+    for (const std::uint64_t v : {t.energy_sum_j, t.speed_sum_mmps, t.height_sum_mm, t.top_height_sum_mm}) {
         out.value(v);
     }
 }
@@ -80,11 +81,12 @@ void read(ByteReader& in, rockfall::ArrivalTally& t) {
     read_bins(in, t.energy);
     read_bins(in, t.speed);
     read_bins(in, t.height);
+    read_bins(in, t.top_height);
     read_bins(in, t.above);
-    for (double* v : {&t.energy_max_j, &t.speed_max_mps, &t.height_max_m}) {
+    for (double* v : {&t.energy_max_j, &t.speed_max_mps, &t.height_max_m, &t.top_height_max_m}) {
         *v = in.value<double>();
     }
-    for (std::uint64_t* v : {&t.energy_sum_j, &t.speed_sum_mmps, &t.height_sum_mm}) {
+    for (std::uint64_t* v : {&t.energy_sum_j, &t.speed_sum_mmps, &t.height_sum_mm, &t.top_height_sum_mm}) {
         *v = in.value<std::uint64_t>();
     }
 }

@@ -16,7 +16,8 @@ Json arrivals(const ArrivalFigures& figures) {
             {"energy_kj", json_distribution(figures.energy_kj, true)},
             {"above_energies", json_above_energies(figures.above)},
             {"speed_mps", json_distribution(figures.speed_mps, true)},
-            {"height_m", json_distribution(figures.height_m, true)}};
+            {"height_m", json_distribution(figures.height_m, true)},
+            {"top_height_m", json_distribution(figures.top_height_m, true)}};
 }
 
 Json protection(const TargetFigures& target) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -65,6 +66,7 @@ struct PathPoint {
     Eigen::Vector3d position_m;
     float energy_j;
     float height_m;
+    std::array<float, 4> attitude{};  ///< quaternion (w, x, y, z) of a block's principal axes; 0: a ball
 };
 
 /// A tree hit as the tables show it.
@@ -116,6 +118,15 @@ public:
     void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
               double spin_radps);
     void rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle);
+    /// Follows `flew` and `rolled` of a block: `pose_at` gives its pose at a time since their start, what
+    /// arrivals and the drawn path need of it.
+    template <class PoseAt>
+    void turned(const PoseAt& pose_at) {
+        for (const PosedMoment& moment : moments_) {
+            take(moment, pose_at(moment.time_s));
+        }
+        moments_.clear();
+    }
     void impacted(const Eigen::Vector3d& place_m, int ground);
     void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
                   double energy_j);
@@ -136,11 +147,21 @@ public:
     [[nodiscard]] std::size_t deposit_cell() const { return deposit_cell_; }
 
 private:
+    /// An arrival or a corner of the path that was shown last, whose pose is still to be known.
+    struct PosedMoment {
+        double time_s;
+        bool is_arrival;    ///< else a corner of the path
+        std::size_t place;  ///< in arrivals_ or path_
+    };
+    void take(const PosedMoment& moment, const ShownPose& pose);
     CellVisit& visit(std::size_t cell);
     void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,
                double y_m, double ground_m);
     void arrive(std::uint32_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
                 double speed_mps, double height_m);
+    void wait_for_pose(double time_s, bool is_arrival) {
+        moments_.push_back({time_s, is_arrival, (is_arrival ? arrivals_.size() : path_.size()) - 1});
+    }
     void watch_targets(const Rock& rock, const Flight& flight, double until_s,
                        std::span<const Stretch> stretches, double rotation_j);
     double walk_cells(const Rock& rock, const Flight& flight, double until_s,
@@ -166,6 +187,10 @@ private:
     std::vector<LogHitRecord> log_hits_;
     std::vector<NetCrossingRecord> net_crossings_;
     std::vector<PathPoint> path_;
+    std::vector<PosedMoment> moments_;
+    double radius_m_ = 0.0;
+    bool is_block_ = false;
+    bool last_is_on_ground_ = false;  ///< the last corner of the path is the end of a piece on the ground
     bool with_path_ = false;
     std::size_t deposit_cell_ = 0;
 };

@@ -8,6 +8,7 @@
 #include "rockfall/fall.hpp"
 #include "rockfall/motion/on_face.hpp"
 #include "rockfall/motion/rigid/block.hpp"
+#include "rockfall/motion/rigid/extent.hpp"
 #include "rockfall/motion/rigid/motion.hpp"
 #include "rockfall/motion/rigid/obstacle_watch.hpp"
 #include "rockfall/motion/rigid/start.hpp"
@@ -157,6 +158,7 @@ private:
         constexpr double no_flight_s = 1e-9;
         if (end_s > no_flight_s) {
             observer_.flew(rock_, flight, end_s, scratch_.stretches, spin_radps());
+            show_poses([&](double time_s) { return block_.flown(time_s); });
         }
         under_ = scratch_.stretches.back().triangle;
         block_.go_on(end_s);
@@ -173,6 +175,18 @@ private:
             strike();
         }
         begin_piece();
+    }
+
+    /// For observers that ask: how the block was turned in the flight or piece that was shown last.
+    template <class BodyAt>
+    void show_poses(const BodyAt& body_at) {
+        if constexpr (requires { observer_.turned(body_at); }) {
+            observer_.turned([&](double time_s) {
+                const rigid::Body body = body_at(time_s);
+                return ShownPose{body.rotation.attitude,
+                                 rigid::reach_m(*solid_, body, Eigen::Vector3d::UnitZ())};
+            });
+        }
     }
 
     void strike() {
@@ -288,6 +302,7 @@ private:
         }
         const double length_m = moved_m.norm();
         observer_.rolled(rock_, piece, triangle);
+        show_poses([&](double) { return block_.body(); });
         under_ = triangle;
         if (net) {
             meet(*net);
