@@ -153,19 +153,19 @@ public:
             shape.own_size = settings_.keeps_size;
             return shape.hull ? std::optional{shape} : std::nullopt;
         }
-        const bool takes_sides = name == "box" || name == "ellipsoid";
+        const bool takes_sides = name == "box" || name == "rounded" || name == "ellipsoid";
         if (takes_sides && (!settings_.sides.empty() || !settings_.sides_m.empty())) {
             return with_sides(std::move(shape));
         }
-        if (name == "box") {
-            problems_.add(ExitCode::settings, place_("shape"), "a box without sides",
+        if (name == "box" || name == "rounded") {
+            problems_.add(ExitCode::settings, place_("shape"), joined("a ", name, " block without sides"),
                           "release.sides (relative) or release.sides_m", "or write cube, plate or column");
             return std::nullopt;
         }
         const std::vector<std::string> names = rockfall::named_shapes();
         if (std::find(names.begin(), names.end(), name) == names.end()) {
             std::vector<std::string> known = names;
-            known.insert(known.end(), {"box", "hull"});
+            known.insert(known.end(), {"box", "rounded", "hull"});
             const std::string nearest = config::nearest_word(name, known);
             std::string list;
             for (const std::string& word : known) {
@@ -197,7 +197,9 @@ private:
         }
         constexpr int divisions = 2;
         shape.hull = shape.name == "box" ? rockfall::solids::box(*sides)
-                                         : rockfall::solids::ellipsoid(*sides, divisions);
+                     : shape.name == "rounded"
+                         ? rockfall::solids::chamfered_box(*sides, rockfall::rounded_cut)
+                         : rockfall::solids::ellipsoid(*sides, divisions);
         shape.own_size = absolute;
         return shape;
     }
@@ -230,7 +232,7 @@ private:
 void declare_shapes(config::Options& options, ShapeSettings& settings) {
     options.text("release.shape", settings.shape,
                  {.meaning = "shapes of blocks, in a list, for models whose rocks have one: sphere, cube, "
-                             "plate, column, box, ellipsoid, "
+                             "plate, column, box, rounded, ellipsoid, "
                              "octahedron, equant, hull, or a form class (compact to very-elongate)",
                   .source = "Sneed & Folk 1958; sides: choice"});
     options.numbers("release.shape_shares", settings.shares,
@@ -238,12 +240,13 @@ void declare_shapes(config::Options& options, ShapeSettings& settings) {
                      .high = 1e6,
                      .meaning = "shares of the rocks, one for each shape; none: equal",
                      .source = "choice"});
-    options.numbers("release.sides", settings.sides,
-                    {.meaning = "three sides of box or ellipsoid, relative; the diameter gives the volume",
-                     .source = "choice"});
+    options.numbers(
+        "release.sides", settings.sides,
+        {.meaning = "three sides of box, rounded or ellipsoid, relative; the diameter gives the volume",
+         .source = "choice"});
     options.numbers("release.sides_m", settings.sides_m,
                     {.unit = "m",
-                     .meaning = "three sides of box or ellipsoid as they are; replace the diameter",
+                     .meaning = "three sides of box, rounded or ellipsoid as they are; replace the diameter",
                      .source = "choice"});
     options.number("release.sides_scatter", settings.sides_scatter,
                    {.unit = "-",

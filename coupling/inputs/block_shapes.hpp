@@ -13,10 +13,10 @@ namespace coupling {
 
 /// Shapes of the rocks as users write them: [release], or columns of the sources.
 struct ShapeSettings {
-    std::string shape = "sphere";  ///< names, box or hull, separated by commas
+    std::string shape = "sphere";  ///< names, box, rounded or hull, separated by commas
     std::vector<double> shares;    ///< of the rocks, one for each shape; empty: equal
-    std::vector<double> sides;     ///< of a box or ellipsoid, relative to each other
-    std::vector<double> sides_m;   ///< of a box or ellipsoid, as they are
+    std::vector<double> sides;     ///< of a box, rounded box or ellipsoid, relative to each other
+    std::vector<double> sides_m;   ///< of a box, rounded box or ellipsoid, as they are
     double sides_scatter = 0.0;
     std::string file;              ///< of a hull: points as CSV, PLY or STL
     bool keeps_size = false;       ///< the hull is as large as in its file

@@ -118,7 +118,8 @@ bool read_motion(Row& row, const Scenario& scenario, StartLaw& law) {
     return speed_mps || azimuth_deg || fall_height_m;
 }
 
-/// Shape and sides. True if the row says something of them.
+/// Shape and sides. Sides beside a size of the row are relative to each other. True if the row says something
+/// of them.
 bool read_shape(Row& row, const Scenario& scenario, StartLaw& law) {
     ShapeSettings shapes = scenario.shapes;
     const bool has_sides = row.has("side_a_m") || row.has("side_b_m") || row.has("side_c_m");
@@ -139,6 +140,7 @@ bool read_shape(Row& row, const Scenario& scenario, StartLaw& law) {
         shapes.file = row.text("shape_file");
     }
     if (has_sides) {
+        shapes.sides.clear();
         constexpr config::NumberRange side_range{.low = 0.0, .high = 50.0, .low_excluded = true};
         shapes.sides_m.clear();
         for (const char* column : {"side_a_m", "side_b_m", "side_c_m"}) {
@@ -152,12 +154,15 @@ bool read_shape(Row& row, const Scenario& scenario, StartLaw& law) {
             }
             shapes.sides_m.push_back(*side_m);
         }
+        if (row.has("diameter_m") || row.has("mass_t") || row.has("volume_m3")) {
+            shapes.sides = std::exchange(shapes.sides_m, {});
+        }
     }
     if (const auto scatter = row.number("sides_scatter", {.low = 0.0, .high = 0.9})) {
         shapes.sides_scatter = *scatter;
     }
     const auto place = [&](const std::string& name) {
-        return row.place(name == "sides_m" ? "side_a_m" : row.has(name) ? name : "shape");
+        return row.place(name == "sides_m" || name == "sides" ? "side_a_m" : row.has(name) ? name : "shape");
     };
     law.shape = shape_law(
         shapes, place, [&](const std::string& name) { return scenario.resolve(name); }, row.problems());

@@ -29,8 +29,8 @@ const char* const tetrahedron = "x_m,y_m,z_m\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n";
 TEST(BlockShapes, HaveTheVolumeOfTheSphereOfTheirDiameter) {
     const SampleProject project;
     project.write("hull.csv", tetrahedron);
-    for (const std::string shape :
-         {"cube", "plate", "column", "octahedron", "compact", "very-elongate", "hull", "box", "ellipsoid"}) {
+    for (const std::string shape : {"cube", "plate", "column", "octahedron", "compact", "very-elongate",
+                                    "hull", "box", "rounded", "ellipsoid"}) {
         const Opened opened = open_blocks(
             project, {"release.shape=" + shape, "release.shape_file=hull.csv", "release.sides=3,2,1"});
         ASSERT_TRUE(opened.site) << shape << opened.errors;
@@ -78,6 +78,19 @@ TEST(BlockShapes, ComeFromColumnsOfTheSources) {
     EXPECT_EQ(sources.back().own_start->shape->shapes().front().name, "plate");
 }
 
+TEST(BlockShapes, OfSidesBesideAMassHaveThatMass) {
+    const SampleProject project;
+    project.write("cliffs.csv",
+                  "zone,wkt,shape,side_a_m,side_b_m,side_c_m,mass_t\n"
+                  "1,\"LINESTRING (1020 2030, 1020 2060)\",rounded,0.5,0.3,0.39,0.079\n");
+    project.replace("scenario.ini", "source = source.asc", "source_shapes = cliffs.csv");
+    const Opened opened = open_blocks(project, {});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const rockfall::StartLaw& law = *opened.site->sources.front().own_start;
+    const rockfall::DrawnBlock block = law.shape->draw(law.diameter.at(0.5), law.density_kgpm3, {1, 0, 0, 1});
+    EXPECT_NEAR(block.solid->mass_kg, 79.0, 1e-6);
+}
+
 /// One clear error: what it is about, and that it is the only one.
 void expect_one_error(const SampleProject& project, const std::vector<std::string>& settings, ExitCode code,
                       const std::string& found) {
@@ -113,7 +126,7 @@ TEST(BlockShapes, WithSidesOf0AreRefused) {
         expect_one_error(project, {"release.shape=box", "release.sides_m=" + sides}, ExitCode::settings,
                          "release.sides_m");
     }
-    expect_one_error(project, {"release.shape=box"}, ExitCode::settings, "a box without sides");
+    expect_one_error(project, {"release.shape=box"}, ExitCode::settings, "a box block without sides");
     project.write("cliffs.csv",
                   "zone,wkt,side_a_m,side_b_m,side_c_m\n1,\"LINESTRING (1020 2030, 1020 2060)\",2,0,0.5\n");
     project.replace("scenario.ini", "source = source.asc", "source_shapes = cliffs.csv");
