@@ -263,6 +263,7 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
         const solids::Solid& solid = *start.block.solid;
         if (!solid.is_sphere()) {
             start.rock = Rock::sphere(solid.diameter_m(), law.density_kgpm3);
+            start.rock.mass_kg = solid.mass_kg;
         }
     }
     return start;

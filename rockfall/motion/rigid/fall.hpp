@@ -89,10 +89,9 @@ private:
           law_{law.motion.of<rigid::Model>()},
           solid_{std::move(solid)},
           rock_{start.rock},
-          ball_{start.rock},
           motion_{std::move(motion)},
           watch_{obstacles, law.tree, law.log, key, start.rock, *solid_},
-          nets_{obstacles.nets, ball_, scratch.nets},
+          nets_{obstacles.nets, rock_, scratch.nets},
           has_nets_{obstacles.nets != nullptr},
           scratch_{scratch},
           observer_{observer},
@@ -101,7 +100,6 @@ private:
           on_ground_{begin.on_ground},
           under_{begin.triangle} {
         rock_.mass_kg = solid_->mass_kg;
-        ball_.mass_kg = solid_->mass_kg;
         draw_way_on_ground();
         begin_piece();
     }
@@ -146,10 +144,8 @@ private:
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
         std::optional<NetPassage> net;
         if (has_nets_) {
-            const Flight ball_flight{centre_m - Eigen::Vector3d{0.0, 0.0, ball_.radius_m},
-                                     flight.velocity_mps};
-            net = nets_.on_flight(ball_flight, landing.time_s, spin_radps(), slope_.terrain,
-                                  scratch_.stretches, observer_);
+            net = nets_.on_flight(flight, landing.time_s, spin_radps(), slope_.terrain, scratch_.stretches,
+                                  observer_);
             if (net) {
                 cut(scratch_.stretches, slope_.terrain, flight, net->time_s);
             }
@@ -400,7 +396,6 @@ private:
     const rigid::Law& law_;
     std::shared_ptr<const solids::Solid> solid_;
     Rock rock_;
-    Rock ball_;  ///< as nets see it: with the radius of the ball around the block
     rigid::Motion motion_;
     rigid::ObstacleWatch watch_;
     NetWatch nets_;
