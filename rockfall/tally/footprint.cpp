@@ -84,8 +84,8 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     path_.clear();
     moments_.clear();
     radius_m_ = start.rock.radius_m;
-    is_block_ = start.block.solid != nullptr;
-    last_is_on_ground_ = false;
+    is_block_ = false;
+    joins_ = false;
     with_path_ = with_path;
     deposit_cell_ = frame_.size();
     record_ = {};
@@ -339,19 +339,9 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
         }
     }
     if (with_path_) {
-        // A block moves on the ground in many short pieces: corners closer than its radius are left out.
-        const std::size_t corners = path_.size();
-        const bool joins = piece.rotation_j >= 0.0 && last_is_on_ground_ && corners >= 2 &&
-                           (end - path_[corners - 2].position_m).norm() < radius_m_;
-        if (joins) {
-            path_.pop_back();
-        } else if (piece.rotation_j < 0.0 || !last_is_on_ground_) {
-            path_.push_back({piece.start_m, static_cast<float>(energy_j(begin2)), 0.0F});
-            wait_for_pose(0.0, false);
-        }
-        path_.push_back({end, static_cast<float>(energy_j(end2)), 0.0F});
-        wait_for_pose(piece.duration_s, false);
-        last_is_on_ground_ = true;
+        draw_piece({piece.start_m, static_cast<float>(energy_j(begin2)), 0.0F},
+                   {end, static_cast<float>(energy_j(end2)), 0.0F}, piece.duration_s,
+                   piece.rotation_j >= 0.0);
     }
 }
 
@@ -387,6 +377,20 @@ void Footprint::crossed_net(const Eigen::Vector3d& position_m, const NetCrossing
                               static_cast<float>(crossing.speed_mps), crossing.outcome, first});
 }
 
+void Footprint::draw_piece(const PathPoint& from, const PathPoint& to, double duration_s, bool joins) {
+    const std::size_t corners = path_.size();
+    if (joins && joins_ && corners >= 2 &&
+        (to.position_m - path_[corners - 2].position_m).norm() < radius_m_) {
+        path_.pop_back();
+    } else if (!joins || !joins_) {
+        path_.push_back(from);
+        wait_for_pose(0.0, false);
+    }
+    path_.push_back(to);
+    wait_for_pose(duration_s, false);
+    joins_ = joins;
+}
+
 void Footprint::draw(const Flight& flight, double until_s, std::span<const Stretch> stretches,
                      const Rock& rock, double rotation_j) {
     constexpr int most_pieces = 8;
@@ -394,19 +398,27 @@ void Footprint::draw(const Flight& flight, double until_s, std::span<const Stret
     const int pieces = is_block_
                            ? std::clamp(static_cast<int>(std::ceil(length_m / radius_m_)), 1, most_pieces)
                            : most_pieces;
-    last_is_on_ground_ = false;
     GroundBelow ground{
         flight, stretches,
         terrain_.plane_of(stretches.front().triangle).height_m(flight.start_m.x(), flight.start_m.y())};
-    for (int i = 0; i <= pieces; ++i) {
-        const double time_s = until_s * i / pieces;
+    const auto corner_at = [&](double time_s) {
         while (!ground.last() && ground.end_s() < time_s) {
             ground.next();
         }
         const double energy_j = 0.5 * rock.mass_kg * flight.squared_speed_at(time_s) + rotation_j;
         const double height_m = std::max(0.0, flight.height_m(time_s) - ground.at(time_s));
-        path_.push_back(
-            {flight.position_m(time_s), static_cast<float>(energy_j), static_cast<float>(height_m)});
+        return PathPoint{flight.position_m(time_s), static_cast<float>(energy_j),
+                         static_cast<float>(height_m)};
+    };
+    if (is_block_ && length_m < 0.5 * radius_m_) {
+        const PathPoint from = corner_at(0.0);
+        draw_piece(from, corner_at(until_s), until_s, true);
+        return;
+    }
+    joins_ = false;
+    for (int i = 0; i <= pieces; ++i) {
+        const double time_s = until_s * i / pieces;
+        path_.push_back(corner_at(time_s));
         wait_for_pose(time_s, false);
     }
 }

@@ -126,6 +126,7 @@ public:
             take(moment, pose_at(moment.time_s));
         }
         moments_.clear();
+        is_block_ = true;
     }
     void impacted(const Eigen::Vector3d& place_m, int ground);
     void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
@@ -167,6 +168,9 @@ private:
     double walk_cells(const Rock& rock, const Flight& flight, double until_s,
                       std::span<const Stretch> stretches, double rotation_j);
     void measure_jump(const Flight& flight, double until_s);
+    /// A piece of the path. Those of a block are many and short: where one `joins` the next, corners closer
+    /// than the rock's radius are left out.
+    void draw_piece(const PathPoint& from, const PathPoint& to, double duration_s, bool joins);
     void draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
               double rotation_j);
 
@@ -189,8 +193,8 @@ private:
     std::vector<PathPoint> path_;
     std::vector<PosedMoment> moments_;
     double radius_m_ = 0.0;
-    bool is_block_ = false;
-    bool last_is_on_ground_ = false;  ///< the last corner of the path is the end of a piece on the ground
+    bool is_block_ = false;  ///< of a model whose rocks have poses
+    bool joins_ = false;     ///< the last corner of the path ends a short piece of a block
     bool with_path_ = false;
     std::size_t deposit_cell_ = 0;
 };

@@ -38,6 +38,7 @@ public:
                 break;
             }
             on_ground_ ? move_on_ground() : fly_on();
+            look_for_stillness();
         }
         end_.position_m = underside_m(block_.body().centre_m);
         if (came_to_rest(end_.reason)) {
@@ -340,6 +341,36 @@ private:
         }
     }
 
+    /// A block may lie in a hollow and chatter: short flights and impacts that lead nowhere. It rests if over
+    /// two spans of time it neither moves nor turns faster than rest_mps in the mean, the second time no more
+    /// than the first, and is slow whenever it has met the ground.
+    void look_for_stillness() {
+        const rigid::Body& body = block_.body();
+        const double radius_m = solid_->bounding_radius_m;
+        fastest_mps_ =
+            std::max(fastest_mps_, body.velocity_mps.norm() + body.spin_radps(*solid_).norm() * radius_m);
+        const double span_s = time_s_ - span_start_s_;
+        if (stopped_ || span_s < law_.rest_s) {
+            return;
+        }
+        const Eigen::Quaterniond turn = span_attitude_.conjugate() * body.rotation.attitude;
+        // Twice the sine of half the angle: up to rounding the angle where it is small.
+        const double moved_mps =
+            ((body.centre_m - span_centre_m_).norm() + 2.0 * turn.vec().norm() * radius_m) / span_s;
+        constexpr double of_chatter = 10.0;
+        constexpr double no_more = 1.2;
+        const bool is_still = moved_mps < law_.rest_mps && fastest_mps_ < of_chatter * law_.rest_mps;
+        if (is_still && was_still_ && moved_mps <= no_more * last_moved_mps_) {
+            stop(StopReason::at_rest);
+        }
+        was_still_ = is_still;
+        last_moved_mps_ = moved_mps;
+        span_start_s_ = time_s_;
+        span_centre_m_ = body.centre_m;
+        span_attitude_ = body.rotation.attitude;
+        fastest_mps_ = 0.0;
+    }
+
     void meet(const NetCrossing& crossing) {
         if (crossing.outcome == NetOutcome::held) {
             stop(StopReason::net);
@@ -414,6 +445,12 @@ private:
     double way_until_caught_ = 0.0;
     double slow_since_s_ = -1.0;
     double slow_speed_mps_ = 0.0;
+    double span_start_s_ = -1e9;  ///< of the span of time that look_for_stillness judges
+    Eigen::Vector3d span_centre_m_ = Eigen::Vector3d::Zero();
+    Eigen::Quaterniond span_attitude_ = Eigen::Quaterniond::Identity();
+    double fastest_mps_ = 0.0;
+    double last_moved_mps_ = 0.0;
+    bool was_still_ = false;
     double piece_s_ = 0.0;
     Eigen::Vector3d piece_start_m_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d piece_velocity_mps_ = Eigen::Vector3d::Zero();
