@@ -314,41 +314,33 @@ private:
         }
     }
 
-    /// A block that is slow over a while and does not gain speed rests.
+    /// A block without motion over a few steps rests.
     void look_for_rest() {
-        const Eigen::Vector3d spin = block_.body().spin_radps(*solid_);
-        const double speed_mps = block_.body().velocity_mps.norm() + spin.norm() * solid_->bounding_radius_m;
-        if (!on_ground_ || speed_mps > law_.rest_mps) {
-            slow_since_s_ = -1.0;
-            return;
-        }
-        if (slow_since_s_ < 0.0) {
-            slow_since_s_ = time_s_;
-            slow_speed_mps_ = speed_mps;
-            return;
-        }
         constexpr double lies_still_mps = 1e-6;
         constexpr double a_few_steps_s = 0.02;
-        const double slow_s = time_s_ - slow_since_s_;
-        if (slow_s >= a_few_steps_s && speed_mps < lies_still_mps) {
-            stop(StopReason::at_rest);
-        } else if (slow_s >= law_.rest_s) {
-            if (speed_mps <= std::max(slow_speed_mps_, 0.25 * law_.rest_mps)) {
-                stop(StopReason::at_rest);
-            }
+        if (!on_ground_ || speed_mps() > lies_still_mps) {
+            slow_since_s_ = -1.0;
+        } else if (slow_since_s_ < 0.0) {
             slow_since_s_ = time_s_;
-            slow_speed_mps_ = speed_mps;
+        } else if (time_s_ - slow_since_s_ >= a_few_steps_s) {
+            stop(StopReason::at_rest);
         }
     }
 
-    /// A block may lie in a hollow and chatter: short flights and impacts that lead nowhere. It rests if over
-    /// two spans of time it neither moves nor turns faster than rest_mps in the mean, the second time no more
-    /// than the first, and is slow whenever it has met the ground.
+    /// Of the fastest point that the block may have.
+    [[nodiscard]] double speed_mps() const {
+        const rigid::Body& body = block_.body();
+        return body.velocity_mps.norm() + body.spin_radps(*solid_).norm() * solid_->bounding_radius_m;
+    }
+
+    /// A block creeps or, in a hollow, chatters: short flights and impacts that lead nowhere. It rests if
+    /// over two spans of time it neither moves nor turns faster than rest_mps in the mean, the second time no
+    /// more than the first, and is slow whenever it has met the ground. One that begins to tip moves more and
+    /// more.
     void look_for_stillness() {
         const rigid::Body& body = block_.body();
         const double radius_m = solid_->bounding_radius_m;
-        fastest_mps_ =
-            std::max(fastest_mps_, body.velocity_mps.norm() + body.spin_radps(*solid_).norm() * radius_m);
+        fastest_mps_ = std::max(fastest_mps_, speed_mps());
         const double span_s = time_s_ - span_start_s_;
         if (stopped_ || span_s < law_.rest_s) {
             return;
@@ -444,7 +436,6 @@ private:
     double time_s_ = 0.0;
     double way_until_caught_ = 0.0;
     double slow_since_s_ = -1.0;
-    double slow_speed_mps_ = 0.0;
     double span_start_s_ = -1e9;  ///< of the span of time that look_for_stillness judges
     Eigen::Vector3d span_centre_m_ = Eigen::Vector3d::Zero();
     Eigen::Quaterniond span_attitude_ = Eigen::Quaterniond::Identity();

@@ -26,6 +26,29 @@ rockfall::DrawnBlock drawn(const Opened& opened, std::uint64_t rock = 1) {
 
 const char* const tetrahedron = "x_m,y_m,z_m\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n";
 
+TEST(BlockShapes, AreSettingsThatTheirModelNames) {
+    const SampleProject project;
+    const Opened opened = open_blocks(project, {});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const auto rows = opened.scenario->options->rows();
+    for (const rockfall::MotionModel model : rockfall::all_models()) {
+        for (const std::string& key : rockfall::description_of(model).shared_settings) {
+            EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
+                return row.key == key;
+            })) << key;
+        }
+    }
+}
+
+TEST(BlockShapes, HaveNoEffectUnderOtherModelsWhichSaySo) {
+    const SampleProject project;
+    const Opened opened = open(project, {"release.shape=plate"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(start_law(*opened.scenario).shape, nullptr);
+    ASSERT_EQ(opened.warnings.size(), 1U);
+    EXPECT_EQ(opened.warnings[0], "rockfall.motion is picus: release.shape has no effect");
+}
+
 TEST(BlockShapes, HaveTheVolumeOfTheSphereOfTheirDiameter) {
     const SampleProject project;
     project.write("hull.csv", tetrahedron);

@@ -196,7 +196,8 @@ TEST(BlockPastANet, IsHeldWithTheEnergyOfTranslationAndRotation) {
     EXPECT_NEAR(log.nets[0].crossing.energy_j, 0.5 * start.block.solid->mass_kg * squared_speed, 1e-6);
     // All energy is booked: at the net it is taken whole.
     EXPECT_NEAR(end.residual_j, 0.0, 1e-9 * end.dissipated_j);
-    EXPECT_NEAR(end.dissipated_j, log.nets[0].crossing.energy_j, 1e-6);
+    // Rocks are stopped 1 mm before the plane of the net.
+    EXPECT_NEAR(end.dissipated_j, log.nets[0].crossing.energy_j, 1e-3 * end.dissipated_j);
 }
 
 /// A rough slope with a wood.
@@ -237,13 +238,13 @@ TEST(BlockFalls, CloseTheirLedgersOnRoughGroundWithTrees) {
 }
 
 TEST(BlockFalls, AreThoseOfASphereWhereNoShapeIsGiven) {
-    const Slope slope = rough_slope(7);
-    RockStart ball = start_at(slope, 20.0, 100.0, 1.5, {3.0, 0.5, -1.5}, 0.9);
+    const Slope slope = plane_slope(30.0, {0.3, 0.8});
+    RockStart ball = start_at(slope, 50.0, 50.0, 1.5, {3.0, 0.5, -1.5}, 0.9);
     const auto [end, log] = logged_fall(slope, rigid_law(), ball);
     ball.block.solid = std::make_shared<const solids::Solid>(solids::ball_of(0.9, 2700.0));
     ball.block.attitude = any_attitude(1);
     const auto [same_end, same_log] = logged_fall(slope, rigid_law(), ball);
-    EXPECT_NEAR((end.position_m - same_end.position_m).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((end.position_m - same_end.position_m).norm(), 0.0, 1e-6);
     EXPECT_EQ(end.ground_impacts, same_end.ground_impacts);
 }
 
