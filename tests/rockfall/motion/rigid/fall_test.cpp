@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "config/random/distributions.hpp"
+#include "rockfall/tally/footprint.hpp"
 #include "tests/rockfall/motion/rigid/scene.hpp"
 
 namespace rockfall::rigid::testing {
@@ -235,6 +236,64 @@ TEST(BlockFalls, CloseTheirLedgersOnRoughGroundWithTrees) {
         EXPECT_LE(end.corrected_j, 1e-2 * end.dissipated_j) << seed;
         EXPECT_NE(end.reason, StopReason::gave_up);
     }
+}
+
+/// A block that flies level over flat ground, and what was watched.
+struct WatchedBlock {
+    std::vector<TargetArrival> arrivals;
+    std::vector<PathPoint> path;
+    double radius_m;
+    RockRecord record;
+};
+
+WatchedBlock watch_block(const Slope& slope, const RockStart& start, bool with_path) {
+    const Eigen::Vector2d origin_m = slope.terrain.origin_m();
+    Target line;
+    line.parts = {{Eigen::Vector2d{105.0, 10.0} - origin_m, Eigen::Vector2d{105.0, 90.0} - origin_m}};
+    const std::vector<Target> targets{with_bounds(line)};
+    const config::GridFrame frame{100, 20, -origin_m.x(), -origin_m.y(), 5.0, 5.0};
+    Footprint footprint{slope.terrain, frame, targets};
+    FallScratch scratch;
+    footprint.begin(start, with_path);
+    footprint.finish(fall(slope, Obstacles{}, rigid_law(), {1, 0, 0, start.id}, start, scratch, footprint));
+    return {{footprint.arrivals().begin(), footprint.arrivals().end()},
+            {footprint.path().begin(), footprint.path().end()},
+            start.rock.radius_m,
+            footprint.record()};
+}
+
+TEST(BlockFootprint, HasTheHeightsOfCentreAndHighestPointAtATarget) {
+    const Slope flat = plane_slope(0.0, {0.3, 0.8});
+    const RockStart start = block_at(flat, {1.0, 0.6, 0.4}, 102.0, 50.0, 5.0, {10.0, 0.0, 0.0});
+    const WatchedBlock watched = watch_block(flat, start, false);
+    ASSERT_EQ(watched.arrivals.size(), 1U);
+    const double lowest_m = 5.0 - 0.5 * config::gravity_mps2 * 0.3 * 0.3;
+    const Arrival& arrival = watched.arrivals[0].arrival;
+    EXPECT_NEAR(arrival.centre_height_m, lowest_m + 0.2, 1e-5);
+    EXPECT_NEAR(arrival.top_height_m, lowest_m + 0.4, 1e-5);
+    EXPECT_NEAR(arrival.height_m, lowest_m + 0.2 - start.rock.radius_m, 1e-5);
+}
+
+TEST(BlockFootprint, DrawsThePathWithAttitudesAndFewCorners) {
+    const Slope slope = rough_slope(3);
+    const RockStart start =
+        block_at(slope, {1.0, 0.9, 0.3}, 20.0, 100.0, 1.5, {3.0, 0.5, -1.5}, any_attitude(2));
+    const WatchedBlock watched = watch_block(slope, start, true);
+    const WatchedBlock other = watch_block(slope, start, false);
+    EXPECT_EQ(watched.record.path_m, other.record.path_m);
+    EXPECT_EQ(watched.record.end_m, other.record.end_m);
+    ASSERT_GT(watched.path.size(), 2U);
+    for (const PathPoint& point : watched.path) {
+        double square = 0.0;
+        for (const float part : point.attitude) {
+            square += static_cast<double>(part) * static_cast<double>(part);
+        }
+        EXPECT_NEAR(square, 1.0, 1e-5);
+    }
+    // At most nine corners of each flight, and on the ground one a radius.
+    EXPECT_LT(static_cast<double>(watched.path.size()),
+              9.0 * watched.record.jumps + watched.record.path_m / watched.radius_m + 10.0);
+    EXPECT_LT((watched.path.back().position_m - watched.record.end_m).head<2>().norm(), 1e-6);
 }
 
 TEST(BlockFalls, AreThoseOfASphereWhereNoShapeIsGiven) {
