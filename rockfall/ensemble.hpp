@@ -65,6 +65,8 @@ struct PathRecord {
     std::uint64_t rock;
     Cover cover;
     std::vector<PathPoint> points;
+    std::vector<Eigen::Vector3f> shape_m{};  ///< vertices of its hull in principal axes; none: a ball
+    float diameter_m = 0.0F;
 };
 
 /// A rock at a target that it reached.

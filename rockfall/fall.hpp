@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "rockfall/obstacles/nets/net_watch.hpp"
 #include "rockfall/obstacles/obstacles.hpp"
 #include "rockfall/obstacles/tree_impact.hpp"
+#include "rockfall/release/block_shape.hpp"
 #include "rockfall/rock.hpp"
 
 namespace rockfall {
@@ -32,6 +34,8 @@ struct RockStart {
     std::uint32_t triangle = 0;
     bool rolling = false;  ///< begins on the ground
     Rock rock;
+    DrawnBlock block;  ///< its shape, for models whose rocks have one; else none
+    Eigen::Vector2d heading = Eigen::Vector2d::Zero();  ///< unit, in plan, where it is sent
 };
 
 /// Why a rock no longer moves.
@@ -60,12 +64,29 @@ struct FallEnd {
     std::uint32_t tree_hits = 0;
     std::uint32_t log_hits = 0;
     std::uint32_t crossings = 0;  ///< triangle stretches flown over, for benchmarks
+    double dissipated_j = 0.0;    ///< of models that keep a ledger: energy lost, and what the ledger misses
+    double residual_j = 0.0;
+    double corrected_j = 0.0;       ///< work done on the rock where overlaps with the ground are taken out
+    std::uint32_t unsolved = 0;     ///< percussions whose solver met its limit
+    std::uint64_t percussions = 0;  ///< solved, for benchmarks
 };
 
 /// Memory that falls reuse.
 struct FallScratch {
     std::vector<Stretch> stretches;
     NetScratch nets;
+    EachModel<ScratchOf>::type of_models;
+
+    template <class Model>
+    [[nodiscard]] typename ScratchOf<Model>::type& of() {
+        return std::get<place_in_list<Model>>(of_models);
+    }
+};
+
+/// A block as it is turned at some moment.
+struct ShownPose {
+    Eigen::Quaterniond attitude;  ///< of its principal axes in space
+    double above_centre_m;        ///< of its highest point
 };
 
 /// Watches nothing: for falls of which only the end counts.

@@ -54,7 +54,16 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
     }
     rows.rocks[c].push_back(footprint.record());
     if (!footprint.path().empty()) {
-        rows.paths.push_back({start.id, cover, {footprint.path().begin(), footprint.path().end()}});
+        PathRecord& path = rows.paths.emplace_back();
+        path.rock = start.id;
+        path.cover = cover;
+        path.points.assign(footprint.path().begin(), footprint.path().end());
+        path.diameter_m = footprint.record().diameter_m;
+        if (start.block.solid) {
+            for (const Eigen::Vector3d& vertex_m : start.block.solid->hull.vertices_m) {
+                path.shape_m.emplace_back(vertex_m.cast<float>());
+            }
+        }
     }
 }
 

@@ -11,6 +11,7 @@
 #include "rockfall/motion/models.hpp"
 #include "rockfall/motion/moving_rock.hpp"
 #include "rockfall/motion/on_face.hpp"
+#include "rockfall/motion/own_loops.hpp"
 #include "rockfall/motion/resting_place.hpp"
 #include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/meetings.hpp"

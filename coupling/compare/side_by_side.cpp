@@ -56,6 +56,15 @@ std::string energies_of(std::vector<std::string> names) {
     return text;
 }
 
+/// Settings of rocks that only some motion models use, such as their shape: they are part of the model.
+bool is_of_models(const std::string& key) {
+    const auto& models = rockfall::all_models();
+    return std::any_of(models.begin(), models.end(), [&](rockfall::MotionModel model) {
+        const auto& used = rockfall::description_of(model).shared_settings;
+        return std::find(used.begin(), used.end(), key) != used.end();
+    });
+}
+
 /// Rows of (name, value) lists that are not the same everywhere, in the order of the first run that has them.
 template <class Row, class Name, class Value>
 std::vector<Disagreement> disagreements(std::span<const FinishedRun> runs,
@@ -101,7 +110,7 @@ void judge(SideBySide& comparison, std::span<const FinishedRun> runs) {
     for (const Disagreement& d : comparison.settings) {
         const char* what = question_of(question_settings, d.what);
         const bool is_count = std::find(counts.begin(), counts.end(), d.what) != counts.end();
-        if (what != nullptr && !is_count) {
+        if (what != nullptr && !is_count && !is_of_models(d.what)) {
             comparison.not_comparable.push_back(
                 joined("the ", what, " differ (", d.what, ": ", pair(comparison, d), ")"));
         }
@@ -114,6 +123,8 @@ void judge(SideBySide& comparison, std::span<const FinishedRun> runs) {
         if (d.what == "rockfall.motion") {
             comparison.notes.push_back(
                 joined("the motion models differ (", pair(comparison, d), "): ", energies_of(d.values)));
+        } else if (d.what.starts_with("release.") && is_of_models(d.what)) {
+            comparison.notes.push_back(joined("the blocks differ (", d.what, ": ", pair(comparison, d), ")"));
         }
     }
     const auto differs = [&](auto value) {
@@ -232,9 +243,11 @@ SideBySide side_by_side(std::span<const FinishedRun> runs) {
         runs, &SummaryOfRun::settings, [](const SummaryOfRun::Setting& row) { return row.key; },
         [](const SummaryOfRun::Setting& row) { return row.value; });
     comparison.names = comparison.letters;
-    for (const Disagreement& d : comparison.settings) {
-        for (std::size_t i = 0; i < runs.size() && d.what == "rockfall.motion"; ++i) {
-            comparison.names[i] += " " + d.values[i];
+    for (const std::string_view key : {"rockfall.motion", "release.shape"}) {
+        for (const Disagreement& d : comparison.settings) {
+            for (std::size_t i = 0; i < runs.size() && d.what == key; ++i) {
+                comparison.names[i] += " " + d.values[i];
+            }
         }
     }
     judge(comparison, runs);

@@ -93,7 +93,7 @@ std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& s
 YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
                                    bool with_paths, int threads) const {
     const Obstacles obstacles = stems_and_logs_of(stand, fracture_energy_, standing_);
-    const double largest_radius_m = 0.5 * rockfall::diameter_range(start_, site_.sources).largest_m;
+    const double largest_radius_m = rockfall::largest_radius_m(start_, site_.sources);
     const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
                                     scenario_.rockfall.fall.tree.taper};
     const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,

@@ -7,6 +7,7 @@
 #include "config/options/options.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/block_grounds.hpp"
 #include "coupling/inputs/surface_types.hpp"
 
 namespace coupling {
@@ -58,6 +59,20 @@ constexpr std::array columns{
            [](SurfaceType& type, double value) { type.rolling_friction = value; }},
     Column{"sliding_friction", sliding_friction_range,
            [](SurfaceType& type, double value) { type.sliding_friction = value; }},
+    Column{"friction", block_friction_range,
+           [](SurfaceType& type, double value) { type.block.friction = value; }},
+    Column{"friction_max", block_friction_range,
+           [](SurfaceType& type, double value) { type.block.friction_max = value; }},
+    Column{"slip_kappa_pm", slip_kappa_range,
+           [](SurfaceType& type, double value) { type.block.slip_kappa_pm = value; }},
+    Column{"slip_beta_ps", slip_beta_range,
+           [](SurfaceType& type, double value) { type.block.slip_beta_ps = value; }},
+    Column{"contact_drag_ps", contact_drag_range,
+           [](SurfaceType& type, double value) { type.block.drag_ps = value; }},
+    Column{"restitution", probability_range,
+           [](SurfaceType& type, double value) { type.block.restitution = value; }},
+    Column{"rolling_resistance", block_friction_range,
+           [](SurfaceType& type, double value) { type.block.rolling_resistance = value; }},
 };
 
 const Column* column_of(std::string_view name) {

@@ -19,8 +19,8 @@ public:
     /// None.
     GroundChanges() = default;
     /// Throws InputError (settings) for a value that no ground has, an unknown name of a shipped type, or a
-    /// key that is none of r_n, r_t, jump_angle_factor, p_stop, rolling_stops_per_m,
-    /// rolling_friction, sliding_friction.
+    /// key that is none of r_n, r_t, jump_angle_factor, p_stop, rolling_stops_per_m, rolling_friction,
+    /// sliding_friction, or of the figures of blocks with a shape (block_grounds.hpp).
     GroundChanges(const config::Options& options, const std::vector<std::string>& shipped_names);
 
     /// The type with what is changed of it. A changed coefficient counts as the user's own under the

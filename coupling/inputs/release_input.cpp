@@ -186,6 +186,10 @@ Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, 
 std::optional<SourceInput> read_sources(Reading& reading) {
     return reading.attempt([&] {
         const Scenario& scenario = reading.scenario();
+        if (!scenario.shapes.file.empty()) {
+            reading.open("release.shape_file", "block_shape", scenario.shapes.file,
+                         "a hull: points as CSV, PLY or STL");
+        }
         SourceInput input = !scenario.source.empty()          ? read_grid(reading)
                             : !scenario.source_shapes.empty() ? read_shapes(reading)
                                                               : everywhere();

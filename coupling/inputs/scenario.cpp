@@ -311,6 +311,7 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_release(options, scenario);
     declare_diameter(options, scenario);
     declare_starts(options, scenario);
+    declare_shapes(options, scenario.shapes);
     options.text("targets.file", scenario.targets,
                  {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});
     options.text("observed.stops", scenario.observed_stops,
@@ -333,10 +334,32 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_output(options, scenario);
     declare(options, scenario.report);
     options.text("rockfall.preset", scenario.preset,
-                 {.meaning = "default, or a named set: strict, paper_rebound, paper_initial"});
+                 {.meaning = "default, or a named set: strict, paper_rebound, paper_initial, unity_compat"});
     rockfall::declare(options, scenario.rockfall);
     declare(options, scenario.forest);
 }
+
+bool rocks_have_shapes(const Scenario& scenario) {
+    const auto& used = rockfall::description_of(scenario.rockfall.fall.motion.model).shared_settings;
+    return std::find(used.begin(), used.end(), "release.shape") != used.end();
+}
+
+namespace {
+
+/// The shapes of [release]. Throws InputError with every fault.
+void take_block_shapes(Scenario& scenario) {
+    if (!rocks_have_shapes(scenario)) {
+        return;
+    }
+    config::Problems problems;
+    scenario.shape_law = shape_law(
+        scenario.shapes,
+        [&](const std::string& name) { return scenario.options->place_of("release." + name); },
+        [&](const std::string& name) { return scenario.resolve(name); }, problems);
+    problems.throw_if_any();
+}
+
+}  // namespace
 
 std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
                                         const std::vector<std::string>& overrides) {
@@ -358,6 +381,7 @@ std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
         profile::turn_deviation_off(*scenario);
     }
     rockfall::take_over(scenario->rockfall, *scenario->options);
+    take_block_shapes(*scenario);
     return scenario;
 }
 
@@ -379,6 +403,12 @@ rockfall::StartLaw start_law(const Scenario& scenario) {
     law.dip = config::Angle::from_degrees(scenario.start_dip_deg);
     law.heading_scatter = config::Angle::from_degrees(scenario.start_scatter_deg);
     law.random_place = scenario.random_place;
+    law.shape = scenario.shape_law;
+    if (law.shape) {
+        if (const auto own_m = law.shape->own_diameter_m()) {
+            law.diameter = rockfall::DiameterLaw::fixed(*own_m);
+        }
+    }
     if (scenario.fall_height_m > 0.0) {
         law.height_m = scenario.fall_height_m;
         law.speed_mps = 0.0;

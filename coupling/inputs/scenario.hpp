@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/options/options.hpp"
+#include "coupling/inputs/block_shapes.hpp"
 #include "coupling/inputs/forest_settings.hpp"
 #include "coupling/inputs/hazard_settings.hpp"
 #include "coupling/inputs/nets/net_settings.hpp"
@@ -99,6 +100,8 @@ struct Scenario {
     double start_scatter_deg = 0.0;
     double fall_height_m = 0.0;  ///< > 0: dropped from this height at rest instead
     bool random_place = true;
+    ShapeSettings shapes;                                 ///< as written
+    std::shared_ptr<const rockfall::ShapeLaw> shape_law;  ///< what they say; null: spheres
 
     // [targets]
     std::string targets;  ///< CSV with WKT lines and polygons: target_id, name, wkt
@@ -153,6 +156,9 @@ bool wants_hazard_map(const Scenario& scenario);
 
 /// Whether rocks fall: always today, over years unless run.rockfall_every is 0.
 bool has_rocks(const Scenario& scenario);
+
+/// Whether the chosen motion model gives rocks a shape (release.shape).
+bool rocks_have_shapes(const Scenario& scenario);
 
 /// Start of the rocks as the rockfall room wants it.
 rockfall::StartLaw start_law(const Scenario& scenario);

@@ -30,6 +30,13 @@ public:
         : table_{table}, row_{row}, problems_{problems} {}
 
     [[nodiscard]] bool has(const std::string& column) const { return has_value(table_, row_, column); }
+    [[nodiscard]] const std::string& text(const std::string& column) const {
+        return table_.text(row_, column);
+    }
+    [[nodiscard]] config::Place place(const std::string& column) const {
+        return table_.has(column) ? table_.place(row_, column) : table_.place(row_, "wkt");
+    }
+    [[nodiscard]] config::Problems& problems() const { return problems_; }
     std::optional<double> number(const std::string& column, config::NumberRange range) {
         return has(column) ? table_.number(row_, column, range, problems_) : std::nullopt;
     }
@@ -111,6 +118,65 @@ bool read_motion(Row& row, const Scenario& scenario, StartLaw& law) {
     return speed_mps || azimuth_deg || fall_height_m;
 }
 
+/// Shape and sides. Sides beside a size of the row are relative to each other. True if the row says something
+/// of them.
+bool read_shape(Row& row, const Scenario& scenario, StartLaw& law) {
+    ShapeSettings shapes = scenario.shapes;
+    const bool has_sides = row.has("side_a_m") || row.has("side_b_m") || row.has("side_c_m");
+    if (!has_sides && !row.has("shape") && !row.has("sides_scatter") && !row.has("shape_file")) {
+        return false;
+    }
+    if (row.has("shape")) {
+        shapes.shape = row.text("shape");
+        shapes.shares.clear();
+    } else if (row.has("shape_file")) {
+        shapes.shape = "hull";
+        shapes.shares.clear();
+    } else if (has_sides) {
+        shapes.shape = "box";
+        shapes.shares.clear();
+    }
+    if (row.has("shape_file")) {
+        shapes.file = row.text("shape_file");
+    }
+    if (has_sides) {
+        shapes.sides.clear();
+        constexpr config::NumberRange side_range{.low = 0.0, .high = 50.0, .low_excluded = true};
+        shapes.sides_m.clear();
+        for (const char* column : {"side_a_m", "side_b_m", "side_c_m"}) {
+            if (!row.has(column)) {
+                row.refuse(column, std::string{"no "} + column, "all three sides, or none");
+                return true;
+            }
+            const auto side_m = row.number(column, side_range);
+            if (!side_m) {
+                return true;
+            }
+            shapes.sides_m.push_back(*side_m);
+        }
+        if (row.has("diameter_m") || row.has("mass_t") || row.has("volume_m3")) {
+            shapes.sides = std::exchange(shapes.sides_m, {});
+        }
+    }
+    if (const auto scatter = row.number("sides_scatter", {.low = 0.0, .high = 0.9})) {
+        shapes.sides_scatter = *scatter;
+    }
+    const auto place = [&](const std::string& name) {
+        return row.place(name == "sides_m" || name == "sides" ? "side_a_m" : row.has(name) ? name : "shape");
+    };
+    law.shape = shape_law(
+        shapes, place, [&](const std::string& name) { return scenario.resolve(name); }, row.problems());
+    if (law.shape) {
+        if (const auto own_m = law.shape->own_diameter_m()) {
+            law.diameter = rockfall::DiameterLaw::fixed(*own_m);
+        }
+    }
+    if (!rocks_have_shapes(scenario)) {
+        law.shape = nullptr;  // spheres of the same volume
+    }
+    return true;
+}
+
 /// The rocks of the rows that say how many they have.
 void share_blocks(std::vector<rockfall::ReleaseSource>& sources, std::span<const std::size_t> rows,
                   std::span<const SourceStart> starts) {
@@ -160,8 +226,9 @@ std::uint64_t share_the_rest(std::vector<rockfall::ReleaseSource>& sources, std:
 }  // namespace
 
 std::vector<std::string> start_columns() {
-    return {"zone",       "blocks", "speed_mps", "azimuth_deg",  "fall_height_m",
-            "diameter_m", "mass_t", "volume_m3", "density_kgpm3"};
+    return {"zone",       "blocks",   "speed_mps", "azimuth_deg",   "fall_height_m",
+            "diameter_m", "mass_t",   "volume_m3", "density_kgpm3", "shape",
+            "side_a_m",   "side_b_m", "side_c_m",  "sides_scatter", "shape_file"};
 }
 
 SourceStart read_source_start(const config::Table& table, std::size_t row_number, const Scenario& scenario,
@@ -174,7 +241,8 @@ SourceStart read_source_start(const config::Table& table, std::size_t row_number
     StartLaw law = start_law(scenario);
     const bool has_size = read_size(row, law);
     const bool has_motion = read_motion(row, scenario, law);
-    if (has_size || has_motion) {
+    const bool has_shape = read_shape(row, scenario, law);
+    if (has_size || has_motion || has_shape) {
         start.law = std::make_shared<const StartLaw>(std::move(law));
     }
     return start;

@@ -7,6 +7,7 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/inputs/block_grounds.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/ground_changes.hpp"
 #include "coupling/inputs/ground_soils.hpp"
@@ -109,8 +110,18 @@ private:
         type.sliding_friction = value(row, "sliding_friction", sliding_friction_range, &no_sliding);
         read_stopping(row, like, type);
         type.soil = soil_of(row, like, type);
+        read_rigid(row, like, type);
         changes_.apply(std::to_string(type.code), type);
         return type;
+    }
+
+    /// Figures of blocks with a shape: those of the ground class that the row names, else of the shipped
+    /// type, and what its columns say.
+    void read_rigid(std::size_t row, const ShippedSurface* like, rockfall::SurfaceType& type) {
+        if (like != nullptr) {
+            type.block = like->type.block;
+        }
+        read_block_ground(table_, row, type.block, problems_);
     }
 
     /// The soil that the row names, else that of the shipped type.
@@ -244,10 +255,21 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     table.require({"code"}, problems);
     problems.throw_if_any();
 
-    doubt_columns(table,
-                  {"code", "label", "r_n", "r_t", "jump_angle_factor", "p_stop", "rolling_stops_per_m",
-                   "rolling_friction", "sliding_friction", "like", "soil"},
-                  reading);
+    std::vector<std::string> known{"code",
+                                   "label",
+                                   "r_n",
+                                   "r_t",
+                                   "jump_angle_factor",
+                                   "p_stop",
+                                   "like",
+                                   "soil",
+                                   "rolling_stops_per_m",
+                                   "rolling_friction",
+                                   "sliding_friction"};
+    for (std::string& column : block_ground_columns()) {
+        known.push_back(std::move(column));
+    }
+    doubt_columns(table, known, reading);
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const rockfall::ModelDescription& model =
         rockfall::description_of(reading.scenario().rockfall.fall.motion.model);
@@ -317,6 +339,7 @@ std::vector<ShippedSurface> shipped_surfaces() {
         surface.type.sliding_friction =
             table.number(row, "sliding_friction", sliding_friction_range, problems).value_or(0.0);
         surface.type.soil = named_soil(table, row, "soil", soils, problems);
+        read_block_ground(table, row, surface.type.block, problems);
         surfaces.push_back(std::move(surface));
     }
     problems.throw_if_any();

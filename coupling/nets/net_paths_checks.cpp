@@ -50,7 +50,8 @@ bool is_whole_path(const StoredPath& path, std::size_t triangles) {
            is_positive(rock.radius_m) && is_positive(rock.mass_kg) && is_positive(rock.inertia_kgm2) &&
            std::all_of(path.pieces.begin(), path.pieces.end(), [&](const StoredPiece& piece) {
                return piece.triangle < triangles && piece.start_m.allFinite() && piece.other.allFinite() &&
-                      std::isfinite(piece.first) && std::isfinite(piece.second);
+                      std::isfinite(piece.first) && std::isfinite(piece.second) &&
+                      std::isfinite(piece.rotation_j);
            });
 }
 

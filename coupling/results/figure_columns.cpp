@@ -41,6 +41,9 @@ Quantity top_energy() {
     return {"max_energy", "kj", "kJ",
             joined("each rock's highest kinetic energy (", rockfall::what_energies_count(), ")")};
 }
+const Quantity arrival_top{
+    "top_height", "m", "m",
+    "height of the rock's highest point above the ground, vertical, at the first arrival"};
 const Quantity top_height{"max_height", "m", "m", "each rock's largest height above the ground, vertical"};
 
 /// energy_mean_kj, energy_50_kj, ...: the columns of a distribution.
@@ -116,7 +119,8 @@ std::vector<Column> arrival_columns() {
         {"share_low_percent", "%", "lower end of its 95 % interval", exact_interval},
         {"share_high_percent", "%", "upper end of its 95 % interval", exact_interval}};
     return together(shares, distribution_columns(arrival_energy()), energy_rate_columns(),
-                    distribution_columns(arrival_speed), distribution_columns(arrival_height));
+                    distribution_columns(arrival_speed), distribution_columns(arrival_height),
+                    distribution_columns(arrival_top));
 }
 
 void add_arrivals(CsvRow& row, const ArrivalFigures& arrivals) {
@@ -126,6 +130,7 @@ void add_arrivals(CsvRow& row, const ArrivalFigures& arrivals) {
     add_energy_rates(row, arrivals.above);
     add_distribution(row, arrivals.speed_mps);
     add_distribution(row, arrivals.height_m);
+    add_distribution(row, arrivals.top_height_m);
 }
 
 std::vector<Column> protection_columns() {

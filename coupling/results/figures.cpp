@@ -157,6 +157,9 @@ ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t roc
     figures.height_m =
         distribution(rockfall::fine_height_bins, tally.height.all(),
                      mean_of(tally.height_sum_mm, tally.reached, per_milli), tally.height_max_m, 1.0);
+    figures.top_height_m =
+        distribution(rockfall::fine_height_bins, tally.top_height.all(),
+                     mean_of(tally.top_height_sum_mm, tally.reached, per_milli), tally.top_height_max_m, 1.0);
     for (std::size_t i = 0; i < figures.above.size(); ++i) {
         figures.above[i] = share_of(tally.above[i], rocks);
     }
@@ -191,6 +194,15 @@ SlopeFigures figures_of(const rockfall::RunTally& tally) {
     figures.log_hits_per_rock = mean_of(tally.log_hits, rocks, 1.0);
     figures.logs_broken_per_rock = mean_of(tally.logs_broken, rocks, 1.0);
     figures.log_energy_per_rock_kj = mean_of(tally.log_energy_sum_j, rocks, j_per_kj);
+    if (tally.dissipated_sum_j > 0) {
+        constexpr double mj_per_j = 1000.0;
+        figures.dissipated_per_rock_kj = mean_of(tally.dissipated_sum_j, rocks, j_per_kj);
+        figures.ledger_residual = static_cast<double>(tally.residual_sum_mj) / mj_per_j /
+                                  static_cast<double>(tally.dissipated_sum_j);
+        figures.ledger_corrected = static_cast<double>(tally.corrected_sum_mj) / mj_per_j /
+                                   static_cast<double>(tally.dissipated_sum_j);
+        figures.unsolved_percussions = tally.unsolved;
+    }
     return figures;
 }
 

@@ -43,6 +43,7 @@ struct ArrivalFigures {
     Distribution energy_kj;
     Distribution speed_mps;
     Distribution height_m;
+    Distribution top_height_m;  ///< of the highest point
     /// Of all rocks that fell: with more than rockfall::counted_energies_j where they first meet the target.
     std::array<Share, rockfall::counted_energies_j.size()> above;
 };
@@ -79,6 +80,10 @@ struct SlopeFigures {
     double log_hits_per_rock = 0.0;
     double logs_broken_per_rock = 0.0;
     double log_energy_per_rock_kj = 0.0;
+    double dissipated_per_rock_kj = 0.0;     ///< of models that keep a ledger of energy; 0: none is kept
+    double ledger_residual = 0.0;            ///< what the ledgers miss by what was dissipated [-]
+    double ledger_corrected = 0.0;           ///< work done where overlaps were taken out, likewise [-]
+    std::uint64_t unsolved_percussions = 0;  ///< whose solver met its limit
 };
 
 /// All figures of a run, computed once for tables, summary and report.

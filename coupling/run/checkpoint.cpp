@@ -6,7 +6,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x36305452'41504E42ULL;  // "BNPART06", least byte first
+constexpr std::uint64_t magic = 0x37305452'41504E42ULL;  // "BNPART07", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -70,7 +70,17 @@ void write(ByteWriter& out, const Checkpoint& checkpoint) {
             }
             out.value(point.energy_j);
             out.value(point.height_m);
+            for (const float v : point.attitude) {
+                out.value(v);
+            }
         }
+        out.value(static_cast<std::uint64_t>(path.shape_m.size()));
+        for (const Eigen::Vector3f& vertex_m : path.shape_m) {
+            for (const float v : vertex_m) {
+                out.value(v);
+            }
+        }
+        out.value(path.diameter_m);
     }
     write(out, checkpoint.net_rows);
 }
@@ -93,18 +103,28 @@ std::vector<NetRow> read_net_rows(ByteReader& in) {
 }
 
 std::vector<rockfall::PathRecord> read_paths(ByteReader& in) {
-    std::vector<rockfall::PathRecord> paths(in.count_of(17));
+    std::vector<rockfall::PathRecord> paths(in.count_of(29));
     for (rockfall::PathRecord& path : paths) {
         path.rock = in.value<std::uint64_t>();
         path.cover = in.value<rockfall::Cover>();
-        path.points.resize(in.count_of(32));
+        path.points.resize(in.count_of(48));
         for (rockfall::PathPoint& point : path.points) {
             for (int axis = 0; axis < 3; ++axis) {
                 point.position_m[axis] = in.value<double>();
             }
             point.energy_j = in.value<float>();
             point.height_m = in.value<float>();
+            for (float& v : point.attitude) {
+                v = in.value<float>();
+            }
         }
+        path.shape_m.resize(in.count_of(12));
+        for (Eigen::Vector3f& vertex_m : path.shape_m) {
+            for (float& v : vertex_m) {
+                v = in.value<float>();
+            }
+        }
+        path.diameter_m = in.value<float>();
     }
     return paths;
 }

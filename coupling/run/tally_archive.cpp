@@ -50,7 +50,8 @@ void each_number(Tally& t, const Visit& visit) {
     for (auto* v :
          {&t.rocks, &t.run_out_sum_mm, &t.max_speed_sum_mmps, &t.mean_speed_sum_mmps, &t.max_energy_sum_j,
           &t.max_height_sum_mm, &t.jump_height_sum_mm, &t.jumps, &t.ground_impacts, &t.hits, &t.trees_broken,
-          &t.tree_energy_sum_j, &t.log_hits, &t.logs_broken, &t.log_energy_sum_j}) {
+          &t.tree_energy_sum_j, &t.log_hits, &t.logs_broken, &t.log_energy_sum_j, &t.dissipated_sum_j,
+          &t.residual_sum_mj, &t.corrected_sum_mj, &t.unsolved}) {
         visit(*v);
     }
     for (auto* v : {&t.max_speed_mps, &t.max_energy_j, &t.max_height_m, &t.max_run_out_m}) {
@@ -65,11 +66,12 @@ void write(ByteWriter& out, const rockfall::ArrivalTally& t) {
     write_bins(out, t.energy);
     write_bins(out, t.speed);
     write_bins(out, t.height);
+    write_bins(out, t.top_height);
     write_bins(out, t.above);
-    for (const double v : {t.energy_max_j, t.speed_max_mps, t.height_max_m}) {
+    for (const double v : {t.energy_max_j, t.speed_max_mps, t.height_max_m, t.top_height_max_m}) {
         out.value(v);
     }
-    for (const std::uint64_t v : {t.energy_sum_j, t.speed_sum_mmps, t.height_sum_mm}) {
+    for (const std::uint64_t v : {t.energy_sum_j, t.speed_sum_mmps, t.height_sum_mm, t.top_height_sum_mm}) {
         out.value(v);
     }
 }
@@ -79,11 +81,12 @@ void read(ByteReader& in, rockfall::ArrivalTally& t) {
     read_bins(in, t.energy);
     read_bins(in, t.speed);
     read_bins(in, t.height);
+    read_bins(in, t.top_height);
     read_bins(in, t.above);
-    for (double* v : {&t.energy_max_j, &t.speed_max_mps, &t.height_max_m}) {
+    for (double* v : {&t.energy_max_j, &t.speed_max_mps, &t.height_max_m, &t.top_height_max_m}) {
         *v = in.value<double>();
     }
-    for (std::uint64_t* v : {&t.energy_sum_j, &t.speed_sum_mmps, &t.height_sum_mm}) {
+    for (std::uint64_t* v : {&t.energy_sum_j, &t.speed_sum_mmps, &t.height_sum_mm, &t.top_height_sum_mm}) {
         *v = in.value<std::uint64_t>();
     }
 }

@@ -100,7 +100,7 @@ public:
           warnings_{warnings},
           frame_{site.map_frame_on_terrain()},
           start_{start_law(scenario)},
-          largest_radius_m_{0.5 * rockfall::diameter_range(start_, site.sources).largest_m},
+          largest_radius_m_{rockfall::largest_radius_m(start_, site.sources)},
           stems_{site.stems(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.tree.taper},
           logs_{site.lying_logs(), site.slope.terrain, largest_radius_m_,
                 scenario.rockfall.fall.log.loose_share},

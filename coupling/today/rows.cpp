@@ -132,6 +132,8 @@ void write_arrival(std::ostream& out, std::uint64_t rock, std::string_view targe
     row.number<3>(static_cast<double>(arrival.translational_j) / j_per_kj);
     row.number<3>(static_cast<double>(arrival.speed_mps));
     row.number<3>(static_cast<double>(arrival.height_m));
+    row.number<3>(static_cast<double>(arrival.centre_height_m));
+    row.number<3>(static_cast<double>(arrival.top_height_m));
     row.end();
 }
 

@@ -292,7 +292,10 @@ TableLayout arrivals() {
          {"energy_kj", "kJ", joined("kinetic energy there, ", rockfall::what_energies_count()), simulated},
          {"translational_kj", "kJ", "the translational part of it", simulated},
          {"speed_mps", "m/s", "speed there", simulated},
-         {"height_m", "m", "height of the underside above the ground there, vertical", simulated}}};
+         {"height_m", "m", "height of the underside above the ground there, vertical", simulated},
+         {"centre_height_m", "m", "height of the rock's centre above the ground there, vertical", simulated},
+         {"top_height_m", "m", "height of the rock's highest point above the ground there, vertical",
+          simulated}}};
 }
 
 TableLayout tree_hits() {

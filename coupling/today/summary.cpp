@@ -16,7 +16,8 @@ Json arrivals(const ArrivalFigures& figures) {
             {"energy_kj", json_distribution(figures.energy_kj, true)},
             {"above_energies", json_above_energies(figures.above)},
             {"speed_mps", json_distribution(figures.speed_mps, true)},
-            {"height_m", json_distribution(figures.height_m, true)}};
+            {"height_m", json_distribution(figures.height_m, true)},
+            {"top_height_m", json_distribution(figures.top_height_m, true)}};
 }
 
 Json protection(const TargetFigures& target) {
@@ -60,23 +61,30 @@ Json slope(const SlopeFigures& figures) {
     for (std::size_t reason = 0; reason < figures.by_reason.size(); ++reason) {
         stops[name_of(static_cast<rockfall::StopReason>(reason))] = json_share(figures.by_reason[reason]);
     }
-    return {{"rocks", figures.rocks},
-            {"stop_reasons", stops},
-            {"run_out_m", json_distribution(figures.run_out_m, false)},
-            {"max_speed_mps", json_distribution(figures.max_speed_mps, true)},
-            {"max_energy_kj", json_distribution(figures.max_energy_kj, true)},
-            {"max_height_m", json_distribution(figures.max_height_m, true)},
-            {"mean_speed_mps", json_number(figures.mean_speed_mps)},
-            {"jump_height_mean_m", json_number(figures.jump_height_mean_m)},
-            {"jumps_per_rock", json_number(figures.jumps_per_rock)},
-            {"ground_impacts_per_rock", json_number(figures.ground_impacts_per_rock)},
-            {"tree_hits_per_rock", json_number(figures.tree_hits_per_rock)},
-            {"trees_broken_per_rock", json_number(figures.trees_broken_per_rock)},
-            {"tree_energy_per_rock_kj", json_number(figures.tree_energy_per_rock_kj)},
-            {"hit_a_tree", json_share(figures.hit_a_tree)},
-            {"log_hits_per_rock", json_number(figures.log_hits_per_rock)},
-            {"logs_broken_per_rock", json_number(figures.logs_broken_per_rock)},
-            {"log_energy_per_rock_kj", json_number(figures.log_energy_per_rock_kj)}};
+    Json json{{"rocks", figures.rocks},
+              {"stop_reasons", stops},
+              {"run_out_m", json_distribution(figures.run_out_m, false)},
+              {"max_speed_mps", json_distribution(figures.max_speed_mps, true)},
+              {"max_energy_kj", json_distribution(figures.max_energy_kj, true)},
+              {"max_height_m", json_distribution(figures.max_height_m, true)},
+              {"mean_speed_mps", json_number(figures.mean_speed_mps)},
+              {"jump_height_mean_m", json_number(figures.jump_height_mean_m)},
+              {"jumps_per_rock", json_number(figures.jumps_per_rock)},
+              {"ground_impacts_per_rock", json_number(figures.ground_impacts_per_rock)},
+              {"tree_hits_per_rock", json_number(figures.tree_hits_per_rock)},
+              {"trees_broken_per_rock", json_number(figures.trees_broken_per_rock)},
+              {"tree_energy_per_rock_kj", json_number(figures.tree_energy_per_rock_kj)},
+              {"hit_a_tree", json_share(figures.hit_a_tree)},
+              {"log_hits_per_rock", json_number(figures.log_hits_per_rock)},
+              {"logs_broken_per_rock", json_number(figures.logs_broken_per_rock)},
+              {"log_energy_per_rock_kj", json_number(figures.log_energy_per_rock_kj)}};
+    if (figures.dissipated_per_rock_kj > 0.0) {
+        json["energy_ledger"] = {{"dissipated_per_rock_kj", json_number(figures.dissipated_per_rock_kj)},
+                                 {"residual_share", json_number(figures.ledger_residual)},
+                                 {"overlap_work_share", json_number(figures.ledger_corrected)},
+                                 {"unsolved_percussions", figures.unsolved_percussions}};
+    }
+    return json;
 }
 
 Json run(const RunResults& results) {

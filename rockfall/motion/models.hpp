@@ -13,6 +13,7 @@
 #include "rockfall/motion/description.hpp"
 #include "rockfall/motion/picus/model.hpp"
 #include "rockfall/motion/pir3d/model.hpp"
+#include "rockfall/motion/rigid/model.hpp"
 
 namespace rockfall {
 
@@ -34,8 +35,9 @@ namespace rockfall {
 ///   slides                              whether rocks slide on the ground or roll; a groove whose faces a
 ///                                       sliding rock strikes in turn leads it on
 ///   groove_law(surface), most_impacts()
-/// The event loop (trajectory.hpp) does all else and is compiled once for each model: no call is virtual.
-using MotionModels = std::tuple<picus::Model, pir3d::Model, classical::Model>;
+/// The event loop (trajectory.hpp) does all else and is compiled once for each model: no call is virtual. A
+/// model whose rocks need another loop specialises Fall for its Motion instead (rigid/fall.hpp).
+using MotionModels = std::tuple<picus::Model, pir3d::Model, classical::Model, rigid::Model>;
 
 /// An entry of the list, by its place there; the default one unless it is set.
 enum class MotionModel : std::uint8_t {};
@@ -78,6 +80,16 @@ template <class Model>
 struct LawOf : std::type_identity<typename Model::Law> {};
 template <class Model>
 struct WrittenOf : std::type_identity<typename Model::Written> {};
+
+/// Memory that the falls of a model reuse: its `Scratch`, if it has one.
+struct NoScratch {};
+template <class Model>
+struct ScratchOf : std::type_identity<NoScratch> {};
+template <class Model>
+requires requires {
+    typename Model::Scratch;
+}
+struct ScratchOf<Model> : std::type_identity<typename Model::Scratch> {};
 
 /// Which model moves the rocks, and the laws of all.
 struct MotionLaws {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "rockfall/rock.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace rockfall {
@@ -39,6 +40,7 @@ struct RollingPiece {
     std::uint32_t next_triangle;  ///< beyond the edge that ends the piece, or that a shortest piece ran over
     bool ran_over = false;        ///< ends a little beyond its edge
     bool slides = false;          ///< moves without spin
+    double rotation_j = -1.0;  ///< energy of rotation of a block that neither rolls nor slides; else below 0
 
     [[nodiscard]] Eigen::Vector3d position_m(double time_s) const {
         return start_m + time_s * velocity_mps + 0.5 * time_s * time_s * acceleration_mps2;
@@ -49,6 +51,15 @@ struct RollingPiece {
     /// When a share [0, 1] of the straight way to the end of the piece is covered.
     [[nodiscard]] double time_along_s(double share) const;
 };
+
+/// Energy of rotation on a piece of the ground at the square of a speed [J]: that of rolling, none of
+/// sliding, or the block's own.
+inline double rotation_on_ground_j(const Rock& rock, bool slides, double own_j, double squared_speed) {
+    if (own_j >= 0.0) {
+        return own_j;
+    }
+    return slides ? 0.0 : 0.5 * rock.inertia_kgm2 / (rock.radius_m * rock.radius_m) * squared_speed;
+}
 
 /// Acceleration of a sphere that rolls on a plane: 5/7 (g_t - mu g n_z v/|v|) (Azzoni et al. 1995, in vector
 /// form). `direction` is the unit vector of the motion.

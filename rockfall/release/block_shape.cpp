@@ -101,13 +101,12 @@ std::optional<solids::Hull> hull_of_shape(std::string_view name) {
                                            [&](const NamedShape& shape) { return shape.name == name; });
     assert(found != shapes_by_name.end());
     const Vector3d sides{found->a, found->b, found->c};
-    constexpr double cut = 0.35;
     constexpr int divisions = 2;
     switch (found->body) {
         case Body::box:
             return solids::box(sides);
         case Body::rounded:
-            return solids::chamfered_box(sides, cut);
+            return solids::chamfered_box(sides, rounded_cut);
         case Body::octahedron:
             return solids::double_pyramid({1.0, 1.0, std::numbers::sqrt2});
         case Body::ellipsoid:

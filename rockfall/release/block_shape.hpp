@@ -57,6 +57,9 @@ private:
     std::optional<Eigen::Quaterniond> attitude_;
 };
 
+/// Of half the shortest side, what the cut edges of a rounded block take [choice].
+inline constexpr double rounded_cut = 0.35;
+
 /// Names of the shapes that need no file: sphere, cube, octahedron, ellipsoid, equant, plate, column, and the
 /// form classes of Sneed & Folk.
 std::vector<std::string> named_shapes();

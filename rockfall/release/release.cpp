@@ -158,6 +158,24 @@ DiameterRange diameter_range(const StartLaw& common, std::span<const ReleaseSour
     return range;
 }
 
+double largest_radius_m(const StartLaw& common, std::span<const ReleaseSource> sources) {
+    double largest_m = 0.5 * diameter_range(common, sources).largest_m;
+    const auto widen = [&](const StartLaw& law) {
+        if (law.shape) {
+            largest_m = std::max(largest_m, law.shape->largest_radius_m(law.diameter.largest_m()));
+        }
+    };
+    widen(common);
+    const StartLaw* last = nullptr;
+    for (const ReleaseSource& source : sources) {
+        if (source.own_start && source.own_start.get() != last) {
+            last = source.own_start.get();
+            widen(*last);
+        }
+    }
+    return largest_m;
+}
+
 namespace {
 
 /// Unit vector in plan at a share of the full circle.
@@ -239,6 +257,15 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
                                    start.rolling ? plane.gradient.dot(direction) : -dip.sin / dip.cos};
     start.position_m = {x_m, y_m, plane.height_m(x_m, y_m) + std::max(0.0, law.height_m)};
     start.velocity_mps = law.speed_mps * down_dip.normalized();
+    start.heading = direction;
+    if (law.shape) {
+        start.block = law.shape->draw(start.rock.diameter_m, law.density_kgpm3, key);
+        const solids::Solid& solid = *start.block.solid;
+        if (!solid.is_sphere()) {
+            start.rock = Rock::sphere(solid.diameter_m(), law.density_kgpm3);
+            start.rock.mass_kg = solid.mass_kg;
+        }
+    }
     return start;
 }
 

@@ -11,6 +11,7 @@
 #include "config/random/stream.hpp"
 #include "config/units/angle.hpp"
 #include "rockfall/fall.hpp"
+#include "rockfall/release/block_shape.hpp"
 #include "rockfall/slope.hpp"
 
 namespace rockfall {
@@ -73,9 +74,10 @@ struct StartLaw {
     double height_m = 1.5;   ///< of the underside above ground; 0 starts rolling
     double speed_mps = 3.0;  ///< 0 lets the rock drop
     config::Angle dip = config::Angle::from_degrees(30.0);  ///< of the velocity below the horizon
-    std::optional<config::Angle> azimuth;  ///< heading, clockwise from north (+y); none: the fall line
-    config::Angle heading_scatter;         ///< largest turn away from the heading, uniform both ways
-    bool random_place = true;              ///< anywhere in the source cell; off: at its centre
+    std::optional<config::Angle> azimuth;   ///< heading, clockwise from north (+y); none: the fall line
+    config::Angle heading_scatter;          ///< largest turn away from the heading, uniform both ways
+    bool random_place = true;               ///< anywhere in the source cell; off: at its centre
+    std::shared_ptr<const ShapeLaw> shape;  ///< of models whose rocks have a shape; null: spheres
     bool along_x_on_flat = false;  ///< ground without a fall line: towards +x instead of anywhere (profiles)
 };
 
@@ -85,6 +87,10 @@ struct DiameterRange {
     double largest_m = 0.0;
     double mean_m = 0.0;  ///< over the rocks
 };
+
+/// Largest distance of any point of a rock from its centre over all starts [m]: what obstacles are indexed
+/// for.
+double largest_radius_m(const StartLaw& common, std::span<const ReleaseSource> sources);
 
 /// Without sources that of the common start.
 DiameterRange diameter_range(const StartLaw& common, std::span<const ReleaseSource> sources);

@@ -36,15 +36,18 @@ void ArrivalTally::add(const Arrival& arrival) {
     energy.add(fine_energy_bins.bin_of(arrival.energy_j));
     speed.add(fine_speed_bins.bin_of(arrival.speed_mps));
     height.add(fine_height_bins.bin_of(arrival.height_m));
+    top_height.add(fine_height_bins.bin_of(arrival.top_height_m));
     for (std::size_t i = 0; i < above.size(); ++i) {
         above[i] += arrival.energy_j > counted_energies_j[i] ? 1U : 0U;
     }
     energy_max_j = std::max(energy_max_j, static_cast<double>(arrival.energy_j));
     speed_max_mps = std::max(speed_max_mps, static_cast<double>(arrival.speed_mps));
     height_max_m = std::max(height_max_m, static_cast<double>(arrival.height_m));
+    top_height_max_m = std::max(top_height_max_m, static_cast<double>(arrival.top_height_m));
     energy_sum_j += whole(static_cast<double>(arrival.energy_j));
     speed_sum_mmps += thousandths(static_cast<double>(arrival.speed_mps));
     height_sum_mm += thousandths(static_cast<double>(arrival.height_m));
+    top_height_sum_mm += thousandths(static_cast<double>(arrival.top_height_m));
 }
 
 void ArrivalTally::add(const ArrivalTally& other) {
@@ -52,13 +55,16 @@ void ArrivalTally::add(const ArrivalTally& other) {
     energy.add(other.energy);
     speed.add(other.speed);
     height.add(other.height);
+    top_height.add(other.top_height);
     add_counts(above, other.above);
     energy_max_j = std::max(energy_max_j, other.energy_max_j);
     speed_max_mps = std::max(speed_max_mps, other.speed_max_mps);
     height_max_m = std::max(height_max_m, other.height_max_m);
+    top_height_max_m = std::max(top_height_max_m, other.top_height_max_m);
     energy_sum_j += other.energy_sum_j;
     speed_sum_mmps += other.speed_sum_mmps;
     height_sum_mm += other.height_sum_mm;
+    top_height_sum_mm += other.top_height_sum_mm;
 }
 
 void TargetTally::add(const TargetTally& other) {
@@ -93,6 +99,10 @@ void RunTally::add(const RockRecord& record) {
     log_hits += record.log_hits;
     logs_broken += record.logs_broken;
     log_energy_sum_j += whole(record.log_energy_j);
+    dissipated_sum_j += whole(std::max(0.0, record.dissipated_j));
+    residual_sum_mj += thousandths(std::abs(record.residual_j));
+    corrected_sum_mj += thousandths(std::abs(record.corrected_j));
+    unsolved += record.unsolved;
     max_speed_mps = std::max(max_speed_mps, record.max_speed_mps);
     max_energy_j = std::max(max_energy_j, record.max_energy_j);
     max_height_m = std::max(max_height_m, record.max_height_m);
@@ -121,6 +131,10 @@ void RunTally::add(const RunTally& other) {
     log_hits += other.log_hits;
     logs_broken += other.logs_broken;
     log_energy_sum_j += other.log_energy_sum_j;
+    dissipated_sum_j += other.dissipated_sum_j;
+    residual_sum_mj += other.residual_sum_mj;
+    corrected_sum_mj += other.corrected_sum_mj;
+    unsolved += other.unsolved;
     max_speed_mps = std::max(max_speed_mps, other.max_speed_mps);
     max_energy_j = std::max(max_energy_j, other.max_energy_j);
     max_height_m = std::max(max_height_m, other.max_height_m);

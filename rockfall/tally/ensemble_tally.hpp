@@ -25,16 +25,19 @@ inline constexpr std::array<float, 4> counted_energies_j{30e3F, 100e3F, 300e3F, 
 /// What arrived at a target on one slope.
 struct ArrivalTally {
     std::uint64_t reached = 0;
-    BinCounts energy{fine_energy_bins.count()};                    ///< in fine_energy_bins
-    BinCounts speed{fine_speed_bins.count()};                      ///< in fine_speed_bins
-    BinCounts height{fine_height_bins.count()};                    ///< in fine_height_bins
+    BinCounts energy{fine_energy_bins.count()};      ///< in fine_energy_bins
+    BinCounts speed{fine_speed_bins.count()};        ///< in fine_speed_bins
+    BinCounts height{fine_height_bins.count()};      ///< in fine_height_bins
+    BinCounts top_height{fine_height_bins.count()};  ///< of the highest point, in fine_height_bins
     std::array<std::uint64_t, counted_energies_j.size()> above{};  ///< with more than counted_energies_j
     double energy_max_j = 0.0;
     double speed_max_mps = 0.0;
     double height_max_m = 0.0;
+    double top_height_max_m = 0.0;
     std::uint64_t energy_sum_j = 0;
     std::uint64_t speed_sum_mmps = 0;
     std::uint64_t height_sum_mm = 0;
+    std::uint64_t top_height_sum_mm = 0;
 
     void add(const Arrival& arrival);
     void add(const ArrivalTally& other);
@@ -72,6 +75,10 @@ struct RunTally {
     std::uint64_t log_hits = 0;
     std::uint64_t logs_broken = 0;
     std::uint64_t log_energy_sum_j = 0;
+    std::uint64_t dissipated_sum_j = 0;  ///< of models that keep a ledger of energy
+    std::uint64_t residual_sum_mj = 0;   ///< sum of |what the ledger of a rock misses|, in thousandths of J
+    std::uint64_t corrected_sum_mj = 0;  ///< sum of |work done where overlaps were taken out|
+    std::uint64_t unsolved = 0;          ///< percussions whose solver met its limit
     double max_speed_mps = 0.0;
     double max_energy_j = 0.0;
     double max_height_m = 0.0;

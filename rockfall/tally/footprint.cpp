@@ -82,6 +82,10 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     log_hits_.clear();
     net_crossings_.clear();
     path_.clear();
+    moments_.clear();
+    radius_m_ = start.rock.radius_m;
+    is_block_ = false;
+    joins_ = false;
     with_path_ = with_path;
     deposit_cell_ = frame_.size();
     record_ = {};
@@ -108,6 +112,10 @@ void Footprint::finish(const FallEnd& end) {
     record_.ground_impacts = end.ground_impacts;
     record_.tree_hits = end.tree_hits;
     record_.log_hits = end.log_hits;
+    record_.dissipated_j = end.dissipated_j;
+    record_.residual_j = end.residual_j;
+    record_.corrected_j = end.corrected_j;
+    record_.unsolved = end.unsolved;
     std::sort(arrivals_.begin(), arrivals_.end(),
               [](const TargetArrival& a, const TargetArrival& b) { return a.target < b.target; });
     const config::Cell cell = frame_.cell_at(end.position_m.x(), end.position_m.y());
@@ -186,6 +194,7 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
 
 void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
                      std::span<const Stretch> stretches, double spin_radps) {
+    moments_.clear();
     if (stretches.empty()) {
         return;
     }
@@ -252,27 +261,42 @@ void Footprint::watch_targets(const Rock& rock, const Flight& flight, double unt
         const double squared_speed = flight.squared_speed_at(time_s);
         const double translational_j = 0.5 * rock.mass_kg * squared_speed;
         arrive(i, place.head<2>(), translational_j + rotation_j, translational_j, std::sqrt(squared_speed),
-               std::max(0.0, place.z() - ground_m));
+               place.z() - ground_m);
+        wait_for_pose(time_s, true);
     }
 }
 
 void Footprint::arrive(std::uint32_t target, const Eigen::Vector2d& place_m, double energy_j,
                        double translational_j, double speed_mps, double height_m) {
     reached_[target] = 1;
-    arrivals_.push_back({target,
-                         {true, static_cast<float>(place_m.x()), static_cast<float>(place_m.y()),
-                          static_cast<float>(energy_j), static_cast<float>(translational_j),
-                          static_cast<float>(speed_mps), static_cast<float>(height_m)}});
+    arrivals_.push_back(
+        {target,
+         {true, static_cast<float>(place_m.x()), static_cast<float>(place_m.y()),
+          static_cast<float>(energy_j), static_cast<float>(translational_j), static_cast<float>(speed_mps),
+          static_cast<float>(std::max(0.0, height_m)), static_cast<float>(height_m + radius_m_),
+          static_cast<float>(height_m + 2.0 * radius_m_)}});
 }
 
-void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t) {
+void Footprint::take(const PosedMoment& moment, const ShownPose& pose) {
+    if (moment.is_arrival) {
+        Arrival& arrival = arrivals_[moment.place].arrival;
+        arrival.top_height_m = arrival.centre_height_m + static_cast<float>(pose.above_centre_m);
+        return;
+    }
+    const Eigen::Quaterniond& q = pose.attitude;
+    path_[moment.place].attitude = {static_cast<float>(q.w()), static_cast<float>(q.x()),
+                                    static_cast<float>(q.y()), static_cast<float>(q.z())};
+}
+
+void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle) {
+    moments_.clear();
     const Eigen::Vector3d end = piece.position_m(piece.duration_s);
     const Eigen::Vector3d move = end - piece.start_m;
     const double begin2 = piece.velocity_mps.squaredNorm();
     const double end2 = piece.velocity_at(piece.duration_s).squaredNorm();
-    const double spin_factor = piece.slides ? 0.0 : 0.5 * rock.inertia_kgm2 / (rock.radius_m * rock.radius_m);
     const auto energy_j = [&](double squared_speed) {
-        return (0.5 * rock.mass_kg + spin_factor) * squared_speed;
+        return 0.5 * rock.mass_kg * squared_speed +
+               rotation_on_ground_j(rock, piece.slides, piece.rotation_j, squared_speed);
     };
 
     // Share of the way takes the place of time; the squared speed changes evenly along the way.
@@ -302,14 +326,22 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
             const auto at = first_crossing(targets_[i], piece.start_m.head<2>(), end.head<2>());
             if (at) {
                 const double squared_speed = begin2 + *at * (end2 - begin2);
-                arrive(i, (piece.start_m + *at * move).head<2>(), energy_j(squared_speed),
-                       0.5 * rock.mass_kg * squared_speed, std::sqrt(squared_speed), 0.0);
+                const Eigen::Vector3d place_m = piece.start_m + *at * move;
+                // The underside of a sphere is on the ground, that of a block's sphere need not be.
+                const double height_m =
+                    piece.rotation_j < 0.0
+                        ? 0.0
+                        : place_m.z() - terrain_.plane_of(triangle).height_m(place_m.x(), place_m.y());
+                arrive(i, place_m.head<2>(), energy_j(squared_speed), 0.5 * rock.mass_kg * squared_speed,
+                       std::sqrt(squared_speed), height_m);
+                wait_for_pose(*at * piece.duration_s, true);
             }
         }
     }
     if (with_path_) {
-        path_.push_back({piece.start_m, static_cast<float>(energy_j(begin2)), 0.0F});
-        path_.push_back({end, static_cast<float>(energy_j(end2)), 0.0F});
+        draw_piece({piece.start_m, static_cast<float>(energy_j(begin2)), 0.0F},
+                   {end, static_cast<float>(energy_j(end2)), 0.0F}, piece.duration_s,
+                   piece.rotation_j >= 0.0);
     }
 }
 
@@ -345,21 +377,49 @@ void Footprint::crossed_net(const Eigen::Vector3d& position_m, const NetCrossing
                               static_cast<float>(crossing.speed_mps), crossing.outcome, first});
 }
 
+void Footprint::draw_piece(const PathPoint& from, const PathPoint& to, double duration_s, bool joins) {
+    const std::size_t corners = path_.size();
+    if (joins && joins_ && corners >= 2 &&
+        (to.position_m - path_[corners - 2].position_m).norm() < radius_m_) {
+        path_.pop_back();
+    } else if (!joins || !joins_) {
+        path_.push_back(from);
+        wait_for_pose(0.0, false);
+    }
+    path_.push_back(to);
+    wait_for_pose(duration_s, false);
+    joins_ = joins;
+}
+
 void Footprint::draw(const Flight& flight, double until_s, std::span<const Stretch> stretches,
                      const Rock& rock, double rotation_j) {
-    constexpr int pieces = 8;
+    constexpr int most_pieces = 8;
+    const double length_m = (flight.position_m(until_s) - flight.start_m).norm();
+    const int pieces = is_block_
+                           ? std::clamp(static_cast<int>(std::ceil(length_m / radius_m_)), 1, most_pieces)
+                           : most_pieces;
     GroundBelow ground{
         flight, stretches,
         terrain_.plane_of(stretches.front().triangle).height_m(flight.start_m.x(), flight.start_m.y())};
-    for (int i = 0; i <= pieces; ++i) {
-        const double time_s = until_s * i / pieces;
+    const auto corner_at = [&](double time_s) {
         while (!ground.last() && ground.end_s() < time_s) {
             ground.next();
         }
         const double energy_j = 0.5 * rock.mass_kg * flight.squared_speed_at(time_s) + rotation_j;
         const double height_m = std::max(0.0, flight.height_m(time_s) - ground.at(time_s));
-        path_.push_back(
-            {flight.position_m(time_s), static_cast<float>(energy_j), static_cast<float>(height_m)});
+        return PathPoint{flight.position_m(time_s), static_cast<float>(energy_j),
+                         static_cast<float>(height_m)};
+    };
+    if (is_block_ && length_m < 0.5 * radius_m_) {
+        const PathPoint from = corner_at(0.0);
+        draw_piece(from, corner_at(until_s), until_s, true);
+        return;
+    }
+    joins_ = false;
+    for (int i = 0; i <= pieces; ++i) {
+        const double time_s = until_s * i / pieces;
+        path_.push_back(corner_at(time_s));
+        wait_for_pose(time_s, false);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,7 +47,11 @@ struct RockRecord {
     double tree_energy_j = 0.0;  ///< taken by trees
     std::uint32_t log_hits = 0;
     std::uint32_t logs_broken = 0;
-    double log_energy_j = 0.0;  ///< taken by logs
+    double log_energy_j = 0.0;   ///< taken by logs
+    double dissipated_j = 0.0;   ///< of models that keep a ledger of energy
+    double residual_j = 0.0;     ///< what that ledger misses
+    double corrected_j = 0.0;    ///< work done on the rock where overlaps with the ground are taken out
+    std::uint32_t unsolved = 0;  ///< percussions whose solver met its limit
 
     [[nodiscard]] double run_out_m() const { return (end_m - start_m).head<2>().norm(); }
     [[nodiscard]] double mean_speed_mps() const { return time_s > 0.0 ? path_m / time_s : 0.0; }
@@ -61,6 +66,7 @@ struct PathPoint {
     Eigen::Vector3d position_m;
     float energy_j;
     float height_m;
+    std::array<float, 4> attitude{};  ///< quaternion (w, x, y, z) of a block's principal axes; 0: a ball
 };
 
 /// A tree hit as the tables show it.
@@ -112,6 +118,16 @@ public:
     void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
               double spin_radps);
     void rolled(const Rock& rock, const RollingPiece& piece, std::uint32_t triangle);
+    /// Follows `flew` and `rolled` of a block: `pose_at` gives its pose at a time since their start, what
+    /// arrivals and the drawn path need of it.
+    template <class PoseAt>
+    void turned(const PoseAt& pose_at) {
+        for (const PosedMoment& moment : moments_) {
+            take(moment, pose_at(moment.time_s));
+        }
+        moments_.clear();
+        is_block_ = true;
+    }
     void impacted(const Eigen::Vector3d& place_m, int ground);
     void met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, const TreeImpact& impact,
                   double energy_j);
@@ -132,16 +148,29 @@ public:
     [[nodiscard]] std::size_t deposit_cell() const { return deposit_cell_; }
 
 private:
+    /// An arrival or a corner of the path that was shown last, whose pose is still to be known.
+    struct PosedMoment {
+        double time_s;
+        bool is_arrival;    ///< else a corner of the path
+        std::size_t place;  ///< in arrivals_ or path_
+    };
+    void take(const PosedMoment& moment, const ShownPose& pose);
     CellVisit& visit(std::size_t cell);
     void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,
                double y_m, double ground_m);
     void arrive(std::uint32_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
                 double speed_mps, double height_m);
+    void wait_for_pose(double time_s, bool is_arrival) {
+        moments_.push_back({time_s, is_arrival, (is_arrival ? arrivals_.size() : path_.size()) - 1});
+    }
     void watch_targets(const Rock& rock, const Flight& flight, double until_s,
                        std::span<const Stretch> stretches, double rotation_j);
     double walk_cells(const Rock& rock, const Flight& flight, double until_s,
                       std::span<const Stretch> stretches, double rotation_j);
     void measure_jump(const Flight& flight, double until_s);
+    /// A piece of the path. Those of a block are many and short: where one `joins` the next, corners closer
+    /// than the rock's radius are left out.
+    void draw_piece(const PathPoint& from, const PathPoint& to, double duration_s, bool joins);
     void draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
               double rotation_j);
 
@@ -162,6 +191,10 @@ private:
     std::vector<LogHitRecord> log_hits_;
     std::vector<NetCrossingRecord> net_crossings_;
     std::vector<PathPoint> path_;
+    std::vector<PosedMoment> moments_;
+    double radius_m_ = 0.0;
+    bool is_block_ = false;  ///< of a model whose rocks have poses
+    bool joins_ = false;     ///< the last corner of the path ends a short piece of a block
     bool with_path_ = false;
     std::size_t deposit_cell_ = 0;
 };

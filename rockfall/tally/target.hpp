@@ -40,7 +40,9 @@ struct Arrival {
     float energy_j = 0.0F;  ///< translation and rotation
     float translational_j = 0.0F;
     float speed_mps = 0.0F;
-    float height_m = 0.0F;  ///< of the underside above ground, vertical
+    float height_m = 0.0F;         ///< of the underside above ground, vertical
+    float centre_height_m = 0.0F;  ///< of the centre, likewise
+    float top_height_m = 0.0F;     ///< of the highest point, likewise
 };
 
 /// The arrival of a rock at the target of a number.

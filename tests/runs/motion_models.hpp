@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,18 @@ inline std::vector<std::string> motion_model_names() {
         names.emplace_back(rockfall::description_of(model).name);
     }
     return names;
+}
+
+/// What chooses a motion model in a call; its rocks are blocks where it gives them a shape.
+inline std::string motion_settings(const std::string& model) {
+    for (const rockfall::MotionModel one : rockfall::all_models()) {
+        const rockfall::ModelDescription& description = rockfall::description_of(one);
+        const auto& used = description.shared_settings;
+        if (description.name == model && std::find(used.begin(), used.end(), "release.shape") != used.end()) {
+            return "--set rockfall.motion=" + model + " --set release.shape=cube,plate,sphere ";
+        }
+    }
+    return "--set rockfall.motion=" + model + " ";
 }
 
 }  // namespace coupling

@@ -20,7 +20,7 @@ void add_nets(const SampleProject& project) {
 
 class NetsUnderModel : public ::testing::TestWithParam<std::string> {
 protected:
-    [[nodiscard]] static std::string motion() { return "--set rockfall.motion=" + GetParam() + " "; }
+    [[nodiscard]] static std::string motion() { return motion_settings(GetParam()); }
 };
 INSTANTIATE_TEST_SUITE_P(Motion, NetsUnderModel, ::testing::ValuesIn(motion_model_names()),
                          [](const auto& model) { return model.param; });

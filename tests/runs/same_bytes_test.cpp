@@ -20,14 +20,14 @@ Outcome run_and_compare(const SampleProject& project, const std::string& argumen
 /// What holds for results holds under every motion model.
 class ResultsOfModel : public ::testing::TestWithParam<std::string> {
 protected:
-    [[nodiscard]] static std::string motion() { return "--set rockfall.motion=" + GetParam() + " "; }
+    [[nodiscard]] static std::string motion() { return motion_settings(GetParam()); }
 };
 INSTANTIATE_TEST_SUITE_P(Motion, ResultsOfModel, ::testing::ValuesIn(motion_model_names()),
                          [](const auto& model) { return model.param; });
 
 TEST_P(ResultsOfModel, AreTheSameBytesOnAnyNumberOfThreads) {
     const SampleProject project;
-    const std::string rocks = motion() + "--set release.rocks=20000 ";
+    const std::string rocks = motion() + "--set release.rocks=8000 ";
     ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
     ASSERT_TRUE(std::filesystem::exists(project.file("first/tables/rocks.csv")));
     for (const std::string threads : {"2", "7"}) {

@@ -67,7 +67,7 @@ TEST_P(FirstRocksOfYearsUnderModel, AreThoseOfToday) {
                                     return column < 8 ? "0" : "7";
                                 }));
     const std::string rocks = "run scenario.ini --quiet --set trees.file=list.csv --set release.rocks=1000 " +
-                              ("--set rockfall.motion=" + GetParam() + " ");
+                              motion_settings(GetParam());
     ASSERT_EQ(call(project, rocks + "--set run.years=0 --out today").code, 0);
     const Outcome years = call(project, rocks + "--set run.years=1 --out years");
     ASSERT_EQ(years.code, 0) << years.err;

@@ -2,6 +2,7 @@
 
 import { AmbientLight, DirectionalLight, Scene, WebGLRenderer } from "three";
 
+import { blocksOf, enlargements } from "./blocks.js";
 import { Eye } from "./camera.js";
 import { button, checkbox, choice, element, layerChoice, sample } from "./controls.js";
 import { Ground } from "./ground.js";
@@ -26,6 +27,7 @@ class SlopeView {
         this.lights();
         this.scene.add(this.ground.mesh());
         this.paths = {};
+        this.shown = {};
         this.ofYear = [];
         this.logs = [];
         this.eye = new Eye(this.canvas, this.ground, () => this.ask());
@@ -71,12 +73,16 @@ class SlopeView {
                 this.paths[cover] = lines;
                 this.scene.add(lines, rests);
                 lines.visible = rests.visible = shown;
+                this.shown[cover] = shown;
                 bar.append(checkbox(text(coverNames[cover]), shown, (on) => {
                     lines.visible = rests.visible = on;
+                    this.shown[cover] = on;
+                    this.roll();
                     this.ask();
                 }));
             }
         }
+        bar.append(...this.blockSwitch());
         if (this.numbers.targets.length > 0) {
             const targets = targetsOf(this.numbers, this.ground);
             this.scene.add(targets);
@@ -87,6 +93,41 @@ class SlopeView {
         }
         bar.append(button(text("script.slope.reset"), () => this.eye.reset()), button(text("script.slope.from_above"), () => this.eye.fromAbove()));
         return bar;
+    }
+
+    /** How large blocks are drawn, where rocks have a shape. */
+    blockSwitch() {
+        if (!this.numbers.paths.some((path) => path.shape)) {
+            return [];
+        }
+        // At first so large that they can be seen beside the whole slope.
+        const largest = Math.max(...this.numbers.paths.map((path) => (path.shape ? path.diameter_m : 0)));
+        this.times = enlargements.find((times) => times * largest >= 0.006 * this.ground.extent) ?? enlargements.at(-1);
+        this.roll();
+        const options = enlargements.map((times) => [String(times), times === 1 ? text("script.slope.blocks_as_they_are") : text("script.slope.blocks_enlarged", { times })]);
+        const list = choice(text("script.slope.blocks"), new Map([["", [...options, ["0", text("script.slope.blocks_hidden")]]]]), (value) => {
+            this.times = Number(value);
+            this.roll();
+            this.ask();
+        });
+        list.querySelector("select").value = String(this.times);
+        return [list];
+    }
+
+    /** Puts the blocks along the paths that are shown. */
+    roll() {
+        if (this.times === undefined) {
+            return;
+        }
+        if (this.blocks) {
+            this.scene.remove(this.blocks);
+            drop(this.blocks);
+            this.blocks = null;
+        }
+        if (this.times > 0) {
+            this.blocks = blocksOf(this.numbers, this.ground, this.numbers.paths.filter((path) => this.shown[path.cover]), this.times);
+            this.scene.add(this.blocks);
+        }
     }
 
     /** Regime and year of the trees. */

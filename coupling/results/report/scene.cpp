@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "config/text/joined.hpp"
 #include "coupling/page_scripts/json_text.hpp"
@@ -9,6 +10,7 @@
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/energy_classes.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "rockfall/solids/shapes.hpp"
 
 namespace coupling::report {
 namespace {
@@ -23,6 +25,7 @@ constexpr int most_heights_a_side = 256;
 constexpr std::size_t most_trees = 400'000;
 constexpr std::size_t most_logs = 60'000;
 constexpr std::size_t most_path_corners = 100'000;
+constexpr std::size_t most_paths_with_blocks = 60;
 constexpr double full = 65'535.0;
 /// Room above the highest ground for flying rocks.
 constexpr double headroom_m = 200.0;
@@ -161,6 +164,65 @@ JsonObject path_object(std::span<const rockfall::PathPoint> path, const SceneBox
     return object;
 }
 
+bool has_attitude(const rockfall::PathPoint& point) {
+    return std::any_of(point.attitude.begin(), point.attitude.end(), [](float part) { return part != 0.0F; });
+}
+
+/// The paths along which blocks are drawn: evenly chosen of those of blocks.
+std::set<const rockfall::PathRecord*> paths_with_blocks(const Scene& scene) {
+    std::vector<const rockfall::PathRecord*> of_blocks;
+    for (const rockfall::PathRecord* path : scene.paths) {
+        if (!path->points.empty() && std::all_of(path->points.begin(), path->points.end(), has_attitude)) {
+            of_blocks.push_back(path);
+        }
+    }
+    std::set<const rockfall::PathRecord*> chosen;
+    const std::size_t kept = std::min(of_blocks.size(), most_paths_with_blocks);
+    for (std::size_t i = 0; i < kept; ++i) {
+        chosen.insert(of_blocks[i * of_blocks.size() / kept]);
+    }
+    return chosen;
+}
+
+/// The block of a path, and how it is turned at each corner.
+void add_block(JsonObject& object, const rockfall::PathRecord& path) {
+    std::vector<std::uint16_t> attitudes;
+    for (const rockfall::PathPoint& point : path.points) {
+        for (const float part : point.attitude) {
+            attitudes.push_back(static_cast<std::uint16_t>(std::clamp(
+                std::round((static_cast<double>(part) + 1.0) / 2.0 * (full - 1.0)), 0.0, full - 1.0)));
+        }
+    }
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector3f& vertex_m : path.shape_m) {
+        points.push_back(vertex_m.cast<double>());
+    }
+    const double diameter_m = static_cast<double>(path.diameter_m);
+    const rockfall::solids::Hull hull =
+        points.empty() ? rockfall::solids::ellipsoid({diameter_m, diameter_m, diameter_m}, 1)
+                       : rockfall::solids::convex_hull(points);
+    std::vector<double> vertices;
+    for (const Eigen::Vector3d& vertex_m : hull.vertices_m) {
+        for (const double part_m : vertex_m) {
+            vertices.push_back(std::round(1e4 * part_m) / 1e4);
+        }
+    }
+    std::vector<double> faces;
+    for (const rockfall::solids::Face& face : hull.faces) {
+        for (std::size_t k = 1; k + 1 < face.corners.size(); ++k) {
+            for (const std::uint32_t corner : {face.corners[0], face.corners[k], face.corners[k + 1]}) {
+                faces.push_back(static_cast<double>(corner));
+            }
+        }
+    }
+    object.number("diameter_m", diameter_m)
+        .add("attitudes", json_packed(attitudes))
+        .add("shape", JsonObject{}
+                          .add("vertices", page_scripts::json_numbers(vertices))
+                          .add("faces", page_scripts::json_numbers(faces))
+                          .json());
+}
+
 /// `stands`: how many share what may be drawn.
 std::string stand_json(const SceneStand& stand, const SceneBox& box, const Eigen::Vector2d& origin_m,
                        std::size_t stands) {
@@ -273,10 +335,13 @@ std::string json_of(const Scene& scene) {
              list_of(scene.stands,
                      [&](const SceneStand& stand) { return stand_json(stand, box, scene.origin_m, stands); }))
         .add("paths", list_of(scene.paths,
-                              [&](const rockfall::PathRecord* path) {
-                                  return path_object(path->points, box, scene.origin_m)
-                                      .text("cover", name_of(path->cover))
-                                      .json();
+                              [&, with_block = paths_with_blocks(scene)](const rockfall::PathRecord* path) {
+                                  JsonObject object = path_object(path->points, box, scene.origin_m);
+                                  object.text("cover", name_of(path->cover));
+                                  if (with_block.contains(path)) {
+                                      add_block(object, *path);
+                                  }
+                                  return object.json();
                               }))
         .add("targets", list_of(scene.targets,
                                 [&](const rockfall::Target& target) {

@@ -43,7 +43,7 @@ struct Law {
     bool double_friction = false;  ///< twice mu where two or more points touch, as PhysX applies it
     double spin_cap_radps = 0.0;   ///< no spin is faster; 0: no cap
     double step_s = 1e-3;          ///< of lasting contact
-    double rest_mps = 0.02;        ///< a block slower than this over rest_s, and not gaining, rests
+    double rest_mps = 0.02;  ///< in the mean over rest_s; a block that is slower, and does not gain, rests
     double rest_s = 0.3;
     double longest_s = 600.0;  ///< a block that moves longer is given up
     SolverLaw solver;

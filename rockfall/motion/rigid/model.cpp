@@ -75,7 +75,9 @@ const ModelDescription& Model::description() {
         .energy = "translation and rotation",
         .spins = true,
         .path_bytes_per_m = 400.0,
-        .shared_settings = {}};
+        .shared_settings = {"release.shape", "release.shape_shares", "release.sides", "release.sides_m",
+                            "release.sides_scatter", "release.shape_file", "release.shape_keeps_size",
+                            "release.attitude"}};
     return description;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rockfall/motion/description.hpp"
+#include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rigid/law.hpp"
 #include "rockfall/motion/rigid/motion.hpp"
 #include "rockfall/motion/settings.hpp"
@@ -28,6 +29,7 @@ struct Model {
     using Law = rigid::Law;
     using Written = rigid::Written;
     using Motion = rigid::Motion;
+    using Scratch = BlockScratch;
 
     static const ModelDescription& description();
     static std::span<const GroundColumn<Law>> ground_columns();

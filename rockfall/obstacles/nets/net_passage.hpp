@@ -26,11 +26,16 @@ struct StraightWay {
     Eigen::Vector3d end_m;
     double squared_speed_start;  ///< [m2/s2]
     double squared_speed_end;
-    bool slides;  ///< without spin
+    bool slides;               ///< without spin
+    double rotation_j = -1.0;  ///< as RollingPiece
 
     static StraightWay of(const RollingPiece& piece) {
-        return {piece.start_m, piece.position_m(piece.duration_s), piece.velocity_mps.squaredNorm(),
-                piece.velocity_at(piece.duration_s).squaredNorm(), piece.slides};
+        return {piece.start_m,
+                piece.position_m(piece.duration_s),
+                piece.velocity_mps.squaredNorm(),
+                piece.velocity_at(piece.duration_s).squaredNorm(),
+                piece.slides,
+                piece.rotation_j};
     }
 };
 
@@ -77,8 +82,7 @@ void each_passage(const NetIndex& nets, const Rock& rock, const StraightWay& way
     for (const NetLineCrossing& line : memory) {
         const double squared_speed = std::max(
             0.0, way.squared_speed_start + line.share * (way.squared_speed_end - way.squared_speed_start));
-        const double rotation_j =
-            way.slides ? 0.0 : 0.5 * rock.inertia_kgm2 / (rock.radius_m * rock.radius_m) * squared_speed;
+        const double rotation_j = rotation_on_ground_j(rock, way.slides, way.rotation_j, squared_speed);
         if (!take(NetPassage{line.share, way.start_m + line.share * (way.end_m - way.start_m),
                              net_crossing(nets, line, rock, 0.0, squared_speed, rotation_j)})) {
             return;

@@ -125,6 +125,18 @@ TEST(SideBySide, TellsOfOtherYearsWithRocksAndOfOtherMotionModels) {
     EXPECT_NE(side_by_side(runs).notes[0].find("the motion models differ"), std::string::npos);
 }
 
+TEST(SideBySide, TakesShapesOfBlocksForPartOfTheModel) {
+    std::vector<FinishedRun> runs{run_with(with_interval(60.0, 57.0, 64.0)),
+                                  run_with(with_interval(50.0, 47.0, 54.0))};
+    runs[0].summary.settings.push_back({"release.shape", "cube", ""});
+    runs[1].summary.settings.push_back({"release.shape", "plate", ""});
+    const SideBySide comparison = side_by_side(runs);
+    EXPECT_TRUE(comparison.not_comparable.empty());
+    ASSERT_EQ(comparison.notes.size(), 1U);
+    EXPECT_EQ(comparison.notes[0], "the blocks differ (release.shape: A cube, B plate)");
+    EXPECT_EQ(comparison.names[1], "B plate");
+}
+
 TEST(SideBySide, RefusesRunsOfDifferentKinds) {
     std::vector<FinishedRun> runs{run_with(with_interval(60.0, 57.0, 64.0)),
                                   run_with(with_interval(50.0, 47.0, 54.0))};

@@ -67,7 +67,7 @@ TEST(WriteArrival, TellsWhereAndHowARockArrived) {
     std::ostringstream out;
     write_arrival_header(out);
     write_arrival(out, 5, "road, upper", Cover::bare, origin_m,
-                  {true, 1.25F, 2.5F, 64000.0F, 50000.0F, 11.5F, 0.75F});
+                  {true, 1.25F, 2.5F, 64000.0F, 50000.0F, 11.5F, 0.75F, 1.25F, 2.0F});
     const config::Table table = table_of(out);
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.text(0, "target_id"), "road, upper");
@@ -76,6 +76,8 @@ TEST(WriteArrival, TellsWhereAndHowARockArrived) {
     EXPECT_EQ(table.text(0, "translational_kj"), "50.000");
     EXPECT_EQ(table.text(0, "speed_mps"), "11.500");
     EXPECT_EQ(table.text(0, "height_m"), "0.750");
+    EXPECT_EQ(table.text(0, "centre_height_m"), "1.250");
+    EXPECT_EQ(table.text(0, "top_height_m"), "2.000");
 }
 
 TEST(WriteLogHit, TellsWhatTheLogTookAndWhatBecameOfTheRock) {

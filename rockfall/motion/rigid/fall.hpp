@@ -1,0 +1,450 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "config/math/elementary.hpp"
+#include "rockfall/fall.hpp"
+#include "rockfall/motion/on_face.hpp"
+#include "rockfall/motion/rigid/block.hpp"
+#include "rockfall/motion/rigid/extent.hpp"
+#include "rockfall/motion/rigid/motion.hpp"
+#include "rockfall/motion/rigid/obstacle_watch.hpp"
+#include "rockfall/motion/rigid/start.hpp"
+#include "rockfall/obstacles/nets/net_watch.hpp"
+#include "rockfall/surface_stops.hpp"
+
+namespace rockfall {
+
+template <class Motion, class Observer>
+class Fall;
+
+/// One rigid block from release to rest: free flights and steps on the ground, with what stands in the way.
+///
+/// The observer is shown the point one radius of the sphere of equal volume below the centroid, as the
+/// underside of that sphere, with a spin that gives the block's energy of rotation.
+template <class Observer>
+class Fall<rigid::Motion, Observer> {
+public:
+    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
+         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer)
+        : Fall{slope, obstacles, law, std::move(motion), key, start, scratch, observer, solid_for(start)} {}
+
+    FallEnd run() {
+        while (!stopped_) {
+            if (time_s_ > law_.longest_s || end_.ground_impacts >= law_.most_impacts) {
+                stop(StopReason::gave_up);
+                break;
+            }
+            on_ground_ ? move_on_ground() : fly_on();
+            look_for_stillness();
+        }
+        end_.position_m = underside_m(block_.body().centre_m);
+        if (came_to_rest(end_.reason)) {
+            end_.reason == StopReason::at_rest || end_.reason == StopReason::caught
+                ? block_.rest_on_ground()
+                : block_.rest_at_obstacle();
+            rest_on_surface();
+        }
+        end_.dissipated_j = block_.ledger().dissipated_j();
+        end_.residual_j = block_.residual_j();
+        end_.corrected_j = block_.ledger().correction_j;
+        end_.unsolved = block_.unsolved();
+        end_.percussions = block_.percussions();
+        return end_;
+    }
+
+    [[nodiscard]] const rigid::Block& block() const { return block_; }
+
+private:
+    static std::shared_ptr<const solids::Solid> solid_for(const RockStart& start) {
+        if (start.block.solid) {
+            return start.block.solid;
+        }
+        const double volume_m3 =
+            std::numbers::pi / 6.0 * start.rock.diameter_m * start.rock.diameter_m * start.rock.diameter_m;
+        return std::make_shared<const solids::Solid>(
+            solids::ball_of(start.rock.diameter_m, start.rock.mass_kg / volume_m3));
+    }
+
+    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
+         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
+         std::shared_ptr<const solids::Solid> solid)
+        : Fall{slope,
+               obstacles,
+               law,
+               std::move(motion),
+               key,
+               start,
+               scratch,
+               observer,
+               solid,
+               rigid::start_of_block(slope, law.motion.of<rigid::Model>(), start, *solid,
+                                     scratch.of<rigid::Model>())} {}
+
+    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
+         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
+         std::shared_ptr<const solids::Solid> solid, const rigid::BlockStart& begin)
+        : slope_{slope},
+          law_{law.motion.of<rigid::Model>()},
+          solid_{std::move(solid)},
+          rock_{start.rock},
+          motion_{std::move(motion)},
+          watch_{obstacles, law.tree, law.log, key, start.rock, *solid_},
+          nets_{obstacles.nets, rock_, scratch.nets},
+          has_nets_{obstacles.nets != nullptr},
+          scratch_{scratch},
+          observer_{observer},
+          block_{slope, law_, *solid_, begin.body, begin.triangle, scratch.of<rigid::Model>()},
+          surface_stops_{start.rock.diameter_m},
+          on_ground_{begin.on_ground},
+          under_{begin.triangle} {
+        rock_.mass_kg = solid_->mass_kg;
+        draw_way_on_ground();
+        begin_piece();
+    }
+
+    void stop(StopReason reason) {
+        stopped_ = true;
+        end_.reason = reason;
+    }
+
+    [[nodiscard]] Eigen::Vector3d underside_m(const Eigen::Vector3d& centre_m) const {
+        return centre_m - Eigen::Vector3d{0.0, 0.0, rock_.radius_m};
+    }
+    [[nodiscard]] double energy_of_rotation_j() const {
+        return block_.body().rotation.energy_j(solid_->inertia_kgm2);
+    }
+    /// That gives a sphere's moment of inertia the block's energy of rotation.
+    [[nodiscard]] double spin_radps() const {
+        return std::sqrt(2.0 * energy_of_rotation_j() / rock_.inertia_kgm2);
+    }
+    [[nodiscard]] const SurfaceType& surface_at(std::uint32_t triangle,
+                                                const Eigen::Vector3d& place_m) const {
+        return slope_.type_at(triangle, place_m.x(), place_m.y());
+    }
+
+    void fly_on() {
+        const rigid::FreeFlight free = block_.fly();
+        const Eigen::Vector3d centre_m = block_.body().centre_m;
+        const Flight flight{underside_m(centre_m), block_.body().velocity_mps};
+        const auto under = slope_.terrain.locate(centre_m.x(), centre_m.y(), under_);
+        if (!under) {
+            stop(StopReason::left_terrain);
+            return;
+        }
+        under_ = *under;
+        double until_s = free.duration_s;
+        std::optional<Encounter> encounter;
+        if (!watch_.none()) {
+            encounter = watch_.next(block_, {centre_m, flight.velocity_mps}, until_s, normal_below());
+            until_s = encounter ? encounter->time_s : until_s;
+        }
+        const Landing landing = pass_over(slope_.terrain, flight, until_s, under_, scratch_.stretches);
+        end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
+        std::optional<NetPassage> net;
+        if (has_nets_) {
+            net = nets_.on_flight(flight, landing.time_s, spin_radps(), slope_.terrain, scratch_.stretches,
+                                  observer_);
+            if (net) {
+                cut(scratch_.stretches, slope_.terrain, flight, net->time_s);
+            }
+        }
+        const double end_s = net ? net->time_s : landing.time_s;
+        constexpr double no_flight_s = 1e-9;
+        if (end_s > no_flight_s) {
+            observer_.flew(rock_, flight, end_s, scratch_.stretches, spin_radps());
+            show_poses([&](double time_s) { return block_.flown(time_s); });
+        }
+        under_ = scratch_.stretches.back().triangle;
+        block_.go_on(end_s);
+        time_s_ += end_s;
+        if (net) {
+            meet(net->crossing);
+        } else if (landing.end == FlightEnd::left_terrain) {
+            stop(StopReason::left_terrain);
+        } else if (encounter) {
+            meet(*encounter);
+        } else if (free.end == rigid::FlightStop::left_terrain) {
+            stop(StopReason::left_terrain);
+        } else {
+            strike();
+        }
+        begin_piece();
+    }
+
+    /// For observers that ask: how the block was turned in the flight or piece that was shown last.
+    template <class BodyAt>
+    void show_poses(const BodyAt& body_at) {
+        if constexpr (requires { observer_.turned(body_at); }) {
+            observer_.turned([&](double time_s) {
+                const rigid::Body body = body_at(time_s);
+                return ShownPose{body.rotation.attitude,
+                                 rigid::reach_m(*solid_, body, Eigen::Vector3d::UnitZ())};
+            });
+        }
+    }
+
+    void strike() {
+        const rigid::Touchdown touchdown = block_.strike();
+        on_ground_ = touchdown.lasts;
+        if (!touchdown.touched) {
+            return;
+        }
+        ++end_.ground_impacts;
+        report(touchdown);
+        if (is_caught_at_impact(touchdown)) {
+            stop(StopReason::caught);
+        }
+    }
+
+    void report(const rigid::Touchdown& touchdown) {
+        observer_.impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
+    }
+
+    /// One draw for each impact above the speed at which ground is plastic.
+    bool is_caught_at_impact(const rigid::Touchdown& touchdown) {
+        if (!law_.stops_by_chance || touchdown.into_ground_mps <= law_.plastic_mps) {
+            return false;
+        }
+        const double u = motion_.ground_draws.uniforms_of(impacts_drawn_++)[0];
+        return u < surface_stops_.probability(surface_at(touchdown.triangle, touchdown.point_m));
+    }
+
+    void draw_way_on_ground() {
+        constexpr std::uint32_t once_per_rock = 0xFFFFFF;
+        way_until_caught_ = -config::ln_of(1.0 - motion_.ground_draws.uniforms_of(once_per_rock)[1]);
+    }
+
+    /// Steps of lasting contact, reported in pieces.
+    void move_on_ground() {
+        bool inside = true;
+        const rigid::Touchdown touchdown = block_.step(law_.step_s, inside);
+        time_s_ += law_.step_s;
+        piece_s_ += law_.step_s;
+        if (!inside) {
+            finish_piece();
+            if (!stopped_) {
+                stop(StopReason::left_terrain);
+            }
+            return;
+        }
+        const bool strikes = touchdown.touched && touchdown.into_ground_mps > law_.plastic_mps;
+        if (strikes) {
+            ++end_.ground_impacts;
+            report(touchdown);
+        }
+        airborne_steps_ = touchdown.touched ? 0 : airborne_steps_ + 1;
+        const bool leaves = touchdown.touched ? !touchdown.lasts : airborne_steps_ >= 2;
+        constexpr double longest_piece_s = 0.02;
+        if (!watch_.none()) {
+            if (const auto encounter = watch_.touched(block_.body(), normal_below())) {
+                finish_piece();
+                if (!stopped_) {
+                    meet(*encounter);
+                    begin_piece();
+                }
+                return;
+            }
+        }
+        if (leaves) {
+            block_.clear_overlap();
+        }
+        if (strikes || leaves || piece_s_ >= longest_piece_s - 1e-9) {
+            finish_piece();
+            begin_piece();
+        }
+        if (stopped_) {
+            return;
+        }
+        if (strikes && is_caught_at_impact(touchdown)) {
+            stop(StopReason::caught);
+            return;
+        }
+        on_ground_ = !leaves;
+        look_for_rest();
+    }
+
+    [[nodiscard]] Eigen::Vector3d normal_below() const { return slope_.terrain.plane_of(under_).normal(); }
+
+    void begin_piece() {
+        piece_s_ = 0.0;
+        piece_start_m_ = underside_m(block_.body().centre_m);
+        piece_velocity_mps_ = block_.body().velocity_mps;
+    }
+
+    /// Reports what was covered on the ground since begin_piece, with the nets on it.
+    void finish_piece() {
+        if (piece_s_ <= 0.0) {
+            return;
+        }
+        const Eigen::Vector3d end_m = underside_m(block_.body().centre_m);
+        const Eigen::Vector3d moved_m = end_m - piece_start_m_;
+        RollingPiece piece{piece_start_m_,
+                           piece_velocity_mps_,
+                           2.0 / (piece_s_ * piece_s_) * (moved_m - piece_s_ * piece_velocity_mps_),
+                           piece_s_,
+                           RollingEnd::piece,
+                           no_triangle,
+                           false,
+                           false,
+                           energy_of_rotation_j()};
+        const auto under = slope_.terrain.locate(end_m.x(), end_m.y(), under_);
+        const std::uint32_t triangle = under.value_or(under_);
+        std::optional<NetCrossing> net;
+        if (has_nets_) {
+            net = nets_.cut(piece);
+            nets_.report(piece.duration_s, observer_);
+        }
+        const double length_m = moved_m.norm();
+        observer_.rolled(rock_, piece, triangle);
+        show_poses([&](double) { return block_.body(); });
+        under_ = triangle;
+        if (net) {
+            meet(*net);
+            return;
+        }
+        if (!law_.stops_by_chance || stopped_) {
+            return;
+        }
+        way_until_caught_ -= length_m * surface_stops_.rolling_rate(surface_at(under_, end_m));
+        if (way_until_caught_ <= 0.0) {
+            stop(StopReason::caught);
+        }
+    }
+
+    /// A block without motion over a few steps rests.
+    void look_for_rest() {
+        constexpr double lies_still_mps = 1e-6;
+        constexpr double a_few_steps_s = 0.02;
+        if (!on_ground_ || speed_mps() > lies_still_mps) {
+            slow_since_s_ = -1.0;
+        } else if (slow_since_s_ < 0.0) {
+            slow_since_s_ = time_s_;
+        } else if (time_s_ - slow_since_s_ >= a_few_steps_s) {
+            stop(StopReason::at_rest);
+        }
+    }
+
+    /// Of the fastest point that the block may have.
+    [[nodiscard]] double speed_mps() const {
+        const rigid::Body& body = block_.body();
+        return body.velocity_mps.norm() + body.spin_radps(*solid_).norm() * solid_->bounding_radius_m;
+    }
+
+    /// A block creeps or, in a hollow, chatters: short flights and impacts that lead nowhere. It rests if
+    /// over two spans of time it neither moves nor turns faster than rest_mps in the mean, the second time no
+    /// more than the first, and is slow whenever it has met the ground. One that begins to tip moves more and
+    /// more.
+    void look_for_stillness() {
+        const rigid::Body& body = block_.body();
+        const double radius_m = solid_->bounding_radius_m;
+        fastest_mps_ = std::max(fastest_mps_, speed_mps());
+        const double span_s = time_s_ - span_start_s_;
+        if (stopped_ || span_s < law_.rest_s) {
+            return;
+        }
+        const Eigen::Quaterniond turn = span_attitude_.conjugate() * body.rotation.attitude;
+        // Twice the sine of half the angle: up to rounding the angle where it is small.
+        const double moved_mps =
+            ((body.centre_m - span_centre_m_).norm() + 2.0 * turn.vec().norm() * radius_m) / span_s;
+        constexpr double of_chatter = 10.0;
+        constexpr double no_more = 1.2;
+        const bool is_still = moved_mps < law_.rest_mps && fastest_mps_ < of_chatter * law_.rest_mps;
+        if (is_still && was_still_ && moved_mps <= no_more * last_moved_mps_) {
+            stop(StopReason::at_rest);
+        }
+        was_still_ = is_still;
+        last_moved_mps_ = moved_mps;
+        span_start_s_ = time_s_;
+        span_centre_m_ = body.centre_m;
+        span_attitude_ = body.rotation.attitude;
+        fastest_mps_ = 0.0;
+    }
+
+    void meet(const NetCrossing& crossing) {
+        if (crossing.outcome == NetOutcome::held) {
+            stop(StopReason::net);
+            return;
+        }
+        const double factor = nets_.break_through(crossing, block_.body().centre_m);
+        block_.meet_obstacle(factor * block_.body().velocity_mps, factor);
+    }
+
+    void meet(const Encounter& encounter) {
+        const double energy_j = block_.body().kinetic_j(*solid_);
+        if (energy_j <= 0.0) {
+            stop(encounter.stem ? StopReason::tree : StopReason::log);
+        } else if (encounter.stem) {
+            meet(*encounter.stem, energy_j);
+        } else {
+            meet(*encounter.log, energy_j);
+        }
+    }
+
+    void meet(const StemHit& hit, double energy_j) {
+        const TreeImpact impact = watch_.meet(hit, energy_j);
+        ++end_.tree_hits;
+        observer_.met_stem(underside_m(block_.body().centre_m), hit, impact, energy_j);
+        if (impact.stopped) {
+            stop(StopReason::tree);
+            return;
+        }
+        block_.meet_obstacle(impact.speed_factor * turned_in_plan(block_.body().velocity_mps, impact.turn),
+                             impact.speed_factor);
+    }
+
+    void meet(const LogHit& hit, double energy_j) {
+        const LogImpact impact = watch_.meet(hit, energy_j, block_.body());
+        ++end_.log_hits;
+        observer_.met_log(underside_m(block_.body().centre_m), hit, impact, energy_j);
+        if (impact.outcome == LogOutcome::stopped) {
+            stop(StopReason::log);
+            return;
+        }
+        block_.meet_obstacle(impact.velocity_mps, impact.spin_factor);
+    }
+
+    /// The place of a block that rests is told on the ground.
+    void rest_on_surface() {
+        const auto under = slope_.terrain.locate(end_.position_m.x(), end_.position_m.y(), under_);
+        if (under) {
+            end_.position_m.z() =
+                slope_.terrain.plane_of(*under).height_m(end_.position_m.x(), end_.position_m.y());
+        }
+    }
+
+    const Slope& slope_;
+    const rigid::Law& law_;
+    std::shared_ptr<const solids::Solid> solid_;
+    Rock rock_;
+    rigid::Motion motion_;
+    rigid::ObstacleWatch watch_;
+    NetWatch nets_;
+    bool has_nets_;
+    FallScratch& scratch_;
+    Observer& observer_;
+    rigid::Block block_;
+    SurfaceStops surface_stops_;
+    FallEnd end_;
+    bool on_ground_;
+    bool stopped_ = false;
+    std::uint32_t under_;
+    std::uint32_t impacts_drawn_ = 0;
+    int airborne_steps_ = 0;
+    double time_s_ = 0.0;
+    double way_until_caught_ = 0.0;
+    double slow_since_s_ = -1.0;
+    double span_start_s_ = -1e9;  ///< of the span of time that look_for_stillness judges
+    Eigen::Vector3d span_centre_m_ = Eigen::Vector3d::Zero();
+    Eigen::Quaterniond span_attitude_ = Eigen::Quaterniond::Identity();
+    double fastest_mps_ = 0.0;
+    double last_moved_mps_ = 0.0;
+    bool was_still_ = false;
+    double piece_s_ = 0.0;
+    Eigen::Vector3d piece_start_m_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d piece_velocity_mps_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace rockfall

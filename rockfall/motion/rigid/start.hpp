@@ -1,0 +1,27 @@
+#pragma once
+
+#include "rockfall/fall.hpp"
+#include "rockfall/motion/rigid/body.hpp"
+#include "rockfall/motion/rigid/law.hpp"
+#include "rockfall/slope.hpp"
+
+namespace rockfall::rigid {
+
+/// A block where its fall begins.
+struct BlockStart {
+    Body body;
+    std::uint32_t triangle;
+    bool on_ground;
+};
+
+/// Where and how a block begins.
+///
+/// Falling: its lowest point lies at the release height above the ground below its centre, or higher, so that
+/// it is nowhere below ground. Sliding: it lies with its largest face on the ground, turned by chance unless
+/// the attitude is given (`keeps_attitude`), with its velocity along the ground. Toppling: it stands with its
+/// smallest face, an edge of it downhill, and has turned about that edge until its weight line has passed it;
+/// it turns on with the spin of the law. What held the edge until then does no work.
+BlockStart start_of_block(const Slope& slope, const Law& law, const RockStart& start,
+                          const solids::Solid& solid, BlockScratch& scratch);
+
+}  // namespace rockfall::rigid
