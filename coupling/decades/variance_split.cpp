@@ -1,6 +1,7 @@
 #include "coupling/decades/variance_split.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "coupling/decades/decade_layouts.hpp"
@@ -68,12 +69,13 @@ TableLayout variance_split_layout() {
              {"year", "-", "simulated years since the start; 0 is the start", "simulated"},
              {"target_id", "text", "target", "input targets.file"},
              {"replicates", "-", "replicates in which rocks arrive over the bare slope", "simulated"},
-             {"protection_variance", "%2", "variance of protection between replicates", split},
-             {"rocks_variance", "%2", "of it what the chance of the rocks leaves within a replicate", split},
-             {"forest_variance", "%2", "the rest, at least 0: forests, weather and storms of the replicates",
-              split},
+             {"deviation_percent", "%", "standard deviation of protection between replicates", split},
+             {"rocks_deviation_percent", "%",
+              "of it what the chance of the rocks leaves within a replicate, as a standard deviation", split},
+             {"forest_deviation_percent", "%",
+              "the rest (squares add up), at least 0: forests, weather and storms of the replicates", split},
              {"rocks_share_percent", "%",
-              "rocks_variance / protection_variance, at most 100; empty where all replicates are equal. More "
+              "share of the rocks in the variance, at most 100; empty where all replicates are equal. More "
               "rocks a year lower this part, more replicates do not",
               split}}};
 }
@@ -93,7 +95,8 @@ std::vector<WrittenFile> write_variance_splits(const std::filesystem::path& fold
         }
         row.text(names.regimes[names.regime_of(course)]).text(names.climates[names.climate_of(course)]);
         row.whole(static_cast<std::uint32_t>(year)).text(site.targets[target].id).whole(split->replicates);
-        row.number<4>(split->between).number<4>(split->rocks).number<4>(split->forest);
+        row.number<3>(std::sqrt(split->between)).number<3>(std::sqrt(split->rocks));
+        row.number<3>(std::sqrt(split->forest));
         split->between > 0.0 ? row.number<1>(std::min(100.0, 100.0 * split->rocks / split->between))
                              : row.empty();
         row.end();
