@@ -11,6 +11,7 @@
 #include "rockfall/motion/rigid/extent.hpp"
 #include "rockfall/motion/rigid/motion.hpp"
 #include "rockfall/motion/rigid/obstacle_watch.hpp"
+#include "rockfall/motion/rigid/rest_watch.hpp"
 #include "rockfall/motion/rigid/start.hpp"
 #include "rockfall/obstacles/nets/net_watch.hpp"
 #include "rockfall/surface_stops.hpp"
@@ -38,7 +39,9 @@ public:
                 break;
             }
             on_ground_ ? move_on_ground() : fly_on();
-            look_for_stillness();
+            if (rest_.rests(block_.body(), time_s_, on_ground_) && !stopped_) {
+                stop(StopReason::at_rest);
+            }
         }
         end_.position_m = underside_m(block_.body().centre_m);
         if (came_to_rest(end_.reason)) {
@@ -97,6 +100,7 @@ private:
           scratch_{scratch},
           observer_{observer},
           block_{slope, law_, *solid_, begin.body, begin.triangle, scratch.of<rigid::Model>()},
+          rest_{law_, *solid_},
           surface_stops_{start.rock.diameter_m},
           on_ground_{begin.on_ground},
           under_{begin.triangle} {
@@ -263,7 +267,6 @@ private:
             return;
         }
         on_ground_ = !leaves;
-        look_for_rest();
     }
 
     [[nodiscard]] Eigen::Vector3d normal_below() const { return slope_.terrain.plane_of(under_).normal(); }
@@ -312,55 +315,6 @@ private:
         if (way_until_caught_ <= 0.0) {
             stop(StopReason::caught);
         }
-    }
-
-    /// A block without motion over a few steps rests.
-    void look_for_rest() {
-        constexpr double lies_still_mps = 1e-6;
-        constexpr double a_few_steps_s = 0.02;
-        if (!on_ground_ || speed_mps() > lies_still_mps) {
-            slow_since_s_ = -1.0;
-        } else if (slow_since_s_ < 0.0) {
-            slow_since_s_ = time_s_;
-        } else if (time_s_ - slow_since_s_ >= a_few_steps_s) {
-            stop(StopReason::at_rest);
-        }
-    }
-
-    /// Of the fastest point that the block may have.
-    [[nodiscard]] double speed_mps() const {
-        const rigid::Body& body = block_.body();
-        return body.velocity_mps.norm() + body.spin_radps(*solid_).norm() * solid_->bounding_radius_m;
-    }
-
-    /// A block creeps or, in a hollow, chatters: short flights and impacts that lead nowhere. It rests if
-    /// over two spans of time it neither moves nor turns faster than rest_mps in the mean, the second time no
-    /// more than the first, and is slow whenever it has met the ground. One that begins to tip moves more and
-    /// more.
-    void look_for_stillness() {
-        const rigid::Body& body = block_.body();
-        const double radius_m = solid_->bounding_radius_m;
-        fastest_mps_ = std::max(fastest_mps_, speed_mps());
-        const double span_s = time_s_ - span_start_s_;
-        if (stopped_ || span_s < law_.rest_s) {
-            return;
-        }
-        const Eigen::Quaterniond turn = span_attitude_.conjugate() * body.rotation.attitude;
-        // Twice the sine of half the angle: up to rounding the angle where it is small.
-        const double moved_mps =
-            ((body.centre_m - span_centre_m_).norm() + 2.0 * turn.vec().norm() * radius_m) / span_s;
-        constexpr double of_chatter = 10.0;
-        constexpr double no_more = 1.2;
-        const bool is_still = moved_mps < law_.rest_mps && fastest_mps_ < of_chatter * law_.rest_mps;
-        if (is_still && was_still_ && moved_mps <= no_more * last_moved_mps_) {
-            stop(StopReason::at_rest);
-        }
-        was_still_ = is_still;
-        last_moved_mps_ = moved_mps;
-        span_start_s_ = time_s_;
-        span_centre_m_ = body.centre_m;
-        span_attitude_ = body.rotation.attitude;
-        fastest_mps_ = 0.0;
     }
 
     void meet(const NetCrossing& crossing) {
@@ -426,6 +380,7 @@ private:
     FallScratch& scratch_;
     Observer& observer_;
     rigid::Block block_;
+    rigid::RestWatch rest_;
     SurfaceStops surface_stops_;
     FallEnd end_;
     bool on_ground_;
@@ -435,13 +390,6 @@ private:
     int airborne_steps_ = 0;
     double time_s_ = 0.0;
     double way_until_caught_ = 0.0;
-    double slow_since_s_ = -1.0;
-    double span_start_s_ = -1e9;  ///< of the span of time that look_for_stillness judges
-    Eigen::Vector3d span_centre_m_ = Eigen::Vector3d::Zero();
-    Eigen::Quaterniond span_attitude_ = Eigen::Quaterniond::Identity();
-    double fastest_mps_ = 0.0;
-    double last_moved_mps_ = 0.0;
-    bool was_still_ = false;
     double piece_s_ = 0.0;
     Eigen::Vector3d piece_start_m_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d piece_velocity_mps_ = Eigen::Vector3d::Zero();

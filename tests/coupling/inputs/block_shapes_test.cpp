@@ -55,7 +55,7 @@ TEST(BlockShapes, HaveTheVolumeOfTheSphereOfTheirDiameter) {
     for (const std::string shape : {"cube", "plate", "column", "octahedron", "compact", "very-elongate",
                                     "hull", "box", "rounded", "ellipsoid"}) {
         const Opened opened = open_blocks(
-            project, {"release.shape=" + shape, "release.shape_file=hull.csv", "release.sides=3,2,1"});
+            project, {"release.shape=" + shape, "release.shape_file=hull.csv", "release.sides=3, 2, 1"});
         ASSERT_TRUE(opened.site) << shape << opened.errors;
         EXPECT_NEAR(drawn(opened).solid->mass_kg, 2700.0 * M_PI / 6.0, 1e-6) << shape;
     }
@@ -63,7 +63,7 @@ TEST(BlockShapes, HaveTheVolumeOfTheSphereOfTheirDiameter) {
 
 TEST(BlockShapes, OfGivenSidesReplaceTheDiameter) {
     const SampleProject project;
-    const Opened opened = open_blocks(project, {"release.shape=box", "release.sides_m=1,0.8,0.5"});
+    const Opened opened = open_blocks(project, {"release.shape=box", "release.sides_m=1, 0.8, 0.5"});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_NEAR(drawn(opened).solid->mass_kg, 2700.0 * 0.4, 1e-9);
 }
@@ -71,7 +71,7 @@ TEST(BlockShapes, OfGivenSidesReplaceTheDiameter) {
 TEST(BlockShapes, ScatterEachSideWithinItsShare) {
     const SampleProject project;
     const Opened opened =
-        open_blocks(project, {"release.shape=box", "release.sides_m=1,1,1", "release.sides_scatter=0.3"});
+        open_blocks(project, {"release.shape=box", "release.sides_m=1, 1, 1", "release.sides_scatter=0.3"});
     ASSERT_TRUE(opened.site) << opened.errors;
     double smallest_kg = 1e9, largest_kg = 0.0;
     for (std::uint64_t rock = 0; rock < 500; ++rock) {
@@ -145,7 +145,7 @@ TEST(BlockShapes, ThatAreNoSolidsAreRefused) {
 
 TEST(BlockShapes, WithSidesOf0AreRefused) {
     const SampleProject project;
-    for (const std::string sides : {"0,1,1", "1,1", "-1,1,1", "1,1,1e-9"}) {
+    for (const std::string sides : {"0, 1, 1", "1, 1", "-1, 1, 1", "1, 1, 1e-9"}) {
         expect_one_error(project, {"release.shape=box", "release.sides_m=" + sides}, ExitCode::settings,
                          "release.sides_m");
     }
@@ -165,13 +165,15 @@ TEST(BlockShapes, WithoutDensityAreRefused) {
 TEST(BlockShapes, WithAnAttitudeThatIsNoRotationAreRefused) {
     const SampleProject project;
     for (const std::string attitude :
-         {"1,1,0,0", "0,0,0,0", "1,0,0", "1,0,0,0,1,0,0,0,-1", "1,0,0,0,1,0,0,0,2"}) {
+         {"1, 1, 0, 0", "0, 0, 0, 0", "1, 0, 0", "1, 0, 0, 0, 1, 0, 0, 0, -1", "1, 0, 0, 0, 1, 0, 0, 0, 2"}) {
         expect_one_error(project, {"release.shape=cube", "release.attitude=" + attitude}, ExitCode::settings,
                          "release.attitude");
     }
-    EXPECT_TRUE(open_blocks(project, {"release.shape=cube", "release.attitude=0,1,-1,0,0,0,0,0,1"}).code ==
-                ExitCode::settings);
-    EXPECT_TRUE(open_blocks(project, {"release.shape=cube", "release.attitude=0,-1,0,1,0,0,0,0,1"}).site);
+    EXPECT_TRUE(
+        open_blocks(project, {"release.shape=cube", "release.attitude=0, 1, -1, 0, 0, 0, 0, 0, 1"}).code ==
+        ExitCode::settings);
+    EXPECT_TRUE(
+        open_blocks(project, {"release.shape=cube", "release.attitude=0, -1, 0, 1, 0, 0, 0, 0, 1"}).site);
 }
 
 TEST(BlockShapes, OfUnknownNamesAreRefusedWithTheNearest) {

@@ -130,7 +130,8 @@ TEST(GroundChanges, TellWhatNoGroundHas) {
     EXPECT_EQ(open(project, {"ground.pasture.rt=0.8"}).errors,
               "--set ground.pasture.rt=0.8: found key 'rt' of a ground type, expected one of r_n, r_t, "
               "jump_angle_factor, p_stop, rolling_stops_per_m, rolling_friction, "
-              "sliding_friction");
+              "sliding_friction, friction, friction_max, slip_kappa_pm, slip_beta_ps, contact_drag_ps, "
+              "restitution, rolling_resistance");
     EXPECT_EQ(open(project, {"ground.pasture.r_t=1.8"}).errors,
               "--set ground.pasture.r_t=1.8: found ground.pasture.r_t = '1.8', expected a number in [0, "
               "0.99]");

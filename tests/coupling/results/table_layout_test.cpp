@@ -76,8 +76,11 @@ std::string unit_of(const std::string& name) {
     if (name.ends_with("_per_1000")) {
         return "1/1000";
     }
-    if (name.ends_with("_per_m")) {
+    if (name.ends_with("_per_m") || name.ends_with("kappa_pm")) {
         return "1/m";
+    }
+    if (name.ends_with("_ps")) {
+        return "1/s";
     }
     const auto found = units.find(name.substr(name.rfind('_') + 1));
     return found == units.end() || name.rfind('_') == std::string::npos ? "" : found->second;

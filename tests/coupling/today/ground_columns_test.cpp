@@ -41,13 +41,16 @@ TEST(GroundColumns, AreEachUsedByAMotionModel) {
 TEST(GroundColumns, SayWhichMotionModelsUseThemAndWhereTheyComeFrom) {
     const std::vector<Column> columns = ground_table_columns();
     const Column& r_n = column_of(columns, "r_n");
-    EXPECT_EQ(r_n.meaning, "coefficient of normal restitution, of the soil for pir3d");
+    EXPECT_EQ(r_n.meaning,
+              "coefficient of normal restitution, of the soil for pir3d; picus, pir3d, classical");
     EXPECT_EQ(r_n.source,
               "terrain.surface_types, or the shipped type; pir3d: terrain.soils, or the shipped soil");
     const Column& friction = column_of(columns, "friction");
-    EXPECT_EQ(friction.meaning, "coefficient of sliding friction; pir3d, classical");
+    EXPECT_EQ(friction.meaning,
+              "coefficient of sliding friction, at the start of a slip for rigid; pir3d, classical, rigid");
     EXPECT_EQ(friction.source,
-              "pir3d: the soil; classical: (1 - r_t) / r_t, classical.friction_angle_deg or the ground type");
+              "pir3d: the soil; classical: (1 - r_t) / r_t, classical.friction_angle_deg or the ground type; "
+              "rigid: rigid_ground or the column of terrain.surface_types, or [rigid]");
     EXPECT_EQ(column_of(columns, "threshold_deg").source, "terrain.soils, or the shipped soil");
 }
 
