@@ -179,14 +179,6 @@ Touchdown Block::strike() {
     return touchdown;
 }
 
-void Block::grow_slip(bool touched, double duration_s, double speed_mps) {
-    if (touched && solver_.normal_sum_ns() > 0.0) {
-        slip_m_ += speed_mps * duration_s;
-    } else {
-        slip_m_ = slip_without_contact_m(slip_m_, beta_ps_, duration_s);
-    }
-}
-
 /// Lifts the block. It pays with its motion; what that does not cover is booked as work done on it.
 void Block::lift(const Vector3d& by_m) {
     const double work_j = solid_.mass_kg * gravity_mps2 * by_m.z();
@@ -270,17 +262,26 @@ Touchdown Block::step(double duration_s, bool& inside) {
         solver_.forget();
         scratch_.points.clear();
     } else {
-        const double speed_mps = body_.velocity_mps.norm();
+        // The percussion acts in the middle of the step, so with the slip that there is by then.
+        const double slip_m = slip_m_;
+        slip_m_ += half_s * body_.velocity_mps.norm();
         touchdown = percuss(velocities_of(body_), kick_mps);
-        grow_slip(true, duration_s, 0.5 * (speed_mps + body_.velocity_mps.norm()));
-        drag_in_contact(duration_s);
-        correct_overlap();
+        if (solver_.normal_sum_ns() > 0.0) {
+            slip_m_ += half_s * body_.velocity_mps.norm();
+        } else {
+            slip_m_ = slip_without_contact_m(slip_m, beta_ps_, duration_s);
+        }
         touchdown.lasts = is_pressed(velocities_of(body_));
     }
     if (!touchdown.touched) {
-        grow_slip(false, duration_s, 0.0);
+        slip_m_ = slip_without_contact_m(slip_m_, beta_ps_, duration_s);
     }
     drift();
+    if (touchdown.touched) {
+        // After the drift, whose way belongs to the velocity that gravity's kick left.
+        drag_in_contact(duration_s);
+        correct_overlap();
+    }
     return touchdown;
 }
 

@@ -111,7 +111,6 @@ private:
     void correct_overlap();
     void lift(const Eigen::Vector3d& by_m);
     void drag_in_contact(double duration_s);
-    void grow_slip(bool touched, double duration_s, double speed_mps);
     [[nodiscard]] double patch_radius_m() const;
 
     const Slope& slope_;

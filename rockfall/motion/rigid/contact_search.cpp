@@ -14,14 +14,23 @@ using Eigen::Vector3d;
 
 constexpr std::uint32_t face_feature = 1U << 20;
 constexpr std::uint32_t edge_feature = 1U << 21;
+/// A face that lies along a ridge touches it with two of its edges: either counts up to this angle between
+/// face and ridge, else the face would rock from one to the other for ever.
+constexpr double along_ridge_rad = 2e-3;
+
+/// Products of two lengths [m2] above this have the same sign, whatever rounding did.
+constexpr double both_sides = 1e-12;
+
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 /// Deeper than this share of the bounding radius a ridge or peak counts as being on the other side.
 constexpr double deepest_share = 0.3;
 
-bool lies_between(const Vector3d& direction, const Vector3d& one, const Vector3d& other) {
+/// Whether a direction lies on the shorter arc between two others, or that little beyond its ends [rad].
+bool lies_between(const Vector3d& direction, const Vector3d& one, const Vector3d& other, double slack_rad) {
     const Vector3d axis = one.cross(other);
-    return one.cross(direction).dot(axis) >= 0.0 && direction.cross(other).dot(axis) >= 0.0 &&
+    const double least = -slack_rad * axis.norm();
+    return one.cross(direction).dot(axis) >= least && direction.cross(other).dot(axis) >= least &&
            direction.dot(one + other) > 0.0;
 }
 
@@ -76,7 +85,8 @@ void vertex_touches(const GroundPatch& patch, const PosedBlock& block, double re
                     std::vector<TouchPoint>& found) {
     const double radius_m = block.solid->bounding_radius_m;
     for (const NearTriangle& triangle : patch.triangles()) {
-        if (triangle.gap_m(block.centre_m) > radius_m + reach_m) {
+        if (triangle.gap_m(block.centre_m) > radius_m + reach_m ||
+            triangle.outside_m(block.centre_m) > radius_m) {
             continue;
         }
         for (std::size_t i = 0; i < block.vertices_m.size(); ++i) {
@@ -144,7 +154,7 @@ void face_touches(const GroundPatch& patch, const PosedBlock& block, double reac
                 nearest = f;
             }
         }
-        const Vector3d normal = -(block.turn * hull.faces[nearest].normal);
+        const Vector3d normal = -block.normals[nearest];
         if (gap_m > reach_m || gap_m < -deepest_share * radius_m || normal.z() <= 0.0 ||
             !is_on_top(patch, peak, normal) || !lies_on_face(hull, hull.faces[nearest], local_m)) {
             continue;
@@ -169,6 +179,12 @@ void edge_touches(const GroundPatch& patch, const PosedBlock& block, double reac
             const solids::Edge& edge = hull.edges[e];
             const Vector3d& start_m = block.vertices_m[edge.from];
             const Vector3d along_edge_m = block.vertices_m[edge.to] - start_m;
+            // The normal lies between those of both edges only where each edge parts the other's normals.
+            if (ridge.left_normal.dot(along_edge_m) * ridge.right_normal.dot(along_edge_m) > both_sides ||
+                block.normals[edge.left].dot(ridge.along_m) * block.normals[edge.right].dot(ridge.along_m) >
+                    along_ridge_rad * squared_length) {
+                continue;
+            }
             const Vector3d across = ridge.along_m.cross(along_edge_m);
             const double squared = across.squaredNorm();
             if (squared <=
@@ -187,9 +203,9 @@ void edge_touches(const GroundPatch& patch, const PosedBlock& block, double reac
             }
             const double gap_m = normal.dot(between_m);
             if (gap_m > reach_m || gap_m < -deepest_share * radius_m ||
-                !lies_between(normal, ridge.left_normal, ridge.right_normal) ||
-                !lies_between(-normal, block.turn * hull.faces[edge.left].normal,
-                              block.turn * hull.faces[edge.right].normal)) {
+                !lies_between(normal, ridge.left_normal, ridge.right_normal, 0.0) ||
+                !lies_between(-normal, block.normals[edge.left], block.normals[edge.right],
+                              along_ridge_rad)) {
                 continue;
             }
             found.push_back({ridge.from_m + on_ridge * ridge.along_m, normal, gap_m, ridge.triangle,
@@ -205,12 +221,17 @@ void PosedBlock::pose(const solids::Solid& of, const Vector3d& place_m, const Ei
     centre_m = place_m;
     if (of.is_sphere()) {
         vertices_m.clear();
+        normals.clear();
         return;
     }
     turn = attitude.toRotationMatrix();
     vertices_m.resize(of.hull.vertices_m.size());
     for (std::size_t i = 0; i < vertices_m.size(); ++i) {
         vertices_m[i] = turn * of.hull.vertices_m[i] + place_m;
+    }
+    normals.resize(of.hull.faces.size());
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        normals[i] = turn * of.hull.faces[i].normal;
     }
 }
 

@@ -27,6 +27,7 @@ struct PosedBlock {
     Eigen::Vector3d centre_m;
     Eigen::Matrix3d turn;                     ///< from the principal axes to space
     std::vector<Eigen::Vector3d> vertices_m;  ///< in space; none of a sphere
+    std::vector<Eigen::Vector3d> normals;     ///< of its faces, in space
 
     void pose(const solids::Solid& of, const Eigen::Vector3d& place_m, const Eigen::Quaterniond& attitude);
     [[nodiscard]] bool is_sphere() const { return solid->is_sphere(); }

@@ -10,6 +10,14 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+/// Sweeps before they are mixed: most percussions need fewer.
+constexpr int plain_sweeps = 4;
+constexpr int between_mixes = 3;
+constexpr int whole_sweeps = 50;
+constexpr int half_sweeps = 120;
+/// Sweeps that leave more than this of the change before are slow enough to be mixed.
+constexpr double slow = 0.5;
+
 Matrix3d cross_matrix(const Vector3d& v) {
     Matrix3d m;
     m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
@@ -52,6 +60,7 @@ bool slips_by_angle(const Matrix3d& delassus, const Vector3d& free_mps, double s
                                           : Eigen::Vector2d{1.0, 0.0};
     constexpr int most = 12;
     constexpr double still_rad = 1e-14;
+    constexpr double rounding = 4e-16;
     for (int i = 0; i < most; ++i) {
         const Eigen::Vector2d across{-d.y(), d.x()};
         const double stiffness = delassus(0, 0) - friction * coupling.dot(d);
@@ -70,7 +79,9 @@ bool slips_by_angle(const Matrix3d& delassus, const Vector3d& free_mps, double s
             return false;
         }
         const double turn_rad = std::clamp(-off_mps / rate, -0.5, 0.5);
-        if (std::abs(turn_rad) <= still_rad || (i > 2 && std::abs(off_mps) <= 1e-15 * moves_mps.norm())) {
+        // A contact that hardly slips: its direction is known no better than its slip is.
+        const double rounding_mps = rounding * (free_mps.tail<2>().norm() + normal_ns * pull.norm());
+        if (std::abs(turn_rad) <= still_rad || std::abs(off_mps) <= rounding_mps) {
             impulse << normal_ns, -friction * normal_ns * d;
             return d.dot(moves_mps) >= 0.0;
         }
@@ -137,6 +148,7 @@ void PercussionSolver::build(const BlockMass& mass, const Velocities& before,
         row.delassus =
             mass.inverse_mass_pkg * Matrix3d::Identity() + arm.transpose() * mass.inverse_inertia * arm;
         row.inverse = row.delassus.inverse();
+        row.weight = std::sqrt(row.delassus.trace());
         row.friction = point.friction;
         row.shift_mps = point.restitution * std::min(0.0, point.normal.dot(before.at(point.arm_m)));
         row.least_ns = 0.0;
@@ -150,10 +162,7 @@ void PercussionSolver::build(const BlockMass& mass, const Velocities& before,
     }
 }
 
-Velocities PercussionSolver::apply(const BlockMass& mass, const Velocities& before,
-                                   const Vector3d& kick_mps) const {
-    Velocities now = before;
-    now.linear_mps += kick_mps;
+Velocities PercussionSolver::with_percussions(const BlockMass& mass, Velocities now) const {
     for (const Row& row : rows_) {
         const Vector3d impulse = row.frame * row.impulse;
         now.linear_mps += mass.inverse_mass_pkg * impulse;
@@ -163,45 +172,128 @@ Velocities PercussionSolver::apply(const BlockMass& mass, const Velocities& befo
     return now;
 }
 
-bool PercussionSolver::sweep_until_still(const BlockMass& mass, Velocities& now, double rolling_arm_m) {
-    const double couple_step = 1.0 / mass.inverse_inertia.trace();
-    for (int sweep = 0; sweep < law_.most_sweeps; ++sweep) {
-        double change_mps = 0.0;
-        double normal_sum_ns = 0.0;
-        for (Row& row : rows_) {
-            const Vector3d velocity_mps = row.frame.transpose() * now.at(row.arm_m);
-            const Vector3d free_mps = velocity_mps - row.delassus * row.impulse;
-            Vector3d impulse = row.impulse;
-            if (free_mps.x() + row.shift_mps >= 0.0 && row.least_ns == 0.0) {
-                impulse.setZero();
-            } else if (!sticks(row.inverse, free_mps, row.shift_mps, row.least_ns, row.friction, impulse)) {
-                slips(row.delassus, free_mps, row.shift_mps, row.least_ns, row.friction, impulse);
-            }
-            const Vector3d more = impulse - row.impulse;
-            row.impulse = impulse;
-            change_mps = std::max(change_mps, (row.delassus * more).cwiseAbs().maxCoeff());
-            const Vector3d more_ns = row.frame * more;
-            now.linear_mps += mass.inverse_mass_pkg * more_ns;
-            now.spin_radps += mass.inverse_inertia * row.arm_m.cross(more_ns);
-            normal_sum_ns += impulse.x();
+double PercussionSolver::sweep(const BlockMass& mass, Velocities& now, double share) {
+    double change_mps = 0.0;
+    for (Row& row : rows_) {
+        const Vector3d velocity_mps = row.frame.transpose() * now.at(row.arm_m);
+        const Vector3d free_mps = velocity_mps - row.delassus * row.impulse;
+        Vector3d impulse = row.impulse;
+        if (free_mps.x() + row.shift_mps >= 0.0 && row.least_ns == 0.0) {
+            impulse.setZero();
+        } else if (!sticks(row.inverse, free_mps, row.shift_mps, row.least_ns, row.friction, impulse)) {
+            slips(row.delassus, free_mps, row.shift_mps, row.least_ns, row.friction, impulse);
         }
-        if (rolling_arm_m > 0.0) {
-            Vector3d couple_nms = couple_nms_ - couple_step * now.spin_radps;
-            const double most_nms = rolling_arm_m * normal_sum_ns;
-            const double size = couple_nms.norm();
-            if (size > most_nms) {
-                couple_nms *= most_nms / size;
-            }
-            const Vector3d more = mass.inverse_inertia * (couple_nms - couple_nms_);
-            couple_nms_ = couple_nms;
-            now.spin_radps += more;
-            change_mps = std::max(change_mps, more.norm() * rolling_arm_m);
+        const Vector3d more = impulse - row.impulse;
+        change_mps = std::max(change_mps, (row.delassus * more).cwiseAbs().maxCoeff());
+        const Vector3d taken = share * more;
+        row.impulse += taken;
+        const Vector3d more_ns = row.frame * taken;
+        now.linear_mps += mass.inverse_mass_pkg * more_ns;
+        now.spin_radps += mass.inverse_inertia * row.arm_m.cross(more_ns);
+    }
+    return change_mps;
+}
+
+/// All percussions in units of about the velocities that they make.
+AndersonMixing::Vector PercussionSolver::unknowns() const {
+    AndersonMixing::Vector all(3 * static_cast<Eigen::Index>(rows_.size()));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        all.segment<3>(3 * static_cast<Eigen::Index>(i)) = rows_[i].weight * rows_[i].impulse;
+    }
+    return all;
+}
+
+void PercussionSolver::take(const AndersonMixing::Vector& all) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_[i].impulse = all.segment<3>(3 * static_cast<Eigen::Index>(i)) / rows_[i].weight;
+    }
+}
+
+bool PercussionSolver::sweep_until_still(const BlockMass& mass, const Velocities& without, Velocities& now) {
+    now = with_percussions(mass, without);
+    const bool can_mix = 3 * rows_.size() <= AndersonMixing::most_unknowns;
+    mixing_.begin();
+    double last_mps = 0.0;
+    int since_mixed = 0;
+    for (int done = 0; sweeps_ < law_.most_sweeps; ++done) {
+        ++sweeps_;
+        // Contacts that keep changing between sticking and slipping take a part of each step only.
+        const double share = done < whole_sweeps ? 1.0 : done < half_sweeps ? 0.5 : 0.25;
+        const bool watches = can_mix && done >= plain_sweeps;
+        AndersonMixing::Vector from;
+        if (watches) {
+            from = unknowns();
         }
-        if (change_mps <= law_.tolerance_mps || (rows_.size() == 1 && rolling_arm_m == 0.0)) {
+        const double change_mps = sweep(mass, now, share);
+        if (change_mps <= law_.tolerance_mps || rows_.size() == 1) {
             return true;
         }
+        const bool is_slow = change_mps > slow * last_mps;
+        last_mps = change_mps;
+        AndersonMixing::Vector mixed;
+        if (watches && mixing_.take(from, unknowns(), mixed) && is_slow && ++since_mixed >= between_mixes) {
+            take(mixed);
+            now = with_percussions(mass, without);
+            since_mixed = 0;
+        }
+    }
+    // Whatever is left unsolved, each percussion obeys the law of its contact.
+    sweep(mass, now, 1.0);
+    return false;
+}
+
+double PercussionSolver::normal_sum_of_rows_ns() const {
+    double sum = 0.0;
+    for (const Row& row : rows_) {
+        sum += row.impulse.x();
+    }
+    return sum;
+}
+
+/// The couple of rolling resistance, about the contacts: it grows against the spin, at most to its bound,
+/// until the spin changes by less than 1e-6 rad/s. Contacts that hold the spin so end it at once. The steps
+/// are those of Barzilai & Borwein (1988, IMA J. Numer. Anal. 8:141).
+bool PercussionSolver::resist_rolling(const BlockMass& mass, const Velocities& without, double rolling_arm_m,
+                                      Velocities& now) {
+    const double least_step = 1.0 / mass.inverse_inertia.trace();
+    constexpr double longest_step = 1e4, growth = 30.0;
+    double step = least_step;
+    constexpr double still_radps = 1e-6;
+    const auto is_still = [&](const Vector3d& change_radps) { return change_radps.norm() <= still_radps; };
+    if (!sweep_until_still(mass, without, now)) {
+        return false;
+    }
+    while (sweeps_ < law_.most_sweeps) {
+        const Vector3d spin_radps = now.spin_radps;
+        Vector3d couple_nms = couple_nms_ - step * spin_radps;
+        const double most_nms = rolling_arm_m * normal_sum_of_rows_ns();
+        if (const double size = couple_nms.norm(); size > most_nms) {
+            couple_nms *= most_nms / size;
+        }
+        const Vector3d more_nms = couple_nms - couple_nms_;
+        if (is_still(mass.inverse_inertia * more_nms)) {
+            return true;
+        }
+        couple_nms_ = couple_nms;
+        if (!sweep_until_still(mass, without, now)) {
+            return false;
+        }
+        const Vector3d change_radps = now.spin_radps - spin_radps;
+        if (is_still(change_radps)) {
+            return true;
+        }
+        const double curvature = more_nms.dot(change_radps);
+        const double bend = curvature > 0.0 ? more_nms.squaredNorm() / curvature : longest_step * least_step;
+        step = std::clamp(bend, least_step, std::min(growth * step, longest_step * least_step));
     }
     return false;
+}
+
+bool PercussionSolver::settle(const BlockMass& mass, const Velocities& without, double rolling_arm_m,
+                              Velocities& now) {
+    sweeps_ = 0;
+    return rolling_arm_m > 0.0 ? resist_rolling(mass, without, rolling_arm_m, now)
+                               : sweep_until_still(mass, without, now);
 }
 
 Velocities PercussionSolver::run(const BlockMass& mass, const Velocities& before, const Vector3d& kick_mps,
@@ -213,8 +305,8 @@ Velocities PercussionSolver::run(const BlockMass& mass, const Velocities& before
     for (Row& row : rows_) {
         row.shift_mps *= poisson ? 0.0 : restitution_share;
     }
-    Velocities now = apply(mass, before, kick_mps);
-    converged = sweep_until_still(mass, now, rolling_arm_m);
+    Velocities now;
+    converged = settle(mass, {before.linear_mps + kick_mps, before.spin_radps}, rolling_arm_m, now);
     if (!poisson) {
         return now;
     }
@@ -227,7 +319,7 @@ Velocities PercussionSolver::run(const BlockMass& mass, const Velocities& before
     }
     const Vector3d couple_nms = couple_nms_;
     couple_nms_.setZero();
-    converged = sweep_until_still(mass, now, rolling_arm_m) && converged;
+    converged = settle(mass, Velocities{now}, rolling_arm_m, now) && converged;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         rows_[i].impulse += compression[i].impulse;
     }
@@ -263,7 +355,10 @@ PercussionResult PercussionSolver::solve(const BlockMass& mass, const Velocities
         // Beside gravity's kick the work of a percussion is only that of the solution's own step.
         const double kick_j = 0.5 * kick_mps.squaredNorm() / mass.inverse_mass_pkg;
         const double energy_j = 0.5 * before.linear_mps.squaredNorm() / mass.inverse_mass_pkg;
-        if (work_j <= 1e-12 * energy_j + kick_j) {
+        const bool rebounds = std::any_of(points.begin(), points.end(), [](const PercussionPoint& point) {
+            return point.restitution > 0.0;
+        });
+        if (!rebounds || work_j <= 1e-12 * energy_j + kick_j) {
             break;
         }
     }

@@ -1,5 +1,6 @@
 #include "rockfall/motion/rigid/turning.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -83,8 +84,13 @@ solids::Rotation Turning::at(double time_s) {
         }
         solids::Rotation now =
             solids::rotate_free(reached_, inertia_kgm2_, std::max(0.0, time_s - whole * step_s_));
-        // Rounding of many steps must not change the size of the momentum.
+        // Rounding of many steps must change neither the size of the momentum nor its direction in space.
         now.momentum_nms *= start_.momentum_nms.norm() / now.momentum_nms.norm();
+        const Vector3d drifted = now.momentum_in_space_nms().normalized();
+        Quaterniond back;
+        back.w() = 1.0 + drifted.dot(direction_);
+        back.vec() = drifted.cross(direction_);
+        now.attitude = (back.normalized() * now.attitude).normalized();
         return now;
     }
     solids::Rotation now = start_;

@@ -25,8 +25,7 @@ TEST(Turning, KeepsMomentumAndEnergyForFiveMinutesAboutEachAxis) {
             const solids::Rotation end = turning.at(300.0);
             const Vector3d before = start.momentum_in_space_nms(), after = end.momentum_in_space_nms();
             EXPECT_NEAR(end.momentum_nms.norm(), start.momentum_nms.norm(), 1e-12 * before.norm()) << axis;
-            // The direction in space adds up the rounding of 75 000 steps.
-            EXPECT_LT((after - before).norm(), 2e-10 * before.norm()) << axis;
+            EXPECT_LT((after - before).norm(), 1e-12 * before.norm()) << axis;
             EXPECT_NEAR(end.energy_j(inertia), start.energy_j(inertia), 1e-4 * start.energy_j(inertia))
                 << axis;
         }
