@@ -16,6 +16,7 @@ struct Overlap {
     Eigen::Vector3d area_m2 = Eigen::Vector3d::Zero();     ///< integral of -m dS over the second body's part
     double surface_m2 = 0.0;                               ///< area of all pieces, without direction
     Eigen::Vector3d surface_m3 = Eigen::Vector3d::Zero();  ///< integral of x dS over them
+    double gap_m = 0.0;  ///< where there is none: how far apart the bodies are at least
 
     [[nodiscard]] bool is_none() const { return force_m3.isZero(0.0); }
     /// Moment of the force about the chosen point.
@@ -38,13 +39,12 @@ struct SeparatingFace {
     bool of_second = false;
 };
 
-/// Whether a known face separates two blocks still.
-bool separates(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second);
+/// How far a known face keeps two blocks apart [m]: below 0 if it does not, or if there is none.
+double separation_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second);
 
-/// Adds a piece of surface with outward unit normal m on which the depth is linear: closed forms per
-/// triangle.
-void add_piece(const Polygon& piece, const Eigen::Vector3d& m, const Plane3& depth_below,
-               const Eigen::Vector3d& about_m, Overlap& sum);
+/// Adds what was summed up over a face with outward unit normal m.
+void add_face(const FaceFrame& frame, const Eigen::Vector3d& m, const FaceSums& sums,
+              const Eigen::Vector3d& about_m, Overlap& sum);
 
 /// The elastic foundation between two convex blocks.
 ///
@@ -57,7 +57,7 @@ void add_piece(const Polygon& piece, const Eigen::Vector3d& m, const Plane3& dep
 /// none, whatever the shape, and corners need no law of their own. After the pressure fields of Elandt et al.
 /// (2019, IROS, doi 10.1109/IROS40897.2019.8968548); c is E* / L (README of the room).
 ///
-/// Exact clipping of the faces of one block by those of the other. `known` is looked at first and renewed.
+/// Exact clipping of the faces of one block by those of the other. `known` is renewed.
 Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Eigen::Vector3d& about_m,
                    SeparatingFace& known);
 
