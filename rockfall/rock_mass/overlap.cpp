@@ -204,8 +204,11 @@ void add_face(const FaceFrame& frame, const Vector3d& m, const FaceSums& sums, c
     sum.area_m2 -= sums.area_m2 * m;
     sum.surface_m2 += sums.area_m2;
     sum.surface_m3 += in_space(sums.area_m2, sums.place_m3);
+    const Vector3d depth_m4 = in_space(sums.depth_m3, sums.place_by_depth_m4);
+    sum.depth_m3 += sums.depth_m3;
+    sum.depth_m4 += depth_m4;
     sum.force_m3 -= sums.depth_m3 * m;
-    sum.moments_m4 -= in_space(sums.depth_m3, sums.place_by_depth_m4) * m.transpose();
+    sum.moment_m4 -= depth_m4.cross(m);
 }
 
 Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Vector3d& about_m,
@@ -228,7 +231,9 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
     add_surface_inside(first, second, of_second, about_m, sum);
     add_surface_inside(second, first, of_first, about_m, other);
     sum.force_m3 = 0.5 * (sum.force_m3 - other.force_m3);
-    sum.moments_m4 = 0.5 * (sum.moments_m4 - other.moments_m4);
+    sum.moment_m4 = 0.5 * (sum.moment_m4 - other.moment_m4);
+    sum.depth_m3 += other.depth_m3;
+    sum.depth_m4 += other.depth_m4;
     sum.area_m2 = 0.5 * (sum.area_m2 - other.area_m2);
     sum.surface_m2 += other.surface_m2;
     sum.surface_m3 += other.surface_m3;

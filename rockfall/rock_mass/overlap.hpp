@@ -12,23 +12,23 @@ namespace rockfall::rock_mass {
 /// All places are relative to a point that the caller chose.
 struct Overlap {
     Eigen::Vector3d force_m3 = Eigen::Vector3d::Zero();    ///< on the second body: integral of -depth m dS
-    Eigen::Matrix3d moments_m4 = Eigen::Matrix3d::Zero();  ///< integral of -depth x m^T dS
+    Eigen::Vector3d moment_m4 = Eigen::Vector3d::Zero();   ///< of it about the chosen point
+    double depth_m3 = 0.0;                                 ///< integral of depth dS, without direction
+    Eigen::Vector3d depth_m4 = Eigen::Vector3d::Zero();    ///< integral of depth x dS
     Eigen::Vector3d area_m2 = Eigen::Vector3d::Zero();     ///< integral of -m dS over the second body's part
     double surface_m2 = 0.0;                               ///< area of all pieces, without direction
     Eigen::Vector3d surface_m3 = Eigen::Vector3d::Zero();  ///< integral of x dS over them
     double gap_m = 0.0;  ///< where there is none: how far apart the bodies are at least
 
-    [[nodiscard]] bool is_none() const { return force_m3.isZero(0.0); }
-    /// Moment of the force about the chosen point.
-    [[nodiscard]] Eigen::Vector3d moment_m4() const {
-        const Eigen::Matrix3d& t = moments_m4;
-        return {t(1, 2) - t(2, 1), t(2, 0) - t(0, 2), t(0, 1) - t(1, 0)};
+    /// Bodies that touch within rounding do not overlap: their force would have any direction.
+    [[nodiscard]] bool is_none() const {
+        constexpr double least_depth_m = 1e-9;
+        const double least_m3 = least_depth_m * surface_m2;
+        return force_m3.squaredNorm() <= least_m3 * least_m3 || depth_m3 <= least_m3;
     }
-    /// Where the pressure acts. Requires a force.
-    [[nodiscard]] Eigen::Vector3d pressure_centre_m() const {
-        return moments_m4 * force_m3 / force_m3.squaredNorm();
-    }
-    /// Middle of the surfaces that lie in the other body. Requires a force.
+    /// Where the pressure acts: among the pieces, whatever their directions. Requires an overlap.
+    [[nodiscard]] Eigen::Vector3d pressure_centre_m() const { return depth_m4 / depth_m3; }
+    /// Middle of the surfaces that lie in the other body. Requires an overlap.
     [[nodiscard]] Eigen::Vector3d surface_centre_m() const { return surface_m3 / surface_m2; }
 };
 
