@@ -33,7 +33,7 @@ constexpr double look_s = 0.05;
 constexpr double keep_s = 20.0;
 /// Time of a step by block on one thread, measured on the example collapse-small [s]; within a factor of
 /// three.
-constexpr double seconds_per_block_step = 3e-6;
+constexpr double seconds_per_block_step = 7e-6;
 
 struct CollapseInterrupted {};
 

@@ -198,7 +198,6 @@ std::vector<std::uint32_t> FacetIndex::near(const ConvexCell& cell) const {
 }
 
 Merged merge_slivers(std::vector<ConvexCell> cells, double least_size_m) {
-    const double least_m3 = least_size_m * least_size_m * least_size_m;
     std::vector<std::vector<Interface>> shared(cells.size());
     for (Interface& face : shared_faces(cells)) {
         shared[face.first].push_back(face);
@@ -213,7 +212,7 @@ Merged merge_slivers(std::vector<ConvexCell> cells, double least_size_m) {
     Merged result;
     std::vector<std::uint8_t> gone(cells.size(), 0);
     for (std::uint32_t i = 0; i < cells.size(); ++i) {
-        if (gone[i] != 0 || volume_and_centre(cells[i]).volume_m3 >= least_m3) {
+        if (gone[i] != 0 || size_m(cells[i]) >= least_size_m) {
             continue;
         }
         std::stable_sort(shared[i].begin(), shared[i].end(),

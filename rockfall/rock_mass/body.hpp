@@ -50,7 +50,7 @@ private:
     std::vector<std::vector<std::uint32_t>> bins_;  ///< in plan
 };
 
-/// Pieces smaller than `least_size_m` (side of the cube of equal volume) go to the neighbour with which they
+/// Pieces smaller than `least_size_m` (size_m of convex_cell.hpp) go to the neighbour with which they
 /// share the largest face, where both together are convex; `left_out_m3` is the volume of those that found
 /// none.
 struct Merged {

@@ -97,7 +97,7 @@ PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& 
     PairForce result;
     result.force_n = elastic + shear_n + damping_n;
     const Vector3d spread_n = pfc ? Vector3d::Zero() : elastic;
-    const Vector3d moment_nm = pfc ? Vector3d::Zero() : Vector3d{pair.foundation_npm3 * overlap.moment_m4()};
+    const Vector3d moment_nm = pfc ? Vector3d::Zero() : Vector3d{pair.foundation_npm3 * overlap.moment_m4};
     const auto moment_about = [&](const Vector3d& centre_m) {
         return Vector3d{moment_nm + (about_m - centre_m).cross(spread_n) +
                         (point_m - centre_m).cross(at_point_n)};
@@ -116,8 +116,10 @@ void end_contact(const Mover& first, const Mover& second, double step_s, Contact
     lost.friction_j += state.shear_energy_j();
     losses += lost;
     const SeparatingFace known = state.known;
+    const double free_way_m = state.free_way_m;
     state = {};
     state.known = known;
+    state.free_way_m = free_way_m;
 }
 
 }  // namespace rockfall::rock_mass

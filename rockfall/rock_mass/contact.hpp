@@ -28,6 +28,7 @@ struct ContactState {
     double normal_energy_j = 0.0;  ///< under `pfc` alone: of the normal spring
     bool touching = false;
     SeparatingFace known;
+    double free_way_m = 0.0;  ///< both blocks cannot meet before they have gone so far together
 
     [[nodiscard]] double shear_energy_j() const {
         return shear_stiffness_npm > 0.0 ? 0.5 * shear_n.squaredNorm() / shear_stiffness_npm : 0.0;

@@ -163,6 +163,19 @@ VolumeAndCentre volume_and_centre(const ConvexCell& cell) {
     return {six_volumes / 6.0, origin + first / (4.0 * six_volumes)};
 }
 
+double size_m(const ConvexCell& cell) {
+    const double volume_m3 = volume_and_centre(cell).volume_m3;
+    double twice_area_m2 = 0.0;
+    for (const CellFace& face : cell.faces) {
+        Vector3d sum = Vector3d::Zero();
+        for (std::size_t k = 1; k + 1 < face.corners_m.size(); ++k) {
+            sum += (face.corners_m[k] - face.corners_m[0]).cross(face.corners_m[k + 1] - face.corners_m[0]);
+        }
+        twice_area_m2 += sum.norm();
+    }
+    return twice_area_m2 > 0.0 ? std::min(std::cbrt(volume_m3), 12.0 * volume_m3 / twice_area_m2) : 0.0;
+}
+
 Span1 extent_along(const ConvexCell& cell, const Vector3d& direction) {
     Span1 extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const CellFace& face : cell.faces) {

@@ -34,6 +34,10 @@ struct VolumeAndCentre {
 };
 VolumeAndCentre volume_and_centre(const ConvexCell& cell);
 
+/// How large a cell is [m]: the smaller of the sides of two cubes, one of equal volume and one of equal
+/// volume by surface, 6 V / A. So thin plates and wedges count as small.
+double size_m(const ConvexCell& cell);
+
 /// Lowest and highest value of direction . x over a cell. Requires a cell that is not empty.
 struct Span1 {
     double low;

@@ -10,6 +10,13 @@ namespace rockfall::rock_mass {
 
 using Eigen::Vector3d;
 
+namespace {
+
+/// Ways are summed with the spin at the end of each step: what of a gap is surely free [choice].
+constexpr double sure_share_of_way = 0.98;
+
+}  // namespace
+
 ContactPair RockMass::contact_pair(std::uint32_t first, std::uint32_t second) const {
     const double r1 = blocks_[first].half_side_m, r2 = blocks_[second].half_side_m;
     const double inverse_mass_sum = inverse_mass(first) + inverse_mass(second);
@@ -24,25 +31,34 @@ ContactPair RockMass::ground_pair(std::uint32_t block) const {
             std::numbers::pi * r * r};
 }
 
-/// The contact of two blocks: nothing where their spheres or a known face keep them apart.
+/// The contact of two blocks: nothing where their spheres or a known face keep them apart. Then they are not
+/// looked at before they have gone as far as they are apart.
 void RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
                      ChunkSums& sums) const {
+    const double way_m = ways_m_[first] + ways_m_[second];
+    if (way_m < state.free_way_m) {
+        return;
+    }
     const Block& a = blocks_[first];
     const Block& b = blocks_[second];
-    const double reach_m = a.radius_m + b.radius_m;
     force = {};
-    if ((a.centre_m - b.centre_m).squaredNorm() < reach_m * reach_m) {
+    double gap_m = (a.centre_m - b.centre_m).norm() - (a.radius_m + b.radius_m);
+    if (gap_m < 0.0) {
         const PlacedBlock placed_a = placed(first), placed_b = placed(second);
-        if (!separates(state.known, placed_a, placed_b)) {
+        gap_m = separation_m(state.known, placed_a, placed_b);
+        if (gap_m < 0.0) {
             const Overlap overlap = overlap_of(placed_a, placed_b, b.centre_m, state.known);
             if (!overlap.is_none()) {
+                state.free_way_m = 0.0;
                 force = contact_force(laws_, contact_pair(first, second), mover(first), mover(second),
                                       b.centre_m, overlap, step_s_, state, sums.losses);
                 return;
             }
+            gap_m = overlap.gap_m;
         }
     }
     end_contact(mover(first), mover(second), step_s_, state, sums.losses);
+    state.free_way_m = way_m + sure_share_of_way * gap_m;
 }
 
 void RockMass::force_of(Contact& contact, ChunkSums& sums) const {
@@ -110,17 +126,24 @@ void RockMass::force_of_ground(std::uint32_t i, ChunkSums& sums) {
     if (stands(i) || footing.prisms.empty()) {
         return;
     }
+    if (ways_m_[i] < footing.state.free_way_m) {
+        return;
+    }
     const Block& block = blocks_[i];
     footing.force = {};
-    if (block.centre_m.z() - block.radius_m < footing.highest_ground_m) {
+    double gap_m = block.centre_m.z() - block.radius_m - footing.highest_ground_m;
+    if (gap_m < 0.0) {
         const Overlap overlap = ground_.overlap_of(footing.prisms, placed(i), block.centre_m);
         if (!overlap.is_none()) {
+            footing.state.free_way_m = 0.0;
             footing.force = contact_force(laws_, ground_pair(i), Mover{}, mover(i), block.centre_m, overlap,
                                           step_s_, footing.state, sums.losses);
             return;
         }
+        gap_m = overlap.gap_m;
     }
     end_contact(Mover{}, mover(i), step_s_, footing.state, sums.losses);
+    footing.state.free_way_m = ways_m_[i] + sure_share_of_way * gap_m;
 }
 
 /// Sums the stored forces of a block in the order of its pairs.

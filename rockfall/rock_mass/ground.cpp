@@ -35,28 +35,70 @@ GroundPrism prism_of(const Terrain& terrain, const Triangle& triangle) {
     return prism;
 }
 
-/// Whether all corners lie on the outer side of a plane.
-bool is_beyond(const Plane3& plane, std::span<const Vector3d> points_m) {
-    return std::all_of(points_m.begin(), points_m.end(),
-                       [&](const Vector3d& point_m) { return plane.height_m(point_m) >= 0.0; });
+/// The planes of a prism in the order of their bits.
+const Plane3& plane_of(const GroundPrism& prism, std::size_t k) {
+    return k == 0 ? prism.top : prism.sides[k - 1];
 }
 
-bool meets(const GroundPrism& prism, const PlacedBlock& block) {
-    return prism.top.height_m(block.centre_m) < block.radius_m && !is_beyond(prism.top, block.vertices_m) &&
-           std::none_of(prism.sides.begin(), prism.sides.end(), [&](const Plane3& side) {
-               return side.height_m(block.centre_m) > 0.0 && is_beyond(side, block.vertices_m);
-           });
-}
+/// By vertex of a block: the planes of a prism that it lies outside of, as bits.
+using PrismCodes = std::array<std::uint8_t, 2 * most_faces>;
 
-void clip_in_place(Polygon (&parts)[2], std::size_t& now, const Plane3& plane) {
-    bool any_out = false;
-    for (std::size_t i = 0; i < parts[now].size; ++i) {
-        any_out = any_out || plane.height_m(parts[now].corners_m[i]) > 0.0;
+/// How far one of the planes of a prism keeps a block away; below 0 if none does.
+double find_codes(const GroundPrism& prism, const PlacedBlock& block, PrismCodes& outside) {
+    std::fill_n(outside.begin(), block.vertices_m.size(), std::uint8_t{0});
+    double away_m = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Plane3& plane = plane_of(prism, k);
+        const double centre_m = plane.height_m(block.centre_m);
+        if (centre_m <= -block.radius_m) {
+            continue;
+        }
+        double lowest_m = std::numeric_limits<double>::infinity();
+        if (centre_m >= block.radius_m) {
+            lowest_m = centre_m - block.radius_m;
+        } else {
+            for (std::size_t v = 0; v < block.vertices_m.size(); ++v) {
+                const double height_m = plane.height_m(block.vertices_m[v]);
+                lowest_m = std::min(lowest_m, height_m);
+                outside[v] |= static_cast<std::uint8_t>(height_m > 0.0 ? 1U << k : 0U);
+            }
+        }
+        away_m = std::max(away_m, lowest_m);
+        if (away_m >= 0.0) {
+            break;
+        }
     }
-    if (any_out) {
-        clip(
-            parts[now], [&](const Vector3d& x) { return plane.height_m(x); }, parts[1 - now]);
-        now = 1 - now;
+    return away_m;
+}
+
+/// Adds what of a block lies in a prism.
+void add_prism(const GroundPrism& prism, const PlacedBlock& block, const PrismCodes& outside,
+               const Vector3d& about_m, CutPolygon& piece, Overlap& sum) {
+    for (std::size_t g = 0; g < block.faces.size(); ++g) {
+        unsigned all = 0xF, any = 0;
+        for (const std::uint16_t corner : block.corners_of(g)) {
+            all &= outside[corner];
+            any |= outside[corner];
+        }
+        if (all != 0) {
+            continue;
+        }
+        const std::span<const std::uint16_t> corners = block.corners_of(g);
+        const FaceFrame frame{block.vertices_m[corners[0]], block.faces[g].normal};
+        Polygon2& start = piece.start();
+        start.add(Eigen::Vector2d::Zero());
+        for (const std::uint16_t corner : corners.subspan(1)) {
+            start.add(frame.in_plane(block.vertices_m[corner]));
+        }
+        bool left = true;
+        for (std::size_t k = 0; k < 4 && left; ++k) {
+            left = (any >> k & 1U) == 0 || piece.cut(frame.height_over(plane_of(prism, k)));
+        }
+        if (left) {
+            FaceSums sums;
+            sums.add(piece.left(), frame.height_over(prism.top));
+            add_face(frame, block.faces[g].normal, sums, about_m, sum);
+        }
     }
 }
 
@@ -140,31 +182,15 @@ double Ground::highest_m(std::span<const std::uint32_t> prisms) const {
 Overlap Ground::overlap_of(std::span<const std::uint32_t> prisms, const PlacedBlock& block,
                            const Vector3d& about_m) const {
     Overlap sum;
-    Polygon parts[2];
+    sum.gap_m = std::numeric_limits<double>::infinity();
+    PrismCodes outside;
+    CutPolygon piece;
     for (const std::uint32_t i : prisms) {
-        const GroundPrism& prism = prisms_[i];
-        if (!meets(prism, block)) {
-            continue;
+        const double away_m = find_codes(prisms_[i], block, outside);
+        if (away_m < 0.0) {
+            add_prism(prisms_[i], block, outside, about_m, piece, sum);
         }
-        for (std::size_t g = 0; g < block.faces.size(); ++g) {
-            std::size_t now = 0;
-            parts[0].size = 0;
-            bool any_below = false;
-            for (const std::uint16_t corner : block.corners_of(g)) {
-                parts[0].add(block.vertices_m[corner]);
-                any_below = any_below || prism.top.height_m(block.vertices_m[corner]) < 0.0;
-            }
-            if (!any_below) {
-                continue;
-            }
-            clip_in_place(parts, now, prism.top);
-            for (std::size_t k = 0; k < 3 && parts[now].size > 0; ++k) {
-                clip_in_place(parts, now, prism.sides[k]);
-            }
-            if (parts[now].size > 0) {
-                add_piece(parts[now], block.faces[g].normal, prism.top, about_m, sum);
-            }
-        }
+        sum.gap_m = std::clamp(away_m, 0.0, sum.gap_m);
     }
     return sum;
 }
@@ -173,7 +199,8 @@ double Ground::energy_m4(std::span<const std::uint32_t> prisms, const PlacedBloc
     double sum = 0.0;
     for (const std::uint32_t i : prisms) {
         const GroundPrism& prism = prisms_[i];
-        if (!meets(prism, block)) {
+        PrismCodes outside;
+        if (find_codes(prism, block, outside) >= 0.0) {
             continue;
         }
         ConvexCell part = part_below(cell_of(block), prism.top);

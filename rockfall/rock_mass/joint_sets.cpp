@@ -48,8 +48,8 @@ double drawn_spacing_m(const JointSet& set, config::RandomStream& draws) {
     return mean;
 }
 
-bool is_large_enough(const ConvexCell& cell, double least_volume_m3) {
-    return !cell.faces.empty() && volume_and_centre(cell).volume_m3 >= least_volume_m3;
+bool is_large_enough(const ConvexCell& cell, double least_size_m) {
+    return !cell.faces.empty() && size_m(cell) >= least_size_m;
 }
 
 }  // namespace
@@ -77,7 +77,6 @@ std::vector<double> joint_places(const JointSet& set, double low_m, double high_
 
 std::vector<ConvexCell> cut_by_joints(const ConvexCell& body, std::span<const JointSet> sets,
                                       double least_size_m, std::uint64_t seed) {
-    const double least_volume_m3 = least_size_m * least_size_m * least_size_m;
     std::vector<ConvexCell> cells{body};
     for (std::size_t s = 0; s < sets.size(); ++s) {
         config::RandomStream draws{{seed, 0, 0, s}, config::Purpose::block};
@@ -92,7 +91,7 @@ std::vector<ConvexCell> cut_by_joints(const ConvexCell& body, std::span<const Jo
                  at != places.end() && *at < here.high; ++at) {
                 ConvexCell below = part_below(rest, {normal, *at}, static_cast<int>(s));
                 ConvexCell above = part_below(rest, {-normal, -*at}, static_cast<int>(s));
-                if (is_large_enough(below, least_volume_m3) && is_large_enough(above, least_volume_m3)) {
+                if (is_large_enough(below, least_size_m) && is_large_enough(above, least_size_m)) {
                     cut.push_back(std::move(below));
                     rest = std::move(above);
                 }

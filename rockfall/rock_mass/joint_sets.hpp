@@ -40,8 +40,8 @@ std::vector<double> joint_places(const JointSet& set, double low_m, double high_
                                  config::RandomStream& draws);
 
 /// Cuts a convex body by all joints of all sets. Faces are made by the number of their set, faces of the body
-/// keep what made them. A cut that would leave a piece smaller than `least_size_m` (side of the cube of equal
-/// volume) on either side is not made: slivers stay with the block they belong to.
+/// keep what made them. A cut that would leave a piece smaller than `least_size_m` (size_m of
+/// convex_cell.hpp) on either side is not made: slivers stay with the block they belong to.
 std::vector<ConvexCell> cut_by_joints(const ConvexCell& body, std::span<const JointSet> sets,
                                       double least_size_m, std::uint64_t seed);
 

@@ -1,7 +1,8 @@
 #include "rockfall/rock_mass/overlap.hpp"
 
 #include <algorithm>
-#include <bitset>
+#include <array>
+#include <bit>
 #include <limits>
 
 #include "rockfall/rock_mass/convex_cell.hpp"
@@ -20,121 +21,128 @@ double lowest_over(const Plane3& face, std::span<const Vector3d> vertices_m) {
     return lowest - face.offset_m;
 }
 
-/// The first face of `block` that has all of `other` outside.
-std::uint16_t separating_face(const PlacedBlock& block, const PlacedBlock& other) {
-    for (std::size_t f = 0; f < block.faces.size(); ++f) {
+/// Most vertices of a block: what Euler's formula leaves to its faces [-].
+constexpr std::size_t most_vertices = 2 * most_faces - 4;
+
+/// How the vertices of a body lie to the faces of a foundation.
+struct VertexSides {
+    std::array<std::uint64_t, most_vertices> outside;  ///< by vertex: the faces it lies outside of, as bits
+    std::uint16_t highest_face = 0;                    ///< the face that keeps the body farthest away
+    double separation_m = -std::numeric_limits<double>::infinity();  ///< how far; below 0: it does not
+    std::uint64_t near = 0;  ///< faces that may be the nearest to a point of the body inside
+};
+static_assert(most_faces <= 64);
+
+/// Inside, the nearest face is nowhere farther than the one that has the whole body closest to its outer
+/// side. Ends early, without all of `outside`, at a face that separates the two.
+void find_sides(const PlacedBlock& foundation, const PlacedBlock& body, VertexSides& sides) {
+    std::fill_n(sides.outside.begin(), body.vertices_m.size(), 0);
+    std::array<double, most_faces> highest_m;
+    for (std::size_t f = 0; f < foundation.faces.size(); ++f) {
+        const Plane3& face = foundation.faces[f];
         // The sphere says most of it.
-        if (block.faces[f].height_m(other.centre_m) > -other.radius_m &&
-            lowest_over(block.faces[f], other.vertices_m) >= 0.0) {
-            return static_cast<std::uint16_t>(f);
+        const double centre_m = face.height_m(body.centre_m);
+        highest_m[f] = centre_m + body.radius_m;
+        double lowest_m = centre_m - body.radius_m;
+        if (highest_m[f] <= 0.0) {
+            sides.separation_m = std::max(sides.separation_m, lowest_m);
+            continue;
         }
-    }
-    return SeparatingFace::none;
-}
-
-/// Which faces of `block` cut off something of a polygon, and whether one cuts off all of it.
-enum class Side { inside, cut, outside };
-Side side_of(const Plane3& face, const Polygon& polygon) {
-    bool any_in = false, any_out = false;
-    for (std::size_t i = 0; i < polygon.size; ++i) {
-        (face.height_m(polygon.corners_m[i]) > 0.0 ? any_out : any_in) = true;
-    }
-    return !any_out ? Side::inside : any_in ? Side::cut : Side::outside;
-}
-
-/// The nearest face at all corners of a polygon inside the block, if it is one and the same.
-std::uint16_t nearest_face(const PlacedBlock& block, const Polygon& polygon) {
-    Vector3d middle = Vector3d::Zero();
-    for (std::size_t i = 0; i < polygon.size; ++i) {
-        middle += polygon.corners_m[i];
-    }
-    middle /= static_cast<double>(polygon.size);
-    std::size_t nearest = 0;
-    double highest = -std::numeric_limits<double>::infinity();
-    for (std::size_t f = 0; f < block.faces.size(); ++f) {
-        if (const double height = block.faces[f].height_m(middle); height > highest) {
-            highest = height;
-            nearest = f;
+        lowest_m = std::numeric_limits<double>::infinity();
+        highest_m[f] = -lowest_m;
+        for (std::size_t v = 0; v < body.vertices_m.size(); ++v) {
+            const double height_m = face.height_m(body.vertices_m[v]);
+            lowest_m = std::min(lowest_m, height_m);
+            highest_m[f] = std::max(highest_m[f], height_m);
+            sides.outside[v] |= static_cast<std::uint64_t>(height_m > 0.0) << f;
         }
-    }
-    // Heights are linear: nowhere does another face come nearer if it does at no corner.
-    const double rounding_m = 1e-12 * block.radius_m;
-    for (std::size_t i = 0; i < polygon.size; ++i) {
-        const double here = block.faces[nearest].height_m(polygon.corners_m[i]) + rounding_m;
-        for (std::size_t f = 0; f < block.faces.size(); ++f) {
-            if (block.faces[f].height_m(polygon.corners_m[i]) > here) {
-                return SeparatingFace::none;
+        if (lowest_m > sides.separation_m) {
+            sides.separation_m = lowest_m;
+            sides.highest_face = static_cast<std::uint16_t>(f);
+            if (lowest_m >= 0.0) {
+                return;
             }
         }
     }
-    return static_cast<std::uint16_t>(nearest);
+    for (std::size_t f = 0; f < foundation.faces.size(); ++f) {
+        sides.near |= static_cast<std::uint64_t>(highest_m[f] >= sides.separation_m) << f;
+    }
 }
 
-/// Divides a polygon inside the block where its nearest face changes.
-void add_divided(const PlacedBlock& block, const Polygon& polygon, const Vector3d& m, const Vector3d& about_m,
-                 Overlap& sum) {
-    Polygon parts[2];
-    for (std::size_t f = 0; f < block.faces.size(); ++f) {
-        const Plane3& face = block.faces[f];
-        parts[0] = polygon;
-        std::size_t now = 0;
-        for (std::size_t other = 0; other < block.faces.size() && parts[now].size > 0; ++other) {
-            if (other == f) {
-                continue;
-            }
-            const Plane3 further{block.faces[other].normal - face.normal,
-                                 block.faces[other].offset_m - face.offset_m};
-            if (side_of(further, parts[now]) != Side::inside) {
-                clip(
-                    parts[now], [&](const Vector3d& x) { return further.height_m(x); }, parts[1 - now]);
-                now = 1 - now;
-            }
+/// Faces of a foundation that may be the nearest somewhere, by their height along a face of the body.
+struct NearHeights {
+    std::array<Height2, most_faces> heights;
+    std::size_t size = 0;
+};
+
+/// Adds a polygon inside the foundation. The depth is that below the first height, and less by what another
+/// one is higher where it is the highest: in thin overlaps a narrow rim.
+void add_by_nearest(const Polygon2& polygon, const NearHeights& near, CutPolygon& work, FaceSums& sums) {
+    const Height2& base = near.heights[0];
+    sums.add(polygon, base);
+    FaceSums rims;
+    for (std::size_t k = 1; k < near.size; ++k) {
+        const Height2& height = near.heights[k];
+        work.start(polygon);
+        bool any = work.cut(base.minus(height));
+        for (std::size_t other = 1; other < near.size && any; ++other) {
+            any = other == k || work.cut(near.heights[other].minus(height));
         }
-        if (parts[now].size > 0) {
-            add_piece(parts[now], m, face, about_m, sum);
+        if (any) {
+            rims.add(work.left(), height.minus(base));
         }
     }
+    sums.depth_m3 += rims.depth_m3;
+    sums.place_by_depth_m4 += rims.place_by_depth_m4;
+}
+
+/// Whether a face has no corner that is inside; in `cuts` the planes that cut it, as bits (Cohen &
+/// Sutherland's codes).
+bool is_outside(const PlacedBlock& body, std::size_t face, const VertexSides& sides, std::uint64_t& cuts) {
+    std::uint64_t all = ~std::uint64_t{0};
+    cuts = 0;
+    for (const std::uint16_t corner : body.corners_of(face)) {
+        all &= sides.outside[corner];
+        cuts |= sides.outside[corner];
+    }
+    return all != 0;
 }
 
 /// The surface of `body` inside `foundation`.
-Overlap surface_inside(const PlacedBlock& foundation, const PlacedBlock& body, const Vector3d& about_m) {
-    Overlap sum;
-    Polygon parts[2];
+void add_surface_inside(const PlacedBlock& foundation, const PlacedBlock& body, const VertexSides& sides,
+                        const Vector3d& about_m, Overlap& sum) {
+    CutPolygon piece, work;
+    NearHeights near;
+    std::uint64_t cuts = 0;
     for (std::size_t g = 0; g < body.faces.size(); ++g) {
-        // A face whose plane has all of the foundation behind it is the only way in, one that has it all in
-        // front lies beyond; neither is rare, and both are found by the sphere.
-        const double height = body.faces[g].height_m(foundation.centre_m);
-        if (height > foundation.radius_m || height < -foundation.radius_m) {
+        if (is_outside(body, g, sides, cuts)) {
             continue;
         }
-        std::size_t now = 0;
-        parts[0].size = 0;
-        for (const std::uint16_t corner : body.corners_of(g)) {
-            parts[0].add(body.vertices_m[corner]);
+        const std::span<const std::uint16_t> corners = body.corners_of(g);
+        const FaceFrame frame{body.vertices_m[corners[0]], body.faces[g].normal};
+        Polygon2& start = piece.start();
+        start.add(Eigen::Vector2d::Zero());
+        for (const std::uint16_t corner : corners.subspan(1)) {
+            start.add(frame.in_plane(body.vertices_m[corner]));
         }
-        for (const Plane3& face : foundation.faces) {
-            const Side side = side_of(face, parts[now]);
-            if (side == Side::outside) {
-                parts[now].size = 0;
-                break;
+        const std::uint64_t first = std::uint64_t{1} << sides.highest_face;
+        near.heights[0] = frame.height_over(foundation.faces[sides.highest_face]);
+        near.size = 1;
+        bool left = (cuts & first) == 0 || piece.cut(near.heights[0]);
+        for (std::uint64_t bits = (sides.near | cuts) & ~first; bits != 0 && left; bits &= bits - 1) {
+            const int f = std::countr_zero(bits);
+            const Height2 height = frame.height_over(foundation.faces[static_cast<std::size_t>(f)]);
+            left = (cuts >> f & 1U) == 0 || piece.cut(height);
+            if ((sides.near >> f & 1U) != 0) {
+                near.heights[near.size++] = height;
             }
-            if (side == Side::cut) {
-                clip(
-                    parts[now], [&](const Vector3d& x) { return face.height_m(x); }, parts[1 - now]);
-                now = 1 - now;
-            }
         }
-        if (parts[now].size == 0) {
-            continue;
-        }
-        const std::uint16_t nearest = nearest_face(foundation, parts[now]);
-        if (nearest != SeparatingFace::none) {
-            add_piece(parts[now], body.faces[g].normal, foundation.faces[nearest], about_m, sum);
-        } else {
-            add_divided(foundation, parts[now], body.faces[g].normal, about_m, sum);
+        if (left) {
+            FaceSums sums;
+            add_by_nearest(piece.left(), near, work, sums);
+            add_face(frame, body.faces[g].normal, sums, about_m, sum);
         }
     }
-    return sum;
 }
 
 /// Integral of the depth below the nearest face of `foundation` over what it holds of `body`.
@@ -159,57 +167,73 @@ double held_energy_m4(const PlacedBlock& foundation, const ConvexCell& body) {
 
 }  // namespace
 
-bool separates(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second) {
+double separation_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second) {
     if (known.face == SeparatingFace::none) {
-        return false;
+        return -std::numeric_limits<double>::infinity();
     }
-    return known.of_second ? lowest_over(second.faces[known.face], first.vertices_m) >= 0.0
-                           : lowest_over(first.faces[known.face], second.vertices_m) >= 0.0;
+    return known.of_second ? lowest_over(second.faces[known.face], first.vertices_m)
+                           : lowest_over(first.faces[known.face], second.vertices_m);
 }
 
-void add_piece(const Polygon& piece, const Vector3d& m, const Plane3& depth_below, const Vector3d& about_m,
-               Overlap& sum) {
-    const Vector3d a = piece.corners_m[0] - about_m;
-    const double offset_m = depth_below.offset_m - depth_below.normal.dot(about_m);
-    const double depth_a = offset_m - depth_below.normal.dot(a);
-    Vector3d b = piece.corners_m[1] - about_m;
-    double depth_b = offset_m - depth_below.normal.dot(b);
-    double total_area = 0.0;
-    Vector3d total_place = Vector3d::Zero();
-    double total_force = 0.0;
-    Vector3d total_first = Vector3d::Zero();
+void FaceSums::add(const Polygon2& piece, const Height2& height) {
+    const Eigen::Vector2d& a = piece.corners_m[0];
+    Eigen::Vector2d b = piece.corners_m[1];
+    const double depth_a = -height.at(a);
+    double depth_b = -height.at(b);
     for (std::size_t k = 2; k < piece.size; ++k) {
-        const Vector3d c = piece.corners_m[k] - about_m;
-        const double depth_c = offset_m - depth_below.normal.dot(c);
-        const double area = 0.5 * (b - a).cross(c - a).dot(m);
+        const Eigen::Vector2d& c = piece.corners_m[k];
+        const double depth_c = -height.at(c);
+        const double area = 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
         const double depths = depth_a + depth_b + depth_c;
-        total_area += area;
-        total_place += area / 3.0 * (a + b + c);
-        total_force += area / 3.0 * depths;
-        total_first += area / 12.0 * (depths * (a + b + c) + depth_a * a + depth_b * b + depth_c * c);
+        const Eigen::Vector2d places = a + b + c;
+        area_m2 += area;
+        place_m3 += area / 3.0 * places;
+        depth_m3 += area / 3.0 * depths;
+        place_by_depth_m4 += area / 12.0 * (depths * places + depth_a * a + depth_b * b + depth_c * c);
         b = c;
         depth_b = depth_c;
     }
-    sum.area_m2 -= total_area * m;
-    sum.surface_m2 += total_area;
-    sum.surface_m3 += total_place;
-    sum.force_m3 -= total_force * m;
-    sum.moments_m4 -= total_first * m.transpose();
+}
+
+void add_face(const FaceFrame& frame, const Vector3d& m, const FaceSums& sums, const Vector3d& about_m,
+              Overlap& sum) {
+    const Vector3d origin_m = frame.origin_m - about_m;
+    const auto in_space = [&](double by_origin, const Eigen::Vector2d& by_place) {
+        return Vector3d{by_origin * origin_m + by_place.x() * frame.along + by_place.y() * frame.across};
+    };
+    sum.area_m2 -= sums.area_m2 * m;
+    sum.surface_m2 += sums.area_m2;
+    sum.surface_m3 += in_space(sums.area_m2, sums.place_m3);
+    const Vector3d depth_m4 = in_space(sums.depth_m3, sums.place_by_depth_m4);
+    sum.depth_m3 += sums.depth_m3;
+    sum.depth_m4 += depth_m4;
+    sum.force_m3 -= sums.depth_m3 * m;
+    sum.moment_m4 -= depth_m4.cross(m);
 }
 
 Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Vector3d& about_m,
                    SeparatingFace& known) {
-    known = {separating_face(first, second), false};
-    if (known.face == SeparatingFace::none) {
-        known = {separating_face(second, first), true};
+    VertexSides of_second, of_first;
+    find_sides(first, second, of_second);
+    if (of_second.separation_m < 0.0) {
+        find_sides(second, first, of_first);
     }
-    if (known.face != SeparatingFace::none) {
-        return {};
+    for (const VertexSides* sides : {&of_second, &of_first}) {
+        if (sides->separation_m >= 0.0) {
+            known = {sides->highest_face, sides == &of_first};
+            Overlap none;
+            none.gap_m = sides->separation_m;
+            return none;
+        }
     }
-    Overlap sum = surface_inside(first, second, about_m);
-    const Overlap other = surface_inside(second, first, about_m);
+    known = {};
+    Overlap sum, other;
+    add_surface_inside(first, second, of_second, about_m, sum);
+    add_surface_inside(second, first, of_first, about_m, other);
     sum.force_m3 = 0.5 * (sum.force_m3 - other.force_m3);
-    sum.moments_m4 = 0.5 * (sum.moments_m4 - other.moments_m4);
+    sum.moment_m4 = 0.5 * (sum.moment_m4 - other.moment_m4);
+    sum.depth_m3 += other.depth_m3;
+    sum.depth_m4 += other.depth_m4;
     sum.area_m2 = 0.5 * (sum.area_m2 - other.area_m2);
     sum.surface_m2 += other.surface_m2;
     sum.surface_m3 += other.surface_m3;
@@ -217,8 +241,10 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
 }
 
 double overlap_energy_m4(const PlacedBlock& first, const PlacedBlock& second) {
-    if (separating_face(first, second) != SeparatingFace::none ||
-        separating_face(second, first) != SeparatingFace::none) {
+    VertexSides of_second, of_first;
+    find_sides(first, second, of_second);
+    find_sides(second, first, of_first);
+    if (of_second.separation_m >= 0.0 || of_first.separation_m >= 0.0) {
         return 0.0;
     }
     return 0.5 * (held_energy_m4(first, cell_of(second)) + held_energy_m4(second, cell_of(first)));

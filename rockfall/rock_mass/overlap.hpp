@@ -12,22 +12,23 @@ namespace rockfall::rock_mass {
 /// All places are relative to a point that the caller chose.
 struct Overlap {
     Eigen::Vector3d force_m3 = Eigen::Vector3d::Zero();    ///< on the second body: integral of -depth m dS
-    Eigen::Matrix3d moments_m4 = Eigen::Matrix3d::Zero();  ///< integral of -depth x m^T dS
+    Eigen::Vector3d moment_m4 = Eigen::Vector3d::Zero();   ///< of it about the chosen point
+    double depth_m3 = 0.0;                                 ///< integral of depth dS, without direction
+    Eigen::Vector3d depth_m4 = Eigen::Vector3d::Zero();    ///< integral of depth x dS
     Eigen::Vector3d area_m2 = Eigen::Vector3d::Zero();     ///< integral of -m dS over the second body's part
     double surface_m2 = 0.0;                               ///< area of all pieces, without direction
     Eigen::Vector3d surface_m3 = Eigen::Vector3d::Zero();  ///< integral of x dS over them
+    double gap_m = 0.0;  ///< where there is none: how far apart the bodies are at least
 
-    [[nodiscard]] bool is_none() const { return force_m3.isZero(0.0); }
-    /// Moment of the force about the chosen point.
-    [[nodiscard]] Eigen::Vector3d moment_m4() const {
-        const Eigen::Matrix3d& t = moments_m4;
-        return {t(1, 2) - t(2, 1), t(2, 0) - t(0, 2), t(0, 1) - t(1, 0)};
+    /// Bodies that touch within rounding do not overlap: their force would have any direction.
+    [[nodiscard]] bool is_none() const {
+        constexpr double least_depth_m = 1e-9;
+        const double least_m3 = least_depth_m * surface_m2;
+        return force_m3.squaredNorm() <= least_m3 * least_m3 || depth_m3 <= least_m3;
     }
-    /// Where the pressure acts. Requires a force.
-    [[nodiscard]] Eigen::Vector3d pressure_centre_m() const {
-        return moments_m4 * force_m3 / force_m3.squaredNorm();
-    }
-    /// Middle of the surfaces that lie in the other body. Requires a force.
+    /// Where the pressure acts: among the pieces, whatever their directions. Requires an overlap.
+    [[nodiscard]] Eigen::Vector3d pressure_centre_m() const { return depth_m4 / depth_m3; }
+    /// Middle of the surfaces that lie in the other body. Requires an overlap.
     [[nodiscard]] Eigen::Vector3d surface_centre_m() const { return surface_m3 / surface_m2; }
 };
 
@@ -38,13 +39,12 @@ struct SeparatingFace {
     bool of_second = false;
 };
 
-/// Whether a known face separates two blocks still.
-bool separates(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second);
+/// How far a known face keeps two blocks apart [m]: below 0 if it does not, or if there is none.
+double separation_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second);
 
-/// Adds a piece of surface with outward unit normal m on which the depth is linear: closed forms per
-/// triangle.
-void add_piece(const Polygon& piece, const Eigen::Vector3d& m, const Plane3& depth_below,
-               const Eigen::Vector3d& about_m, Overlap& sum);
+/// Adds what was summed up over a face with outward unit normal m.
+void add_face(const FaceFrame& frame, const Eigen::Vector3d& m, const FaceSums& sums,
+              const Eigen::Vector3d& about_m, Overlap& sum);
 
 /// The elastic foundation between two convex blocks.
 ///
@@ -57,7 +57,7 @@ void add_piece(const Polygon& piece, const Eigen::Vector3d& m, const Plane3& dep
 /// none, whatever the shape, and corners need no law of their own. After the pressure fields of Elandt et al.
 /// (2019, IROS, doi 10.1109/IROS40897.2019.8968548); c is E* / L (README of the room).
 ///
-/// Exact clipping of the faces of one block by those of the other. `known` is looked at first and renewed.
+/// Exact clipping of the faces of one block by those of the other. `known` is renewed.
 Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Eigen::Vector3d& about_m,
                    SeparatingFace& known);
 

@@ -130,6 +130,7 @@ void RockMass::refresh() {
         moves[i] = block.status == BlockStatus::fixed ? 0 : 1;
         boxes[i] = box_around(placed(i).vertices_m, margins_m_[i]);
         Footing& footing = footings_[i];
+        footing.state.free_way_m = 0.0;
         if (block.status == BlockStatus::left) {
             boxes[i].low_m.x() = std::numeric_limits<double>::infinity();
         } else if (block.status == BlockStatus::moving) {
@@ -179,6 +180,7 @@ void RockMass::refresh() {
         }
         if (old != known.end() && old->first == pair.first && old->second == pair.second) {
             contacts_.push_back(*old);
+            contacts_.back().state.free_way_m = 0.0;
         } else {
             contacts_.push_back({pair.first, pair.second, {}, {}});
         }

@@ -67,6 +67,22 @@ TEST(Overlap, IsNoneWhereAFaceOrTwoEdgesKeepBlocksApart) {
     }
 }
 
+TEST(Overlap, IsNoneWithinRoundingAndPressesInsideTheContactBeyond) {
+    // Far from the origin rounding is of the order of 1e-13 m: forces of that size have any direction, and
+    // their place would be anywhere.
+    const Vector3d far{1000.0, 2000.0, 500.0};
+    for (const double depth_m : {0.0, 1e-13, 1e-12, 1e-8, 1e-4}) {
+        const TwoBlocks pair{moved(unit_cube, far),
+                             moved(unit_cube, far + Vector3d{0.0, 0.0, 1.0 - depth_m})};
+        const Overlap overlap = pair.overlap();
+        EXPECT_EQ(overlap.is_none(), depth_m < 1e-9) << depth_m;
+        if (!overlap.is_none()) {
+            EXPECT_NEAR(overlap.force_m3.z(), depth_m, 1e-3 * depth_m);
+            EXPECT_LT(overlap.pressure_centre_m().norm(), 0.51) << depth_m;  // about the second one's middle
+        }
+    }
+}
+
 TEST(Overlap, ForceIsTheGradientOfItsEnergyWhateverTouches) {
     const solids::Hull round = solids::with_volume(solids::ellipsoid({1.0, 0.8, 0.6}, 0), 0.7);
     config::RandomStream draws{{5, 0, 0, 1}, config::Purpose::test};
@@ -94,7 +110,7 @@ TEST(Overlap, ForceIsTheGradientOfItsEnergyWhateverTouches) {
             EXPECT_NEAR(overlap.force_m3[k],
                         -(energy(e, Vector3d::Zero()) - energy(-e, Vector3d::Zero())) / (2.0 * h), 2e-6)
                 << i;
-            EXPECT_NEAR(overlap.moment_m4()[k],
+            EXPECT_NEAR(overlap.moment_m4[k],
                         -(energy(Vector3d::Zero(), e) - energy(Vector3d::Zero(), -e)) / (2.0 * h), 2e-6)
                 << i;
         }
