@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Motion, NetsUnderModel, ::testing::ValuesIn(motion_mode
 TEST_P(NetsUnderModel, GiveTheSameBytesOnAnyNumberOfThreads) {
     const SampleProject project;
     add_nets(project);
-    const std::string rocks = "run scenario.ini --quiet --set release.rocks=3000 " + motion();
+    const std::string rocks = "run scenario.ini --quiet " + rocks_for(GetParam(), 3000) + motion();
     ASSERT_EQ(call(project, rocks + "--threads 1 --out first").code, 0);
     const Outcome outcome =
         shell(project, "\"$bannwald\" " + rocks + "--threads 5 --out second && diff -r first second\n");
@@ -115,7 +115,7 @@ TEST_P(NetsUnderModel, TriedOnStoredPathsGiveTheRowsOfARunWithThem) {
     add_nets(project);
     project.replace("nets.csv", "upper,1.2,5,,0.1", "upper,0.8,100000,,0.55");
     project.replace("nets.csv", "lower,3,,1", "lower,3,100000,");
-    const std::string rocks = "run scenario.ini --quiet --set release.rocks=2000 " + motion();
+    const std::string rocks = "run scenario.ini --quiet " + rocks_for(GetParam(), 2000) + motion();
     ASSERT_EQ(call(project, rocks + "--out with_nets").code, 0);
     const Outcome kept =
         call(project, rocks + "--set nets.file= --set nets.keep_paths=yes --threads 3 --out without_nets");

@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Motion, ResultsOfModel, ::testing::ValuesIn(motion_mode
 
 TEST_P(ResultsOfModel, AreTheSameBytesOnAnyNumberOfThreads) {
     const SampleProject project;
-    const std::string rocks = motion() + "--set release.rocks=8000 ";
+    const std::string rocks = motion() + rocks_for(GetParam(), 20000);
     ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
     ASSERT_TRUE(std::filesystem::exists(project.file("first/tables/rocks.csv")));
     for (const std::string threads : {"2", "7"}) {
@@ -38,7 +38,7 @@ TEST_P(ResultsOfModel, AreTheSameBytesOnAnyNumberOfThreads) {
 
 TEST_P(ResultsOfModel, AreTheSameBytesWhereBrokenTreesFall) {
     const SampleProject project;
-    const std::string rocks = motion() + "--set release.rocks=5000 --set tree_impact.remove_broken=yes ";
+    const std::string rocks = motion() + rocks_for(GetParam(), 5000) + "--set tree_impact.remove_broken=yes ";
     ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
     const Outcome outcome = run_and_compare(project, rocks + "--threads 3", "with_3");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
@@ -72,8 +72,8 @@ TEST_P(ResultsOfModel, AreTheSameBytesWithLogsThatMayBreak) {
     const SampleProject project;
     add_logs(project);
     for (const std::string remove : {"no", "yes"}) {
-        const std::string rocks =
-            motion() + "--overwrite --set release.rocks=5000 --set tree_impact.remove_broken=" + remove + " ";
+        const std::string rocks = motion() + "--overwrite " + rocks_for(GetParam(), 5000) +
+                                  "--set tree_impact.remove_broken=" + remove + " ";
         ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + rocks + "--out first").code, 0);
         const Outcome outcome = run_and_compare(project, rocks + "--threads 3", "with_3");
         EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
