@@ -17,6 +17,12 @@ Obstacles Assessment::obstacles(Cover cover, std::span<std::uint8_t> gone) const
             gone.subspan(stems_marked), standing};
 }
 
+std::uint32_t rocks_of_chunk(MotionModel model) {
+    constexpr std::uint32_t blocks = 32;  // a block takes a hundred times as long as a sphere that only jumps
+    constexpr std::uint32_t spheres = 1024;
+    return model == motion_model<rigid::Model> ? blocks : spheres;
+}
+
 std::vector<Chunk> plan_chunks(std::span<const ReleaseSource> sources, std::uint32_t most_rocks) {
     std::vector<Chunk> chunks;
     for (std::uint32_t i = 0; i < sources.size(); ++i) {

@@ -60,6 +60,9 @@ struct Chunk {
 /// pieces. The cut depends on the sources alone.
 std::vector<Chunk> plan_chunks(std::span<const ReleaseSource> sources, std::uint32_t most_rocks = 1024);
 
+/// Rocks of a chunk under a motion model: some tenths of a second of work.
+std::uint32_t rocks_of_chunk(MotionModel model);
+
 /// A sampled path.
 struct PathRecord {
     std::uint64_t rock;

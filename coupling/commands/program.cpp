@@ -56,7 +56,8 @@ int init(const CommandLine& line) {
         for (const std::string& remark : remarks) {
             std::cerr << "- " << remark << '\n';
         }
-        std::cerr << "next: bannwald run " << scenario << '\n';
+        const bool is_collapse = line.example == "collapse-small";
+        std::cerr << "next: bannwald " << (is_collapse ? "collapse " : "run ") << scenario << '\n';
     }
     return code(ExitCode::done);
 }

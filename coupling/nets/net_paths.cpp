@@ -151,7 +151,8 @@ Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
     out.value(assessment.slope.terrain.origin_m().y());
     out.list(assessment.slope.terrain.vertices());
     out.list(assessment.slope.terrain.triangles());
-    const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(assessment.sources);
+    const std::vector<rockfall::Chunk> chunks =
+        rockfall::plan_chunks(assessment.sources, rockfall::rocks_of_chunk(assessment.law.motion.model));
     struct Busy {
         rockfall::FallScratch scratch;
         rockfall::ChunkRows rows;

@@ -153,7 +153,8 @@ private:
 
 Ended AssessmentRun::fall(OutputFolder& folder) {
     const auto begin = std::chrono::steady_clock::now();
-    const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(site_.sources);
+    const std::vector<rockfall::Chunk> chunks =
+        rockfall::plan_chunks(site_.sources, rockfall::rocks_of_chunk(scenario_.rockfall.fall.motion.model));
     SourcesUnderWay under_way{frame_.size()};
     if (folder.has_parts()) {
         state_ = read_checkpoint(folder.checkpoint(), total_, histograms_.pointers());

@@ -55,8 +55,10 @@ FallenField fall_field(const OpenedField& opened, const Work& work, bool first_i
         }
         work.done(rows.rocks[static_cast<std::size_t>(cover)].size() + rows.not_started);
     };
-    if (fall_rocks_over(cover, assessment, rockfall::plan_chunks(site.sources), work.threads, total, keep) ==
-        Ended::interrupted) {
+    if (fall_rocks_over(cover, assessment,
+                        rockfall::plan_chunks(site.sources,
+                                              rockfall::rocks_of_chunk(scenario.rockfall.fall.motion.model)),
+                        work.threads, total, keep) == Ended::interrupted) {
         throw Interrupted{};
     }
     std::vector<observed::SimulatedImpact> impacts;

@@ -73,7 +73,8 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
     }
     rockfall::EnsembleTally total{frame, site.targets.size(), stems.placed().size(), logs.count()};
     SourcesUnderWay under_way{frame.size()};
-    const std::vector<rockfall::Chunk> chunks = rockfall::plan_chunks(site.sources);
+    const std::vector<rockfall::Chunk> chunks =
+        rockfall::plan_chunks(site.sources, rockfall::rocks_of_chunk(scenario->rockfall.fall.motion.model));
     const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
     const std::size_t fallen =
         fall_rocks(assessment, chunks, under_way, {nullptr, nullptr}, gone, threads, total,

@@ -145,7 +145,8 @@ std::unique_ptr<SampleProject> blocks() {
     project->write("cliffs.csv",
                    "wkt,shape,side_a_m,side_b_m,side_c_m,sides_scatter,shape_file,mass_t\n"
                    "\"LINESTRING (1020 2030, 1020 2060)\",rounded,2,1,0.5,0.1,,1.5\n"
-                   "POINT (1030 2050),,,,,,stone.ply,\nPOINT (1030 2040),plate,,,,,,\n");
+                   "\"LINESTRING (1030 2050, 1030 2055)\",,,,,,stone.ply,\n"
+                   "\"LINESTRING (1030 2040, 1030 2045)\",plate,,,,,,\n");
     project->write(
         "surface_types.csv",
         "code,label,r_n,r_t,p_stop,rigid_ground,friction_law,friction,friction_max,slip_beta_ps,"

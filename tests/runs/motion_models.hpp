@@ -19,7 +19,7 @@ inline std::vector<std::string> motion_model_names() {
 
 /// Fewer rocks for a model whose rocks have a shape: each takes a hundred times as long.
 inline std::string rocks_for(const std::string& model, int rocks) {
-    constexpr int fewer = 20;
+    constexpr int fewer = 100;
     return "--set release.rocks=" + std::to_string(model == "rigid" ? rocks / fewer : rocks) + " ";
 }
 

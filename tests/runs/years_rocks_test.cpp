@@ -66,7 +66,8 @@ TEST_P(FirstRocksOfYearsUnderModel, AreThoseOfToday) {
     project.write("stands.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
                                     return column < 8 ? "0" : "7";
                                 }));
-    const std::string rocks = "run scenario.ini --quiet --set trees.file=list.csv --set release.rocks=1000 " +
+    const std::string rocks = "run scenario.ini --quiet --set trees.file=list.csv " +
+                              rocks_for(GetParam(), GetParam() == "rigid" ? 10000 : 1000) +
                               motion_settings(GetParam());
     ASSERT_EQ(call(project, rocks + "--set run.years=0 --out today").code, 0);
     const Outcome years = call(project, rocks + "--set run.years=1 --out years");

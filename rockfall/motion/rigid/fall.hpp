@@ -284,9 +284,15 @@ private:
         }
         const Eigen::Vector3d end_m = underside_m(block_.body().centre_m);
         const Eigen::Vector3d moved_m = end_m - piece_start_m_;
+        // A piece is straight, as nets and targets take it: its speed at the start is that along the chord.
+        const double chord_m = moved_m.norm();
+        const Eigen::Vector3d along =
+            chord_m > 0.0 ? Eigen::Vector3d{moved_m / chord_m} : Eigen::Vector3d::Zero();
+        const double start_mps = std::clamp(piece_velocity_mps_.dot(along), 0.0, 2.0 * chord_m / piece_s_);
+        const double gain_mps2 = 2.0 * (chord_m - start_mps * piece_s_) / (piece_s_ * piece_s_);
         RollingPiece piece{piece_start_m_,
-                           piece_velocity_mps_,
-                           2.0 / (piece_s_ * piece_s_) * (moved_m - piece_s_ * piece_velocity_mps_),
+                           start_mps * along,
+                           gain_mps2 * along,
                            piece_s_,
                            RollingEnd::piece,
                            no_triangle,
@@ -299,8 +305,8 @@ private:
         if (has_nets_) {
             net = nets_.cut(piece);
             nets_.report(piece.duration_s, observer_);
+            piece.duration_s = NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s));
         }
-        const double length_m = moved_m.norm();
         observer_.rolled(rock_, piece, triangle);
         show_poses([&](double) { return block_.body(); });
         under_ = triangle;
@@ -311,7 +317,7 @@ private:
         if (!law_.stops_by_chance || stopped_) {
             return;
         }
-        way_until_caught_ -= length_m * surface_stops_.rolling_rate(surface_at(under_, end_m));
+        way_until_caught_ -= chord_m * surface_stops_.rolling_rate(surface_at(under_, end_m));
         if (way_until_caught_ <= 0.0) {
             stop(StopReason::caught);
         }
