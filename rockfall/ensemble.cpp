@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rockfall/motion/rocks_at_once.hpp"
 #include "rockfall/one_slope.hpp"
 #include "rockfall/trajectory.hpp"
 
@@ -18,9 +19,7 @@ Obstacles Assessment::obstacles(Cover cover, std::span<std::uint8_t> gone) const
 }
 
 std::uint32_t rocks_of_chunk(MotionModel model) {
-    constexpr std::uint32_t blocks = 32;  // a block takes a hundred times as long as a sphere that only jumps
-    constexpr std::uint32_t spheres = 1024;
-    return model == motion_model<rigid::Model> ? blocks : spheres;
+    return rocks_at_once(model);
 }
 
 std::vector<Chunk> plan_chunks(std::span<const ReleaseSource> sources, std::uint32_t most_rocks) {
