@@ -99,7 +99,7 @@ inline Cut cut_by(const Height2& height, const Polygon2& polygon, Polygon2& resu
 /// A polygon that lines cut one after the other.
 class CutPolygon {
 public:
-    /// Starts anew: corners are to be added.
+    /// Removes all corners, so that others can be added.
     Polygon2& start() {
         now_ = 0;
         parts_[0].size = 0;

@@ -366,7 +366,7 @@ private:
         block_.meet_obstacle(impact.velocity_mps, impact.spin_factor);
     }
 
-    /// The place of a block that rests is told on the ground.
+    /// Puts the reported place of a block that rests onto the ground.
     void rest_on_surface() {
         const auto under = slope_.terrain.locate(end_.position_m.x(), end_.position_m.y(), under_);
         if (under) {
