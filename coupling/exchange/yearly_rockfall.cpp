@@ -62,7 +62,7 @@ BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t yea
 std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& stand, const BareYear& bare,
                                                           std::uint32_t replicate, int threads) const {
     const Obstacles obstacles = living_stems_of(stand, fracture_energy_, standing_);
-    const double largest_radius_m = 0.5 * rockfall::diameter_range(start_, site_.sources).largest_m;
+    const double largest_radius_m = rockfall::largest_radius_m(start_, site_.sources);
     const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
                                     scenario_.rockfall.fall.tree.taper};
     const rockfall::Assessment through_trees = assessment(stems, replicate, bare.year);

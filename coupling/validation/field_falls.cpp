@@ -24,7 +24,7 @@ FallenField fall_field(const OpenedField& opened, const Work& work, bool first_i
     const Site& site = opened.site;
     const config::GridFrame frame = site.map_frame_on_terrain();
     const rockfall::StartLaw start = start_law(scenario);
-    const double largest_radius_m = 0.5 * rockfall::diameter_range(start, site.sources).largest_m;
+    const double largest_radius_m = rockfall::largest_radius_m(start, site.sources);
     const rockfall::StemIndex stems{site.stems(), site.slope.terrain, largest_radius_m,
                                     scenario.rockfall.fall.tree.taper};
     const rockfall::LogIndex logs{site.lying_logs(), site.slope.terrain, largest_radius_m,

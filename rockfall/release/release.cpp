@@ -262,7 +262,11 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
         start.block = law.shape->draw(start.rock.diameter_m, law.density_kgpm3, key);
         const solids::Solid& solid = *start.block.solid;
         if (!solid.is_sphere()) {
-            start.rock = Rock::sphere(solid.diameter_m(), law.density_kgpm3);
+            // The volume of a hull gives back the drawn diameter but for rounding; tables by size go by it.
+            constexpr double rounding = 1e-9;
+            const double drawn_m = start.rock.diameter_m;
+            const bool as_drawn = std::abs(solid.diameter_m() - drawn_m) <= rounding * drawn_m;
+            start.rock = Rock::sphere(as_drawn ? drawn_m : solid.diameter_m(), law.density_kgpm3);
             start.rock.mass_kg = solid.mass_kg;
         }
     }

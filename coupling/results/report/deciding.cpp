@@ -67,12 +67,24 @@ const std::vector<std::string>& size_keys() {
     static const std::vector<std::string> keys{"release.diameter_kind",        "release.diameter_m",
                                                "release.diameter_deviation_m", "release.diameter_low_m",
                                                "release.diameter_high_m",      "release.diameter_classes_m",
-                                               "release.diameter_shares"};
+                                               "release.diameter_shares",      "release.shape"};
     return keys;
 }
 
+/// Names of shapes as the scenario has them; nothing where sources have shapes of their own.
+std::string shape_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
+    const bool own_shapes = rocks_have_shapes(scenario) &&
+                            std::any_of(sources.begin(), sources.end(), [&](const ReleaseSource& source) {
+                                return source.own_start && source.own_start->shape != scenario.shape_law;
+                            });
+    if (own_shapes) {
+        return "";
+    }
+    return scenario.shape_law ? joined(", ", escaped(scenario.shapes.shape)) : page_text("deciding.spheres");
+}
+
 std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
-    const std::string& shape = page_text("deciding.spheres");
+    const std::string shape = shape_of_rocks(scenario, sources);
     if (!starts_differ(sources)) {
         return marked(scenario, joined(rock_size(scenario), shape), size_keys());
     }
