@@ -68,6 +68,26 @@ TEST(Spread, GivesOutEveryRock) {
     }
 }
 
+TEST(StartOf, KeepsTheDrawnDiameterOfABlockToTheLastBit) {
+    // Tables by size group rocks by it: 0.49999999999909 beside 0.5 would be a size of its own.
+    const Slope slope = plane_slope(35.0, {0.3, 0.8});
+    std::vector<ReleaseSource> pieces = pieces_of({50.0});
+    spread(pieces, 10);
+    number_rocks(pieces);
+    StartLaw law;
+    law.diameter = DiameterLaw::fixed(0.75);
+    std::vector<BlockShape> shapes;
+    for (const char* name : {"cube", "plate", "octahedron"}) {
+        shapes.push_back({name, hull_of_shape(name)});
+    }
+    law.shape = std::make_shared<const ShapeLaw>(shapes, 0.1, std::nullopt);
+    for (std::uint64_t rock = 0; rock < 10; ++rock) {
+        const RockStart start = start_at(slope, pieces.front(), law, rock);
+        EXPECT_EQ(start.rock.diameter_m, 0.75);
+        EXPECT_GT(largest_radius_m(law, pieces), 0.75 / 2.0) << "corners lie outside of the sphere";
+    }
+}
+
 TEST(StartOf, PutsEachRockIntoItsOwnStretchOfALine) {
     const Slope slope = plane_slope(35.0, {0.3, 0.8});
     std::vector<ReleaseSource> pieces = pieces_of({50.0});
