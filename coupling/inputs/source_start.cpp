@@ -44,8 +44,7 @@ public:
         return has(column) ? table_.whole(row_, column, range, problems_) : std::nullopt;
     }
     void refuse(const std::string& column, std::string found, std::string expected) {
-        problems_.add(config::ExitCode::data, table_.place(row_, column), std::move(found),
-                      std::move(expected));
+        problems_.add(config::ExitCode::data, place(column), std::move(found), std::move(expected));
     }
     /// Tells of two fields of which only one may be filled. True if both are.
     bool both(const std::string& first, const std::string& second) {

@@ -154,6 +154,10 @@ TEST(BlockShapes, WithSidesOf0AreRefused) {
                   "zone,wkt,side_a_m,side_b_m,side_c_m\n1,\"LINESTRING (1020 2030, 1020 2060)\",2,0,0.5\n");
     project.replace("scenario.ini", "source = source.asc", "source_shapes = cliffs.csv");
     expect_one_error(project, {}, ExitCode::data, "cliffs.csv:2");
+    // A column that is not there at all.
+    project.write("cliffs.csv",
+                  "zone,wkt,side_b_m,side_c_m\n1,\"LINESTRING (1020 2030, 1020 2060)\",2,0.5\n");
+    expect_one_error(project, {}, ExitCode::data, "no side_a_m");
 }
 
 TEST(BlockShapes, WithoutDensityAreRefused) {
