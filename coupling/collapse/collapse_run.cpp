@@ -29,7 +29,7 @@ using rockfall::rock_mass::RockMass;
 
 /// Blocks are looked at for maps and targets about so often.
 constexpr double look_s = 0.05;
-/// A state is kept on disk about so often.
+/// A state is kept on disk after the first frame, and then about so often.
 constexpr double keep_s = 20.0;
 /// Time of a step by block on one thread, measured on the example collapse-small [s]; within a factor of
 /// three.
@@ -108,6 +108,7 @@ public:
     void go_on(const OutputFolder& folder, const std::string& hash, bool quiet) {
         Progress progress{"steps", plan_.steps(), mass_.steps(), quiet};
         auto kept = std::chrono::steady_clock::now();
+        bool is_first = true;
         while (record_.rows.size() <= plan_.frames && !is_at_rest()) {
             for (std::uint64_t look = 0; look < plan_.looks_of_frame; ++look) {
                 mass_.advance(plan_.steps_of_look);
@@ -124,7 +125,8 @@ public:
             last_mass_ = mass_.packed();
             last_record_ = record_.packed();
             const std::chrono::duration<double> since = std::chrono::steady_clock::now() - kept;
-            if (since.count() > keep_s) {
+            if (since.count() > keep_s || is_first) {
+                is_first = false;
                 keep_last(folder, hash);
                 kept = std::chrono::steady_clock::now();
             }
