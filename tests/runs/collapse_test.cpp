@@ -15,7 +15,7 @@ namespace {
 /// Few large blocks for a short time.
 const std::string few =
     "collapse p/scenario.ini --quiet --set collapse.duration_s=0.2 --set collapse.frame_s=0.05 "
-    "--set collapse.depth_m=8 --set collapse.least_block_m=2 --out ";
+    "--set collapse.depth_m=8 --set collapse.least_block_m=2 --set collapse.settle_s=0.1 --out ";
 
 config::Table table_of(const SampleProject& project, const std::string& file) {
     std::istringstream in{project.read(file)};
