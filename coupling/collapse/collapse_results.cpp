@@ -107,12 +107,6 @@ void write_trees(std::ostream& out, const CollapseResults& results) {
     }
 }
 
-/// A map of the results and how it is described.
-struct CollapseMap {
-    RasterKind kind;
-    config::Raster<float> raster;
-};
-
 config::Raster<float> map_of(const CollapseResults& results, const std::vector<double>& values, double unit) {
     config::Raster<float> raster{results.site.map_frame, std::numeric_limits<float>::quiet_NaN()};
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -143,38 +137,6 @@ void add_deposit(const CollapseResults& results, config::Raster<float>& depth,
             largest.values[k] = static_cast<float>(size_m[k]);
         }
     }
-}
-
-std::vector<CollapseMap> maps_of(const CollapseResults& results) {
-    const auto kind = [](const char* stem, const char* unit, const char* meaning, RasterStyle style) {
-        RasterKind made{};
-        made.stem = stem;
-        made.unit = unit;
-        made.meaning = meaning;
-        made.style = style;
-        return made;
-    };
-    std::vector<CollapseMap> maps;
-    const auto& record = results.record;
-    maps.push_back(
-        {kind("Nr_blocks", "blocks", "blocks whose middle passed the cell", RasterStyle::logarithmic),
-         map_of(results, record.cell_blocks, 1.0)});
-    maps.push_back(
-        {kind("E_max", "kJ", "largest kinetic energy of a block in the cell", RasterStyle::energy_classes),
-         map_of(results, record.cell_energy_j, 1e3)});
-    maps.push_back({kind("V_max", "m/s", "highest speed of a block in the cell", RasterStyle::linear),
-                    map_of(results, record.cell_speed_mps, 1.0)});
-    config::Raster<float> depth{results.site.map_frame, std::numeric_limits<float>::quiet_NaN()};
-    config::Raster<float> largest = depth;
-    add_deposit(results, depth, largest);
-    maps.push_back(
-        {kind("Deposit_depth", "m", "volume of the blocks that lie in the cell at the end, by its area",
-              RasterStyle::linear),
-         std::move(depth)});
-    maps.push_back(
-        {kind("Largest_block", "m", "side of the cube of the largest of them", RasterStyle::linear),
-         std::move(largest)});
-    return maps;
 }
 
 void write_maps(const CollapseResults& results, const std::filesystem::path& folder,
@@ -213,6 +175,38 @@ void write_series(const CollapseResults& results, const std::filesystem::path& f
 }
 
 }  // namespace
+
+std::vector<CollapseMap> maps_of(const CollapseResults& results) {
+    const auto kind = [](const char* stem, const char* unit, const char* meaning, RasterStyle style) {
+        RasterKind made{};
+        made.stem = stem;
+        made.unit = unit;
+        made.meaning = meaning;
+        made.style = style;
+        return made;
+    };
+    std::vector<CollapseMap> maps;
+    const auto& record = results.record;
+    maps.push_back(
+        {kind("Nr_blocks", "blocks", "blocks whose middle passed the cell", RasterStyle::logarithmic),
+         map_of(results, record.cell_blocks, 1.0)});
+    maps.push_back(
+        {kind("E_max", "kJ", "largest kinetic energy of a block in the cell", RasterStyle::energy_classes),
+         map_of(results, record.cell_energy_j, 1e3)});
+    maps.push_back({kind("V_max", "m/s", "highest speed of a block in the cell", RasterStyle::linear),
+                    map_of(results, record.cell_speed_mps, 1.0)});
+    config::Raster<float> depth{results.site.map_frame, std::numeric_limits<float>::quiet_NaN()};
+    config::Raster<float> largest = depth;
+    add_deposit(results, depth, largest);
+    maps.push_back(
+        {kind("Deposit_depth", "m", "volume of the blocks that lie in the cell at the end, by its area",
+              RasterStyle::linear),
+         std::move(depth)});
+    maps.push_back(
+        {kind("Largest_block", "m", "side of the cube of the largest of them", RasterStyle::linear),
+         std::move(largest)});
+    return maps;
+}
 
 KeyFigures key_figures(const CollapseResults& results) {
     KeyFigures figures;
@@ -277,6 +271,9 @@ std::vector<WrittenFile> write_results(const CollapseResults& results, const std
     write_maps(results, folder, files, described);
     if (results.scenario.scenario.gis.vtp) {
         write_series(results, folder, watch, files);
+    }
+    for (WrittenFile& layer : write_layers(results, folder, files, watch)) {
+        files.push_back(std::move(layer));
     }
     add_data_dictionary(folder, {collapse_layouts(), described}, files);
     files.push_back({"report.html", "All results on one page; opens offline."});

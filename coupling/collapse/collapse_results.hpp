@@ -7,7 +7,9 @@
 
 #include "config/errors/warnings.hpp"
 #include "coupling/collapse/collapse_record.hpp"
+#include "coupling/inputs/site.hpp"
 #include "coupling/results/out_file.hpp"
+#include "coupling/results/rasters.hpp"
 #include "coupling/results/table_layout.hpp"
 #include "coupling/results/write_watch.hpp"
 
@@ -41,6 +43,26 @@ KeyFigures key_figures(const CollapseResults& results);
 std::vector<std::size_t> pieces_of(const CollapseResults& results);
 
 const std::vector<TableLayout>& collapse_layouts();
+
+/// A map of the results and how it is described.
+struct CollapseMap {
+    RasterKind kind;
+    config::Raster<float> raster;
+};
+/// Blocks that passed, largest energy and speed, depth of the deposit, largest block: in this order.
+std::vector<CollapseMap> maps_of(const CollapseResults& results);
+
+/// What maps and layers of other kinds of run are drawn from: frame, heights, targets, trees; no rocks.
+Site drawn_site(const CollapseSite& site);
+
+/// GeoPackage with all tables, the deposit by cells and the targets, QGIS layers, GeoTIFF: as the scenario
+/// wants them. Returns what was added to `files`.
+std::vector<WrittenFile> write_layers(const CollapseResults& results, const std::filesystem::path& folder,
+                                      const std::vector<WrittenFile>& files, const WriteWatch& watch);
+
+/// Parts of the page: maps, and the mass in three dimensions with a slider of time.
+std::string maps_section(const CollapseResults& results);
+std::string scene_section(const CollapseResults& results);
 
 /// Writes tables, rasters, perhaps VTP, summary.json and report.html into an existing folder. Throws
 /// config::InputError (file), and what `watch` throws.

@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view short_help = R"(bannwald - how well a forest protects from rockfall
 
   bannwald init DIR [--example NAME]   writes an example project, ready to run: tyrol, profile, forest,
-                                       jura, regimes-small, regimes, collapse-small
+                                       jura, regimes-small, regimes, collapse-small, collapse
   bannwald check SCENARIO              reads everything, prints size, memory and time; writes nothing
   bannwald run SCENARIO                simulates rockfall and writes maps, tables and a report
   bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
@@ -74,6 +74,7 @@ Writes an example project into a new or empty folder, whole or not at all.
                         regimes-small: 9 ha under four regimes for thirty years, with rocks
                         regimes: 40 ha under four regimes for a hundred years, ten replicates
                         collapse-small: a SYNTHETIC cliff of 40 m breaks up into about a hundred blocks
+                        collapse: a SYNTHETIC cliff of 110 to 140 m, 11 000 blocks; takes hours
   --from-rockyfor3d FOLDER   instead: a project from the inputs of Rockyfor3D (dem.asc, rockdensity.asc,
                         d1 d2 d3, blshape, soiltype, rg70 rg20 rg10, treefile.txt or nrtrees ...); prints
                         and writes into README.md what became of them and what has no counterpart

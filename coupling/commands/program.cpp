@@ -56,7 +56,7 @@ int init(const CommandLine& line) {
         for (const std::string& remark : remarks) {
             std::cerr << "- " << remark << '\n';
         }
-        const bool is_collapse = line.example == "collapse-small";
+        const bool is_collapse = line.example.starts_with("collapse");
         std::cerr << "next: bannwald " << (is_collapse ? "collapse " : "run ") << scenario << '\n';
     }
     return code(ExitCode::done);

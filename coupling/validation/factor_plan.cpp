@@ -19,7 +19,7 @@ constexpr const char* directions_file = "directions.csv";
 constexpr const char* dbh_mean = "stand.dbh_mean_cm";
 
 /// The recipe's own value of a setting that is a number; nothing for any other.
-std::optional<double> value_in(const Recipe& recipe, const std::string& setting) {
+std::optional<double> base_value_in(const Recipe& recipe, const std::string& setting) {
     for (const config::ParameterRow& row : recipe.options->rows()) {
         if (row.key == setting) {
             return config::parse_number(row.value_text);
@@ -71,7 +71,7 @@ private:
     void read_factor(const config::Table& table, std::size_t row) {
         Factor factor;
         factor.setting = recipe_.options->present_name(table.text(row, "setting"));
-        const std::optional<double> base = value_in(recipe_, factor.setting);
+        const std::optional<double> base = base_value_in(recipe_, factor.setting);
         if (!base || plan_.place_of(factor.setting) < plan_.factors.size()) {
             refuse(table, row, "setting", "a setting of case.ini that is a number, once");
         }

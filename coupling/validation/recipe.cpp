@@ -28,6 +28,7 @@ const std::vector<std::pair<std::string, CaseKind>>& kinds() {
         {"profile", CaseKind::profile},
         {"factors", CaseKind::factors},
         {"field", CaseKind::field},
+        {"collapse", CaseKind::collapse},
         {"forest_production", CaseKind::forest_production},
         {"forest_light", CaseKind::forest_light},
         {"forest_yield", CaseKind::forest_yield},

@@ -17,6 +17,7 @@ enum class CaseKind : std::uint8_t {
     profile,            ///< the two-dimensional mode: no deviation, no trees
     factors,            ///< forest against bare slope over several settings (factors.hpp)
     field,              ///< rocks of a scenario against stops observed on real ground (field_case.hpp)
+    collapse,           ///< a rock mass that breaks up (collapse_case.hpp)
     forest_production,  ///< the production core against other programs (forest_cases)
     forest_light,       ///< light in a mapped stand against another program
     forest_yield,       ///< plantations against yield tables

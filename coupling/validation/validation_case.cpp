@@ -6,6 +6,7 @@
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/validation/collapse_case.hpp"
 #include "coupling/validation/field_case.hpp"
 #include "coupling/validation/field_states.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
@@ -342,10 +343,6 @@ void read_forest(ValidationCase& out) {
 
 /// Settings that the user asks for are those of its scenario.
 void read_field_case(ValidationCase& out) {
-    if (out.replaces_profile()) {
-        config::fail(config::ExitCode::settings, {}, joined("--profile for ", out.files.name),
-                     "a case with a profile: this one has a terrain");
-    }
     if (out.changes.most_rocks) {
         out.notes.emplace_back("--rocks changes nothing here: the scenario says how many rocks fall");
     }
@@ -420,13 +417,20 @@ ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
     out.files = files;
     out.changes = changes;
     out.kind = head_of(files).kind;
+    const bool has_terrain = out.kind == CaseKind::field || out.kind == CaseKind::collapse;
+    if (has_terrain && out.replaces_profile()) {
+        config::fail(config::ExitCode::settings, {}, joined("--profile for ", out.files.name),
+                     "a case with a profile: this one has a terrain");
+    }
     if (is_forest(out.kind)) {
         read_forest(out);
-        CaseReader{out}.read(*out.comparison);
-        return out;
-    }
-    if (out.kind == CaseKind::field) {
+    } else if (out.kind == CaseKind::field) {
         read_field_case(out);
+    } else if (out.kind == CaseKind::collapse) {
+        out.comparison = std::make_shared<const Comparison>(
+            read_collapse_case(out.files, out.head, out.changes.overrides));
+    }
+    if (out.comparison) {
         CaseReader{out}.read(*out.comparison);
         return out;
     }

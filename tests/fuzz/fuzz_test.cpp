@@ -34,7 +34,8 @@ struct Target {
 
 std::vector<Target> all_targets() {
     std::vector<Target> targets;
-    for (const auto& subjects : {subjects_of_inputs(), subjects_of_files(), subjects_of_results()}) {
+    for (const auto& subjects :
+         {subjects_of_inputs(), subjects_of_collapse(), subjects_of_files(), subjects_of_results()}) {
         for (const Subject& subject : subjects) {
             for (const std::string& file : subject.files) {
                 targets.push_back({subject, file});

@@ -20,6 +20,8 @@ struct Subject {
 
 /// Scenarios of every kind with all their files.
 std::vector<Subject> subjects_of_inputs();
+/// Rock masses that break up.
+std::vector<Subject> subjects_of_collapse();
 /// Meshes and other files by themselves, folders of Rockyfor3D, validation cases.
 std::vector<Subject> subjects_of_files();
 /// What the program itself wrote: parts, checkpoints, stored paths, results.

@@ -263,12 +263,13 @@ void write_page(std::ostream& out, const CollapseResults& results, const std::ve
     const report::PageFrame frame{
         .title = joined(page_text("collapse_page.title"), escaped(scenario.file.stem().string())),
         .version = results.version,
-        .scripts = {page_scripts::charts()},
+        .scripts = {page_scripts::charts(), page_scripts::slope()},
         .style = page_style,
         .before_main = {}};
     report::begin_page(out, frame);
-    out << report::first_warnings(results.warnings) << opening(results) << views(results) << charts(results)
-        << targets(results) << joined("<h2>", page_text("common.warnings"), "</h2>\n")
+    out << report::first_warnings(results.warnings) << opening(results) << views(results)
+        << scene_section(results) << maps_section(results) << charts(results) << targets(results)
+        << joined("<h2>", page_text("common.warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
         << joined("<h2>", page_text("common.settings"), "</h2>\n")
         << report::table_of_settings(scenario, plays_a_part)

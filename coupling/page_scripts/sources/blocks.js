@@ -12,12 +12,13 @@ export const enlargements = [1, 3, 10, 30];
 const apart = 2.5;
 
 /** What a unit quaternion [w, x, y, z] makes of a vector. */
-function turned([w, x, y, z], [a, b, c]) {
+export function turned([w, x, y, z], [a, b, c]) {
     const [s, t, u] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
     return [a + w * s + y * u - z * t, b + w * t + z * s - x * u, c + w * u + x * t - y * s];
 }
 
-function quaternion(packed, i) {
+/** The i-th of packed unit quaternions. */
+export function quaternion(packed, i) {
     const q = [0, 1, 2, 3].map((k) => (2 * packed[4 * i + k]) / 65534 - 1);
     const length = Math.hypot(...q);
     return q.map((part) => part / length);

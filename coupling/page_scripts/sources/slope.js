@@ -7,6 +7,7 @@ import { Eye } from "./camera.js";
 import { button, checkbox, choice, element, layerChoice, sample } from "./controls.js";
 import { Ground } from "./ground.js";
 import { classLooks, drop, logColour, logsOf, pathsOf, restColour, targetColour, targetsOf } from "./lines.js";
+import { Mass, speedColours } from "./mass.js";
 import { counted, text } from "./texts.js";
 import { fell, grow } from "./trees.js";
 
@@ -82,7 +83,7 @@ class SlopeView {
                 }));
             }
         }
-        bar.append(...this.blockSwitch());
+        bar.append(...this.blockSwitch(), ...this.massSlider());
         if (this.numbers.targets.length > 0) {
             const targets = targetsOf(this.numbers, this.ground);
             this.scene.add(targets);
@@ -112,6 +113,26 @@ class SlopeView {
         });
         list.querySelector("select").value = String(this.times);
         return [list];
+    }
+
+    /** Through the times of a rock mass. */
+    massSlider() {
+        if (!this.numbers.mass) {
+            return [];
+        }
+        const { times_s } = this.numbers.mass;
+        const mass = new Mass(this.numbers, this.ground);
+        this.scene.add(mass.mesh);
+        const word = element("output", {});
+        const slider = element("input", { type: "range", min: 0, max: times_s.length - 1, step: 1, value: 0, "aria-label": text("script.slope.time_label"),
+            oninput: () => show(Number(slider.value)) });
+        const show = (frame) => {
+            mass.show(frame);
+            word.textContent = text("script.slope.after", { time: times_s[frame].toFixed(1) });
+            this.ask();
+        };
+        show(0);
+        return [element("label", { class: "years" }, text("script.slope.rock_mass"), " ", word, " ", slider)];
     }
 
     /** Puts the blocks along the paths that are shown. */
@@ -236,6 +257,13 @@ class SlopeView {
             this.numbers.classes.forEach((name, k) =>
                 entries.push(sample("line", classLooks[k].colour, text("script.slope.path", { energy: name }), 1.4 * classLooks[k].width)));
             entries.push(sample("dot", restColour, text("script.slope.path_end")));
+        }
+        if (this.numbers.mass) {
+            const { bounds_mps, blocks, all_blocks } = this.numbers.mass;
+            speedColours.forEach((colour, k) => entries.push(sample("stem", colour, k < bounds_mps.length
+                ? text("script.slope.slower", { speed: bounds_mps[k] })
+                : text("script.slope.faster", { speed: bounds_mps.at(-1) }))));
+            this.note.textContent = drawnOf(blocks.length, all_blocks, "script.slope.mass_drawn");
         }
         this.numbers.targets.forEach(({ name }) => entries.push(sample("line", targetColour, name, 4)));
         this.legend.replaceChildren(...entries);

@@ -10,6 +10,7 @@
 #include "coupling/results/colours.hpp"
 #include "coupling/results/report/energy_classes.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/scene_mass.hpp"
 #include "rockfall/solids/shapes.hpp"
 
 namespace coupling::report {
@@ -316,8 +317,11 @@ std::string json_of(const Scene& scene) {
     for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
         classes.push_back(energy_class_name(i));
     }
-    return JsonObject{}
-        .add("ground", ground_json(scene.heights, box))
+    JsonObject whole;
+    if (scene.mass != nullptr) {
+        whole.add("mass", mass_json(*scene.mass, box.frame.x_west_m, box.frame.y_south_m, box.low_m));
+    }
+    return whole.add("ground", ground_json(scene.heights, box))
         .add("x", box.x.json())
         .add("y", box.y.json())
         .add("z", box.z.json())

@@ -11,6 +11,8 @@
 
 namespace coupling::report {
 
+struct SceneMass;
+
 // What the view in three dimensions shows, as numbers for its script
 // (coupling/page_scripts/sources/slope.js).
 
@@ -65,6 +67,7 @@ struct Scene {
     std::vector<const rockfall::PathRecord*> paths{};  ///< in coordinates of the terrain
     std::span<const rockfall::Target> targets{};
     Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();  ///< of the terrain
+    const SceneMass* mass = nullptr;                     ///< of a run of a rock mass
 };
 
 /// A figure that the script fills; without scripts or WebGL it says what is missing and where else to look

@@ -127,6 +127,7 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
         case CaseKind::profile:
         case CaseKind::factors:
         case CaseKind::field:
+        case CaseKind::collapse:
             break;
     }
     throw std::logic_error{"no kind of the forest"};
