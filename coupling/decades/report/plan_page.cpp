@@ -24,6 +24,7 @@ std::string table_of_rows(const Management& management) {
         page_text("decades.plan.rows"),
         {page_text("decades.plan.row"), page_text("decades.plan.treatment"), page_text("decades.plan.where"),
          page_text("decades.plan.first_year"), page_text("decades.plan.every_years")}};
+    table.text_columns({1, 2});
     for (const Regime& regime : management.regimes) {
         table.group(escaped(regime.name()));
         for (const Intervention& row : regime.interventions()) {
