@@ -29,7 +29,7 @@ using rockfall::rock_mass::RockMass;
 
 /// Blocks are looked at for maps and targets about so often.
 constexpr double look_s = 0.05;
-/// A state is kept on disk about so often.
+/// A state is kept on disk after the first frame, and then about so often.
 constexpr double keep_s = 20.0;
 /// Time of a step by block on one thread, measured on the example collapse-small [s]; within a factor of
 /// three.
@@ -54,6 +54,7 @@ struct TimePlan {
     std::uint64_t steps_of_look;
     std::uint64_t looks_of_frame;
     std::uint64_t frames;
+    std::uint64_t steps_to_settle;
     [[nodiscard]] std::uint64_t steps() const { return steps_of_look * looks_of_frame * frames; }
 };
 
@@ -67,6 +68,7 @@ TimePlan plan_of(const CollapseSettings& settings, double step_s) {
     plan.looks_of_frame = whole(settings.frame_s / look);
     plan.frames =
         whole(std::ceil(settings.duration_s / (static_cast<double>(plan.looks_of_frame) * look) - 1e-9));
+    plan.steps_to_settle = settings.settle_s > 0.0 ? whole(std::ceil(settings.settle_s / step_s - 1e-9)) : 0;
     return plan;
 }
 
@@ -86,8 +88,44 @@ public:
     [[nodiscard]] const RockMass& mass() const { return mass_; }
     [[nodiscard]] const CollapseRecord& record() const { return record_; }
 
+    /// Brings the mass to rest under its weight. An interruption leaves no state: the run begins again.
+    template <class AfterLook>
+    void settle(const AfterLook& after_look) {
+        if (plan_.steps_to_settle == 0) {
+            return;
+        }
+        mass_.hold();
+        for (std::uint64_t left = plan_.steps_to_settle; left > 0;) {
+            const std::uint64_t steps = std::min(left, plan_.steps_of_look);
+            mass_.advance(steps);
+            left -= steps;
+            after_look(steps);
+        }
+        mass_.let_go();
+    }
+
+    void add_frame() { record_.add_frame(site_, mass_); }
+
+    /// Whether the time is over or all blocks are at rest.
+    [[nodiscard]] bool is_over() const { return record_.rows.size() > plan_.frames || is_at_rest(); }
+
+    template <class AfterLook>
+    void next_frame(const AfterLook& after_look) {
+        for (std::uint64_t look = 0; look < plan_.looks_of_frame; ++look) {
+            mass_.advance(plan_.steps_of_look);
+            record_.observe(site_, mass_);
+            after_look(plan_.steps_of_look);
+        }
+        // States that are kept begin with a new search for pairs, in runs without a stop too.
+        mass_.refresh();
+        add_frame();
+    }
+
+    /// Steps in all, those that settle included.
+    [[nodiscard]] std::uint64_t all_steps() const { return plan_.steps() + plan_.steps_to_settle; }
+
     /// Goes on from a kept state where there is one. Throws config::InputError for one that does not fit.
-    void begin(const OutputFolder& folder) {
+    void begin(const OutputFolder& folder, bool quiet) {
         const std::filesystem::path file = state_file(folder);
         if (folder.has_parts() && std::filesystem::exists(file)) {
             ByteReader in{file};
@@ -101,30 +139,35 @@ public:
             }
             return;
         }
-        record_.add_frame(site_, mass_);
+        Progress progress{"settling steps", plan_.steps_to_settle, 0, quiet || plan_.steps_to_settle == 0};
+        settle([&](std::uint64_t steps) {
+            progress.add(steps);
+            if (InterruptGuard::requested()) {
+                throw CollapseInterrupted{};
+            }
+        });
+        progress.finish();
+        add_frame();
     }
 
     /// Throws CollapseInterrupted once the last state is on the disk.
     void go_on(const OutputFolder& folder, const std::string& hash, bool quiet) {
         Progress progress{"steps", plan_.steps(), mass_.steps(), quiet};
         auto kept = std::chrono::steady_clock::now();
-        while (record_.rows.size() <= plan_.frames && !is_at_rest()) {
-            for (std::uint64_t look = 0; look < plan_.looks_of_frame; ++look) {
-                mass_.advance(plan_.steps_of_look);
-                record_.observe(site_, mass_);
-                progress.add(plan_.steps_of_look);
+        bool is_first = true;
+        while (!is_over()) {
+            next_frame([&](std::uint64_t steps) {
+                progress.add(steps);
                 if (InterruptGuard::requested()) {
                     keep_last(folder, hash);
                     throw CollapseInterrupted{};
                 }
-            }
-            // States that are kept begin with a new search for pairs, in runs without a stop too.
-            mass_.refresh();
-            record_.add_frame(site_, mass_);
+            });
             last_mass_ = mass_.packed();
             last_record_ = record_.packed();
             const std::chrono::duration<double> since = std::chrono::steady_clock::now() - kept;
-            if (since.count() > keep_s) {
+            if (since.count() > keep_s || is_first) {
+                is_first = false;
                 keep_last(folder, hash);
                 kept = std::chrono::steady_clock::now();
             }
@@ -184,7 +227,7 @@ void move_and_write(const RunRequest& request, const CollapseScenario& scenario,
                     const config::Warnings& warnings, const std::string& hash, OutputFolder& folder) {
     const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
     CollapseRun run{scenario, site, threads};
-    run.begin(folder);
+    run.begin(folder, request.quiet);
     run.go_on(folder, hash, request.quiet);
     make_folder(folder.staging());
     const CollapseResults results{scenario, site, run.record(), run.mass(), warnings, version()};
@@ -231,6 +274,24 @@ int run_collapse(const RunRequest& request) {
     return static_cast<int>(config::ExitCode::done);
 }
 
+SimulatedCollapse simulate_collapse(const CollapseScenario& scenario, const CollapseSite& site, int threads,
+                                    const std::function<void(double)>& share_done) {
+    CollapseRun run{scenario, site, threads};
+    std::uint64_t done = 0;
+    const auto after_look = [&](std::uint64_t steps) {
+        done += steps;
+        share_done(static_cast<double>(done) / static_cast<double>(run.all_steps()));
+    };
+    run.settle(after_look);
+    run.add_frame();
+    while (!run.is_over()) {
+        run.next_frame(after_look);
+    }
+    const config::Warnings none;
+    const CollapseResults results{scenario, site, run.record(), run.mass(), none, version()};
+    return {key_figures(results), run.record().rows, run.mass().step_s()};
+}
+
 void describe(const CollapseScenario& scenario, int threads, config::Warnings& warnings, std::ostream& out) {
     const CollapseSite site = open_collapse(scenario, warnings);
     const RockMass mass = mass_of(scenario, site, 1);
@@ -252,13 +313,17 @@ void describe(const CollapseScenario& scenario, int threads, config::Warnings& w
     say("around it", joined(std::to_string(site.count.fixed), " blocks of rock that stays"));
     say("bonds", joined(std::to_string(site.count.bonds), " and ", std::to_string(site.count.open_faces),
                         " open faces"));
-    say("steps", joined(std::to_string(plan.steps()), " of ", whole(mass.step_s() * 1e6), " us"));
+    say("steps", joined(std::to_string(plan.steps()),
+                        plan.steps_to_settle > 0
+                            ? joined(" after ", std::to_string(plan.steps_to_settle), " that settle the mass")
+                            : "",
+                        ", ", whole(mass.step_s() * 1e6), " us each"));
     const double frame_bytes = static_cast<double>(plan.frames + 1) * static_cast<double>(site.count.free) *
                                (sizeof(BlockPlace) + 8.0 * sizeof(double));
     const double bytes = 2.0 * static_cast<double>(mass.bytes()) + frame_bytes +
                          static_cast<double>(site.map_frame.size()) * 6.0 * sizeof(double);
     say("memory", joined("about ", whole(bytes / 1e6 + 20.0), " MB"));
-    const double seconds = static_cast<double>(plan.steps()) *
+    const double seconds = static_cast<double>(plan.steps() + plan.steps_to_settle) *
                            static_cast<double>(site.count.free + site.count.fixed / 4) *
                            seconds_per_block_step / std::min(threads, 4);
     say("time", joined("about ", seconds < 90.0 ? whole(seconds + 1.0) : whole(seconds / 60.0),

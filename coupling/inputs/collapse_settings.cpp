@@ -140,6 +140,13 @@ void declare_laws(config::Options& options, CollapseSettings& s) {
                     .source = choice});
     options.flag("collapse.sleeping", laws.sleeping,
                  {.meaning = "blocks at rest are left out until something moves them", .source = choice});
+    options.number("collapse.settle_s", s.settle_s,
+                   {.unit = "s",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "the mass comes to rest under its own weight for so long before it is let go: "
+                               "nothing slides or breaks, local damping 0.7",
+                    .source = choice});
     options.number(
         "collapse.duration_s", s.duration_s,
         {.unit = "s", .low = 0.01, .high = 3600.0, .meaning = "time that is simulated", .source = choice});

@@ -33,6 +33,7 @@ struct CollapseSettings {
     double strength_angle_deg = 0.0;
     double modulus_mpa = 100.0;
     bool disc_areas = false;
+    double settle_s = 0.0;  ///< held under its own weight before it is let go
     double duration_s = 30.0;
     double frame_s = 0.5;
     rockfall::rock_mass::Laws laws;  ///< what the above leaves

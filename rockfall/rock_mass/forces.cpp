@@ -15,6 +15,17 @@ namespace {
 /// Ways are summed with the spin at the end of each step: what of a gap is surely free [choice].
 constexpr double sure_share_of_way = 0.98;
 
+/// The overlap that presses one body, about its centre, as that which presses the other one about a place
+/// `shift_m` further.
+Overlap as_seen_by_the_other(Overlap overlap, const Vector3d& shift_m) {
+    overlap.force_m3 = -overlap.force_m3;
+    overlap.moment_m4 = -overlap.moment_m4 - shift_m.cross(overlap.force_m3);
+    overlap.area_m2 = -overlap.area_m2;
+    overlap.depth_m4 -= overlap.depth_m3 * shift_m;
+    overlap.surface_m3 -= overlap.surface_m2 * shift_m;
+    return overlap;
+}
+
 }  // namespace
 
 ContactPair RockMass::contact_pair(std::uint32_t first, std::uint32_t second) const {
@@ -31,27 +42,71 @@ ContactPair RockMass::ground_pair(std::uint32_t block) const {
             std::numbers::pi * r * r};
 }
 
+/// Which of two blocks holds their overlap: not a matter of their numbers.
+bool RockMass::is_holder(std::uint32_t block, std::uint32_t other) const {
+    const Block& a = blocks_[block];
+    const Block& b = blocks_[other];
+    if (a.mass_kg != b.mass_kg) {
+        return a.mass_kg > b.mass_kg;
+    }
+    const Vector3d any_direction{0.371, 0.613, 0.698};
+    return any_direction.dot(a.centre_m - b.centre_m) > 0.0;
+}
+
+/// The overlap of two blocks as it is clipped, held from now on; about the second one's centre.
+Overlap RockMass::clipped(std::uint32_t first, std::uint32_t second, ContactState& state,
+                          HeldOverlap& held) const {
+    const PlacedBlock a = placed(first), b = placed(second);
+    if (laws_.contact == ContactLaw::pfc || !held.wants_slope()) {
+        return overlap_of(a, b, b.centre_m, state.known);
+    }
+    const bool second_holds = is_holder(second, first);
+    OverlapSlope slope;
+    Overlap overlap;
+    if (!second_holds) {
+        overlap = overlap_of(a, b, b.centre_m, state.known, &slope);
+    } else {
+        overlap = overlap_of(b, a, a.centre_m, state.known, &slope);
+        state.known.of_second = !state.known.of_second;
+    }
+    if (!overlap.is_none()) {
+        const std::uint32_t holder = second_holds ? second : first, other = second_holds ? first : second;
+        held.keep(overlap, slope, pose(holder), pose(other), std::min(a.radius_m, b.radius_m), second_holds);
+    }
+    return second_holds ? as_seen_by_the_other(overlap, b.centre_m - a.centre_m) : overlap;
+}
+
 /// The contact of two blocks: nothing where their spheres or a known face keep them apart. Then they are not
 /// looked at before they have gone as far as they are apart.
 void RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
-                     ChunkSums& sums) const {
+                     HeldOverlap& held, ChunkSums& sums) const {
     const double way_m = ways_m_[first] + ways_m_[second];
     if (way_m < state.free_way_m) {
         return;
     }
     const Block& a = blocks_[first];
     const Block& b = blocks_[second];
+    const auto press = [&](const Overlap& overlap) {
+        force = contact_force(laws_, contact_pair(first, second), mover(first), mover(second), b.centre_m,
+                              overlap, step_s_, state, sums.losses);
+    };
+    if (held.is_valid()) {
+        const bool by_second = held.second_holds();
+        Overlap overlap;
+        if (held.carry_on(pose(by_second ? second : first), pose(by_second ? first : second), overlap)) {
+            press(by_second ? as_seen_by_the_other(overlap, b.centre_m - a.centre_m) : overlap);
+            return;
+        }
+    }
     force = {};
     double gap_m = (a.centre_m - b.centre_m).norm() - (a.radius_m + b.radius_m);
     if (gap_m < 0.0) {
-        const PlacedBlock placed_a = placed(first), placed_b = placed(second);
-        gap_m = separation_m(state.known, placed_a, placed_b);
+        gap_m = separation_m(state.known, placed(first), placed(second));
         if (gap_m < 0.0) {
-            const Overlap overlap = overlap_of(placed_a, placed_b, b.centre_m, state.known);
+            const Overlap overlap = clipped(first, second, state, held);
             if (!overlap.is_none()) {
                 state.free_way_m = 0.0;
-                force = contact_force(laws_, contact_pair(first, second), mover(first), mover(second),
-                                      b.centre_m, overlap, step_s_, state, sums.losses);
+                press(overlap);
                 return;
             }
             gap_m = overlap.gap_m;
@@ -61,25 +116,25 @@ void RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& st
     state.free_way_m = way_m + sure_share_of_way * gap_m;
 }
 
-void RockMass::force_of(Contact& contact, ChunkSums& sums) const {
+void RockMass::force_of(Contact& contact, HeldOverlap& held, ChunkSums& sums) const {
     if (stands(contact.first) && stands(contact.second)) {
         return;
     }
-    touch(contact.first, contact.second, contact.state, contact.force, sums);
+    touch(contact.first, contact.second, contact.state, contact.force, held, sums);
 }
 
-void RockMass::force_of(Joint& joint, ChunkSums& sums) {
+void RockMass::force_of(Joint& joint, HeldOverlap& held, ChunkSums& sums) {
     Bond& bond = joint.bond;
     if (stands(bond.first) && stands(bond.second)) {
         return;
     }
     if (!bond.intact) {
-        touch(bond.first, bond.second, joint.state, joint.force, sums);
+        touch(bond.first, bond.second, joint.state, joint.force, held, sums);
         return;
     }
     const PlacedStrain placed = strain_of(bond, pose(bond.first), pose(bond.second));
     const BondStress stress = bond_stress(bond.section, bond.stiffness, placed.strain);
-    if (breaks(stress, bond.strength, laws_.strength_angle_tan)) {
+    if (!laws_when_let_go_ && breaks(stress, bond.strength, laws_.strength_angle_tan)) {
         break_bond(joint, placed, stress, sums);
         if (!bond.intact) {
             return;
@@ -103,7 +158,8 @@ void RockMass::break_bond(Joint& joint, const PlacedStrain& placed, const BondSt
     ContactState state;
     PairForce force;
     ChunkSums of_contact;
-    touch(bond.first, bond.second, state, force, of_contact);
+    HeldOverlap not_held;
+    touch(bond.first, bond.second, state, force, not_held, of_contact);
     const double held_j = bond_energy(bond.section, bond.stiffness, placed.strain).sum_j();
     const double freed_j = held_j - contact_energy_j(bond.first, bond.second, state) - state.shear_energy_j();
     if (freed_j < 0.0) {
@@ -121,7 +177,7 @@ void RockMass::break_bond(Joint& joint, const PlacedStrain& placed, const BondSt
     joint.force = force;
 }
 
-void RockMass::force_of_ground(std::uint32_t i, ChunkSums& sums) {
+void RockMass::force_of_ground(std::uint32_t i, HeldOverlap& held, ChunkSums& sums) {
     Footing& footing = footings_[i];
     if (stands(i) || footing.prisms.empty()) {
         return;
@@ -130,14 +186,31 @@ void RockMass::force_of_ground(std::uint32_t i, ChunkSums& sums) {
         return;
     }
     const Block& block = blocks_[i];
+    const auto press = [&](const Overlap& overlap) {
+        footing.force = contact_force(laws_, ground_pair(i), Mover{}, mover(i), block.centre_m, overlap,
+                                      step_s_, footing.state, sums.losses);
+    };
+    constexpr auto where_the_ground_is = [] {
+        return BlockPose{Vector3d::Zero(), Eigen::Quaterniond::Identity()};
+    };
+    Overlap carried;
+    if (held.is_valid() && held.carry_on(where_the_ground_is(), pose(i), carried)) {
+        press(carried);
+        return;
+    }
     footing.force = {};
     double gap_m = block.centre_m.z() - block.radius_m - footing.highest_ground_m;
     if (gap_m < 0.0) {
-        const Overlap overlap = ground_.overlap_of(footing.prisms, placed(i), block.centre_m);
+        const bool hold = laws_.contact != ContactLaw::pfc && held.wants_slope();
+        OverlapSlope slope;
+        const Overlap overlap =
+            ground_.overlap_of(footing.prisms, placed(i), block.centre_m, hold ? &slope : nullptr);
         if (!overlap.is_none()) {
             footing.state.free_way_m = 0.0;
-            footing.force = contact_force(laws_, ground_pair(i), Mover{}, mover(i), block.centre_m, overlap,
-                                          step_s_, footing.state, sums.losses);
+            if (hold) {
+                held.keep(overlap, slope, where_the_ground_is(), pose(i), block.radius_m, false);
+            }
+            press(overlap);
             return;
         }
         gap_m = overlap.gap_m;

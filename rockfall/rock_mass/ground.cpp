@@ -73,7 +73,7 @@ double find_codes(const GroundPrism& prism, const PlacedBlock& block, PrismCodes
 
 /// Adds what of a block lies in a prism.
 void add_prism(const GroundPrism& prism, const PlacedBlock& block, const PrismCodes& outside,
-               const Vector3d& about_m, CutPolygon& piece, Overlap& sum) {
+               const Vector3d& about_m, CutPolygon& piece, Overlap& sum, OverlapSlope* slope) {
     for (std::size_t g = 0; g < block.faces.size(); ++g) {
         unsigned all = 0xF, any = 0;
         for (const std::uint16_t corner : block.corners_of(g)) {
@@ -98,6 +98,9 @@ void add_prism(const GroundPrism& prism, const PlacedBlock& block, const PrismCo
             FaceSums sums;
             sums.add(piece.left(), frame.height_over(prism.top));
             add_face(frame, block.faces[g].normal, sums, about_m, sum);
+            if (slope != nullptr) {
+                slope->add(piece.left(), frame, block.faces[g].normal, prism.top.normal, about_m);
+            }
         }
     }
 }
@@ -180,7 +183,7 @@ double Ground::highest_m(std::span<const std::uint32_t> prisms) const {
 }
 
 Overlap Ground::overlap_of(std::span<const std::uint32_t> prisms, const PlacedBlock& block,
-                           const Vector3d& about_m) const {
+                           const Vector3d& about_m, OverlapSlope* slope) const {
     Overlap sum;
     sum.gap_m = std::numeric_limits<double>::infinity();
     PrismCodes outside;
@@ -188,9 +191,12 @@ Overlap Ground::overlap_of(std::span<const std::uint32_t> prisms, const PlacedBl
     for (const std::uint32_t i : prisms) {
         const double away_m = find_codes(prisms_[i], block, outside);
         if (away_m < 0.0) {
-            add_prism(prisms_[i], block, outside, about_m, piece, sum);
+            add_prism(prisms_[i], block, outside, about_m, piece, sum, slope);
         }
         sum.gap_m = std::clamp(away_m, 0.0, sum.gap_m);
+    }
+    if (slope != nullptr) {
+        slope->turn_with(sum);
     }
     return sum;
 }

@@ -39,9 +39,9 @@ public:
     /// Highest point of prisms.
     [[nodiscard]] double highest_m(std::span<const std::uint32_t> prisms) const;
 
-    /// Overlap with a block, the block being the second body.
+    /// Overlap with a block, the block being the second body; with its slope where that is asked for.
     [[nodiscard]] Overlap overlap_of(std::span<const std::uint32_t> prisms, const PlacedBlock& block,
-                                     const Eigen::Vector3d& about_m) const;
+                                     const Eigen::Vector3d& about_m, OverlapSlope* slope = nullptr) const;
 
     /// Its energy for c = 1 [m4].
     [[nodiscard]] double energy_m4(std::span<const std::uint32_t> prisms, const PlacedBlock& block) const;

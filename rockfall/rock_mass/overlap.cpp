@@ -13,6 +13,12 @@ using Eigen::Vector3d;
 
 namespace {
 
+Eigen::Matrix3d cross_matrix(const Vector3d& v) {
+    Eigen::Matrix3d matrix;
+    matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return matrix;
+}
+
 double lowest_over(const Plane3& face, std::span<const Vector3d> vertices_m) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const Vector3d& vertex_m : vertices_m) {
@@ -23,6 +29,30 @@ double lowest_over(const Plane3& face, std::span<const Vector3d> vertices_m) {
 
 /// Most vertices of a block: what Euler's formula leaves to its faces [-].
 constexpr std::size_t most_vertices = 2 * most_faces - 4;
+
+/// Area of a polygon, and integrals of its places in its own plane.
+struct PlaneMoments {
+    double area = 0.0;
+    Eigen::Vector2d first = Eigen::Vector2d::Zero();
+    double xx = 0.0, yy = 0.0, xy = 0.0;
+};
+
+PlaneMoments moments_of(const Polygon2& polygon) {
+    PlaneMoments sums;
+    const Eigen::Vector2d& a = polygon.corners_m[0];
+    for (std::size_t k = 1; k + 1 < polygon.size; ++k) {
+        const Eigen::Vector2d &b = polygon.corners_m[k], &c = polygon.corners_m[k + 1];
+        const double area = 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
+        const Eigen::Vector2d sum = a + b + c;
+        const double twelfth = area / 12.0;
+        sums.area += area;
+        sums.first += area / 3.0 * sum;
+        sums.xx += twelfth * (sum.x() * sum.x() + a.x() * a.x() + b.x() * b.x() + c.x() * c.x());
+        sums.yy += twelfth * (sum.y() * sum.y() + a.y() * a.y() + b.y() * b.y() + c.y() * c.y());
+        sums.xy += twelfth * (sum.x() * sum.y() + a.x() * a.y() + b.x() * b.y() + c.x() * c.y());
+    }
+    return sums;
+}
 
 /// How the vertices of a body lie to the faces of a foundation.
 struct VertexSides {
@@ -72,14 +102,34 @@ void find_sides(const PlacedBlock& foundation, const PlacedBlock& body, VertexSi
 /// Faces of a foundation that may be the nearest somewhere, by their height along a face of the body.
 struct NearHeights {
     std::array<Height2, most_faces> heights;
+    std::array<std::uint16_t, most_faces> faces;
     std::size_t size = 0;
+
+    void add(const Height2& height, std::uint16_t face) {
+        heights[size] = height;
+        faces[size++] = face;
+    }
+};
+
+/// What the slope of an overlap needs beside the polygons.
+struct SlopeOfFace {
+    OverlapSlope* slope;
+    const PlacedBlock& foundation;
+    const FaceFrame& frame;
+    const Vector3d& m;
+    const Vector3d& about_m;
 };
 
 /// Adds a polygon inside the foundation. The depth is that below the first height, and less by what another
 /// one is higher where it is the highest: in thin overlaps a narrow rim.
-void add_by_nearest(const Polygon2& polygon, const NearHeights& near, CutPolygon& work, FaceSums& sums) {
+void add_by_nearest(const Polygon2& polygon, const NearHeights& near, const SlopeOfFace& of, CutPolygon& work,
+                    FaceSums& sums) {
     const Height2& base = near.heights[0];
+    const Vector3d& base_normal = of.foundation.faces[near.faces[0]].normal;
     sums.add(polygon, base);
+    if (of.slope != nullptr) {
+        of.slope->add(polygon, of.frame, of.m, base_normal, of.about_m);
+    }
     FaceSums rims;
     for (std::size_t k = 1; k < near.size; ++k) {
         const Height2& height = near.heights[k];
@@ -90,6 +140,10 @@ void add_by_nearest(const Polygon2& polygon, const NearHeights& near, CutPolygon
         }
         if (any) {
             rims.add(work.left(), height.minus(base));
+            if (of.slope != nullptr) {
+                of.slope->add(work.left(), of.frame, of.m,
+                              of.foundation.faces[near.faces[k]].normal - base_normal, of.about_m);
+            }
         }
     }
     sums.depth_m3 += rims.depth_m3;
@@ -110,7 +164,7 @@ bool is_outside(const PlacedBlock& body, std::size_t face, const VertexSides& si
 
 /// The surface of `body` inside `foundation`.
 void add_surface_inside(const PlacedBlock& foundation, const PlacedBlock& body, const VertexSides& sides,
-                        const Vector3d& about_m, Overlap& sum) {
+                        const Vector3d& about_m, Overlap& sum, OverlapSlope* slope) {
     CutPolygon piece, work;
     NearHeights near;
     std::uint64_t cuts = 0;
@@ -126,22 +180,34 @@ void add_surface_inside(const PlacedBlock& foundation, const PlacedBlock& body, 
             start.add(frame.in_plane(body.vertices_m[corner]));
         }
         const std::uint64_t first = std::uint64_t{1} << sides.highest_face;
-        near.heights[0] = frame.height_over(foundation.faces[sides.highest_face]);
-        near.size = 1;
+        near.size = 0;
+        near.add(frame.height_over(foundation.faces[sides.highest_face]), sides.highest_face);
         bool left = (cuts & first) == 0 || piece.cut(near.heights[0]);
         for (std::uint64_t bits = (sides.near | cuts) & ~first; bits != 0 && left; bits &= bits - 1) {
             const int f = std::countr_zero(bits);
             const Height2 height = frame.height_over(foundation.faces[static_cast<std::size_t>(f)]);
             left = (cuts >> f & 1U) == 0 || piece.cut(height);
             if ((sides.near >> f & 1U) != 0) {
-                near.heights[near.size++] = height;
+                near.add(height, static_cast<std::uint16_t>(f));
             }
         }
         if (left) {
             FaceSums sums;
-            add_by_nearest(piece.left(), near, work, sums);
+            add_by_nearest(piece.left(), near, {slope, foundation, frame, body.faces[g].normal, about_m},
+                           work, sums);
             add_face(frame, body.faces[g].normal, sums, about_m, sum);
         }
+    }
+}
+
+/// The surface of the second body goes and turns with it, and with it the force on it; that of the first one
+/// stays, so that the second body's centre moves away from its force. Each foundation counts by half.
+void finish_slope(const Overlap& of_second, const Overlap& of_first, OverlapSlope& slope) {
+    slope.turn_with(of_second);
+    slope.moment_by_shift -= cross_matrix(of_first.force_m3);
+    for (Eigen::Matrix3d* part :
+         {&slope.force_by_shift, &slope.force_by_turn, &slope.moment_by_shift, &slope.moment_by_turn}) {
+        *part *= 0.5;
     }
 }
 
@@ -195,6 +261,27 @@ void FaceSums::add(const Polygon2& piece, const Height2& height) {
     }
 }
 
+void OverlapSlope::add(const Polygon2& piece, const FaceFrame& frame, const Vector3d& m, const Vector3d& n,
+                       const Vector3d& about_m) {
+    const PlaneMoments plane = moments_of(piece);
+    const Vector3d o = frame.origin_m - about_m;
+    const Vector3d in_plane = plane.first.x() * frame.along + plane.first.y() * frame.across;
+    const Vector3d place_m3 = plane.area * o + in_plane;
+    Eigen::Matrix3d places_m4 = plane.area * o * o.transpose() + o * in_plane.transpose() +
+                                in_plane * o.transpose() + plane.xx * frame.along * frame.along.transpose() +
+                                plane.yy * frame.across * frame.across.transpose();
+    places_m4 += plane.xy * (frame.along * frame.across.transpose() + frame.across * frame.along.transpose());
+    force_by_shift += plane.area * m * n.transpose();
+    force_by_turn += m * place_m3.cross(n).transpose();
+    moment_by_shift += place_m3.cross(m) * n.transpose();
+    moment_by_turn -= cross_matrix(m) * places_m4 * cross_matrix(n);
+}
+
+void OverlapSlope::turn_with(const Overlap& of_surface) {
+    force_by_turn -= cross_matrix(of_surface.force_m3);
+    moment_by_turn -= cross_matrix(of_surface.moment_m4);
+}
+
 void add_face(const FaceFrame& frame, const Vector3d& m, const FaceSums& sums, const Vector3d& about_m,
               Overlap& sum) {
     const Vector3d origin_m = frame.origin_m - about_m;
@@ -212,7 +299,7 @@ void add_face(const FaceFrame& frame, const Vector3d& m, const FaceSums& sums, c
 }
 
 Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Vector3d& about_m,
-                   SeparatingFace& known) {
+                   SeparatingFace& known, OverlapSlope* slope) {
     VertexSides of_second, of_first;
     find_sides(first, second, of_second);
     if (of_second.separation_m < 0.0) {
@@ -228,8 +315,11 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
     }
     known = {};
     Overlap sum, other;
-    add_surface_inside(first, second, of_second, about_m, sum);
-    add_surface_inside(second, first, of_first, about_m, other);
+    add_surface_inside(first, second, of_second, about_m, sum, slope);
+    add_surface_inside(second, first, of_first, about_m, other, slope);
+    if (slope != nullptr) {
+        finish_slope(sum, other, *slope);
+    }
     sum.force_m3 = 0.5 * (sum.force_m3 - other.force_m3);
     sum.moment_m4 = 0.5 * (sum.moment_m4 - other.moment_m4);
     sum.depth_m3 += other.depth_m3;

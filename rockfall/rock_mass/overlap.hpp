@@ -32,6 +32,23 @@ struct Overlap {
     [[nodiscard]] Eigen::Vector3d surface_centre_m() const { return surface_m3 / surface_m2; }
 };
 
+/// How force and moment of an overlap change with a small shift and turn of the second body against the first
+/// one, in the axes of space; turns and moments about the point of the moment, which goes with the second
+/// body.
+struct OverlapSlope {
+    Eigen::Matrix3d force_by_shift = Eigen::Matrix3d::Zero();   ///< [m2]
+    Eigen::Matrix3d force_by_turn = Eigen::Matrix3d::Zero();    ///< [m3]
+    Eigen::Matrix3d moment_by_shift = Eigen::Matrix3d::Zero();  ///< [m3]
+    Eigen::Matrix3d moment_by_turn = Eigen::Matrix3d::Zero();   ///< [m4]
+
+    /// Adds a piece of a face with outward normal m, below a plane of the other body. Its border counts for
+    /// nothing: there the depth is 0, or another piece goes on.
+    void add(const Polygon2& piece, const FaceFrame& frame, const Eigen::Vector3d& m,
+             const Eigen::Vector3d& plane_normal, const Eigen::Vector3d& about_m);
+    /// Adds that a force on a surface turns with it.
+    void turn_with(const Overlap& of_surface);
+};
+
 /// A face of the first or of the second block that had both of them on different sides: looked at first.
 struct SeparatingFace {
     static constexpr std::uint16_t none = 0xFFFF;
@@ -58,8 +75,9 @@ void add_face(const FaceFrame& frame, const Eigen::Vector3d& m, const FaceSums& 
 /// (2019, IROS, doi 10.1109/IROS40897.2019.8968548); c is E* / L (README of the room).
 ///
 /// Exact clipping of the faces of one block by those of the other. `known` is renewed.
+/// `slope`: computed where it is asked for, with `about_m` the centre of the second block.
 Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Eigen::Vector3d& about_m,
-                   SeparatingFace& known);
+                   SeparatingFace& known, OverlapSlope* slope = nullptr);
 
 /// The energy of the same for c = 1 [m4]: exact, by dividing the overlap where the nearest face changes.
 double overlap_energy_m4(const PlacedBlock& first, const PlacedBlock& second);

@@ -111,6 +111,7 @@ void visit_block(Visit& visit, AnyBlock& block) {
     visit(block.rotation.attitude);
     visit(block.rotation.momentum_nms);
     visit(block.still_s);
+    visit(block.start_height_m);
     visit(block.force_n);
     visit(block.moment_nm);
 }
@@ -184,6 +185,10 @@ void RockMass::refresh() {
         } else {
             contacts_.push_back({pair.first, pair.second, {}, {}});
         }
+    }
+    held_.resize(joints_.size() + contacts_.size() + footings_.size());
+    for (HeldOverlap& held : held_) {
+        held.clear();
     }
     list_incidences();
     find_stems(boxes);

@@ -77,6 +77,32 @@ RockMass::RockMass(const Laws& laws, std::span<const BlockStart> blocks, std::sp
     taken_.start_j = ledger().held_j();
 }
 
+void RockMass::hold() {
+    laws_when_let_go_ = laws_;
+    laws_.friction = laws_.ground_friction = held_friction;
+    laws_.local_damping = held_damping;
+    laws_.sleeping = false;
+}
+
+void RockMass::let_go() {
+    laws_ = *laws_when_let_go_;
+    laws_when_let_go_.reset();
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        blocks_[i].velocity_mps.setZero();
+        blocks_[i].rotation.momentum_nms.setZero();
+        blocks_[i].still_s = 0.0;
+        blocks_[i].start_height_m = blocks_[i].centre_m.z();
+        spins_[i].setZero();
+    }
+    steps_ = 0;
+    motion_at_start_j_ = 0.0;
+    refresh();
+    compute_forces();
+    taken_ = {};
+    broken_by_tension_ = broken_by_shear_ = 0;
+    taken_.start_j = ledger().held_j();
+}
+
 void RockMass::store_shapes(std::span<const BlockStart> starts) {
     first_vertex_ = first_face_ = first_list_ = first_corner_ = {0};
     for (const BlockStart& start : starts) {
@@ -219,10 +245,13 @@ void RockMass::add(const ChunkSums& sums) {
 }
 
 void RockMass::compute_forces() {
-    in_chunks(joints_.size(), [&](std::size_t i, ChunkSums& sums) { force_of(joints_[i], sums); });
-    in_chunks(contacts_.size(), [&](std::size_t i, ChunkSums& sums) { force_of(contacts_[i], sums); });
+    HeldOverlap* const of_contacts = held_.data() + joints_.size();
+    HeldOverlap* const of_ground = of_contacts + contacts_.size();
+    in_chunks(joints_.size(), [&](std::size_t i, ChunkSums& sums) { force_of(joints_[i], held_[i], sums); });
+    in_chunks(contacts_.size(),
+              [&](std::size_t i, ChunkSums& sums) { force_of(contacts_[i], of_contacts[i], sums); });
     in_chunks(blocks_.size(), [&](std::size_t i, ChunkSums& sums) {
-        force_of_ground(static_cast<std::uint32_t>(i), sums);
+        force_of_ground(static_cast<std::uint32_t>(i), of_ground[i], sums);
         gather(i);
     });
 }
@@ -335,8 +364,8 @@ std::size_t RockMass::bytes() const {
     return blocks_.size() * (sizeof(Block) + sizeof(Footing) + list_of_prisms + 3 * sizeof(Vector3d)) +
            (vertices_m_.size() * sizeof(Vector3d) + faces_.size() * sizeof(Plane3)) * 2 +
            joints_.size() * (sizeof(Joint) + 6 * sizeof(Eigen::Vector2d)) +
-           contacts_.size() * sizeof(Contact) + incidences_.size() * sizeof(Incidence) +
-           ground_.prisms().size() * (sizeof(GroundPrism) + 16);
+           contacts_.size() * sizeof(Contact) + held_.size() * sizeof(HeldOverlap) +
+           incidences_.size() * sizeof(Incidence) + ground_.prisms().size() * (sizeof(GroundPrism) + 16);
 }
 
 }  // namespace rockfall::rock_mass

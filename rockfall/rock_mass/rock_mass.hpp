@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "rockfall/rock_mass/broad_phase.hpp"
 #include "rockfall/rock_mass/contact.hpp"
 #include "rockfall/rock_mass/ground.hpp"
+#include "rockfall/rock_mass/held_overlap.hpp"
 #include "rockfall/rock_mass/laws.hpp"
 #include "rockfall/rock_mass/ledger.hpp"
 #include "rockfall/rock_mass/parallel.hpp"
@@ -75,6 +77,10 @@ inline constexpr double sleep_speed_mps = 0.05;
 inline constexpr double sleep_after_s = 0.5;
 inline constexpr double wake_share_of_weight = 0.1;
 
+/// Local damping and friction while a mass is held [choice].
+inline constexpr double held_damping = 0.7;
+inline constexpr double held_friction = 100.0;
+
 /// Blocks, bonds, contacts, ground and stems in motion: velocity Verlet with the rotation of
 /// Dullweber, Leimkuhler & McLachlan (solids/free_rotation).
 ///
@@ -91,6 +97,12 @@ public:
             step();
         }
     }
+
+    /// Brings the mass to rest under its own weight before it is let go: from `hold` to `let_go` nothing
+    /// slides or breaks, nothing sleeps, and local damping takes the motion. `let_go` ends all motion and
+    /// begins time and ledger again at 0.
+    void hold();
+    void let_go();
 
     [[nodiscard]] double step_s() const { return step_s_; }
     [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * step_s_; }
@@ -181,11 +193,14 @@ private:
     void kick(Block& block, ChunkSums& sums) const;
     void move(std::size_t block, ChunkSums& sums);
     void compute_forces();
-    void force_of(Joint& joint, ChunkSums& sums);
-    void force_of(Contact& contact, ChunkSums& sums) const;
-    void force_of_ground(std::uint32_t block, ChunkSums& sums);
+    void force_of(Joint& joint, HeldOverlap& held, ChunkSums& sums);
+    void force_of(Contact& contact, HeldOverlap& held, ChunkSums& sums) const;
+    void force_of_ground(std::uint32_t block, HeldOverlap& held, ChunkSums& sums);
     void touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
-               ChunkSums& sums) const;
+               HeldOverlap& held, ChunkSums& sums) const;
+    [[nodiscard]] Overlap clipped(std::uint32_t first, std::uint32_t second, ContactState& state,
+                                  HeldOverlap& held) const;
+    [[nodiscard]] bool is_holder(std::uint32_t block, std::uint32_t other) const;
     void break_bond(Joint& joint, const PlacedStrain& placed, const BondStress& stress, ChunkSums& sums);
     void gather(std::size_t block);
     void settle(std::size_t block, ChunkSums& sums);
@@ -196,6 +211,7 @@ private:
                                           const ContactState& state) const;
 
     Laws laws_;
+    std::optional<Laws> laws_when_let_go_;
     ParallelFor parallel_;
     Ground ground_;
     double step_s_ = 0.0;
@@ -213,6 +229,7 @@ private:
     std::vector<Joint> joints_;
     std::vector<Contact> contacts_;
     std::vector<Footing> footings_;
+    std::vector<HeldOverlap> held_;  ///< of joints, contacts and footings, one after the other
     std::vector<StandingStem> stems_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> near_stems_;  ///< block, stem
 

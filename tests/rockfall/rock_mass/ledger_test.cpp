@@ -139,6 +139,31 @@ TEST(RockMass, GoesOnFromItsNumbersWithTheSameBits) {
     EXPECT_FALSE(resumed.unpack(std::span{numbers}.first(numbers.size() - 3)));
 }
 
+TEST(RockMass, StandsUnderItsWeightAfterItWasHeld) {
+    // Five cubes on each other, each pressed together by what lies on it: p / c with c = E* / L.
+    std::vector<BlockStart> blocks;
+    for (int k = 0; k < 5; ++k) {
+        blocks.push_back(cube_at({0.0, 0.0, 2.0 * k}, 2.0, 2750.0, k == 0));
+    }
+    Laws laws;
+    RockMass mass{laws, blocks, {}, Ground{}};
+    mass.hold();
+    mass.advance(static_cast<std::uint64_t>(2.0 / mass.step_s()));
+    mass.let_go();
+    EXPECT_EQ(mass.steps(), 0U);
+    EXPECT_EQ(mass.ledger().residual_j(), 0.0);
+    double lowered_m = 0.0;
+    for (int k = 1; k < 5; ++k) {
+        lowered_m += 2750.0 * 9.81 * 2.0 * (5 - k) / (laws.modulus_pa / 2.0);
+        EXPECT_NEAR(2.0 * k - mass.blocks()[static_cast<std::size_t>(k)].centre_m.z(), lowered_m,
+                    0.01 * lowered_m);
+    }
+    mass.advance(200);
+    for (const Block& block : mass.blocks()) {
+        EXPECT_LT(block.velocity_mps.norm(), 0.01);
+    }
+}
+
 TEST(RockMass, DoesTheSameWithBlocksRenumbered) {
     const Tower tower;
     Tower other = tower;

@@ -118,6 +118,48 @@ TEST(Overlap, ForceIsTheGradientOfItsEnergyWhateverTouches) {
     EXPECT_GT(touched, 20);
 }
 
+TEST(OverlapSlope, IsWhatForceAndMomentChangeBy) {
+    const solids::Hull round = solids::with_volume(solids::ellipsoid({1.0, 0.8, 0.6}, 0), 0.7);
+    config::RandomStream draws{{6, 0, 0, 1}, config::Purpose::test};
+    int touched = 0;
+    for (int i = 0; i < 60; ++i) {
+        const auto any = [&](double size) {
+            return Vector3d{size * (2.0 * draws.uniform() - 1.0), size * (2.0 * draws.uniform() - 1.0),
+                            size * (2.0 * draws.uniform() - 1.0)};
+        };
+        const Vector3d place = any(0.8), turn = any(2.0);
+        const Eigen::Quaterniond at{Eigen::AngleAxisd{turn.norm(), turn.normalized()}};
+        OverlapSlope slope;
+        // The turn is about the second block's centre of mass, which a hull made at the origin has there.
+        const auto overlap = [&](const Vector3d& by_m, const Vector3d& spin, OverlapSlope* of) {
+            const Eigen::Quaterniond spun{Eigen::AngleAxisd{spin.norm(), spin.stableNormalized()}};
+            const TwoBlocks pair{unit_cube, solids::placed(round, spun * at, place + by_m)};
+            SeparatingFace known;
+            return overlap_of(pair.first(), pair.second(), pair.second().centre_m, known, of);
+        };
+        const Overlap middle = overlap(Vector3d::Zero(), Vector3d::Zero(), &slope);
+        if (middle.is_none()) {
+            continue;
+        }
+        ++touched;
+        const double h = 1e-5;
+        for (int k = 0; k < 3; ++k) {
+            const Vector3d e = h * Vector3d::Unit(k), none = Vector3d::Zero();
+            const Overlap there = overlap(e, none, nullptr), back = overlap(-e, none, nullptr);
+            const Overlap left = overlap(none, e, nullptr), right = overlap(none, -e, nullptr);
+            const auto slope_of = [&](const Vector3d& after, const Vector3d& before) {
+                return Vector3d{(after - before) / (2.0 * h)};
+            };
+            EXPECT_LT((slope.force_by_shift.col(k) - slope_of(there.force_m3, back.force_m3)).norm(), 1e-4);
+            EXPECT_LT((slope.moment_by_shift.col(k) - slope_of(there.moment_m4, back.moment_m4)).norm(),
+                      1e-4);
+            EXPECT_LT((slope.force_by_turn.col(k) - slope_of(left.force_m3, right.force_m3)).norm(), 1e-4);
+            EXPECT_LT((slope.moment_by_turn.col(k) - slope_of(left.moment_m4, right.moment_m4)).norm(), 1e-4);
+        }
+    }
+    EXPECT_GT(touched, 20);
+}
+
 TEST(Overlap, IsTheSameWithBlocksExchanged) {
     const solids::Hull other = moved(unit_cube, {0.6, 0.5, 0.55}, {0.3, 0.2, 0.1});
     const Overlap there = TwoBlocks{unit_cube, other}.overlap();

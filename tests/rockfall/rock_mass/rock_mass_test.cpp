@@ -175,7 +175,7 @@ TEST(RockMass, CubeSticksOnAPlane) {
     laws.modulus_pa = 1e10;
     const BlockStart cube = cube_on_plane(dip_rad, 2500.0 * 9.81 * std::cos(dip_rad) / laws.modulus_pa);
     RockMass mass{laws, {&cube, 1}, {}, Ground{plane_of(std::tan(dip_rad))}};
-    mass.advance(static_cast<std::uint64_t>(20.0 / mass.step_s()));
+    mass.advance(static_cast<std::uint64_t>(60.0 / mass.step_s()));
     EXPECT_LT((mass.blocks()[0].centre_m - cube.centre_m).norm(), 1e-3);
 }
 

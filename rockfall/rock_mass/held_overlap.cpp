@@ -1,0 +1,66 @@
+#include "rockfall/rock_mass/held_overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rockfall::rock_mass {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+void HeldOverlap::clear() {
+    is_valid_ = false;
+    is_fast_ = false;
+}
+
+void HeldOverlap::keep(const Overlap& overlap, const OverlapSlope& slope, const BlockPose& holder,
+                       const BlockPose& other, double reach_m, bool second_holds) {
+    const Matrix3d back = holder.attitude.conjugate().toRotationMatrix();
+    is_valid_ = true;
+    second_holds_ = second_holds;
+    steps_ = 0;
+    const double side_m = std::sqrt(overlap.area_m2.norm());
+    most_along_m_ = held_share_of_side * side_m;
+    reach_m_ = std::min(reach_m, std::sqrt(0.5) * side_m);
+    depth_m3_ = overlap.depth_m3;
+    surface_m2_ = overlap.surface_m2;
+    place_m_ = back * (other.centre_m - holder.centre_m);
+    attitude_ = holder.attitude.conjugate() * other.attitude;
+    force_m3_ = back * overlap.force_m3;
+    normal_ = force_m3_.normalized();
+    moment_m4_ = back * overlap.moment_m4;
+    area_m2_ = back * overlap.area_m2;
+    pressure_centre_m_ = back * overlap.pressure_centre_m() + place_m_;
+    const double stiffness_m2 =
+        -(slope.force_by_shift * overlap.force_m3).dot(overlap.force_m3) / overlap.force_m3.squaredNorm();
+    most_towards_m_ = stiffness_m2 > 0.0 ? held_share_of_depth * overlap.force_m3.norm() / stiffness_m2 : 0.0;
+    slope_.force_by_shift = back * slope.force_by_shift * back.transpose();
+    slope_.force_by_turn = back * slope.force_by_turn * back.transpose();
+    slope_.moment_by_shift = back * slope.moment_by_shift * back.transpose();
+    slope_.moment_by_turn = back * slope.moment_by_turn * back.transpose();
+}
+
+bool HeldOverlap::carry_on(const BlockPose& holder, const BlockPose& other, Overlap& overlap) {
+    const Matrix3d axes = holder.attitude.toRotationMatrix();
+    const Vector3d shift_m = axes.transpose() * (other.centre_m - holder.centre_m) - place_m_;
+    const Quaterniond turned = (holder.attitude.conjugate() * other.attitude) * attitude_.conjugate();
+    const Vector3d turn = (turned.w() < 0.0 ? -2.0 : 2.0) * turned.vec();
+    const Vector3d at_contact_m = shift_m + turn.cross(pressure_centre_m_ - place_m_);
+    const double towards_m = std::abs(normal_.dot(at_contact_m)) + turn.norm() * reach_m_;
+    if (towards_m > most_towards_m_ || at_contact_m.squaredNorm() > most_along_m_ * most_along_m_) {
+        is_valid_ = false;
+        is_fast_ = steps_ < 2;
+        return false;
+    }
+    steps_ = static_cast<std::uint8_t>(std::min(steps_ + 1, 100));
+    overlap.force_m3 = axes * (force_m3_ + slope_.force_by_shift * shift_m + slope_.force_by_turn * turn);
+    overlap.moment_m4 = axes * (moment_m4_ + slope_.moment_by_shift * shift_m + slope_.moment_by_turn * turn);
+    overlap.area_m2 = axes * area_m2_;
+    overlap.depth_m3 = depth_m3_;
+    overlap.depth_m4 = depth_m3_ * (axes * pressure_centre_m_ + holder.centre_m - other.centre_m);
+    overlap.surface_m2 = surface_m2_;
+    return true;
+}
+
+}  // namespace rockfall::rock_mass
