@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/phrases.hpp"
 
@@ -84,7 +85,7 @@ std::string list_of_warnings(const config::Warnings& warnings) {
     }
     std::string html = "<ul class=\"notes\">";
     for (const std::string& sentence : warnings.sentences()) {
-        html += joined("<li>", escaped(sentence), "</li>");
+        html += joined("<li>", message_html(sentence), "</li>");
     }
     return joined(html, "</ul>\n");
 }
