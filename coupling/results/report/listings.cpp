@@ -40,8 +40,7 @@ std::string settings_table(const Scenario& scenario, const std::string& caption,
             {joined("<code>", escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))),
                     "</code>"),
              row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
-             row.default_text.empty() ? "–" : escaped(row.default_text),
-             joined("<span lang=\"en\">", escaped(row.meaning), "</span>")},
+             row.default_text.empty() ? "–" : escaped(row.default_text), message_html(row.meaning)},
             row.changed ? "changed" : "");
     }
     return joined("<section class=\"card\">", table.html(), "</section>\n");

@@ -8,6 +8,9 @@
 
 #include "config/errors/brief.hpp"
 #include "config/errors/input_error.hpp"
+#include "config/options/options.hpp"
+#include "coupling/inputs/collapse_settings.hpp"
+#include "coupling/inputs/scenario.hpp"
 #include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::report::messages_test {
@@ -54,8 +57,8 @@ TEST(Messages, WithPlaceFindingExpectationAndAdviceAreTranslatedPartByPart) {
     EXPECT_EQ(
         in(config::Language::de, doubt),
         "my sources.csv:3:7: gefunden: ein Ausbruchpolygon von Gebiet 4, von dem weniger als 1\u00a0% der "
-        "Fläche (1 m² von 12\u202f345 m²) ausserhalb des Geländes liegen; dort bricht kein Stein aus; "
-        "erwartet: Ausbruchstellen auf dem Gelände; Abhilfe: ein grösseres Gelände nehmen, wenn auch dort "
+        "Fläche (1 m² von 12\u202f345 m²) außerhalb des Geländes liegen; dort bricht kein Stein aus; "
+        "erwartet: Ausbruchstellen auf dem Gelände; Abhilfe: ein größeres Gelände nehmen, wenn auch dort "
         "Steine ausbrechen");
 }
 
@@ -92,6 +95,21 @@ TEST(Messages, OnPagesSayWhereTheyAreEnglish) {
     const WritingLanguage german{config::Language::de};
     EXPECT_EQ(message_html("a < b"), "<span lang=\"en\">a &lt; b</span>");
     EXPECT_EQ(message_html("column '<b>' is taken as dbh_cm"), "Spalte '&lt;b&gt;' wird als dbh_cm gelesen");
+}
+
+TEST(Messages, HaveTheMeaningOfEachSetting) {
+    Scenario scenario;
+    collapse::CollapseSettings of_collapse;
+    config::Options options;
+    declare(options, scenario);
+    collapse::declare(options, of_collapse);
+    const std::vector<config::ParameterRow> rows = options.rows();
+    EXPECT_GT(rows.size(), 250U);
+    for (const config::ParameterRow& row : rows) {
+        EXPECT_NE(in(config::Language::de, row.meaning), "(none)")
+            << row.key << ": add a row to messages.csv: " << row.meaning;
+    }
+    EXPECT_EQ(in(config::Language::it, "density of the rock"), "densità della roccia");
 }
 
 /// A row with its placeholders filled in, in a language.
