@@ -179,7 +179,8 @@ TEST(PageTexts, StandInTheTableAlone) {
             // Names of figures are compared; rules of CSS and what a page never shows are no sentences.
             const bool is_name = before == "== " || before == "!= ";
             const bool is_css = literal.find("@media") != std::string::npos;
-            const bool is_fault = source.name.ends_with("page_text.cpp");
+            const bool is_fault =
+                source.name.ends_with("page_text.cpp") || source.name.ends_with("report/messages.cpp");
             EXPECT_TRUE(is_name || is_css || is_fault ||
                         !std::regex_search(outside_of_tags(literal), sentence))
                 << source.name << ": \"" << literal << "\": move it to results/report/texts_en.csv";
