@@ -111,7 +111,7 @@ std::string table_of_inputs(const std::vector<InputFile>& inputs) {
                      page_text("listings.hash")}};
     table.text_columns({1});
     for (const InputFile& file : inputs) {
-        table.row({escaped(file.role), escaped(file.name), grouped(file.bytes),
+        table.row({message_html(file.role), escaped(file.name), grouped(file.bytes),
                    joined("<code>", escaped(file.hash), "</code>")});
     }
     return table.html();
