@@ -189,4 +189,44 @@ TEST(Messages, HaveARowForEachTextOfAWarning) {
     EXPECT_GT(checked, 150U);
 }
 
+TEST(Messages, HaveARowForWhatEachFileHolds) {
+    std::set<std::string> table;
+    for (const auto& row : rows_of_messages()) {
+        table.insert(row[0]);
+    }
+    // {"tables/rocks.csv", "Every rock: where it ended."}; a layout of columns has no sentence behind its
+    // name.
+    const std::regex file{R"re("[\w/]+\.\w+",\s*"([A-Z][^"]*\.)")re"};
+    const std::regex seam{R"re("\s*\n\s*")re"};
+    std::size_t files = 0;
+    for (const MessageSource& source : sources_that_warn()) {
+        const std::string code = std::regex_replace(source.code, seam, "");
+        for (std::sregex_iterator at{code.begin(), code.end(), file}; at != std::sregex_iterator{}; ++at) {
+            EXPECT_TRUE(table.contains((*at)[1]))
+                << source.name << ": \"" << (*at)[1] << "\": add a row to messages.csv";
+            ++files;
+        }
+    }
+    EXPECT_GT(files, 60U);
+}
+
+TEST(Messages, HaveARowForEachRoleOfAnInput) {
+    std::set<std::string> table;
+    for (const auto& row : rows_of_messages()) {
+        table.insert(row[0]);
+    }
+    // reading.table("trees.file", "trees", ...)
+    const std::regex role{R"re((?:table|grid|open|table_with)\("[a-z_.]+",\s*"([a-z_ ]+)")re"};
+    std::size_t roles = 0;
+    for (const MessageSource& source : sources_that_warn()) {
+        for (std::sregex_iterator at{source.code.begin(), source.code.end(), role};
+             at != std::sregex_iterator{}; ++at) {
+            EXPECT_TRUE(table.contains((*at)[1]))
+                << source.name << ": \"" << (*at)[1] << "\": add a row to messages.csv";
+            ++roles;
+        }
+    }
+    EXPECT_GT(roles, 35U);
+}
+
 }  // namespace

@@ -111,7 +111,7 @@ std::string table_of_inputs(const std::vector<InputFile>& inputs) {
                      page_text("listings.hash")}};
     table.text_columns({1});
     for (const InputFile& file : inputs) {
-        table.row({escaped(file.role), escaped(file.name), grouped(file.bytes),
+        table.row({message_html(file.role), escaped(file.name), grouped(file.bytes),
                    joined("<code>", escaped(file.hash), "</code>")});
     }
     return table.html();
@@ -121,7 +121,7 @@ std::string table_of_files(std::string_view caption, const std::vector<WrittenFi
     HtmlTable table{caption, {page_text("listings.file"), page_text("listings.holds")}};
     table.text_columns({1});
     for (const WrittenFile& file : files) {
-        table.row({joined("<code>", escaped(file.path), "</code>"), escaped(file.sentence)});
+        table.row({joined("<code>", escaped(file.path), "</code>"), message_html(file.sentence)});
     }
     return table.html();
 }

@@ -223,6 +223,10 @@ std::optional<std::string> translated(std::string_view message) {
     return message.size() > longest_message_bytes ? std::nullopt : Translator{language_in_use()}.of(message);
 }
 
+std::string message_text(std::string_view message) {
+    return translated(message).value_or(std::string{message});
+}
+
 std::string message_html(std::string_view message) {
     const auto text = translated(message);
     return text ? escaped(*text) : joined("<span lang=\"en\">", escaped(message), "</span>");

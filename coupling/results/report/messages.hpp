@@ -25,6 +25,9 @@ std::optional<std::string> translated(std::string_view message);
 
 inline constexpr std::size_t longest_message_bytes = 2000;
 
+/// The same as plain text: as it is where no row fits.
+std::string message_text(std::string_view message);
+
 /// The same as HTML: what has no translation is marked as English.
 std::string message_html(std::string_view message);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <map>
 #include <regex>
 #include <string>
@@ -11,6 +12,7 @@
 #include "config/options/options.hpp"
 #include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/scenario.hpp"
+#include "coupling/results/rasters.hpp"
 #include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::report::messages_test {
@@ -110,6 +112,20 @@ TEST(Messages, HaveTheMeaningOfEachSetting) {
             << row.key << ": add a row to messages.csv: " << row.meaning;
     }
     EXPECT_EQ(in(config::Language::it, "density of the rock"), "densità della roccia");
+}
+
+TEST(Messages, HaveTheMeaningOfEachRaster) {
+    for (const RasterKind& kind : raster_kinds()) {
+        const std::string meaning{kind.meaning};
+        for (const std::string part : {"with forest", "on the bare slope", "with forest minus bare slope"}) {
+            std::string sentence = meaning + " [kJ], " + part + ".";
+            sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+            EXPECT_NE(in(config::Language::de, sentence), "(none)") << sentence;
+        }
+        EXPECT_NE(in(config::Language::de, "E_95 [kJ]: " + meaning + "; year 5, none"), "(none)") << meaning;
+    }
+    EXPECT_EQ(in(config::Language::fr, "Rocks that passed the cell, each counted once [rocks], with forest."),
+              "Blocs passés par la cellule, chacun compté une fois [blocs], avec forêt.");
 }
 
 /// A row with its placeholders filled in, in a language.
