@@ -41,8 +41,8 @@ namespace {
 using config::joined;
 
 std::string years_in_words(const ClimateSource& climate) {
-    return joined("years ", std::to_string(climate.series.first_year()), " to ",
-                  std::to_string(climate.series.last_year()));
+    return report::page_text("decades.climate.years", {{"first", std::to_string(climate.series.first_year())},
+                                                       {"last", std::to_string(climate.series.last_year())}});
 }
 
 std::string change_in_words(const ClimateSource& climate) {
@@ -50,30 +50,38 @@ std::string change_in_words(const ClimateSource& climate) {
         return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
     };
     const double factor = mean(climate.change.precipitation);
-    return joined(
-        ", changed by ", report::fixed(mean(climate.change.temperature_k), 1), " K",
-        std::abs(factor - 1.0) < 0.005 ? "" : joined(" and precipitation × ", report::fixed(factor, 2)),
-        climate.change_years > 0
-            ? joined(" within ", counted(static_cast<std::size_t>(climate.change_years), "year"))
-            : "");
+    std::string text = report::page_text("decades.climate.changed_by",
+                                         {{"kelvin", report::fixed(mean(climate.change.temperature_k), 1)}});
+    if (std::abs(factor - 1.0) >= 0.005) {
+        text +=
+            report::page_text("decades.climate.and_precipitation", {{"factor", report::fixed(factor, 2)}});
+    }
+    if (climate.change_years > 0) {
+        text += climate.change_years == 1
+                    ? report::page_text("decades.climate.within_a_year")
+                    : report::page_text("decades.climate.within_years",
+                                        {{"years", std::to_string(climate.change_years)}});
+    }
+    return text;
 }
 
 /// Which years of which series the forest lived in; of several climates each with its name.
 std::string climates_in_words(const ForestSite& forest) {
     const ClimateSource& first = forest.climates.front().source;
-    const char* order = first.order == ClimateOrder::once     ? "in their order"
-                        : first.order == ClimateOrder::repeat ? "over and over"
-                                                              : "drawn for each replicate";
+    const std::string& order =
+        report::page_text(first.order == ClimateOrder::once     ? "decades.climate.in_their_order"
+                          : first.order == ClimateOrder::repeat ? "decades.climate.over_and_over"
+                                                                : "decades.climate.drawn");
     if (forest.climates.size() == 1) {
         return joined(years_in_words(first), first.order == ClimateOrder::once ? " " : ", ", order,
-                      first.changes() ? ", with a change of climate" : "");
+                      first.changes() ? report::page_text("decades.climate.with_a_change") : "");
     }
     std::string text;
     for (const SiteClimate& climate : forest.climates) {
         text += joined(climate.name, ": ", years_in_words(climate.source),
                        climate.source.changes() ? change_in_words(climate.source) : "", "; ");
     }
-    return joined(text, "all ", order);
+    return joined(text, report::page_text("decades.climate.all", {{"order", order}}));
 }
 
 std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series,

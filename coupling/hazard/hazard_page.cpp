@@ -7,6 +7,7 @@
 #include "coupling/hazard/arrival_sections.hpp"
 #include "coupling/hazard/hazard_colours.hpp"
 #include "coupling/hazard/hazard_results.hpp"
+#include "coupling/hazard/matrix_drawing.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/first_warnings.hpp"
@@ -14,6 +15,7 @@
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
@@ -26,10 +28,19 @@ using config::joined;
 using report::ColourScale;
 using report::escaped;
 using report::HtmlTable;
+using report::message_text;
 
 const std::string& words_of(Cover cover) {
     return cover == Cover::forest ? report::page_text("common.with_forest")
                                   : report::page_text("common.bare_slope");
+}
+
+/// Names of classes as the page says them.
+std::vector<ClassColour> named(std::vector<ClassColour> classes) {
+    for (ClassColour& one : classes) {
+        one.label = message_text(one.label);
+    }
+    return classes;
 }
 
 std::string years_text(double years) {
@@ -54,9 +65,10 @@ std::string levels_in_words(const std::vector<double>& shares) {
     std::string text;
     for (std::size_t level = levels - 1; level > 0; --level) {
         if (shares[level] > 0.0) {
-            text += report::page_text("hazard_page.on", {{"part", text.empty() ? "" : ", "},
-                                                         {"level_names_level", level_names[level]},
-                                                         {"levels_level", report::percent(shares[level])}});
+            text +=
+                report::page_text("hazard_page.on", {{"part", text.empty() ? "" : ", "},
+                                                     {"level_names_level", message_text(level_names[level])},
+                                                     {"levels_level", report::percent(shares[level])}});
         }
     }
     return text.empty() ? report::page_text("common.none") : text;
@@ -165,55 +177,6 @@ std::string opening(const HazardResults& results) {
     return joined(html, note_on_forest(results));
 }
 
-/// Rows from the strongest class down, columns from the most frequent on, as guidelines draw it.
-std::string matrix_drawing(const HazardResults& results) {
-    constexpr double left = 120.0;
-    constexpr double width = 150.0;
-    constexpr double height = 40.0;
-    constexpr double least_width = 1000.0;  // so that the lettering is that of the text around it
-    const Matrix& matrix = results.matrix;
-    const auto rows = static_cast<double>(matrix.intensities());
-    std::string svg =
-        joined("<svg viewBox=\"0 0 ",
-               report::place(std::max(least_width, left + width * static_cast<double>(matrix.frequencies()))),
-               " ", report::place(height * rows + 52.0), "\" role=\"img\" aria-label=\"",
-               report::page_text("hazard_page.hazard_matrix"), "\">");
-    const auto text = [&](double x, double y, const char* anchor, const std::string& words) {
-        svg += joined("<text font-size=\"13\" x=\"", report::place(x), "\" y=\"", report::place(y),
-                      "\" text-anchor=\"", anchor, "\">", words, "</text>");
-    };
-    for (std::size_t i = 0; i < matrix.intensities(); ++i) {
-        const double y = height * (rows - 1.0 - static_cast<double>(i));
-        text(left - 8.0, y + 0.6 * height, "end", escaped(matrix.intensity_name(i)));
-        for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
-            const Level level = matrix.at(i, k);
-            const Colour colour = level_colours()[static_cast<std::size_t>(level)].colour;
-            const double x = left + width * static_cast<double>(k);
-            svg += joined("<rect x=\"", report::place(x), "\" y=\"", report::place(y), "\" width=\"",
-                          report::place(width), "\" height=\"", report::place(height), "\" fill=\"",
-                          to_hex(colour), "\" stroke=\"#555\"/>");
-            svg +=
-                joined("<text font-size=\"14\" font-weight=\"600\" text-anchor=\"middle\" fill=\"",
-                       luminance(colour) < 0.3 ? "#fff" : "#111", "\" x=\"", report::place(x + 0.5 * width),
-                       "\" y=\"", report::place(y + 0.6 * height), "\">", level_name(level), "</text>");
-        }
-    }
-    for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
-        const double x = left + width * (static_cast<double>(k) + 0.5);
-        text(x, height * rows + 18.0, "middle", escaped(matrix.frequency_name(k)));
-        std::string here;
-        for (const FinishedPeriod& period : results.periods) {
-            if (matrix.frequency_of(period.return_period_years) == k) {
-                here += joined(here.empty() ? "" : ", ", report::exact(period.return_period_years));
-            }
-        }
-        text(x, height * rows + 38.0, "middle",
-             here.empty() ? report::page_text("hazard_page.no_rocks")
-                          : report::page_text("hazard_page.rocks_of", {{"here", here}}));
-    }
-    return joined(svg, "</svg>");
-}
-
 std::string about_the_map(const HazardResults& results) {
     const HazardSettings& hazard = results.scenario.hazard;
     const std::string rim =
@@ -277,7 +240,7 @@ std::string rocks_table(const HazardResults& results) {
 std::string shares_table(const HazardResults& results) {
     std::vector<std::string> head{""};
     for (std::size_t level = levels; level-- > 0;) {
-        head.emplace_back(level_names[level]);
+        head.push_back(message_text(level_names[level]));
     }
     HtmlTable table{report::page_text("hazard_page.shares_of_a_target_s_length_or"), head};
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
@@ -309,7 +272,7 @@ std::string shares_table(const HazardResults& results) {
 std::string intensities_table(const HazardResults& results) {
     std::vector<std::string> head{"", report::page_text("hazard_page.return_period")};
     for (std::size_t i = results.matrix.intensities(); i-- > 0;) {
-        head.push_back(escaped(results.matrix.intensity_name(i)));
+        head.push_back(escaped(message_text(results.matrix.intensity_name(i))));
     }
     head.emplace_back(report::page_text("hazard_page.no_rock"));
     HtmlTable table{report::page_text("hazard_page.shares_of_a_target_s_length_or_2"), head};
@@ -380,7 +343,7 @@ std::string maps(const HazardResults& results) {
         })};
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
-    const ColourScale by_level = ColourScale::classes(shown);
+    const ColourScale by_level = ColourScale::classes(named(shown));
     std::string html = joined(sheet.definitions(), "<h2>", report::page_text("hazard_page.hazard_map"),
                               "</h2>\n<div class=\"halves\">");
     for (const SlopeHazard& slope : results.slopes) {
@@ -398,7 +361,7 @@ std::string maps(const HazardResults& results) {
                    {{"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)}}),
                "</p>\n", shares_table(results), "<h2>",
                report::page_text("hazard_page.intensity_by_return_period"), "</h2>\n");
-    const ColourScale by_energy = ColourScale::classes(intensity_colours(results.matrix));
+    const ColourScale by_energy = ColourScale::classes(named(intensity_colours(results.matrix)));
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
         const std::string years = years_text(results.periods[i].return_period_years);
         html += joined("<h3>", years, "</h3>\n<div class=\"halves\">");

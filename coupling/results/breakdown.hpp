@@ -20,10 +20,17 @@ struct Stretch {
     rockfall::TargetTally tally;
 };
 
+/// A rock that arrives on both slopes, but at different stretches, by their numbers.
+struct MovedAlong {
+    std::size_t forest = 0;
+    std::size_t bare = 0;
+};
+
 /// A line target by stretches; the last one ends with the line.
 struct AlongLine {
     std::size_t target = 0;  ///< its number
     std::vector<Stretch> stretches;
+    std::vector<MovedAlong> moved;
     [[nodiscard]] double length_m() const { return stretches.empty() ? 0.0 : stretches.back().to_m; }
 };
 

@@ -1,6 +1,7 @@
 #include "coupling/results/figures.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <span>
 
@@ -65,9 +66,7 @@ TargetFigures target_figures(const RunResults& results, std::size_t number) {
             coupling::figures_of(tally.by_cover[index_of(cover)], results.tally.runs[index_of(cover)].rocks);
     }
     if (results.with_forest) {
-        const std::uint64_t forest = figures.at(Cover::forest).share.part;
-        const std::uint64_t bare = figures.at(Cover::bare).share.part;
-        figures.paired = {tally.reached_both, forest - tally.reached_both, bare - tally.reached_both};
+        figures.paired = paired_counts(tally);
         figures.protection = protection_effect(figures.paired);
         figures.reduction = risk_reduction(figures.paired, figures.at(Cover::forest).energy_kj.p95,
                                            figures.at(Cover::bare).energy_kj.p95);
@@ -143,6 +142,13 @@ const char* name_of(rockfall::StopReason reason) {
             break;
     }
     return "gave_up";
+}
+
+PairedCounts paired_counts(const rockfall::TargetTally& tally) {
+    const std::uint64_t forest = tally.by_cover[index_of(Cover::forest)].reached;
+    const std::uint64_t bare = tally.by_cover[index_of(Cover::bare)].reached;
+    assert(tally.reached_both <= forest && tally.reached_both <= bare);
+    return {tally.reached_both, forest - tally.reached_both, bare - tally.reached_both};
 }
 
 ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t rocks) {

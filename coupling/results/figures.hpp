@@ -97,6 +97,9 @@ struct Figures {
 Figures figures_of(const RunResults& results);
 /// The same of single tallies. `rocks`: how many fell.
 ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t rocks);
+/// Rocks that reach the target on one slope, the other, or both. The tally's rocks on both slopes are counted
+/// on each slope too.
+PairedCounts paired_counts(const rockfall::TargetTally& tally);
 SlopeFigures figures_of(const rockfall::RunTally& tally);
 
 }  // namespace coupling

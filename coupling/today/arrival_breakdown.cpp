@@ -230,7 +230,7 @@ ReleaseGroup& group_of_zone(std::vector<ReleaseGroup>& groups, std::uint32_t zon
 }
 
 AlongLine empty_line(std::size_t number, const LinePlaces& places, const Eigen::Vector2d& origin_m) {
-    AlongLine line{.target = number, .stretches = {}};
+    AlongLine line{.target = number, .stretches = {}, .moved = {}};
     const auto count = static_cast<int>(std::ceil(places.length_m() / stretch_m - 1e-9));
     for (int i = 0; i < count; ++i) {
         const double from_m = i * stretch_m;
@@ -274,42 +274,65 @@ public:
     }
 
     void add(const ArrivalRow& row) {
-        const bool both = is_second(row);
-        for (rockfall::TargetTally* tally : tallies_of(row)) {
+        const std::optional<std::size_t> stretch = stretch_of(row);
+        const std::optional<FirstArrival> with_forest = first_arrival(row, stretch);
+        for (rockfall::TargetTally* tally : groups_of(row)) {
             tally->by_cover[index_of(row.cover)].add(row.arrival);
-            tally->reached_both += both ? 1U : 0U;
+            tally->reached_both += with_forest ? 1U : 0U;
+        }
+        if (stretch) {
+            AlongLine& line = found_.lines[of_line_[row.target] - 1];
+            rockfall::TargetTally& tally = line.stretches[*stretch].tally;
+            tally.by_cover[index_of(row.cover)].add(row.arrival);
+            if (with_forest && with_forest->stretch == stretch) {
+                ++tally.reached_both;
+            } else if (with_forest) {
+                line.moved.push_back({*with_forest->stretch, *stretch});
+            }
         }
     }
     [[nodiscard]] Breakdown found() && { return std::move(found_); }
 
 private:
-    /// Whether the same rock arrived here with forest too. Rows come in turns: some thousand rocks with
-    /// forest, then the same ones over the bare slope.
-    bool is_second(const ArrivalRow& row) {
+    /// Where a rock that arrives over the bare slope arrived with forest.
+    struct FirstArrival {
+        std::optional<std::size_t> stretch;  ///< nothing for an area
+    };
+
+    /// The arrival of the same rock at the same target with forest, for a row of the bare slope. Rows come in
+    /// turns: some thousand rocks with forest, then the same ones over the bare slope.
+    std::optional<FirstArrival> first_arrival(const ArrivalRow& row, std::optional<std::size_t> stretch) {
         if (row.cover == Cover::forest) {
             if (bare_before_) {
                 with_forest_.clear();
             }
             bare_before_ = false;
-            with_forest_.insert({row.target, row.rock});
-            return false;
+            with_forest_.insert({{row.target, row.rock}, {stretch}});
+            return std::nullopt;
         }
         bare_before_ = true;
-        return with_forest_.contains({row.target, row.rock});
+        const auto found = with_forest_.find({row.target, row.rock});
+        return found == with_forest_.end() ? std::nullopt : std::optional{found->second};
     }
 
-    std::vector<rockfall::TargetTally*> tallies_of(const ArrivalRow& row) {
-        std::vector<rockfall::TargetTally*> tallies;
-        if (of_line_[row.target] > 0) {
-            const std::size_t line = of_line_[row.target] - 1;
-            const Eigen::Vector2d place_m{static_cast<double>(row.arrival.x_m),
-                                          static_cast<double>(row.arrival.y_m)};
-            auto& stretches = found_.lines[line].stretches;
-            if (!stretches.empty()) {
-                const auto at = static_cast<std::size_t>(places_[line].distance_of(place_m) / stretch_m);
-                tallies.push_back(&stretches[std::min(at, stretches.size() - 1)].tally);
-            }
+    /// The number of the stretch that a rock reaches; nothing for an area.
+    [[nodiscard]] std::optional<std::size_t> stretch_of(const ArrivalRow& row) const {
+        if (of_line_[row.target] == 0) {
+            return std::nullopt;
         }
+        const std::size_t line = of_line_[row.target] - 1;
+        const std::size_t count = found_.lines[line].stretches.size();
+        if (count == 0) {
+            return std::nullopt;
+        }
+        const Eigen::Vector2d place_m{static_cast<double>(row.arrival.x_m),
+                                      static_cast<double>(row.arrival.y_m)};
+        return std::min(static_cast<std::size_t>(places_[line].distance_of(place_m) / stretch_m), count - 1);
+    }
+
+    /// The tallies of its release zone and of its size.
+    std::vector<rockfall::TargetTally*> groups_of(const ArrivalRow& row) {
+        std::vector<rockfall::TargetTally*> tallies;
         if (!found_.zones.empty()) {
             const std::uint32_t zone = starts_.source_of(row.rock).zone;
             tallies.push_back(&group_of_zone(found_.zones, zone).targets[row.target]);
@@ -324,7 +347,7 @@ private:
     Starts starts_;
     std::vector<LinePlaces> places_;
     std::vector<std::size_t> of_line_;  ///< by target: 1 + the place of its line; 0: an area
-    std::set<std::pair<std::size_t, std::uint64_t>> with_forest_;
+    std::map<std::pair<std::size_t, std::uint64_t>, FirstArrival> with_forest_;
     bool bare_before_ = false;
     Breakdown found_;
 };

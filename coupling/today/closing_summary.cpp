@@ -49,8 +49,7 @@ void print_target(const RunResults& results, std::size_t i) {
     if (results.with_forest) {
         const std::uint64_t arrived_forest = tally.by_cover[forest].reached;
         std::printf(", %.2f %% through the forest", percentage(arrived_forest, results.rocks));
-        const PairedCounts paired{tally.reached_both, arrived_forest - tally.reached_both,
-                                  arrived_bare - tally.reached_both};
+        const PairedCounts paired = paired_counts(tally);
         const auto effect = protection_effect(paired);
         if (too_few_for_protection(paired)) {
             std::printf("; %s", too_few_in_words(paired.bare()).c_str());

@@ -52,6 +52,7 @@ FallenField fall_field(const OpenedField& opened, const Work& work, bool first_i
             fallen.stops.push_back({rock.start_m.head<2>() + origin_m, rock.end_m.head<2>() + origin_m,
                                     site.sources[rock.source].zone,
                                     rock.reason == rockfall::StopReason::left_terrain});
+            fallen.ways.push_back({(rock.end_m - rock.start_m).norm(), rock.max_speed_mps});
         }
         work.done(rows.rocks[static_cast<std::size_t>(cover)].size() + rows.not_started);
     };

@@ -26,11 +26,18 @@ struct OpenedField {
     }
 };
 
+/// How far one rock got and how fast it was.
+struct RockWay {
+    double straight_m = 0.0;  ///< from start to end, in space
+    double max_speed_mps = 0.0;
+};
+
 /// What its rocks did, over the slope with its trees and logs where it has any.
 struct FallenField {
     std::vector<observed::SimulatedStop> stops;
     std::vector<observed::EventComparison> events;  ///< beside what was observed
     std::vector<std::uint64_t> arrived{};           ///< rocks that reached each target
+    std::vector<RockWay> ways{};                    ///< as `stops`
     FirstImpacts first_impacts{};                   ///< where they were asked for
 };
 

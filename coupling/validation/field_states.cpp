@@ -9,6 +9,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/field_falls.hpp"
+#include "coupling/validation/field_trends.hpp"
 #include "coupling/validation/unpacked_case.hpp"
 
 namespace coupling::validation {
@@ -20,9 +21,18 @@ using config::percent;
 struct State {
     std::string name;
     std::string meaning;
+    std::string prefix;  ///< of the names of its figures: empty for the first preset, else "PRESET."
     OpenedField opened;
 };
-using States = std::vector<State>;
+
+/// All states: those of the first preset, then the same of the next.
+struct States {
+    std::vector<State> all;
+    std::vector<std::string> prefixes;
+    std::vector<Trend> trends;
+
+    [[nodiscard]] std::size_t of_a_preset() const { return all.size() / prefixes.size(); }
+};
 
 config::Table table_of_case(const CaseFiles& files, const std::string& name) {
     const auto text = files.texts.find(name);
@@ -45,21 +55,97 @@ States open_states(const CaseFiles& files, const FieldSettings& settings,
                      "what changes, and what it is compared with");
     }
     States states;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        std::istringstream words{table.text(row, "overrides")};
-        std::vector<std::string> all{overrides};
-        for (std::string word; words >> word;) {
-            all.push_back(word);
+    if (settings.first_impacts && !settings.presets.empty()) {
+        config::fail(config::ExitCode::settings, {files.shown("case.ini")},
+                     "field.first_impacts with field.presets", "one of them");
+    }
+    std::vector<std::string> presets;
+    std::istringstream listed{settings.presets};
+    for (std::string word; listed >> word;) {
+        presets.push_back(word);
+    }
+    if (presets.empty()) {
+        presets.emplace_back();
+    }
+    std::vector<std::string> names;
+    for (const std::string& preset : presets) {
+        states.prefixes.push_back(&preset == &presets.front() ? "" : joined(preset, "."));
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            std::istringstream words{table.text(row, "overrides")};
+            std::vector<std::string> all{overrides};
+            if (!preset.empty()) {
+                all.push_back(joined("rockfall.preset=", preset));
+            }
+            for (std::string word; words >> word;) {
+                all.push_back(word);
+            }
+            names.push_back(table.text(row, "state"));
+            states.all.push_back({names.back(), table.text(row, "meaning"), states.prefixes.back(),
+                                  open_field(folder.path() / settings.scenario, all)});
         }
-        states.push_back({table.text(row, "state"), table.text(row, "meaning"),
-                          open_field(folder.path() / settings.scenario, all)});
+    }
+    if (!settings.trends.empty()) {
+        states.trends = read_trends(table_of_case(files, settings.trends), names, problems);
+        problems.throw_if_any();
     }
     return states;
 }
 
 /// A figure of a state.
 std::string of_state(const char* figure, const State& state) {
-    return joined(figure, ":", state.name);
+    return joined(state.prefix, figure, ":", state.name);
+}
+
+/// "sliding, unity_compat".
+std::string meaning_of(const State& state) {
+    return state.prefix.empty()
+               ? state.meaning
+               : joined(state.meaning, ", ", state.prefix.substr(0, state.prefix.size() - 1));
+}
+
+using WaysOfStates = std::vector<std::vector<RockWay>>;
+
+/// The means of a state's rocks, preset beside preset.
+void add_ways(const States& states, const WaysOfStates& ways, Outcome& outcome) {
+    PlainTable table{.caption = "Means over the rocks of each state", .head = {"state"}, .rows = {}};
+    for (const WayFigure& figure : way_figures()) {
+        for (const std::string& prefix : states.prefixes) {
+            table.head.push_back(joined(figure.label, " [", figure.unit, "]", prefix.empty() ? "" : ", ",
+                                        prefix.empty() ? "" : prefix.substr(0, prefix.size() - 1)));
+        }
+    }
+    const std::size_t count = states.of_a_preset();
+    for (std::size_t i = 0; i < count; ++i) {
+        table.rows.push_back({states.all[i].meaning});
+        for (const WayFigure& figure : way_figures()) {
+            for (std::size_t place = i; place < states.all.size(); place += count) {
+                double sum = 0.0;
+                for (const RockWay& way : ways[place]) {
+                    sum += way.*figure.value;
+                }
+                const double mean = sum / static_cast<double>(ways[place].size());
+                outcome.values[of_state(figure.name, states.all[place])] = mean;
+                table.rows.back().push_back(report::fixed(mean, 1));
+            }
+        }
+    }
+    outcome.tables.push_back(std::move(table));
+}
+
+void add_trends(const States& states, const WaysOfStates& ways, Outcome& outcome) {
+    for (const std::string& prefix : states.prefixes) {
+        for (const Trend& trend : states.trends) {
+            const auto ways_of = [&](const std::string& name) -> std::span<const RockWay> {
+                for (std::size_t i = 0; i < states.all.size(); ++i) {
+                    if (states.all[i].name == name && states.all[i].prefix == prefix) {
+                        return ways[i];
+                    }
+                }
+                return {};
+            };
+            take_trend(trend, prefix, find_trend(trend, ways_of), outcome);
+        }
+    }
 }
 
 Outcome compare_states(const States& states, bool first_impacts, const Work& work) {
@@ -68,15 +154,17 @@ Outcome compare_states(const States& states, bool first_impacts, const Work& wor
                      .head = {"state", "rocks", "mean run-out [m]", "change [%]", "pass the line [%]"},
                      .rows = {}};
     double first_m = 0.0;
-    for (const State& state : states) {
-        const FallenField fallen = fall_field(state.opened, work, first_impacts);
+    WaysOfStates ways;
+    for (const State& state : states.all) {
+        FallenField fallen = fall_field(state.opened, work, first_impacts);
         double sum_m = 0.0;
         for (const observed::SimulatedStop& stop : fallen.stops) {
             sum_m += (stop.end_m - stop.start_m).norm();
         }
         const auto rocks = static_cast<double>(fallen.stops.size());
         const double mean_m = sum_m / rocks;
-        first_m = &state == &states.front() ? mean_m : first_m;
+        first_m = &state == &states.all.front() ? mean_m : first_m;
+        ways.push_back(std::move(fallen.ways));
         const double change = percent * (mean_m / first_m - 1.0);
         outcome.values[of_state("run_out_mean_m", state)] = mean_m;
         outcome.values[of_state("run_out_change_percent", state)] = change;
@@ -89,26 +177,42 @@ Outcome compare_states(const States& states, bool first_impacts, const Work& wor
             outcome.values[of_state("passing_percent", state)] = share;
             passing = report::fixed(share, 1);
         }
-        table.rows.push_back({state.meaning, std::to_string(fallen.stops.size()), report::fixed(mean_m, 1),
-                              report::fixed(change, 0), passing});
+        table.rows.push_back({meaning_of(state), std::to_string(fallen.stops.size()),
+                              report::fixed(mean_m, 1), report::fixed(change, 0), passing});
     }
     outcome.tables.push_back(std::move(table));
+    if (!states.trends.empty()) {
+        add_ways(states, ways, outcome);
+        add_trends(states, ways, outcome);
+    }
     return outcome;
 }
 
 void name_state_figures(const CaseFiles& files, const States& states, bool first_impacts,
                         Comparison& comparison) {
-    for (const State& state : states) {
+    for (const State& state : states.all) {
+        const std::string meaning = meaning_of(state);
         comparison.figures.push_back(
-            {of_state("run_out_mean_m", state), joined("mean run-out, ", state.meaning), "m"});
-        comparison.figures.push_back({of_state("run_out_change_percent", state),
-                                      joined("change of mean run-out, ", state.meaning), "%"});
+            {of_state("run_out_mean_m", state), joined("mean run-out, ", meaning), "m"});
+        comparison.figures.push_back(
+            {of_state("run_out_change_percent", state), joined("change of mean run-out, ", meaning), "%"});
         if (!state.opened.site.targets.empty()) {
             comparison.figures.push_back(
-                {of_state("passing_percent", state), joined("rocks that pass, ", state.meaning), "%"});
+                {of_state("passing_percent", state), joined("rocks that pass, ", meaning), "%"});
         }
         if (first_impacts) {
-            name_first_impacts(state.name, state.meaning, comparison);
+            name_first_impacts(state.name, meaning, comparison);
+        }
+        if (!states.trends.empty()) {
+            for (const WayFigure& figure : way_figures()) {
+                comparison.figures.push_back(
+                    {of_state(figure.name, state), joined(figure.label, ", ", meaning), figure.unit});
+            }
+        }
+    }
+    for (const std::string& prefix : states.prefixes) {
+        for (const Trend& trend : states.trends) {
+            name_trend(trend, prefix, comparison);
         }
     }
     if (!files.has("observed.csv")) {
@@ -124,7 +228,9 @@ void name_state_figures(const CaseFiles& files, const States& states, bool first
                 problems.add(config::ExitCode::data, table.place(row, "quantity"), config::in_quotes(name),
                              "a figure of a state, such as run_out_change_percent:STATE");
             } else if (value) {
-                comparison.references[name] = {*value, table.text(row, "source")};
+                for (const std::string& prefix : states.prefixes) {
+                    comparison.references[joined(prefix, name)] = {*value, table.text(row, "source")};
+                }
             }
         }
     }
@@ -137,12 +243,12 @@ Comparison read_states(const CaseFiles& files, const FieldSettings& settings,
                        const std::vector<std::string>& overrides) {
     auto states = std::make_shared<const States>(open_states(files, settings, overrides));
     Comparison comparison;
-    for (const State& state : *states) {
+    for (const State& state : states->all) {
         comparison.pieces += state.opened.rocks();
     }
-    comparison.extent =
-        joined(std::to_string(states->size()), " states, ", std::to_string(states->front().opened.rocks()),
-               " rocks in each, ", states->front().opened.model);
+    comparison.extent = joined(std::to_string(states->all.size()), " states, ",
+                               std::to_string(states->all.front().opened.rocks()), " rocks in each, ",
+                               states->all.front().opened.model);
     name_state_figures(files, *states, settings.first_impacts, comparison);
     comparison.run = [states, first_impacts = settings.first_impacts](const Work& work) {
         return compare_states(*states, first_impacts, work);

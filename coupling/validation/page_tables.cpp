@@ -44,7 +44,7 @@ const VerdictRow* row_named(const CaseResult& result, const std::string& quantit
     return found == result.rows.end() ? nullptr : &*found;
 }
 
-std::string shown_value_in(const Values& values, const std::string& quantity) {
+std::string shown_value_of(const Values& values, const std::string& quantity) {
     const auto found = values.find(quantity);
     return found == values.end() ? "–" : figure_text(found->second.value);
 }
@@ -283,7 +283,7 @@ std::string variants_table(const CaseResult& result) {
         std::vector<std::string> cells{row == nullptr ? figure_name(quantity) : row_name(*row),
                                        known(row, &VerdictRow::observed), known(row, &VerdictRow::published)};
         for (const VariantOutcome& variant : result.variants) {
-            cells.push_back(shown_value_in(variant.values, quantity));
+            cells.push_back(shown_value_of(variant.values, quantity));
         }
         table.row(cells);
     }

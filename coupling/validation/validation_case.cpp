@@ -356,6 +356,10 @@ void read_field_case(ValidationCase& out) {
         {.meaning = "instead of stops: CSV with state, overrides, meaning; what changes between them"});
     options.flag("field.first_impacts", settings.first_impacts,
                  {.meaning = "compare the first rebounds of each state, too"});
+    options.text("field.presets", settings.presets,
+                 {.meaning = "presets, apart by blanks, that stand side by side for each state"});
+    options.text("field.trends", settings.trends,
+                 {.meaning = "CSV with trend, figure, states, source: orders that the states should have"});
     std::istringstream in{out.files.texts.at("case.ini")};
     options.read(in, out.files.shown("case.ini"), {});
     if (out.head.title.empty()) {

@@ -7,7 +7,7 @@ namespace coupling::validation {
 
 namespace {
 
-Value value_in(const Values& values, const std::string& name) {
+Value value_named(const Values& values, const std::string& name) {
     const auto found = values.find(name);
     return found != values.end() ? found->second : Value{std::numeric_limits<double>::quiet_NaN(), {}, {}};
 }
@@ -33,8 +33,8 @@ VerdictRow row_of(const ValidationCase& of, const std::string& name, const Value
         row.published_deviation = published->deviation;
         row.published_source = published->source;
     }
-    row.strict_value = value_in(strict_values, name);
-    row.default_value = value_in(default_values, name);
+    row.strict_value = value_named(strict_values, name);
+    row.default_value = value_named(default_values, name);
     if (const Criterion* criterion = find_in(of.criteria, name)) {
         row.low = criterion->low;
         row.high = criterion->high;
@@ -82,10 +82,10 @@ std::vector<Flip> flips_of(const CaseResult& result) {
     for (const ChoiceOutcome& moved : result.choices) {
         for (const VerdictRow& row : result.rows) {
             if (row.low && row.high) {
-                add_flip(flips, row, moved, true, value_in(base.strict_values, row.quantity).value,
-                         value_in(moved.strict_values, row.quantity).value);
-                add_flip(flips, row, moved, false, value_in(base.default_values, row.quantity).value,
-                         value_in(moved.default_values, row.quantity).value);
+                add_flip(flips, row, moved, true, value_named(base.strict_values, row.quantity).value,
+                         value_named(moved.strict_values, row.quantity).value);
+                add_flip(flips, row, moved, false, value_named(base.default_values, row.quantity).value,
+                         value_named(moved.default_values, row.quantity).value);
             }
         }
     }

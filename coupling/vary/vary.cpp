@@ -97,11 +97,8 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
         target.name = site.targets[i].name;
         target.bare = figures_of(tally.by_cover[index_of(Cover::bare)], outcome.rocks);
         if (outcome.with_forest) {
-            const std::uint64_t through = tally.by_cover[index_of(Cover::forest)].reached;
-            const std::uint64_t bare = tally.by_cover[index_of(Cover::bare)].reached;
             target.forest = figures_of(tally.by_cover[index_of(Cover::forest)], outcome.rocks);
-            const PairedCounts paired{tally.reached_both, through - tally.reached_both,
-                                      bare - tally.reached_both};
+            const PairedCounts paired = paired_counts(tally);
             target.protection = protection_effect(paired);
             target.too_few = too_few_for_protection(paired);
         }

@@ -1,6 +1,7 @@
 #include "rockfall/tally/cell_quantile.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rockfall {
 
@@ -10,16 +11,17 @@ double cell_quantile(const LogBins& bins, std::span<const std::uint32_t> counts,
         return 0.0;
     }
     const double wanted = share * static_cast<double>(total);
-    std::uint64_t up_to = total;  // counts in this bin and below it: not less than wanted
-    for (std::size_t bin = std::min(bins.bin_of(largest), counts.size() - 1) + 1; bin-- > 0;) {
-        const auto below = static_cast<double>(up_to - counts[bin]);
-        if (counts[bin] > 0 && below < wanted) {
-            return bins.low_of(bin) + (wanted - below) / static_cast<double>(counts[bin]) *
-                                          (bins.high_of(bin) - bins.low_of(bin));
-        }
-        up_to -= counts[bin];
+    const auto at_least = static_cast<std::uint64_t>(std::ceil(wanted));  // whole counts below it lie below wanted
+    std::uint64_t below = total;
+    std::size_t bin = std::min(bins.bin_of(largest), counts.size() - 1) + 1;
+    while (bin > 0 && below >= at_least) {
+        below -= counts[--bin];
     }
-    return 0.0;
+    if (below >= at_least) {
+        return 0.0;  // no counts
+    }
+    return bins.low_of(bin) + (wanted - static_cast<double>(below)) / static_cast<double>(counts[bin]) *
+                                  (bins.high_of(bin) - bins.low_of(bin));
 }
 
 }  // namespace rockfall

@@ -7,11 +7,13 @@
 #include "coupling/commands/info.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/regimes/fell_list.hpp"
 #include "coupling/rockyfor3d/project.hpp"
 #include "coupling/stopping/stopping_recipe.hpp"
 #include "coupling/validation/validation_case.hpp"
 #include "rockfall/terrain/terrain.hpp"
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
+#include "tests/coupling/validation/forest_cases/remeasured/synthetic_plot.hpp"
 #include "tests/fuzz/subject.hpp"
 
 namespace fuzz {
@@ -147,34 +149,40 @@ Subject rocky_folder(bool trees) {
             [](const SampleProject& project) { coupling::rockyfor3d::project_of(project.file("rocky")); }};
 }
 
+Subject validation_case(const coupling::validation::CaseFiles& files) {
+    Subject subject;
+    subject.name = "validation/" + files.name;
+    for (const auto& [file, text] : files.texts) {
+        if (file != "README.md") {
+            subject.files.push_back("case/" + file);
+        }
+    }
+    subject.make = [texts = files.texts] {
+        auto project = std::make_unique<SampleProject>();
+        std::filesystem::create_directory(project->file("case"));
+        for (const auto& [file, text] : texts) {
+            project->write("case/" + file, text);
+        }
+        return project;
+    };
+    subject.read = [](const SampleProject& project) {
+        for (const auto& one : coupling::validation::cases_in(project.file("case"))) {
+            const auto read = coupling::validation::read_case(one);
+            if (!read.comparison) {
+                (void)read.profile(*read.recipe("default"));
+            }
+        }
+    };
+    return subject;
+}
+
 std::vector<Subject> validation_cases() {
     std::vector<Subject> subjects;
     for (const coupling::validation::CaseFiles& shipped : coupling::validation::shipped_cases()) {
-        Subject subject;
-        subject.name = "validation/" + shipped.name;
-        for (const auto& [file, text] : shipped.texts) {
-            if (file != "README.md") {
-                subject.files.push_back("case/" + file);
-            }
-        }
-        subject.make = [texts = shipped.texts] {
-            auto project = std::make_unique<SampleProject>();
-            std::filesystem::create_directory(project->file("case"));
-            for (const auto& [file, text] : texts) {
-                project->write("case/" + file, text);
-            }
-            return project;
-        };
-        subject.read = [](const SampleProject& project) {
-            for (const auto& files : coupling::validation::cases_in(project.file("case"))) {
-                const auto read = coupling::validation::read_case(files);
-                if (!read.comparison) {
-                    (void)read.profile(*read.recipe("default"));
-                }
-            }
-        };
-        subjects.push_back(std::move(subject));
+        subjects.push_back(validation_case(shipped));
     }
+    // Of a kind that has no shipped case.
+    subjects.push_back(validation_case(coupling::validation::forest_cases::remeasured::synthetic_case()));
     return subjects;
 }
 
@@ -192,6 +200,8 @@ std::vector<Subject> subjects_of_files() {
             const auto nets = coupling::nets_of(table, coupling::Standing::each_alone).nets;
             (void)coupling::doubts_about(table, nets);
         }));
+    subjects.push_back(table_alone("felled.csv", "tree_id,year\n12,2003\n7,1998\n",
+                                   [](const config::Table& table) { coupling::read_fell_list(table); }));
     subjects.push_back(rocky_folder(false));
     subjects.push_back(rocky_folder(true));
     for (Subject& subject : validation_cases()) {

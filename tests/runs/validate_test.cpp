@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "config/table/table.hpp"
 #include "coupling/validation/case_files.hpp"
@@ -50,20 +51,34 @@ const std::map<std::string, std::string> few_years{
     {"forest_old",
      " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
      "--set belts.replicates=1"},
+    {"forest_disturbed",
+     " --set belts.years=10 --set belts.disturbed_from_year=3 --set belts.judged_from_year=10 "
+     "--set belts.side_patches=2 --set belts.replicates=1"},
     {"tschamut2014", " --set rigid.longest_s=1"},
+    {"g318", " --set rigid.longest_s=1 --set release.rocks=2"},
     {"forest_demography", " --set demography.seeds=1 --set demography.years=1"},
     {"forest_yield", " --set \"yield.ages_years=70, 80, 100, 120, 140\""}};
 
-TEST(Validate, RunsEveryShippedCaseWithFewRocks) {
+class ShippedCase : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ShippedCase, RunsWithFewRocks) {
     const SampleProject project;
-    for (const validation::CaseFiles& files : validation::shipped_cases()) {
-        const Outcome outcome =
-            call(project, "validate " + files.name + " --quiet --rocks 20 --out " + files.name +
-                              (few_years.contains(files.name) ? few_years.at(files.name) : ""));
-        EXPECT_TRUE(outcome.code == 0 || outcome.code == 5) << files.name << '\n' << outcome.err;
-        EXPECT_TRUE(std::filesystem::exists(project.file(files.name + "/report.html"))) << files.name;
-    }
+    const Outcome outcome =
+        call(project, "validate " + GetParam() + " --quiet --rocks 20 --out case" +
+                          (few_years.contains(GetParam()) ? few_years.at(GetParam()) : ""));
+    EXPECT_TRUE(outcome.code == 0 || outcome.code == 5) << outcome.err;
+    EXPECT_TRUE(std::filesystem::exists(project.file("case/report.html")));
 }
+
+std::vector<std::string> names_of_shipped_cases() {
+    std::vector<std::string> names;
+    for (const validation::CaseFiles& files : validation::shipped_cases()) {
+        names.push_back(files.name);
+    }
+    return names;
+}
+INSTANTIATE_TEST_SUITE_P(Validate, ShippedCase, ::testing::ValuesIn(names_of_shipped_cases()),
+                         [](const auto& one) { return one.param; });
 
 config::Table result_table(const SampleProject& project, const std::string& name) {
     std::ifstream in{project.file(name)};

@@ -78,10 +78,14 @@ std::string legend_line(const Intervention& row, std::size_t number,
         }
     }
     const std::size_t count = first->at_the_start ? areas.size() : numbers.size();
-    return joined(swatch_of(row, number),
-                  page_text("decades.areas.legend", {{"areas", std::to_string(count)},
-                                                     {"hectares", report::fixed(sum_ha, 2)},
-                                                     {"when", when_of(*first)}}),
+    const std::string hectares = report::fixed(sum_ha, 2);
+    const std::string legend =
+        count == 1
+            ? page_text("decades.areas.legend_1", {{"hectares", hectares}, {"when", when_of(*first)}})
+            : page_text(
+                  "decades.areas.legend",
+                  {{"areas", std::to_string(count)}, {"hectares", hectares}, {"when", when_of(*first)}});
+    return joined(swatch_of(row, number), legend,
                   first->at_the_start ? joined(" ", page_text("decades.areas.as_at_the_start")) : "",
                   "</li>");
 }

@@ -11,6 +11,7 @@
 #include "coupling/decades/report/series.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_text.hpp"
 
 namespace coupling::decades {
@@ -89,7 +90,7 @@ std::string nais_table(const Names& names, std::span<const NaisCell> cells) {
     }
     std::string from;
     for (const std::string& source : sources) {
-        from += joined(from.empty() ? "" : "; ", escaped(source));
+        from += joined(from.empty() ? "" : "; ", escaped(report::message_text(source)));
     }
     report::HtmlTable table{page_text("decades.nais.caption", {{"profiles", from}}), head};
     for (std::size_t course = 0; course < names.courses(); ++course) {

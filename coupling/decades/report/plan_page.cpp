@@ -9,6 +9,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 #include "coupling/version.hpp"
 
 namespace coupling::decades {
@@ -24,6 +25,7 @@ std::string table_of_rows(const Management& management) {
         page_text("decades.plan.rows"),
         {page_text("decades.plan.row"), page_text("decades.plan.treatment"), page_text("decades.plan.where"),
          page_text("decades.plan.first_year"), page_text("decades.plan.every_years")}};
+    table.text_columns({1, 2});
     for (const Regime& regime : management.regimes) {
         table.group(escaped(regime.name()));
         for (const Intervention& row : regime.interventions()) {
@@ -42,6 +44,7 @@ std::string table_of_rows(const Management& management) {
 
 void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& site,
                      const Management& management) {
+    const report::WritingLanguage language{scenario.report.language};
     const report::PageFrame frame{
         page_text("decades.plan.title", {{"scenario", escaped(scenario.file.stem().string())}}),
         version(),

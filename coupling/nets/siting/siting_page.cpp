@@ -14,6 +14,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/map_sheet.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
@@ -196,7 +197,7 @@ std::string opening(const SitingResults& results, const ReportSettings& head) {
     if (!results.remarks.empty()) {
         html += "<ul class=\"notes\">";
         for (const std::string& remark : results.remarks) {
-            html += joined("<li>", escaped(remark), "</li>");
+            html += joined("<li>", report::message_html(remark), "</li>");
         }
         html += "</ul>\n";
     }

@@ -4,7 +4,7 @@
 
 #include "config/errors/brief.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_text.hpp"
 
 namespace coupling::report {
@@ -15,7 +15,7 @@ using config::joined;
 std::string items_of(const std::vector<std::string>& lines, std::size_t first, std::size_t last) {
     std::string items;
     for (std::size_t i = first; i < last; ++i) {
-        items += joined("<li>", escaped(lines[i]), "</li>");
+        items += joined("<li>", message_html(lines[i]), "</li>");
     }
     return joined("<ul>", items, "</ul>");
 }

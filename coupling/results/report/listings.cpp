@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/phrases.hpp"
 
@@ -39,8 +40,7 @@ std::string settings_table(const Scenario& scenario, const std::string& caption,
             {joined("<code>", escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))),
                     "</code>"),
              row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
-             row.default_text.empty() ? "–" : escaped(row.default_text),
-             joined("<span lang=\"en\">", escaped(row.meaning), "</span>")},
+             row.default_text.empty() ? "–" : escaped(row.default_text), message_html(row.meaning)},
             row.changed ? "changed" : "");
     }
     return joined("<section class=\"card\">", table.html(), "</section>\n");
@@ -84,7 +84,7 @@ std::string list_of_warnings(const config::Warnings& warnings) {
     }
     std::string html = "<ul class=\"notes\">";
     for (const std::string& sentence : warnings.sentences()) {
-        html += joined("<li>", escaped(sentence), "</li>");
+        html += joined("<li>", message_html(sentence), "</li>");
     }
     return joined(html, "</ul>\n");
 }
@@ -111,7 +111,7 @@ std::string table_of_inputs(const std::vector<InputFile>& inputs) {
                      page_text("listings.hash")}};
     table.text_columns({1});
     for (const InputFile& file : inputs) {
-        table.row({escaped(file.role), escaped(file.name), grouped(file.bytes),
+        table.row({message_html(file.role), escaped(file.name), grouped(file.bytes),
                    joined("<code>", escaped(file.hash), "</code>")});
     }
     return table.html();
@@ -121,7 +121,7 @@ std::string table_of_files(std::string_view caption, const std::vector<WrittenFi
     HtmlTable table{caption, {page_text("listings.file"), page_text("listings.holds")}};
     table.text_columns({1});
     for (const WrittenFile& file : files) {
-        table.row({joined("<code>", escaped(file.path), "</code>"), escaped(file.sentence)});
+        table.row({joined("<code>", escaped(file.path), "</code>"), message_html(file.sentence)});
     }
     return table.html();
 }

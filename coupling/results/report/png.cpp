@@ -35,7 +35,7 @@ std::string deflated(const std::string& bytes) {
     namespace io = boost::iostreams;
     std::vector<char> packed;
     io::filtering_ostream stream;
-    stream.push(io::zlib_compressor{io::zlib::best_compression});
+    stream.push(io::zlib_compressor{io::zlib::default_compression});
     stream.push(io::back_inserter(packed));
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.reset();  // closes: all bytes are out

@@ -23,12 +23,19 @@ constexpr double most_rows = 12.0;
 std::vector<Stretch> longer_stretches(const AlongLine& line) {
     const double step_m = std::max(stretch_m, nice_step(line.length_m() / most_rows));
     std::vector<Stretch> merged;
+    std::vector<std::size_t> row_of;
     for (const Stretch& stretch : line.stretches) {
         if (merged.empty() || stretch.from_m >= merged.back().from_m + step_m - 1e-6) {
             merged.push_back(stretch);
         } else {
             merged.back().to_m = stretch.to_m;
             merged.back().tally.add(stretch.tally);
+        }
+        row_of.push_back(merged.size() - 1);
+    }
+    for (const MovedAlong& rock : line.moved) {
+        if (row_of[rock.forest] == row_of[rock.bare]) {
+            ++merged[row_of[rock.bare]].tally.reached_both;
         }
     }
     return merged;

@@ -60,8 +60,7 @@ void add_arrival_cells(std::vector<std::string>& cells, const rockfall::TargetTa
     cells.push_back(rocks_cell(bare));
     if (with_forest) {
         cells.push_back(rocks_cell(forest));
-        cells.push_back(stopped_cell({tally.reached_both, forest.share.part - tally.reached_both,
-                                      bare.share.part - tally.reached_both}));
+        cells.push_back(stopped_cell(paired_counts(tally)));
     }
     cells.push_back(energies_cell(bare));
     if (with_forest) {

@@ -18,6 +18,11 @@ constexpr std::uint32_t edge_feature = 1U << 21;
 /// face and ridge, else the face would rock from one to the other for ever.
 constexpr double along_ridge_rad = 2e-3;
 
+/// A contact whose normal is that of a face of the ground up to this angle takes the normal of the face. A
+/// block that lies on a face and reaches over its border so has one normal, however it is tilted within
+/// overlaps.
+constexpr double same_normal_sine = 1e-3;
+
 /// Products of two lengths [m2] above this have the same sign, whatever rounding did.
 constexpr double both_sides = 1e-12;
 
@@ -32,6 +37,10 @@ bool lies_between(const Vector3d& direction, const Vector3d& one, const Vector3d
     const double least = -slack_rad * axis.norm();
     return one.cross(direction).dot(axis) >= least && direction.cross(other).dot(axis) >= least &&
            direction.dot(one + other) > 0.0;
+}
+
+bool is_same_normal(const Vector3d& a, const Vector3d& b) {
+    return a.dot(b) > 0.0 && a.cross(b).squaredNorm() < same_normal_sine * same_normal_sine;
 }
 
 bool has_corners(const NearTriangle& triangle, const NearTriangle& of, unsigned corners) {
@@ -135,6 +144,19 @@ bool is_on_top(const GroundPatch& patch, const NearPeak& peak, const Vector3d& n
     return lowest_m < -solids::parallel_sine;
 }
 
+/// The normal of a face that lies on a peak, or that of the ground around the peak where it lies on that.
+Vector3d normal_on(const GroundPatch& patch, const NearPeak& peak, const Vector3d& normal) {
+    const std::span<const Vector3d> corners_m = patch.neighbours(peak);
+    for (std::size_t i = 0; i + 1 < corners_m.size(); i += 2) {
+        const Vector3d of_ground =
+            (corners_m[i] - peak.point_m).cross(corners_m[i + 1] - peak.point_m).normalized();
+        if (is_same_normal(normal, of_ground)) {
+            return of_ground;
+        }
+    }
+    return normal;
+}
+
 void face_touches(const GroundPatch& patch, const PosedBlock& block, double reach_m,
                   std::vector<TouchPoint>& found) {
     const solids::Hull& hull = block.solid->hull;
@@ -159,8 +181,8 @@ void face_touches(const GroundPatch& patch, const PosedBlock& block, double reac
             !is_on_top(patch, peak, normal) || !lies_on_face(hull, hull.faces[nearest], local_m)) {
             continue;
         }
-        found.push_back(
-            {peak.point_m, normal, gap_m, peak.triangle, face_feature + static_cast<std::uint32_t>(nearest)});
+        found.push_back({peak.point_m, normal_on(patch, peak, normal), gap_m, peak.triangle,
+                         face_feature + static_cast<std::uint32_t>(nearest)});
     }
 }
 
@@ -207,6 +229,9 @@ void edge_touches(const GroundPatch& patch, const PosedBlock& block, double reac
                 !lies_between(-normal, block.normals[edge.left], block.normals[edge.right],
                               along_ridge_rad)) {
                 continue;
+            }
+            for (const Vector3d& face_normal : {ridge.left_normal, ridge.right_normal}) {
+                normal = is_same_normal(normal, face_normal) ? face_normal : normal;
             }
             found.push_back({ridge.from_m + on_ridge * ridge.along_m, normal, gap_m, ridge.triangle,
                              edge_feature + static_cast<std::uint32_t>(e)});

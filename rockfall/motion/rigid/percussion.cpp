@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rockfall::rigid {
@@ -10,14 +11,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Sweeps before they are mixed: most percussions need fewer.
-constexpr int plain_sweeps = 4;
-constexpr int between_mixes = 3;
+/// So many sweeps come before all contacts are solved at once again.
+constexpr int sweeps_before_all = 4;
 constexpr int whole_sweeps = 50;
 constexpr int half_sweeps = 120;
-/// Sweeps that leave more than this of the change before are slow enough to be mixed.
-constexpr double slow = 0.5;
-
 Matrix3d cross_matrix(const Vector3d& v) {
     Matrix3d m;
     m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
@@ -148,7 +145,6 @@ void PercussionSolver::build(const BlockMass& mass, const Velocities& before,
         row.delassus =
             mass.inverse_mass_pkg * Matrix3d::Identity() + arm.transpose() * mass.inverse_inertia * arm;
         row.inverse = row.delassus.inverse();
-        row.weight = std::sqrt(row.delassus.trace());
         row.friction = point.friction;
         row.shift_mps = point.restitution * std::min(0.0, point.normal.dot(before.at(point.arm_m)));
         row.least_ns = 0.0;
@@ -194,54 +190,6 @@ double PercussionSolver::sweep(const BlockMass& mass, Velocities& now, double sh
     return change_mps;
 }
 
-/// All percussions in units of about the velocities that they make.
-AndersonMixing::Vector PercussionSolver::unknowns() const {
-    AndersonMixing::Vector all(3 * static_cast<Eigen::Index>(rows_.size()));
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        all.segment<3>(3 * static_cast<Eigen::Index>(i)) = rows_[i].weight * rows_[i].impulse;
-    }
-    return all;
-}
-
-void PercussionSolver::take(const AndersonMixing::Vector& all) {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        rows_[i].impulse = all.segment<3>(3 * static_cast<Eigen::Index>(i)) / rows_[i].weight;
-    }
-}
-
-bool PercussionSolver::sweep_until_still(const BlockMass& mass, const Velocities& without, Velocities& now) {
-    now = with_percussions(mass, without);
-    const bool can_mix = 3 * rows_.size() <= AndersonMixing::most_unknowns;
-    mixing_.begin();
-    double last_mps = 0.0;
-    int since_mixed = 0;
-    for (int done = 0; sweeps_ < law_.most_sweeps; ++done) {
-        ++sweeps_;
-        // Contacts that keep changing between sticking and slipping take a part of each step only.
-        const double share = done < whole_sweeps ? 1.0 : done < half_sweeps ? 0.5 : 0.25;
-        const bool watches = can_mix && done >= plain_sweeps;
-        AndersonMixing::Vector from;
-        if (watches) {
-            from = unknowns();
-        }
-        const double change_mps = sweep(mass, now, share);
-        if (change_mps <= law_.tolerance_mps || rows_.size() == 1) {
-            return true;
-        }
-        const bool is_slow = change_mps > slow * last_mps;
-        last_mps = change_mps;
-        AndersonMixing::Vector mixed;
-        if (watches && mixing_.take(from, unknowns(), mixed) && is_slow && ++since_mixed >= between_mixes) {
-            take(mixed);
-            now = with_percussions(mass, without);
-            since_mixed = 0;
-        }
-    }
-    // Whatever is left unsolved, each percussion obeys the law of its contact.
-    sweep(mass, now, 1.0);
-    return false;
-}
-
 double PercussionSolver::normal_sum_of_rows_ns() const {
     double sum = 0.0;
     for (const Row& row : rows_) {
@@ -250,50 +198,102 @@ double PercussionSolver::normal_sum_of_rows_ns() const {
     return sum;
 }
 
-/// The couple of rolling resistance, about the contacts: it grows against the spin, at most to its bound,
-/// until the spin changes by less than 1e-6 rad/s. Contacts that hold the spin so end it at once. The steps
-/// are those of Barzilai & Borwein (1988, IMA J. Numer. Anal. 8:141).
-bool PercussionSolver::resist_rolling(const BlockMass& mass, const Velocities& without, double rolling_arm_m,
-                                      Velocities& now) {
-    const double least_step = 1.0 / mass.inverse_inertia.trace();
-    constexpr double longest_step = 1e4, growth = 30.0;
-    double step = least_step;
-    constexpr double still_radps = 1e-6;
-    const auto is_still = [&](const Vector3d& change_radps) { return change_radps.norm() <= still_radps; };
-    if (!sweep_until_still(mass, without, now)) {
-        return false;
+/// A step of the couple of rolling resistance against the spin, at most to its bound. Gives by how much it
+/// changes the spin.
+double PercussionSolver::resist_rolling(const BlockMass& mass, double rolling_arm_m, Velocities& now) {
+    const double step = 1.0 / mass.inverse_inertia.trace();
+    Vector3d couple_nms = couple_nms_ - step * now.spin_radps;
+    const double most_nms = rolling_arm_m * normal_sum_of_rows_ns();
+    if (const double size = couple_nms.norm(); size > most_nms) {
+        couple_nms *= most_nms / size;
     }
-    while (sweeps_ < law_.most_sweeps) {
-        const Vector3d spin_radps = now.spin_radps;
-        Vector3d couple_nms = couple_nms_ - step * spin_radps;
-        const double most_nms = rolling_arm_m * normal_sum_of_rows_ns();
-        if (const double size = couple_nms.norm(); size > most_nms) {
-            couple_nms *= most_nms / size;
-        }
-        const Vector3d more_nms = couple_nms - couple_nms_;
-        if (is_still(mass.inverse_inertia * more_nms)) {
-            return true;
-        }
-        couple_nms_ = couple_nms;
-        if (!sweep_until_still(mass, without, now)) {
-            return false;
-        }
-        const Vector3d change_radps = now.spin_radps - spin_radps;
-        if (is_still(change_radps)) {
-            return true;
-        }
-        const double curvature = more_nms.dot(change_radps);
-        const double bend = curvature > 0.0 ? more_nms.squaredNorm() / curvature : longest_step * least_step;
-        step = std::clamp(bend, least_step, std::min(growth * step, longest_step * least_step));
+    const Vector3d change_radps = mass.inverse_inertia * (couple_nms - couple_nms_);
+    couple_nms_ = couple_nms;
+    now.spin_radps += change_radps;
+    return change_radps.norm();
+}
+
+/// All contacts and the couple as one system; keeps what there is where that finds no end.
+void PercussionSolver::solve_all_at_once(const BlockMass& mass, const Velocities& without,
+                                         double rolling_arm_m, Velocities& now) {
+    const int contacts = static_cast<int>(rows_.size());
+    if (contacts > JointProblem::most_contacts) {
+        return;
     }
-    return false;
+    joint_.contacts = contacts;
+    joint_.has_couple = rolling_arm_m > 0.0;
+    joint_.rolling_arm_m = rolling_arm_m;
+    JointProblem::Vector all{};
+    std::array<Matrix3d, JointProblem::most_contacts + 1> turns, inertia_turns;
+    const auto put = [&](int row, int column, const Matrix3d& block) {
+        for (int k = 0; k < 3; ++k) {
+            for (int l = 0; l < 3; ++l) {
+                joint_.delassus[row + k][column + l] = block(k, l);
+                joint_.delassus[column + l][row + k] = block(k, l);
+            }
+        }
+    };
+    const auto put_vector = [](JointProblem::Vector& into, int row, const Vector3d& v) {
+        for (int k = 0; k < 3; ++k) {
+            into[row + k] = v[k];
+        }
+    };
+    for (int i = 0; i < contacts; ++i) {
+        const Row& row = rows_[i];
+        turns[i] = cross_matrix(row.arm_m) * row.frame;
+        inertia_turns[i] = mass.inverse_inertia * turns[i];
+        for (int j = 0; j < i; ++j) {
+            put(3 * i, 3 * j,
+                mass.inverse_mass_pkg * row.frame.transpose() * rows_[j].frame +
+                    turns[i].transpose() * inertia_turns[j]);
+        }
+        put(3 * i, 3 * i, row.delassus);
+        put_vector(joint_.free, 3 * i, row.frame.transpose() * without.at(row.arm_m));
+        put_vector(all, 3 * i, row.impulse);
+        joint_.friction[i] = row.friction;
+        joint_.shift_mps[i] = row.shift_mps;
+        joint_.least_ns[i] = row.least_ns;
+        if (joint_.has_couple) {
+            put(3 * contacts, 3 * i, inertia_turns[i]);
+        }
+    }
+    if (joint_.has_couple) {
+        put(3 * contacts, 3 * contacts, mass.inverse_inertia);
+        put_vector(joint_.free, 3 * contacts, without.spin_radps);
+        put_vector(all, 3 * contacts, couple_nms_);
+    }
+    if (!solve_jointly(joint_, 0.1 * law_.tolerance_mps, all)) {
+        return;
+    }
+    for (int i = 0; i < contacts; ++i) {
+        rows_[i].impulse = Vector3d{all[3 * i], all[3 * i + 1], all[3 * i + 2]};
+    }
+    if (joint_.has_couple) {
+        couple_nms_ = Vector3d{all[3 * contacts], all[3 * contacts + 1], all[3 * contacts + 2]};
+    }
+    now = with_percussions(mass, without);
 }
 
 bool PercussionSolver::settle(const BlockMass& mass, const Velocities& without, double rolling_arm_m,
                               Velocities& now) {
-    sweeps_ = 0;
-    return rolling_arm_m > 0.0 ? resist_rolling(mass, without, rolling_arm_m, now)
-                               : sweep_until_still(mass, without, now);
+    constexpr double still_radps = 1e-6;
+    const bool is_direct = rows_.size() == 1 && rolling_arm_m <= 0.0;
+    now = with_percussions(mass, without);
+    for (int done = 1; done <= law_.most_sweeps; ++done) {
+        // Contacts that keep changing between sticking and slipping take a part of each step only.
+        const double share = done < whole_sweeps ? 1.0 : done < half_sweeps ? 0.5 : 0.25;
+        const double change_mps = sweep(mass, now, share);
+        const double change_radps = rolling_arm_m > 0.0 ? resist_rolling(mass, rolling_arm_m, now) : 0.0;
+        if (is_direct || (change_mps <= law_.tolerance_mps && change_radps <= still_radps)) {
+            return true;
+        }
+        if (std::has_single_bit(static_cast<unsigned>(done + 1))) {
+            solve_all_at_once(mass, without, rolling_arm_m, now);
+        }
+    }
+    // Whatever is left unsolved, each percussion obeys the law of its contact.
+    sweep(mass, now, 1.0);
+    return false;
 }
 
 Velocities PercussionSolver::run(const BlockMass& mass, const Velocities& before, const Vector3d& kick_mps,

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "rockfall/motion/rigid/anderson.hpp"
+#include "rockfall/motion/rigid/joint_solve.hpp"
 
 namespace rockfall::rigid {
 
@@ -91,21 +91,18 @@ private:
         Eigen::Matrix3d delassus;  ///< in the frame
         Eigen::Matrix3d inverse;   ///< of the Delassus block
         Eigen::Vector3d impulse;   ///< in the frame
-        double weight;             ///< root of the trace of the Delassus block
         double friction;
         double shift_mps;  ///< e U_n-, <= 0
         double least_ns;   ///< smallest normal percussion: of the decompression of Poisson's law
     };
     void build(const BlockMass& mass, const Velocities& before, std::span<const PercussionPoint> points);
     bool settle(const BlockMass& mass, const Velocities& without, double rolling_arm_m, Velocities& now);
-    bool resist_rolling(const BlockMass& mass, const Velocities& without, double rolling_arm_m,
-                        Velocities& now);
-    bool sweep_until_still(const BlockMass& mass, const Velocities& without, Velocities& now);
+    double resist_rolling(const BlockMass& mass, double rolling_arm_m, Velocities& now);
+    void solve_all_at_once(const BlockMass& mass, const Velocities& without, double rolling_arm_m,
+                           Velocities& now);
     double sweep(const BlockMass& mass, Velocities& now, double share);
     [[nodiscard]] double normal_sum_of_rows_ns() const;
     [[nodiscard]] Velocities with_percussions(const BlockMass& mass, Velocities now) const;
-    [[nodiscard]] AndersonMixing::Vector unknowns() const;
-    void take(const AndersonMixing::Vector& all);
     PercussionResult result(const BlockMass& mass, const Velocities& before, const Velocities& after) const;
     Velocities run(const BlockMass& mass, const Velocities& before, const Eigen::Vector3d& kick_mps,
                    std::span<const PercussionPoint> points, double rolling_arm_m, double restitution_share,
@@ -114,8 +111,7 @@ private:
     SolverLaw law_;
     std::vector<Row> rows_;
     Eigen::Vector3d couple_nms_ = Eigen::Vector3d::Zero();
-    int sweeps_ = 0;  ///< of the percussion that is being solved
-    AndersonMixing mixing_;
+    JointProblem joint_;
     std::vector<Percussion> percussions_;
 };
 

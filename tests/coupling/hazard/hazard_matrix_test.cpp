@@ -5,6 +5,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "coupling/results/report/messages.hpp"
+#include "coupling/results/report/writing_language.hpp"
+
 namespace coupling::hazard::hazard_matrix_test {
 namespace {
 
@@ -25,6 +28,27 @@ std::string errors_of(const std::string& rows) {
         return text;
     }
     return "none";
+}
+
+/// A name as a German page says it.
+std::string in_german(const std::string& name) {
+    const report::WritingLanguage german{config::Language::de};
+    return report::translated(name).value_or("(none)");
+}
+
+TEST(HazardMatrix, HasNamesThatPagesTranslate) {
+    const Matrix matrix = Matrix::shipped();
+    for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+        EXPECT_NE(in_german(matrix.intensity_name(i)), "(none)") << matrix.intensity_name(i);
+    }
+    for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
+        EXPECT_NE(in_german(matrix.frequency_name(k)), "(none)") << matrix.frequency_name(k);
+    }
+    for (const char* level : level_names) {
+        EXPECT_NE(in_german(level), "(none)") << level;
+    }
+    EXPECT_EQ(in_german("30 to 300 kJ"), "30 bis 300 kJ");
+    EXPECT_EQ(in_german("any return period"), "jede Wiederkehrdauer");
 }
 
 TEST(HazardMatrix, HasTheClassesOfTheSwissRecommendation) {

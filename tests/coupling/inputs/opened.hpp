@@ -1,11 +1,15 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/results/report/messages.hpp"
+#include "coupling/results/report/writing_language.hpp"
 #include "tests/coupling/inputs/sample_project.hpp"
 
 namespace coupling {
@@ -27,6 +31,14 @@ inline std::string without_folder(std::string text, const std::filesystem::path&
     return text;
 }
 
+/// Every warning of every test that opens a project can stand on a page of another language.
+inline void expect_translated(const std::vector<std::string>& warnings) {
+    const report::WritingLanguage german{config::Language::de};
+    for (const std::string& sentence : warnings) {
+        EXPECT_TRUE(report::translated(sentence)) << "add a row to messages.csv: " << sentence;
+    }
+}
+
 inline Opened open(const SampleProject& project, const std::vector<std::string>& overrides = {}) {
     Opened opened;
     config::Warnings warnings;
@@ -40,6 +52,7 @@ inline Opened open(const SampleProject& project, const std::vector<std::string>&
     for (const std::string& sentence : warnings.sentences()) {
         opened.warnings.push_back(without_folder(sentence, project.folder()));
     }
+    expect_translated(opened.warnings);
     return opened;
 }
 

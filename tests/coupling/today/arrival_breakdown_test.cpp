@@ -60,6 +60,28 @@ TEST(Breakdown, PutsArrivalsOnTheStretchesOfALine) {
     EXPECT_NEAR(road.stretches[0].middle_m.x(), 177000.0 + 5.0, 0.1);
 }
 
+TEST(Breakdown, CountsARockOnBothSlopesOnlyWhereItReachesTheSameStretch) {
+    const SmallRun run;
+    Arrivals arrivals;
+    for (std::uint64_t rock = 0; rock < 3; ++rock) {  // all of them elsewhere than with forest
+        arrivals.add(run, rock, Cover::forest, 35.0F, 13.0F);
+    }
+    for (std::uint64_t rock = 0; rock < 3; ++rock) {
+        arrivals.add(run, rock, Cover::bare, 45.0F, 12.5F);
+    }
+    const AlongLine road = arrivals.of(run).lines[0];
+    const PairedCounts first = paired_counts(road.stretches[3].tally);
+    EXPECT_EQ(first.only_forest, 3U);
+    EXPECT_EQ(first.only_bare, 0U);
+    const PairedCounts second = paired_counts(road.stretches[4].tally);
+    EXPECT_EQ(second.only_forest, 0U);
+    EXPECT_EQ(second.only_bare, 3U);
+    EXPECT_EQ(second.both, 0U);
+    ASSERT_EQ(road.moved.size(), 3U);
+    EXPECT_EQ(road.moved[0].forest, 3U);
+    EXPECT_EQ(road.moved[0].bare, 4U);
+}
+
 TEST(Breakdown, KnowsARockAgainOverTheBareSlopeInLaterChunksToo) {
     const SmallRun run;
     const Breakdown found = Arrivals{}
