@@ -421,8 +421,7 @@ ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
     out.files = files;
     out.changes = changes;
     out.kind = head_of(files).kind;
-    const bool has_terrain = out.kind == CaseKind::field || out.kind == CaseKind::collapse;
-    if (has_terrain && out.replaces_profile()) {
+    if ((out.kind == CaseKind::field || out.kind == CaseKind::collapse) && out.replaces_profile()) {
         config::fail(config::ExitCode::settings, {}, joined("--profile for ", out.files.name),
                      "a case with a profile: this one has a terrain");
     }

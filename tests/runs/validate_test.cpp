@@ -55,6 +55,7 @@ const std::map<std::string, std::string> few_years{
      " --set belts.years=10 --set belts.disturbed_from_year=3 --set belts.judged_from_year=10 "
      "--set belts.side_patches=2 --set belts.replicates=1"},
     {"tschamut2014", " --set rigid.longest_s=1"},
+    {"collapse", " --set collapse.duration_s=0.1 --set collapse.frame_s=0.05 --set collapse.settle_s=0"},
     {"g318", " --set rigid.longest_s=1 --set release.rocks=2"},
     {"forest_demography", " --set demography.seeds=1 --set demography.years=1"},
     {"forest_yield", " --set \"yield.ages_years=70, 80, 100, 120, 140\""}};
