@@ -49,6 +49,14 @@ rockfall::rock_mass::ParallelFor on_threads(int threads) {
     };
 }
 
+/// Threads that share a mass with gain, of those there are. Threads wait for each other several times a step:
+/// collapse-small (117 blocks) takes 20 % less time on two idle cores, and sixty times more on two busy
+/// ones.
+int worthwhile_threads(const CollapseSite& site, int threads) {
+    constexpr std::size_t blocks_of_a_thread = 500;  // [choice]
+    return std::clamp(static_cast<int>(site.count.free / blocks_of_a_thread), 1, std::max(threads, 1));
+}
+
 /// How the time of a run is divided: steps of a look, looks of a frame, frames.
 struct TimePlan {
     std::uint64_t steps_of_look;
@@ -225,7 +233,8 @@ void print_summary(const CollapseResults& results, const OutputFolder& folder,
 
 void move_and_write(const RunRequest& request, const CollapseScenario& scenario, const CollapseSite& site,
                     const config::Warnings& warnings, const std::string& hash, OutputFolder& folder) {
-    const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
+    const int threads =
+        request.threads > 0 ? request.threads : worthwhile_threads(site, omp_get_max_threads());
     CollapseRun run{scenario, site, threads};
     run.begin(folder, request.quiet);
     run.go_on(folder, hash, request.quiet);
@@ -276,7 +285,7 @@ int run_collapse(const RunRequest& request) {
 
 SimulatedCollapse simulate_collapse(const CollapseScenario& scenario, const CollapseSite& site, int threads,
                                     const std::function<void(double)>& share_done) {
-    CollapseRun run{scenario, site, threads};
+    CollapseRun run{scenario, site, worthwhile_threads(site, threads)};
     std::uint64_t done = 0;
     const auto after_look = [&](std::uint64_t steps) {
         done += steps;
@@ -323,12 +332,13 @@ void describe(const CollapseScenario& scenario, int threads, config::Warnings& w
     const double bytes = 2.0 * static_cast<double>(mass.bytes()) + frame_bytes +
                          static_cast<double>(site.map_frame.size()) * 6.0 * sizeof(double);
     say("memory", joined("about ", whole(bytes / 1e6 + 20.0), " MB"));
+    const int shared_by = worthwhile_threads(site, threads);
     const double seconds = static_cast<double>(plan.steps() + plan.steps_to_settle) *
                            static_cast<double>(site.count.free + site.count.fixed / 4) *
-                           seconds_per_block_step / std::min(threads, 4);
+                           seconds_per_block_step / std::min(shared_by, 4);
     say("time", joined("about ", seconds < 90.0 ? whole(seconds + 1.0) : whole(seconds / 60.0),
-                       seconds < 90.0 ? " s" : " min", " on ", std::to_string(threads),
-                       " threads, within a factor of 3"));
+                       seconds < 90.0 ? " s" : " min", " on ", std::to_string(shared_by),
+                       shared_by == 1 ? " thread" : " threads", ", within a factor of 3"));
 }
 
 }  // namespace coupling::collapse
