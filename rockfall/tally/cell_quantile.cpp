@@ -11,7 +11,8 @@ double cell_quantile(const LogBins& bins, std::span<const std::uint32_t> counts,
         return 0.0;
     }
     const double wanted = share * static_cast<double>(total);
-    const auto at_least = static_cast<std::uint64_t>(std::ceil(wanted));  // whole counts below it lie below wanted
+    const auto at_least =
+        static_cast<std::uint64_t>(std::ceil(wanted));  // whole counts below it lie below wanted
     std::uint64_t below = total;
     std::size_t bin = std::min(bins.bin_of(largest), counts.size() - 1) + 1;
     while (bin > 0 && below >= at_least) {
