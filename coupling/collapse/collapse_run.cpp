@@ -272,8 +272,10 @@ int run_collapse(const RunRequest& request) {
     try {
         move_and_write(request, *scenario, site, warnings, hash, folder);
     } catch (const CollapseInterrupted&) {
-        std::fprintf(stderr,
-                     "bannwald: interrupted; run the same command again to go on from the last state\n");
+        std::fprintf(
+            stderr,
+            "bannwald: interrupted; run the same command again to go on from the last state that was "
+            "kept (the first one is kept after the first frame)\n");
         return static_cast<int>(config::ExitCode::interrupted);
     } catch (const WritingInterrupted&) {
         std::fprintf(stderr, "bannwald: interrupted; run the same command again to go on\n");
@@ -332,7 +334,7 @@ void describe(const CollapseScenario& scenario, int threads, config::Warnings& w
     const double bytes = 2.0 * static_cast<double>(mass.bytes()) + frame_bytes +
                          static_cast<double>(site.map_frame.size()) * 6.0 * sizeof(double);
     say("memory", joined("about ", whole(bytes / 1e6 + 20.0), " MB"));
-    const int shared_by = worthwhile_threads(site, threads);
+    const int shared_by = threads > 0 ? threads : worthwhile_threads(site, omp_get_max_threads());
     const double seconds = static_cast<double>(plan.steps() + plan.steps_to_settle) *
                            static_cast<double>(site.count.free + site.count.fixed / 4) *
                            seconds_per_block_step / std::min(shared_by, 4);

@@ -228,7 +228,7 @@ void check_scenario(const CommandLine& line, config::Warnings& warnings, std::os
     if (collapse::is_collapse(line.argument)) {
         const auto collapse_scenario = collapse::read_collapse(line.argument, line.overrides);
         refuse_page(line, collapse_scenario->scenario);
-        collapse::describe(*collapse_scenario, threads, warnings, out);
+        collapse::describe(*collapse_scenario, line.threads, warnings, out);
         if (line.print_settings) {
             print_settings(*collapse_scenario->scenario.options, out);
         }

@@ -159,7 +159,8 @@ Simulates how a jointed rock mass breaks up, runs down the slope and comes to re
 Voronoi cells, joined by bonds that break. The section [collapse] of the scenario says which rock, which joints and
 how strong; terrain, trees and targets are those of any scenario. Writes energies over time with their residual, maps,
 tables, a page and, with output.vtp = yes, a series for ParaView. `bannwald check SCENARIO` prints blocks, steps,
-memory and time beforehand. Interrupted by Ctrl-C it keeps its last state; the same call continues from there.
+memory and time beforehand. Interrupted by Ctrl-C after the first frame it keeps its last state; the same call
+continues from there. Without --threads small masses run on fewer threads than the machine has.
   --out DIR                 folder of the results (default: out beside the scenario)
   --overwrite               replaces results or parts that the folder holds
 )";

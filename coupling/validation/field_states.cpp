@@ -59,6 +59,11 @@ States open_states(const CaseFiles& files, const FieldSettings& settings,
         config::fail(config::ExitCode::settings, {files.shown("case.ini")},
                      "field.first_impacts with field.presets", "one of them");
     }
+    const auto sets_preset = [](const std::string& change) { return change.starts_with("rockfall.preset="); };
+    if (!settings.presets.empty() && std::any_of(overrides.begin(), overrides.end(), sets_preset)) {
+        config::fail(config::ExitCode::settings, {}, "--set rockfall.preset for a case that compares presets",
+                     "no preset, or --set field.presets");
+    }
     std::vector<std::string> presets;
     std::istringstream listed{settings.presets};
     for (std::string word; listed >> word;) {
@@ -163,7 +168,9 @@ Outcome compare_states(const States& states, bool first_impacts, const Work& wor
         }
         const auto rocks = static_cast<double>(fallen.stops.size());
         const double mean_m = sum_m / rocks;
-        first_m = &state == &states.all.front() ? mean_m : first_m;
+        if (&state == &states.all.front() || state.prefix != (&state - 1)->prefix) {
+            first_m = mean_m;  // of this preset
+        }
         ways.push_back(std::move(fallen.ways));
         const double change = percent * (mean_m / first_m - 1.0);
         outcome.values[of_state("run_out_mean_m", state)] = mean_m;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "config/text/joined.hpp"
@@ -87,7 +88,9 @@ TrendFound find_trend(const Trend& trend,
         found.means.push_back(means.back().mean);
         if (means.size() > 1) {
             const MeanOfWays& last = means[means.size() - 2];
-            found.steps_against += means.back().mean - last.mean < -half_interval(last, means.back()) ? 1 : 0;
+            const double beyond = means.back().mean - last.mean + half_interval(last, means.back());
+            found.steps_against +=
+                std::isfinite(beyond) ? (beyond < 0.0 ? 1.0 : 0.0) : std::numeric_limits<double>::quiet_NaN();
         }
     }
     found.change_low = means.back().mean - means.front().mean - half_interval(means.front(), means.back());

@@ -39,8 +39,9 @@ std::vector<Trend> read_trends(const config::Table& table, std::span<const std::
 /// How the states of a trend follow each other.
 struct TrendFound {
     std::vector<double> means;
-    int steps_against = 0;    ///< steps that fall by more than their 95 % interval
-    double change_low = 0.0;  ///< lower end of the 95 % interval of the change from first to last
+    double steps_against = 0.0;  ///< steps that fall by more than their 95 % interval; not a number where a
+                                 ///< state has fewer than two rocks
+    double change_low = 0.0;     ///< lower end of the 95 % interval of the change from first to last
 };
 
 /// Requires two rocks or more in each state. Intervals are those of the difference of two means of

@@ -10,6 +10,7 @@
 #include "coupling/validation/field_case.hpp"
 #include "coupling/validation/field_states.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
+#include "coupling/validation/scenario_changes.hpp"
 
 namespace coupling::validation {
 namespace {
@@ -343,9 +344,6 @@ void read_forest(ValidationCase& out) {
 
 /// Settings that the user asks for are those of its scenario.
 void read_field_case(ValidationCase& out) {
-    if (out.changes.most_rocks) {
-        out.notes.emplace_back("--rocks changes nothing here: the scenario says how many rocks fall");
-    }
     config::Options options;
     FieldSettings settings;
     declare(options, out.head);
@@ -421,9 +419,8 @@ ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
     out.files = files;
     out.changes = changes;
     out.kind = head_of(files).kind;
-    if ((out.kind == CaseKind::field || out.kind == CaseKind::collapse) && out.replaces_profile()) {
-        config::fail(config::ExitCode::settings, {}, joined("--profile for ", out.files.name),
-                     "a case with a profile: this one has a terrain");
+    if (out.kind == CaseKind::field || out.kind == CaseKind::collapse) {
+        take_changes_of_a_scenario(out);
     }
     if (is_forest(out.kind)) {
         read_forest(out);

@@ -48,13 +48,18 @@ bool HeldOverlap::carry_on(const BlockPose& holder, const BlockPose& other, Over
     const Vector3d turn = (turned.w() < 0.0 ? -2.0 : 2.0) * turned.vec();
     const Vector3d at_contact_m = shift_m + turn.cross(pressure_centre_m_ - place_m_);
     const double towards_m = std::abs(normal_.dot(at_contact_m)) + turn.norm() * reach_m_;
-    if (towards_m > most_towards_m_ || at_contact_m.squaredNorm() > most_along_m_ * most_along_m_) {
+    const Vector3d change_m3 = slope_.force_by_shift * shift_m + slope_.force_by_turn * turn;
+    // In a gully or a wedge a way across the net force changes it most.
+    const bool turns_force =
+        change_m3.squaredNorm() > held_share_of_depth * held_share_of_depth * force_m3_.squaredNorm();
+    if (turns_force || towards_m > most_towards_m_ ||
+        at_contact_m.squaredNorm() > most_along_m_ * most_along_m_) {
         is_valid_ = false;
         is_fast_ = steps_ < 2;
         return false;
     }
     steps_ = static_cast<std::uint8_t>(std::min(steps_ + 1, 100));
-    overlap.force_m3 = axes * (force_m3_ + slope_.force_by_shift * shift_m + slope_.force_by_turn * turn);
+    overlap.force_m3 = axes * (force_m3_ + change_m3);
     overlap.moment_m4 = axes * (moment_m4_ + slope_.moment_by_shift * shift_m + slope_.moment_by_turn * turn);
     overlap.area_m2 = axes * area_m2_;
     overlap.depth_m3 = depth_m3_;

@@ -12,6 +12,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -260,6 +261,7 @@ bool plays_a_part(const std::string& key) {
 
 void write_page(std::ostream& out, const CollapseResults& results, const std::vector<WrittenFile>& files) {
     const Scenario& scenario = results.scenario.scenario;
+    const report::WritingLanguage language{scenario.report.language};
     const report::PageFrame frame{
         .title = joined(page_text("collapse_page.title"), escaped(scenario.file.stem().string())),
         .version = results.version,

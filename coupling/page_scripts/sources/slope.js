@@ -8,6 +8,7 @@ import { button, checkbox, choice, element, layerChoice, sample } from "./contro
 import { Ground } from "./ground.js";
 import { classLooks, drop, logColour, logsOf, pathsOf, restColour, targetColour, targetsOf } from "./lines.js";
 import { Mass, speedColours } from "./mass.js";
+import { grouped } from "./numbers.js";
 import { counted, text } from "./texts.js";
 import { fell, grow } from "./trees.js";
 
@@ -128,7 +129,7 @@ class SlopeView {
             oninput: () => show(Number(slider.value)) });
         const show = (frame) => {
             mass.show(frame);
-            word.textContent = text("script.slope.after", { time: times_s[frame].toFixed(1) });
+            word.textContent = text("script.slope.after", { time: grouped(times_s[frame].toFixed(1)) });
             this.ask();
         };
         show(0);

@@ -11,10 +11,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// So many sweeps come before all contacts are solved at once again.
-constexpr int sweeps_before_all = 4;
 constexpr int whole_sweeps = 50;
 constexpr int half_sweeps = 120;
+
 Matrix3d cross_matrix(const Vector3d& v) {
     Matrix3d m;
     m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -40,6 +41,12 @@ TEST(FieldTrends, LetStepsWithinTheirIntervalPass) {
                                        {"high", {{8.0, 0.0}, {12.0, 0.0}}}});
     EXPECT_EQ(found.steps_against, 0);
     EXPECT_LT(found.change_low, 0.0);
+}
+
+TEST(FieldTrends, KnowNothingOfStatesWithOneRock) {
+    const TrendFound found = found_in(
+        {{"low", {{8.0, 0.0}}}, {"middle", {{7.0, 0.0}, {11.0, 0.0}}}, {"high", {{8.0, 0.0}, {12.0, 0.0}}}});
+    EXPECT_TRUE(std::isnan(found.steps_against));
 }
 
 TEST(FieldTrends, NameTheirFiguresByPreset) {
