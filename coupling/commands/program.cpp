@@ -76,6 +76,11 @@ int check(const CommandLine& line) {
 }
 
 int run(const CommandLine& line, RankGroup& ranks) {
+    if (collapse::is_collapse(line.argument)) {
+        config::fail(ExitCode::settings, {line.argument.string()},
+                     "section [collapse], a rock mass that breaks up", "a scenario without it",
+                     joined("bannwald collapse ", line.argument.string()));
+    }
     return run_assessment({.scenario = line.argument,
                            .overrides = line.overrides,
                            .out = line.out,

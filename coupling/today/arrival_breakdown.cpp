@@ -31,8 +31,9 @@ struct ArrivalRow {
     rockfall::Arrival arrival;
 };
 
-constexpr std::array<std::string_view, 8> arrival_columns_read{"rock", "target_id", "cover",     "x_m",
-                                                               "y_m",  "energy_kj", "speed_mps", "height_m"};
+constexpr std::array<std::string_view, 10> arrival_columns_read{
+    "rock",      "target_id", "cover",           "x_m",         "y_m", "energy_kj",
+    "speed_mps", "height_m",  "centre_height_m", "top_height_m"};
 
 template <class Number>
 bool number_in(std::string_view text, Number& number) {
@@ -74,7 +75,9 @@ public:
         const bool is_whole =
             take_fields(fields) && number_in(fields[0], row.rock) && number_in(fields[3], x_m) &&
             number_in(fields[4], y_m) && number_in(fields[5], energy_kj) &&
-            number_in(fields[6], row.arrival.speed_mps) && number_in(fields[7], row.arrival.height_m);
+            number_in(fields[6], row.arrival.speed_mps) && number_in(fields[7], row.arrival.height_m) &&
+            number_in(fields[8], row.arrival.centre_height_m) &&
+            number_in(fields[9], row.arrival.top_height_m);
         const auto target = numbers_.find(fields[1]);
         if (!is_whole || target == numbers_.end()) {
             damaged();

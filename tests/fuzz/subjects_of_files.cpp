@@ -179,7 +179,10 @@ Subject validation_case(const coupling::validation::CaseFiles& files) {
 std::vector<Subject> validation_cases() {
     std::vector<Subject> subjects;
     for (const coupling::validation::CaseFiles& shipped : coupling::validation::shipped_cases()) {
-        subjects.push_back(validation_case(shipped));
+        // Reading `collapse` cuts a cliff into 844 blocks; subjects_of_collapse() feeds its readers with few.
+        if (shipped.name != "collapse") {
+            subjects.push_back(validation_case(shipped));
+        }
     }
     // Of a kind that has no shipped case.
     subjects.push_back(validation_case(coupling::validation::forest_cases::remeasured::synthetic_case()));

@@ -21,8 +21,8 @@ public:
     Arrivals() { write_arrival_header(out_); }
     Arrivals& add(const SmallRun& run, std::uint64_t rock, Cover cover, float x_m, float y_m,
                   const char* target = "road") {
-        const rockfall::Arrival arrival{true,  x_m,   y_m, 50e3F + 1000.0F * static_cast<float>(rock),
-                                        40e3F, 11.0F, 0.4F};
+        const rockfall::Arrival arrival{
+            true, x_m, y_m, 50e3F + 1000.0F * static_cast<float>(rock), 40e3F, 11.0F, 0.4F, 0.9F, 1.4F};
         write_arrival(out_, rock, target, cover, run.site.origin_m(), arrival);
         return *this;
     }
@@ -57,6 +57,7 @@ TEST(Breakdown, PutsArrivalsOnTheStretchesOfALine) {
     EXPECT_EQ(reached(road.stretches[7].tally, Cover::bare), 1U);
     EXPECT_EQ(road.stretches[7].tally.reached_both, 0U);
     EXPECT_NEAR(road.stretches[7].tally.by_cover[index_of(Cover::bare)].energy_max_j, 51e3, 1.0);
+    EXPECT_NEAR(road.stretches[7].tally.by_cover[index_of(Cover::bare)].top_height_max_m, 1.4, 1e-3);
     EXPECT_NEAR(road.stretches[0].middle_m.x(), 177000.0 + 5.0, 0.1);
 }
 
