@@ -80,6 +80,19 @@ TEST_F(CollapseRuns, CheckTellsBlocksMemoryAndTime) {
     }
 }
 
+TEST_F(CollapseRuns, WritesItsPageInTheLanguageOfTheScenario) {
+    ASSERT_EQ(call(project, few + "german --set report.language=de").code, 0);
+    const std::string page = project.read("german/report.html");
+    EXPECT_NE(page.find("<html lang=\"de\""), std::string::npos);
+    EXPECT_NE(page.find("Eine Felsmasse zerf"), std::string::npos);
+}
+
+TEST_F(CollapseRuns, IsTheCommandThatRunNamesForItsScenario) {
+    const auto outcome = call(project, "run p/scenario.ini");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("bannwald collapse p/scenario.ini"), std::string::npos) << outcome.err;
+}
+
 TEST_F(CollapseRuns, RefusesWhatCannotBe) {
     project.write("p/no_spacing.csv", "name,dip_deg,dip_direction_deg\na,40,90\n");
     const auto spacing = call(project, "check p/scenario.ini --set collapse.joint_sets=no_spacing.csv");
