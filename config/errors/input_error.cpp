@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "config/text/reading.hpp"
+
 namespace config {
 
 namespace {
@@ -23,13 +25,6 @@ std::string joined(const std::vector<Problem>& problems) {
         text += "\n... and " + std::to_string(problems.size() - most_problems_shown) + " more";
     }
     return text;
-}
-
-std::string lower_case(std::string_view word) {
-    std::string lower{word};
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
 }
 
 /// Whether a byte continues a character of UTF-8.
@@ -109,7 +104,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     if (word.size() > longest_word_bytes) {
         return "";
     }
-    const std::string wanted = lower_case(word);
+    const std::string wanted = in_lower_case(word);
     std::size_t best = word.size() / 3 + 1;
     std::string nearest;
     for (const std::string& candidate : legal) {
@@ -117,7 +112,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
         if (longer - std::min(candidate.size(), wanted.size()) >= best) {
             continue;  // so many letters at least are to be added or dropped
         }
-        const std::size_t distance = edit_distance(wanted, lower_case(candidate));
+        const std::size_t distance = edit_distance(wanted, in_lower_case(candidate));
         if (distance < best) {
             best = distance;
             nearest = candidate;

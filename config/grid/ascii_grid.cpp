@@ -32,13 +32,6 @@ bool is_blank(char c) {
     return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
 
-std::string lower_case(std::string_view word) {
-    std::string lower{word};
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
-
 /// A grid's text on its way through the reader.
 struct Reading {
     std::string_view text;
@@ -89,21 +82,29 @@ std::optional<std::string_view> value_of(const HeaderEntries& entries, std::stri
 
 /// Whether a word belongs to the header: `nan` and `inf` are letters too, but stand for values.
 bool is_key(std::string_view token) {
-    const std::string word = lower_case(token);
+    const std::string word = in_lower_case(token);
     return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) != 0 && word != "nan" &&
            word != "inf" && word != "infinity";
 }
 
 std::string canonical_key(std::string_view token) {
-    const std::string key = lower_case(token);
+    const std::string key = in_lower_case(token);
     if (key == "xllcentre" || key == "yllcentre") {
         return key.substr(0, 4) + "enter";
     }
     return key == "nodata" ? "nodata_value" : key;
 }
 
+/// Whether a text speaks of columns as the header of a grid does: if not, it is none at all.
+bool names_columns(std::string_view text) {
+    constexpr std::size_t longest_header = 1000;
+    return in_lower_case(text.substr(0, longest_header)).find("ncols") != std::string::npos;
+}
+
 HeaderEntries read_header_entries(Reading& reading) {
     HeaderEntries entries;
+    reading.skip_blanks();
+    const std::size_t first = reading.at;
     while (reading.problems.list().size() < most_bad_values) {
         reading.skip_blanks();
         const std::size_t start = reading.at;
@@ -116,6 +117,10 @@ HeaderEntries read_header_entries(Reading& reading) {
         const std::string_view value = reading.next_token();
         if (std::find(header_keys.begin(), header_keys.end(), key) == header_keys.end()) {
             const std::string nearest = nearest_word(key, header_keys);
+            if (nearest.empty() && start == first && !names_columns(reading.text)) {
+                fail(ExitCode::data, reading.place(token), "a text that begins with " + in_quotes(token),
+                     "an ESRI ASCII grid, which begins with ncols", "name a grid, GeoTIFF or ESRI ASCII");
+            }
             reading.refuse(token, in_quotes(token),
                            nearest.empty() ? "a header key or a number" : in_quotes(nearest));
         } else if (value_of(entries, key)) {
@@ -178,7 +183,7 @@ public:
         if (!text) {
             return conventional_nodata;
         }
-        return lower_case(*text) == "nan" ? not_a_number : number("nodata_value");
+        return in_lower_case(*text) == "nan" ? not_a_number : number("nodata_value");
     }
 
     void refuse_both(std::string_view key, std::string_view other) {
@@ -230,7 +235,7 @@ GridFrame frame_of(Header& header) {
 /// The value of a word that from_chars alone did not take; NaN with a problem noted where it is none.
 double careful_value(Reading& reading, std::string_view token, double nodata) {
     const std::optional<double> value = parse_number(token);
-    if (!value && !(std::isnan(nodata) && lower_case(token) == "nan")) {
+    if (!value && !(std::isnan(nodata) && in_lower_case(token) == "nan")) {
         const bool decimal_comma = token.find(',') != std::string_view::npos;
         reading.refuse(token, in_quotes(token), decimal_comma ? "a number with a decimal point" : "a number");
     }

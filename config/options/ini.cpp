@@ -36,6 +36,12 @@ std::string_view without_comment(std::string_view line) {
     return line;
 }
 
+/// What stands behind the sign of a comment.
+std::string_view comment_in(std::string_view line) {
+    const std::size_t end = without_comment(line).size();
+    return end == line.size() ? std::string_view{} : trimmed(line.substr(end + 1));
+}
+
 /// The value itself; nothing if its quotes are not in order.
 std::optional<std::string> unquoted(std::string_view text) {
     if (!text.starts_with('"')) {
@@ -117,7 +123,11 @@ std::vector<IniEntry> read_ini(std::istream& in, const std::string& file, Proble
         const auto start = static_cast<std::size_t>(line.data() - whole_line.data());
         const Place place = place_in(whole_line, start, {file, number, 1});
         if (!line.starts_with('[')) {
+            const std::size_t before = entries.size();
             add_assignment(line, section, place, entries, problems);
+            if (entries.size() > before) {
+                entries.back().comment = comment_in(whole_line);
+            }
         } else if (line.ends_with(']') && !trimmed(line.substr(1, line.size() - 2)).empty()) {
             section = trimmed(line.substr(1, line.size() - 2));
         } else {

@@ -17,6 +17,7 @@ struct IniEntry {
     std::string value;  ///< without quotes and comment
     Place key_place;
     Place value_place;
+    std::string comment{};  ///< behind the value, without its sign
 
     [[nodiscard]] std::string key() const { return section.empty() ? name : section + '.' + name; }
 };

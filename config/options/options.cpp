@@ -320,11 +320,13 @@ void Options::apply(const std::string& file, const std::string& preset,
         }
         parameter.place = {.file = file};
         parameter.was_set = false;
+        parameter.comment.clear();
         for (const IniEntry& entry : entries) {
             if (entry.key() == parameter.key) {
                 value = entry.value;
                 parameter.place = entry.value_place;
                 parameter.was_set = true;
+                parameter.comment = entry.comment;
             }
         }
         parameter.set(value);
@@ -339,6 +341,11 @@ Place Options::place_of(const std::string& key) const {
 bool Options::was_set(const std::string& key) const {
     const Parameter* const parameter = find(key);
     return parameter != nullptr && parameter->was_set;
+}
+
+std::string Options::remark_of(const std::string& key) const {
+    const Parameter* const parameter = find(key);
+    return parameter == nullptr ? "" : parameter->comment;
 }
 
 std::vector<std::string> Options::preset_names() const {

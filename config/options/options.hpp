@@ -133,6 +133,8 @@ public:
     /// Where a key was set (file and line, or the override), the file alone if it was left at its default.
     [[nodiscard]] Place place_of(const std::string& key) const;
     [[nodiscard]] bool was_set(const std::string& key) const;
+    /// The comment behind the value that counts, without its sign; "" for defaults and overrides.
+    [[nodiscard]] std::string remark_of(const std::string& key) const;
 
     [[nodiscard]] std::vector<ParameterRow> rows() const;
     /// Names of all presets that any parameter knows, in the order of declaration.

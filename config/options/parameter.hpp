@@ -22,6 +22,7 @@ struct Options::Parameter {
     std::string default_text{};
     Place place{};  ///< where it was set{}; no line at its default
     bool was_set = false;
+    std::string comment{};  ///< behind the value in the file
 
     [[nodiscard]] std::string section() const {
         const std::size_t dot = key.rfind('.');

@@ -65,9 +65,7 @@ std::optional<std::uint64_t> count_in(std::string_view text, const NumberRange& 
 }
 
 std::optional<bool> flag_in(std::string_view text) {
-    std::string word{text};
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string word = in_lower_case(text);
     if (word == "yes" || word == "true" || word == "on" || word == "1") {
         return true;
     }

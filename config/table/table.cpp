@@ -2,184 +2,28 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cctype>
 #include <utility>
 
+#include "config/table/records.hpp"
 #include "config/text/reading.hpp"
 
 namespace config {
 
 namespace {
 
-struct Field {
+/// The first columns by name, for a message; long names cut off.
+std::string some_of(const std::vector<std::string>& columns) {
+    constexpr std::size_t most = 12;
     std::string text;
-    Place place;
-};
-using Record = std::vector<Field>;
-
-/// Cuts the text of a table into records of fields; knows nothing about columns.
-class Records {
-public:
-    Records(std::string_view text, const std::string& file, Problems& problems)
-        : text_{text}, problems_{problems}, place_{file, 1, 1}, separator_{separator_of_header()} {}
-
-    /// The next record that holds anything; empty at the end.
-    Record next() {
-        while (!at_end()) {
-            if (text_[at_] == '#') {
-                skip_line();
-                continue;
-            }
-            Record record = read_record();
-            if (std::any_of(record.begin(), record.end(),
-                            [](const Field& field) { return !field.text.empty(); })) {
-                return record;
-            }
-        }
-        return {};
+    for (std::size_t i = 0; i < std::min(most, columns.size()); ++i) {
+        const std::string quoted = in_quotes(columns[i]);  // one line, and no half letter at its end
+        text.append(i == 0 ? "" : ", ").append(quoted, 1, quoted.size() - 2);
     }
-
-    [[nodiscard]] const Place& place() const { return place_; }
-    [[nodiscard]] char separator() const { return separator_; }
-
-private:
-    [[nodiscard]] bool at_end() const { return at_ == text_.size(); }
-
-    /// What separates the fields of the first line: tabs where they are more than commas and semicolons, else
-    /// a semicolon (Excel's in much of Europe) where there is one outside quotes and no comma. Excel may say
-    /// it in a line of its own before all others, which is passed over then.
-    [[nodiscard]] char separator_of_header() {
-        constexpr std::string_view announced = "sep=";
-        if (text_.size() > announced.size() && text_.starts_with(announced)) {
-            const char separator = text_[announced.size()];
-            skip_line();
-            return separator == ';' || separator == '\t' ? separator : ',';
-        }
-        std::string_view rest = text_;
-        while (!rest.empty()) {
-            const std::size_t end = std::min(rest.find('\n'), rest.size() - 1);
-            const std::string_view line = trimmed(rest.substr(0, end + 1));
-            rest.remove_prefix(end + 1);
-            if (line.empty() || line.front() == '#') {
-                continue;
-            }
-            bool quoted = false;
-            std::size_t commas = 0;
-            std::size_t semicolons = 0;
-            std::size_t tabs = 0;
-            for (const char c : line) {
-                quoted = quoted != (c == '"');
-                commas += !quoted && c == ',' ? 1U : 0U;
-                semicolons += !quoted && c == ';' ? 1U : 0U;
-                tabs += !quoted && c == '\t' ? 1U : 0U;
-            }
-            return tabs > commas + semicolons ? '\t' : commas == 0 && semicolons > 0 ? ';' : ',';
-        }
-        return ',';
-    }
-
-    void advance() {
-        const char c = text_[at_++];
-        if (c == '\n') {
-            ++place_.line;
-            place_.column = 1;
-        } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
-            ++place_.column;
-        }
-    }
-
-    void skip_line() {
-        while (!at_end() && text_[at_] != '\n') {
-            advance();
-        }
-        if (!at_end()) {
-            advance();
-        }
-    }
-
-    Record read_record() {
-        Record record;
-        while (true) {
-            if (record.size() == Table::most_columns) {
-                refuse_at_once(
-                    place_, "a line of more than " + std::to_string(Table::most_columns) + " fields",
-                    "a table of at most so many columns: is this the file that was meant, and do its "
-                    "lines end where rows end?");
-            }
-            record.push_back(read_field());
-            if (at_end() || text_[at_] == '\n') {
-                skip_line();
-                return record;
-            }
-            advance();  // the separator
-        }
-    }
-
-    Field read_field() {
-        while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t') && text_[at_] != separator_) {
-            advance();
-        }
-        const Place start = place_;
-        const bool quoted = !at_end() && text_[at_] == '"';
-        std::string text = quoted ? read_quoted() : std::string{};
-        const std::size_t plain_start = at_;
-        while (!at_end() && text_[at_] != separator_ && text_[at_] != '\n') {
-            advance();
-            check_length(at_ - plain_start, start);
-        }
-        const std::string_view plain = trimmed(text_.substr(plain_start, at_ - plain_start));
-        if (quoted && !plain.empty()) {
-            problems_.add(ExitCode::data, start, in_quotes(plain) + " after a closing quote",
-                          "quotes around the whole field");
-        }
-        text += plain;
-        return {std::move(text), start};
-    }
-
-    std::string read_quoted() {
-        const Place start = place_;
-        std::string text;
-        advance();
-        while (!at_end()) {
-            if (text_[at_] == '"') {
-                advance();
-                if (at_end() || text_[at_] != '"') {
-                    return text;
-                }
-            }
-            text += text_[at_];
-            advance();
-            check_length(text.size(), start);
-        }
-        problems_.add(ExitCode::data, start, "a quote that is never closed");
-        return text;
-    }
-
-    void check_length(std::size_t bytes, const Place& start) const {
-        if (bytes > Table::longest_field_bytes) {
-            refuse_at_once(start,
-                           "a field of more than " + std::to_string(Table::longest_field_bytes / 1'000'000) +
-                               " million bytes",
-                           "shorter fields: is this the file that was meant, or is a quote not closed?");
-        }
-    }
-
-    /// What makes all that follows meaningless: reported alone, before it fills the memory.
-    [[noreturn]] static void refuse_at_once(const Place& place, std::string found, std::string expected) {
-        fail(ExitCode::data, place, std::move(found), std::move(expected));
-    }
-
-    std::string_view text_;
-    Problems& problems_;
-    std::size_t at_ = 0;
-    Place place_;
-    char separator_;
-};
+    return columns.size() > most ? text.append(", ...") : text;
+}
 
 bool is_unit_row(const Record& record) {
-    std::string first = record.front().text;
-    std::transform(first.begin(), first.end(), first.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string first = in_lower_case(record.front().text);
     return first == "unit" || first == "units";
 }
 
@@ -374,9 +218,16 @@ bool Table::require(const std::vector<std::string>& wanted, Problems& problems) 
         }
         complete = false;
         const std::string nearest = nearest_word(name, columns_);
-        problems.add(ExitCode::data, {file_},
-                     "no column " + in_quotes(name) +
-                         (nearest.empty() ? "" : " (is " + in_quotes(nearest) + " meant to be it?)"));
+        if (nearest.empty()) {
+            problems.add(ExitCode::data, {file_},
+                         "no column " + in_quotes(name) + " among " + some_of(columns_), "",
+                         name == "wkt" ? "give each row its shape as well-known text (QGIS: Export, CSV, "
+                                         "GEOMETRY = AS_WKT), or name a layer"
+                                       : "add it, or rename the column that holds it");
+        } else {
+            problems.add(ExitCode::data, {file_},
+                         "no column " + in_quotes(name) + " (is " + in_quotes(nearest) + " meant to be it?)");
+        }
     }
     return complete;
 }

@@ -1,5 +1,7 @@
 #include "config/text/reading.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <iterator>
 
 namespace config {
@@ -31,6 +33,13 @@ std::string_view trimmed(std::string_view text) {
         return {};
     }
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string in_lower_case(std::string_view text) {
+    std::string lower{text};
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
 }
 
 }  // namespace config

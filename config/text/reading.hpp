@@ -21,4 +21,7 @@ std::string_view without_byte_order_mark(std::string_view text);
 /// The text without blanks, tabs, carriage returns and line feeds at both ends.
 std::string_view trimmed(std::string_view text);
 
+/// The text with the letters A to Z in lower case; others, such as those of UTF-8, stay.
+std::string in_lower_case(std::string_view text);
+
 }  // namespace config

@@ -96,6 +96,17 @@ std::vector<double> rising_numbers(const std::string& option, const std::string&
     return numbers;
 }
 
+/// The folder of the results is where many look for it, but it is none of the scenario.
+void refuse_folder_as_setting(const std::vector<std::string>& overrides) {
+    const std::set<std::string> looked_for{"run.out",    "run.dir",    "run.folder",
+                                           "output.out", "output.dir", "output.folder"};
+    for (const std::string& override : overrides) {
+        if (looked_for.contains(override.substr(0, override.find('=')))) {
+            refuse("--set " + override, "--out DIR: the folder of the results is no setting");
+        }
+    }
+}
+
 std::vector<double> diameters_of(const std::string& text) {
     constexpr config::NumberRange range{.low = 0.0, .high = 10.0, .low_excluded = true};
     return rising_numbers("diameters", text, range);
@@ -343,6 +354,7 @@ CommandLine parse_command(const std::string& command, const std::vector<std::str
         line.argument = argument_of(command, values);
     }
     line.overrides = texts(values, "set");
+    refuse_folder_as_setting(line.overrides);
     const std::vector<std::string> seeds =
         command == "stopping-table" ? std::vector<std::string>{} : texts(values, "seed");
     for (const std::string& seed : seeds) {

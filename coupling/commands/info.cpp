@@ -35,9 +35,7 @@ namespace fs = std::filesystem;
 bool looks_like_grid(std::string_view text) {
     text = config::without_byte_order_mark(text);
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-    std::string word{text.substr(0, text.find_first_of(" \t\r\n"))};
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string word = config::in_lower_case(text.substr(0, text.find_first_of(" \t\r\n")));
     const std::set<std::string> keys{"ncols",     "nrows",    "xllcorner", "xllcenter", "yllcorner",
                                      "yllcenter", "cellsize", "dx",        "dy"};
     return keys.contains(word);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
 
 namespace coupling {
 namespace {
@@ -25,15 +26,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> other_wor
      {"size", "diameter"},
      {"drop_height", "fall_height"}}};
 
-std::string lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 /// A name without the unit at its end.
 std::string quantity_of(const std::string& name) {
-    const std::string low = lower_case(name);
+    const std::string low = config::in_lower_case(name);
     std::string stem = low;
     for (const std::string_view unit : units) {
         if (low.size() > unit.size() + 1 && low.ends_with(unit) && low[low.size() - unit.size() - 1] == '_') {
@@ -50,7 +45,7 @@ std::string quantity_of(const std::string& name) {
 }
 
 std::string letters_of(const std::string& name) {
-    std::string letters = lower_case(name);
+    std::string letters = config::in_lower_case(name);
     std::erase_if(letters, [](char c) { return c == '_' || c == '-' || c == ' '; });
     return letters;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "config/text/joined.hpp"
+#include "config/text/reading.hpp"
 #include "coupling/inputs/report_settings.hpp"
 
 namespace coupling {
@@ -74,13 +75,6 @@ std::string fault_of_jpeg(std::string_view bytes) {
     return "a JPEG that ends before its pixels";
 }
 
-std::string small_letters(std::string_view text) {
-    std::string lower{text};
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
-
 /// Past blanks, declaration, comments and document type of an XML text.
 std::size_t root_of(std::string_view xml) {
     std::size_t at = xml.starts_with("\xef\xbb\xbf") ? 3 : 0;
@@ -113,7 +107,7 @@ bool leads_out(std::string_view lower, std::string_view before) {
 }
 
 std::string fault_of_svg(std::string_view bytes) {
-    const std::string lower = small_letters(bytes);
+    const std::string lower = config::in_lower_case(bytes);
     constexpr std::array scripts{"<script", "javascript:", "<foreignobject", "<!entity", "@import"};
     for (const char* script : scripts) {
         if (lower.find(script) != std::string::npos) {
@@ -153,7 +147,7 @@ Logo read_logo(std::string_view bytes, const config::Place& place) {
     if (bytes.starts_with("\xff\xd8\xff")) {
         return checked("image/jpeg", fault_of_jpeg(bytes));
     }
-    if (small_letters(bytes.substr(root_of(bytes), 4)) == "<svg") {
+    if (config::in_lower_case(bytes.substr(root_of(bytes), 4)) == "<svg") {
         return checked("image/svg+xml", fault_of_svg(bytes));
     }
     refuse(bytes.empty() ? "an empty file" : "a file that is no picture of these kinds");

@@ -291,7 +291,14 @@ void declare_output(config::Options& options, Scenario& s) {
 
 std::filesystem::path Scenario::resolve(const std::string& name) const {
     const std::filesystem::path path{name};
-    return path.is_absolute() ? path : file.parent_path() / path;
+    const std::filesystem::path from_here = path.is_absolute() ? path : file.parent_path() / path;
+    const std::filesystem::path plain = from_here.lexically_normal();
+    // "a/../b" is "b" only where a is no link to another folder.
+    std::error_code one;
+    std::error_code other;
+    const bool is_same =
+        std::filesystem::weakly_canonical(from_here, one) == std::filesystem::weakly_canonical(plain, other);
+    return is_same && !one && !other ? plain : from_here;
 }
 
 void declare(config::Options& options, Scenario& scenario) {

@@ -9,6 +9,7 @@
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/path_checks.hpp"
 
@@ -23,12 +24,6 @@ using config::NumberRange;
 using config::Raster;
 
 constexpr std::size_t most_told = 20;  ///< faulty lines of a tree file
-
-std::string in_small_letters(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 std::string size_of(const config::GridFrame& frame) {
     return joined(std::to_string(frame.columns), " x ", std::to_string(frame.rows), " cells of ",
@@ -47,7 +42,7 @@ public:
         for (const fs::path& entry : entries_of(folder)) {
             if (is_file(entry)) {
                 const std::string name = entry.filename().string();
-                names_[in_small_letters(name)] = name;
+                names_[config::in_lower_case(name)] = name;
             }
         }
     }

@@ -10,16 +10,10 @@
 #include "config/data/shipped_tables.hpp"
 #include "config/geometry/wkt.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
 
 namespace coupling::formats {
 namespace {
-
-std::string in_lower_case(std::string_view text) {
-    std::string lower{text};
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
 
 /// A column of ours in tables of a role and other words for it, the likelier first.
 struct ColumnWords {
@@ -50,7 +44,7 @@ const std::vector<ColumnWords>& shipped_words() {
 std::optional<std::string> same_but_for_form(const config::Table& table, const std::string& wanted) {
     constexpr std::size_t longest_of_shapefiles = 10;
     for (const std::string& column : table.columns()) {
-        const std::string lower = in_lower_case(column);
+        const std::string lower = config::in_lower_case(column);
         if (lower == wanted || (lower.size() == longest_of_shapefiles && wanted.starts_with(lower))) {
             return column;
         }
@@ -67,7 +61,7 @@ std::optional<std::string> by_word(const config::Table& table, const ColumnWords
     };
     for (const std::string& word : entry.words) {
         for (const std::string& column : table.columns()) {
-            if (in_lower_case(column) == word && !is_ours(column)) {
+            if (config::in_lower_case(column) == word && !is_ours(column)) {
                 return column;
             }
         }
@@ -134,7 +128,7 @@ std::size_t take_coordinates(config::Table& table, std::string_view role, bool s
         return 0;
     }
     const bool are_lines =
-        role == "logs" && in_lower_case(table.text(0, "wkt")).find("line") != std::string::npos;
+        role == "logs" && config::in_lower_case(table.text(0, "wkt")).find("line") != std::string::npos;
     const std::vector<std::string> names = are_lines
                                                ? std::vector<std::string>{of_line.begin(), of_line.end()}
                                                : std::vector<std::string>{of_point.begin(), of_point.end()};

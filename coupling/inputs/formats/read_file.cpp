@@ -41,6 +41,22 @@ constexpr std::array other_files{
     OtherFile{{"<kml", 4}, "KML", "export it as GeoPackage"},
     OtherFile{{"\0\0\x27\x0D", 4}, "an index of a Shapefile", "name the .shp"}};
 
+/// Endings that promise a form of bytes: files of that form have been read when they are looked at.
+struct Ending {
+    std::string_view ending;
+    const char* found;
+    const char* advice;
+};
+
+constexpr const char* no_tiff = "no TIFF behind this ending: it is cut off, damaged or of another kind";
+constexpr std::array endings{
+    Ending{".gpkg", "no GeoPackage behind this ending: it is encrypted, damaged or of another kind",
+           "save it again without a password (QGIS: Save features as, GeoPackage)"},
+    Ending{".tif", no_tiff, "copy or export the file again"},
+    Ending{".tiff", no_tiff, "copy or export the file again"},
+    Ending{".shp", "no Shapefile behind this ending: it is cut off, damaged or of another kind",
+           "copy all files of that name again"}};
+
 bool ends_as_geopackage(const std::string& file) {
     return split_layer_name(file).file.ends_with(".gpkg");
 }
@@ -50,15 +66,16 @@ void refuse_other_files(std::string_view bytes, const std::string& file, const c
         config::fail(config::ExitCode::data, {file}, "an empty file", expected,
                      "copy or export the file again");
     }
-    if (ends_as_geopackage(file)) {
-        config::fail(config::ExitCode::data, {file},
-                     "no GeoPackage behind this ending: it is encrypted, damaged or of another kind",
-                     expected, "save it again without a password (QGIS: Save features as, GeoPackage)");
-    }
     const std::string_view text = config::without_byte_order_mark(bytes);
     for (const OtherFile& other : other_files) {
         if (text.starts_with(other.begins)) {
             config::fail(config::ExitCode::data, {file}, other.found, expected, other.advice);
+        }
+    }
+    const std::string name = config::in_lower_case(split_layer_name(file).file);
+    for (const Ending& promised : endings) {
+        if (name.ends_with(promised.ending)) {
+            config::fail(config::ExitCode::data, {file}, promised.found, expected, promised.advice);
         }
     }
 }

@@ -50,10 +50,8 @@ struct Parts {
 
 MeshFormat format_of(std::string_view bytes, const std::string& name) {
     const auto ends_with = [&](std::string_view ending) {
-        std::string low = name.ends_with(".gz") ? name.substr(0, name.size() - 3) : name;
-        std::transform(low.begin(), low.end(), low.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        return low.ends_with(ending);
+        const std::string low = config::in_lower_case(name);
+        return (low.ends_with(".gz") ? low.substr(0, low.size() - 3) : low).ends_with(ending);
     };
     if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || ends_with(".ply")) {
         return MeshFormat::ply;
@@ -87,9 +85,7 @@ MeshFile read_mesh_file(std::string_view bytes, const std::string& file) {
 bool names_layer(const std::string& name) {
     const std::string file = formats::split_layer_name(name).file;
     const std::size_t dot = file.find_last_of('.');
-    std::string ending = dot == std::string::npos ? "" : file.substr(dot);
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = dot == std::string::npos ? "" : config::in_lower_case(file.substr(dot));
     return ending == ".gpkg" || ending == ".shp" || ending == ".geojson" || ending == ".json";
 }
 

@@ -116,6 +116,13 @@ TEST(ReadAsciiGrid, NamesTheValueThatIsNoNumber) {
     EXPECT_EQ(message_of(header + "nan 2 3\n4 5 6\n"), "dem.asc:7:1: found 'nan', expected a number");
 }
 
+TEST(ReadAsciiGrid, TellsATextOfAnotherKindOnce) {
+    EXPECT_EQ(
+        message_of("\ntree_id,x_m,y_m\n1,2,3\n"),
+        "dem.asc:2:1: found a text that begins with 'tree_id,x_m,y_m', expected an ESRI ASCII grid, which "
+        "begins with ncols; name a grid, GeoTIFF or ESRI ASCII");
+}
+
 TEST(ReadAsciiGrid, StopsAfterTwentyBadValues) {
     std::string text = "ncols 100 nrows 1 xllcorner 0 yllcorner 0 cellsize 1\n1 ";
     for (int i = 1; i < 100; ++i) {

@@ -63,6 +63,18 @@ std::string message_of(const std::string& text, const std::vector<std::string>& 
     return "";
 }
 
+TEST(Options, KeepTheRemarkBehindTheValueThatCounts) {
+    Settings settings;
+    Options options = declared(settings);
+    const std::string text = "[run]\nseed = 7 ; GUESS: a number\ndem = \"a ; b\"\n";
+    read(options, text);
+    EXPECT_EQ(options.remark_of("run.seed"), "GUESS: a number");
+    EXPECT_EQ(options.remark_of("run.dem"), "");
+    EXPECT_EQ(options.remark_of("run.years"), "");
+    read(options, text, {"run.seed=8"});
+    EXPECT_EQ(options.remark_of("run.seed"), "");
+}
+
 TEST(Options, SetWhatTheFileSays) {
     Settings settings;
     Options options = declared(settings);

@@ -133,7 +133,19 @@ TEST(Table, NamesMissingColumnsWithTheNearestOne) {
     EXPECT_FALSE(table.require({"x_m", "dbh_", "species"}, problems));
     ASSERT_EQ(problems.list().size(), 2U);
     EXPECT_EQ(to_string(problems.list()[0]), "trees.csv: no column 'dbh_' (is 'dbh' meant to be it?)");
-    EXPECT_EQ(to_string(problems.list()[1]), "trees.csv: no column 'species'");
+    EXPECT_EQ(
+        to_string(problems.list()[1]),
+        "trees.csv: no column 'species' among tree_id, x_m, dbh; add it, or rename the column that holds "
+        "it");
+}
+
+TEST(Table, CutsLongNamesOfColumnsOffInMessages) {
+    const Table table = table_of(std::string(5000, 'a') + ",\"two\nlines\"\n");
+    Problems problems;
+    EXPECT_FALSE(table.require({"species"}, problems));
+    const std::string message = to_string(problems.list().at(0));
+    EXPECT_LT(message.size(), 300U);
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 TEST(Table, ReadsNumbersInTheirRange) {

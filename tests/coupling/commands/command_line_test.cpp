@@ -94,6 +94,12 @@ TEST(CommandLine, TellsTheNearestWord) {
               "verify, net, validate, stopping-table, info or completion; see `bannwald --help`");
 }
 
+TEST(CommandLine, TellsWhereTheFolderOfTheResultsIsNamed) {
+    EXPECT_EQ(message_of({"run", "a.ini", "--set", "output.dir=here"}),
+              "found --set output.dir=here, expected --out DIR: the folder of the results is no setting");
+    EXPECT_EQ(message_of({"run", "a.ini", "--set", "output.xlsx=yes"}), "");
+}
+
 TEST(CommandLine, KnowsWhatToDoWithNets) {
     const CommandLine line =
         parse_command_line({"net", "place", "out", "--nets", "n.csv", "--distances", "20,0,10"});

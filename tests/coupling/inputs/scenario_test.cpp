@@ -25,6 +25,19 @@ TEST(Scenario, FindsFilesBesideItself) {
     EXPECT_EQ(scenario.resolve("/data/dem.asc"), "/data/dem.asc");
 }
 
+TEST(Scenario, NamesFilesByTheShortestWayThatIsTheSame) {
+    const SampleProject project;
+    namespace fs = std::filesystem;
+    fs::create_directories(project.file("a/b"));
+    fs::create_directory_symlink(project.file("a/b"), project.file("link"));
+    Scenario scenario;
+    scenario.file = project.file("a/scenario.ini");
+    EXPECT_EQ(scenario.resolve("../dem.asc"), project.file("dem.asc"));
+    // Behind a link the way up leads to a/, not to the project.
+    scenario.file = project.file("link/scenario.ini");
+    EXPECT_EQ(scenario.resolve("../dem.asc"), project.file("link/../dem.asc"));
+}
+
 TEST(Scenario, ThatIsMissingIsAMissingFile) {
     const SampleProject project;
     project.remove("scenario.ini");
