@@ -87,8 +87,9 @@ Band band_over(const std::vector<std::optional<ProtectionRecord>>& records, Of o
                           : band_of(std::move(values), not_negative);
 }
 
-CourseAtTarget at_target_of(const Series& protection, std::size_t course, const DecisionSettings& settings,
+CourseAtTarget at_target_of(const Series& protection, std::size_t course, const Decision& decision,
                             std::int32_t rockfall_every) {
+    const DecisionSettings& settings = decision.settings;
     CourseAtTarget at{.course = course, .target = protection.target};
     std::size_t known = 0;
     std::size_t kept = 0;
@@ -100,7 +101,7 @@ CourseAtTarget at_target_of(const Series& protection, std::size_t course, const 
         }
     }
     if (known > 0) {
-        at.kept = kept_share(kept, known);
+        at.kept = kept_share(kept, known, decision.chances);
     }
     at.years_below = band_over(at.records, [](const ProtectionRecord& r) { return r.years_below; });
     at.percent_years_lost =
@@ -154,22 +155,39 @@ CourseMoney money_of(std::span<const Series> series, std::size_t course, const D
 
 }  // namespace
 
-KeptShare kept_share(std::size_t kept, std::size_t replicates) {
+VerdictChances verdict_chances(std::size_t regimes, std::size_t places) {
+    assert(regimes > 0 && places > 0);
+    constexpr double together = 0.05;
+    const double of_a_regime = together / static_cast<double>(regimes);
+    return {of_a_regime, of_a_regime / static_cast<double>(places)};
+}
+
+KeptShare kept_share(std::size_t kept, std::size_t replicates, const VerdictChances& chances) {
     assert(replicates > 0 && kept <= replicates);
     using boost::math::binomial_distribution;
-    const double one_side = 0.5 * (1.0 - interval_share);
     const auto n = static_cast<double>(replicates);
     const auto k = static_cast<double>(kept);
-    return {kept, replicates,
-            kept == 0 ? 0.0 : binomial_distribution<>::find_lower_bound_on_p(n, k, one_side),
-            kept == replicates ? 1.0 : binomial_distribution<>::find_upper_bound_on_p(n, k, one_side)};
+    const auto low = [&](double chance) {
+        return kept == 0 ? 0.0 : binomial_distribution<>::find_lower_bound_on_p(n, k, chance);
+    };
+    const auto high = [&](double chance) {
+        return kept == replicates ? 1.0 : binomial_distribution<>::find_upper_bound_on_p(n, k, chance);
+    };
+    constexpr double one_side = 0.5 * (1.0 - interval_share);
+    return {kept, replicates, low(one_side), high(one_side), low(chances.yes), high(chances.no)};
+}
+
+std::size_t least_for_yes(double probability, const VerdictChances& chances) {
+    return static_cast<std::size_t>(std::ceil(std::log(chances.yes) / std::log(probability) - 1e-9));
 }
 
 Keeps judge(const KeptShare& share, double probability) {
     if (share.replicates == 0) {
         return Keeps::undecided;
     }
-    return share.low >= probability ? Keeps::yes : share.high < probability ? Keeps::no : Keeps::undecided;
+    return share.verdict_low >= probability   ? Keeps::yes
+           : share.verdict_high < probability ? Keeps::no
+                                              : Keeps::undecided;
 }
 
 Keeps both(Keeps a, Keeps b) {
@@ -179,7 +197,8 @@ Keeps both(Keeps a, Keeps b) {
     return a == Keeps::yes && b == Keeps::yes ? Keeps::yes : Keeps::undecided;
 }
 
-std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double probability) {
+std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double probability,
+                                               const VerdictChances& chances) {
     constexpr std::size_t most = 5000;
     if (share.replicates == 0 || share.value() == probability) {
         return std::nullopt;
@@ -189,7 +208,7 @@ std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double pr
         const double expected = share.value() * static_cast<double>(n);
         const auto kept = static_cast<std::size_t>(share.value() > probability ? std::floor(expected + 1e-9)
                                                                                : std::ceil(expected - 1e-9));
-        if (judge(kept_share(kept, n), probability) != Keeps::undecided) {
+        if (judge(kept_share(kept, n, chances), probability) != Keeps::undecided) {
             return n;
         }
     }
@@ -258,9 +277,10 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
     if (!any) {
         return std::nullopt;
     }
+    decision.chances = verdict_chances(names.regimes.size(), names.climates.size() * protection.size());
     for (std::size_t course = 0; course < names.courses(); ++course) {
         for (std::size_t target = 0; target < protection.size(); ++target) {
-            CourseAtTarget at = at_target_of(*protection[target], course, settings, rockfall_every);
+            CourseAtTarget at = at_target_of(*protection[target], course, decision, rockfall_every);
             at.rock_error_percent = rock_error(names, members, course, static_cast<std::uint32_t>(target));
             decision.at_targets.push_back(std::move(at));
         }

@@ -13,17 +13,34 @@
 
 namespace coupling::decades {
 
+/// The chances that a verdict is wrong, of "yes" and of "no".
+///
+/// The verdicts on all regimes of a run are to hold together with 95 %. A wrong "yes" is possible for each
+/// regime, and each climate and target has to be passed for it (an intersection-union test, Berger 1982), so
+/// that its chance is divided by the regimes alone. A wrong "no" is possible at each of them (Bonferroni).
+struct VerdictChances {
+    double yes = 0.05;
+    double no = 0.05;
+};
+/// Of so many regimes, each judged at so many places: climates times targets. Requires both > 0.
+VerdictChances verdict_chances(std::size_t regimes, std::size_t places);
+
 /// In how many replicates something held, with the exact 90 % interval of its probability (Clopper & Pearson
-/// 1934).
+/// 1934) and the bounds by which a verdict is given.
 struct KeptShare {
     std::size_t kept = 0;
     std::size_t replicates = 0;
     double low = 0.0;
     double high = 1.0;
+    double verdict_low = 0.0;   ///< the probability lies below with the chance of a wrong "yes"
+    double verdict_high = 1.0;  ///< above with that of a wrong "no"
     [[nodiscard]] double value() const { return static_cast<double>(kept) / static_cast<double>(replicates); }
 };
 /// Requires kept <= replicates, replicates > 0.
-KeptShare kept_share(std::size_t kept, std::size_t replicates);
+KeptShare kept_share(std::size_t kept, std::size_t replicates, const VerdictChances& chances = {});
+
+/// The fewest replicates that can give a "yes": all of them keep it. Requires a probability in (0, 1).
+std::size_t least_for_yes(double probability, const VerdictChances& chances);
 
 /// Whether a regime keeps what is asked for with the probability asked for, as far as the replicates say.
 enum class Keeps : std::uint8_t { yes, no, undecided };
@@ -33,7 +50,8 @@ Keeps both(Keeps a, Keeps b);
 
 /// The replicates with which a share of this size would be known to be above or below the probability.
 /// Nothing for a share that equals it, and for more than 5000.
-std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double probability);
+std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double probability,
+                                               const VerdictChances& chances = {});
 
 /// What one replicate of a course says of a target; years are those with rocks after the start.
 struct ProtectionRecord {
@@ -70,6 +88,7 @@ struct CourseMoney {
 /// The answer to the question which regime keeps protection, at what cost.
 struct Decision {
     DecisionSettings settings{};
+    VerdictChances chances{};
     std::int32_t first_year = 0;  ///< with rocks after the start
     std::int32_t last_year = 0;
     std::vector<CourseAtTarget> at_targets{};  ///< course by course, targets in order

@@ -82,6 +82,7 @@ std::string table_of(const Names& names, const Decision& decision) {
     report::HtmlTable table{
         page_text("decades.decision.caption",
                   {{"percent", fixed(decision.settings.protection_at_least_percent, 0)},
+                   {"least", std::to_string(least_for_yes(decision.settings.probability, decision.chances))},
                    {"discount", fixed(decision.settings.discount_percent, 1)},
                    {"differences", compares ? page_text("decades.decision.differences") : ""}}),
         head};

@@ -69,9 +69,14 @@ void write_rows(std::ostream& out, const Names& names, const Decision& decision)
         row.whole(static_cast<std::uint32_t>(decision.first_year));
         row.whole(static_cast<std::uint32_t>(decision.last_year));
         add(row, at.kept);
+        if (at.is_known()) {
+            row.number<4>(at.kept.verdict_low).number<4>(at.kept.verdict_high);
+        } else {
+            row.empty().empty();
+        }
         const Keeps keeps = judge(at.kept, decision.settings.probability);
         row.text(word_of(keeps));
-        add_whole(row, replicates_to_judge(at.kept, decision.settings.probability));
+        add_whole(row, replicates_to_judge(at.kept, decision.settings.probability, decision.chances));
         add<2>(row, at.years_below);
         add<2>(row, at.percent_years_lost);
         if (at.lowest) {
@@ -145,8 +150,16 @@ TableLayout decision_layout() {
         {"p_kept", "-", "their share", of_replicates},
         {"p_kept_low_90", "-", "lower end of its 90 % interval", exact},
         {"p_kept_high_90", "-", "upper end of its 90 % interval", exact},
+        {"verdict_low", "-",
+         "lower bound of the verdict: as p_kept_low_90, but so that the verdicts on all regimes hold "
+         "together "
+         "with 95 %",
+         exact},
+        {"verdict_high", "-", "upper bound of the verdict", exact},
         {"keeps", "text",
-         "yes: the interval lies above the probability asked for; no: below; undecided: around it", exact},
+         "yes: verdict_low is not below the probability asked for; no: verdict_high is below it; else "
+         "undecided",
+         exact},
         {"replicates_to_decide", "-",
          "replicates after which a share of this size would be yes or no; empty: more than 5000", exact}};
     columns.insert(columns.end(), head.begin(), head.end());

@@ -163,15 +163,16 @@ private:
                 continue;
             }
             const CourseAtTarget& at = worst_of(regime);
-            const auto needed = replicates_to_judge(at.kept, decision_.settings.probability);
+            const auto needed =
+                replicates_to_judge(at.kept, decision_.settings.probability, decision_.chances);
             sentences_.push_back(
                 page_text("decades.decision.undecided",
                           {{"regime", names_.regimes[regime]},
                            {"place", place_of(at)},
                            {"kept", std::to_string(at.kept.kept)},
                            {"replicates", std::to_string(at.kept.replicates)},
-                           {"low", fixed(100.0 * at.kept.low, 0)},
-                           {"high", fixed(100.0 * at.kept.high, 0)},
+                           {"low", fixed(100.0 * at.kept.verdict_low, 0)},
+                           {"high", fixed(100.0 * at.kept.verdict_high, 0)},
                            {"needed", needed ? page_text("decades.decision.replicates_would_decide",
                                                          {{"replicates", std::to_string(*needed)}})
                                              : page_text("decades.decision.too_close_to_decide")}}));

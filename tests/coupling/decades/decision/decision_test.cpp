@@ -80,6 +80,48 @@ TEST(Judge, SaysYesOrNoOnlyWhereTheIntervalDoes) {
     EXPECT_EQ(both(Keeps::yes, Keeps::undecided), Keeps::undecided);
 }
 
+TEST(Judge, HoldsTheVerdictsOnAllRegimesTogether) {
+    const VerdictChances chances = verdict_chances(4, 2);
+    EXPECT_DOUBLE_EQ(chances.yes, 0.05 / 4.0);
+    EXPECT_DOUBLE_EQ(chances.no, 0.05 / 8.0);
+    EXPECT_NEAR(kept_share(20, 20, chances).verdict_low, std::pow(0.0125, 1.0 / 20.0), 1e-9);
+    EXPECT_NEAR(kept_share(0, 5, chances).verdict_high, 1.0 - std::pow(0.00625, 1.0 / 5.0), 1e-9);
+    EXPECT_EQ(judge(kept_share(14, 14, chances), 0.8), Keeps::undecided);
+    EXPECT_EQ(judge(kept_share(19, 19, chances), 0.8), Keeps::undecided) << "0.0125^(1/19) = 0.794";
+    EXPECT_EQ(judge(kept_share(20, 20, chances), 0.8), Keeps::yes) << "0.0125^(1/20) = 0.803";
+    EXPECT_EQ(least_for_yes(0.8, chances), 20U);
+    EXPECT_EQ(least_for_yes(0.8, {}), 14U);
+    EXPECT_EQ(replicates_to_judge(kept_share(3, 3, chances), 0.8, chances), 20U);
+}
+
+/// The chance that 30 replicates, each with the probability p, give a verdict. The counts are binomial.
+double chance_of(Keeps verdict, double p, const VerdictChances& chances) {
+    constexpr std::size_t replicates = 30;
+    double sum = 0.0;
+    double ways = 1.0;
+    for (std::size_t kept = 0; kept <= replicates; ++kept) {
+        const auto k = static_cast<double>(kept);
+        if (judge(kept_share(kept, replicates, chances), 0.8) == verdict) {
+            sum += ways * std::pow(p, k) * std::pow(1.0 - p, replicates - k);
+        }
+        ways *= (replicates - k) / (k + 1.0);
+    }
+    return sum;
+}
+
+TEST(Judge, IsSeldomWrongOfAnyOfFourRegimesNearTheThreshold) {
+    const VerdictChances chances = verdict_chances(4, 1);
+    const auto of_any = [](double chance) { return 1.0 - std::pow(1.0 - chance, 4.0); };
+    for (const double p : {0.5, 0.6, 0.7, 0.79, 0.7999}) {
+        EXPECT_LE(of_any(chance_of(Keeps::yes, p, chances)), 0.05) << p;
+    }
+    for (const double p : {0.8, 0.81, 0.9}) {
+        EXPECT_LE(of_any(chance_of(Keeps::no, p, chances)), 0.05) << p;
+    }
+    EXPECT_GT(chance_of(Keeps::yes, 0.99, chances), 0.9);
+    EXPECT_GT(chance_of(Keeps::no, 0.4, chances), 0.9);
+}
+
 TEST(Decide, CountsYearsAndPercentYearsBelow) {
     const SomeDecision some{{equal(20, 95.0), equal(20, 84.0), equal(20, 91.0), equal(20, 90.0)},
                             {0, 0, -10, -10}};
@@ -135,8 +177,9 @@ TEST(Verdict, OfThreeReplicatesSaysHowManyWouldDecide) {
     const std::string words = some.words();
     EXPECT_TRUE(has(words, "No regime is known to keep")) << words;
     EXPECT_TRUE(has(words, "Undecided is regime pfm1")) << words;
-    EXPECT_TRUE(
-        has(words, "3 of 3 replicates keep it (90 % interval 37 to 100 %); about 14 replicates would decide"))
+    EXPECT_TRUE(has(words,
+                    "3 of 3 replicates keep it (29 to 100 %, for all regimes together with 95 %); about 17 "
+                    "replicates would decide"))
         << words;
 }
 
