@@ -81,16 +81,16 @@ public:
         take_targets();
         std::string text = joined(
             "# Made by bannwald init from files of yours, which stay where they are. Lines marked GUESS are "
-            "to "
-            "be checked.\n"
+            "to be checked:\n"
+            "# take the word out of those that you have checked; run and page name the others.\n"
             "#   bannwald check scenario.ini     reads everything and prints what the run will take\n"
             "#   bannwald run scenario.ini       writes maps, tables and report.html into the folder out\n"
             "# `bannwald --help-all` lists every setting with unit, range and source.\n\n"
             "[run]\nseed = 1                    ; the same seed gives the same results\n\n",
             "[terrain]\n", terrain_, "\n[trees]\n", trees_, "\n[release]\n", release_,
             "diameter_kind = classes     ; GUESS: sizes of the rocks in m and their shares\n"
-            "diameter_classes_m = 0.5, 0.75, 1.0, 1.5\n"
-            "diameter_shares = 40, 30, 20, 10\n"
+            "diameter_classes_m = 0.5, 0.75, 1.0, 1.5    ; GUESS\n"
+            "diameter_shares = 40, 30, 20, 10             ; GUESS\n"
             "density_kgpm3 = 2700        ; GUESS: that of granite and gneiss; limestone about 2600\n\n",
             "[targets]\n", targets_);
         project_.files.push_back({"scenario.ini", std::move(text)});

@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/inputs/forest_site.hpp"
+#include "coupling/inputs/guesses.hpp"
 #include "coupling/inputs/log_input.hpp"
 #include "coupling/inputs/meshes/mesh_input.hpp"
 #include "coupling/inputs/model_limits.hpp"
@@ -220,6 +221,7 @@ void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs) {
 Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     Reading reading{scenario, warnings};
     reading.note_renamed_settings();
+    doubt_guesses(reading);
     SiteFiles files = read_site_files(reading);
     if (!files.heights) {
         reading.problems().throw_if_any();

@@ -7,6 +7,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/ground_names.hpp"
+#include "coupling/inputs/guesses.hpp"
 #include "coupling/inputs/model_limits.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading.hpp"
@@ -215,6 +216,7 @@ double ProfileSite::distance_at_m(double slope_length_m) const {
 ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
     Reading reading{scenario, warnings};
     reading.note_renamed_settings();
+    doubt_guesses(reading);
     std::optional<Files> files = read_files(reading);
     if (!files) {
         reading.problems().throw_if_any();

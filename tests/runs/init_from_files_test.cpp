@@ -52,6 +52,30 @@ TEST(InitFromFiles, NeedsTheHeightsOnlyAndGuessesTheSources) {
     EXPECT_EQ(call(project, "run own/scenario.ini --quiet").code, 0);
 }
 
+TEST(InitFromFiles, MarksItsGuessesUntilTheyAreChecked) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init own --dem dem.asc --sources source.asc").code, 0);
+    const std::string warning =
+        "scenario.ini: found settings that are marked GUESS: terrain.ground, release.density_kgpm3, "
+        "release.diameter_kind, release.diameter_classes_m, release.diameter_shares, expected values of this "
+        "slope; check them, then take the word out of their lines\n";
+    const Outcome guessed = call(project, "run own/scenario.ini --quiet");
+    ASSERT_EQ(guessed.code, 0) << guessed.err;
+    EXPECT_NE(guessed.err.find(warning), std::string::npos) << guessed.err;
+    const std::string page = project.read("own/out/report.html");
+    EXPECT_NE(page.find("2\u202f700 kg/m³ <span class=\"mark given\">guess</span>"), std::string::npos);
+
+    std::string checked = project.read("own/scenario.ini");
+    for (std::size_t at = checked.find("; GUESS"); at != std::string::npos; at = checked.find("; GUESS")) {
+        checked.replace(at, 7, "; seen");
+    }
+    project.write("own/scenario.ini", checked);
+    const Outcome seen = call(project, "run own/scenario.ini --quiet --overwrite");
+    ASSERT_EQ(seen.code, 0) << seen.err;
+    EXPECT_EQ(seen.err.find("GUESS"), std::string::npos) << seen.err;
+    EXPECT_EQ(project.read("own/out/report.html").find(">guess<"), std::string::npos);
+}
+
 TEST(InitFromFiles, TakesListsAsSpreadsheetsWriteThem) {
     const SampleProject project;
     project.write("list.csv",

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "config/text/joined.hpp"
+#include "coupling/inputs/guesses.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
@@ -20,6 +21,11 @@ using rockfall::StartLaw;
 bool was_set(const config::Options& options, const std::vector<std::string>& keys) {
     return std::any_of(keys.begin(), keys.end(),
                        [&](const std::string& key) { return options.was_set(key); });
+}
+
+bool has_guess(const config::Options& options, const std::vector<std::string>& keys) {
+    return std::any_of(keys.begin(), keys.end(),
+                       [&](const std::string& key) { return is_guess(options, key); });
 }
 
 /// Not set, and still other than the default: by a preset.
@@ -131,7 +137,8 @@ std::string marked(const Scenario& scenario, const std::string& value, const std
         return value;
     }
     const config::Options& options = *scenario.options;
-    return joined(value, was_set(options, keys)     ? mark(page_text("deciding.set"), false)
+    return joined(value, has_guess(options, keys)   ? mark(page_text("deciding.guess"), false)
+                         : was_set(options, keys)   ? mark(page_text("deciding.set"), false)
                          : is_preset(options, keys) ? mark(page_text("deciding.preset"), false)
                                                     : mark(page_text("common.default"), true));
 }
