@@ -23,13 +23,12 @@ std::string stopped_cell(const PairedCounts& paired) {
     if (!effect || too_few_for_protection(paired)) {
         return "–";
     }
-    const std::string value = percent(effect->value);
-    return effect->one_sided
-               ? value
-               : joined(value, " <span class=\"soft\">(",
-                        page_text("energy_rates.to", {{"low", fixed(100.0 * effect->interval.low, 0)},
-                                                      {"high", fixed(100.0 * effect->interval.high, 0)}}),
-                        ")</span>");
+    // Where no rock comes through, the interval has a lower end only.
+    const double high = effect->one_sided ? effect->value : effect->interval.high;
+    return joined(percent(effect->value), " <span class=\"soft\">(",
+                  page_text("energy_rates.to", {{"low", fixed(100.0 * effect->interval.low, 0)},
+                                                {"high", fixed(100.0 * high, 0)}}),
+                  ")</span>");
 }
 
 std::string energies_cell(const ArrivalFigures& figures) {
