@@ -36,10 +36,12 @@ private:
 
 void write_blocks_vtp(std::ostream& out, const CollapseResults& results, std::size_t frame) {
     std::vector<double> points;
-    std::vector<std::int32_t> corners, ends, numbers;
+    std::vector<std::int32_t> corners, ends, numbers, handed;
     std::vector<float> speeds, volumes;
     for (std::size_t i = 0; i < results.site.count.free; ++i) {
         const BlockPlace& place = results.record.frames[frame][i];
+        const bool is_handed = results.hand_over.fall_of(i) != nullptr &&
+                               results.record.rows[frame].time_s >= results.hand_over.handed_at_s(i);
         const Eigen::Quaterniond turn{
             static_cast<double>(place.attitude[0]), static_cast<double>(place.attitude[1]),
             static_cast<double>(place.attitude[2]), static_cast<double>(place.attitude[3])};
@@ -58,6 +60,7 @@ void write_blocks_vtp(std::ostream& out, const CollapseResults& results, std::si
             }
             ends.push_back(static_cast<std::int32_t>(corners.size()));
             numbers.push_back(static_cast<std::int32_t>(i));
+            handed.push_back(is_handed ? 1 : 0);
             speeds.push_back(place.speed_mps);
             volumes.push_back(static_cast<float>(results.site.blocks[i].solid.volume_m3));
         }
@@ -66,6 +69,8 @@ void write_blocks_vtp(std::ostream& out, const CollapseResults& results, std::si
     const std::string number = blocks.array("Int32", "Name=\"block\"", numbers);
     const std::string speed = blocks.array("Float32", "Name=\"speed_mps\"", speeds);
     const std::string volume = blocks.array("Float32", "Name=\"volume_m3\"", volumes);
+    const std::string rigid =
+        results.hands_over() ? blocks.array("Int32", "Name=\"rigid\"", handed) : std::string{};
     const std::string places = blocks.array("Float64", "NumberOfComponents=\"3\"", points);
     const std::string connectivity = blocks.array("Int32", "Name=\"connectivity\"", corners);
     const std::string offsets = blocks.array("Int32", "Name=\"offsets\"", ends);
@@ -74,7 +79,7 @@ void write_blocks_vtp(std::ostream& out, const CollapseResults& results, std::si
         << points.size() / 3
         << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << ends.size()
         << "\">\n<CellData Scalars=\"speed_mps\">\n"
-        << number << speed << volume << "</CellData>\n<Points>\n"
+        << number << speed << volume << rigid << "</CellData>\n<Points>\n"
         << places << "</Points>\n<Polys>\n"
         << connectivity << offsets << "</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_"
         << blocks.bytes() << "\n</AppendedData>\n</VTKFile>\n";

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "coupling/collapse/collapse_results.hpp"
 
 namespace coupling::collapse {
@@ -96,11 +98,74 @@ TableLayout trees() {
              {"broken", "text", "yes or no", simulated}}};
 }
 
+constexpr const char* only_handed = "simulated; with collapse.hand_over = rigid";
+
+/// Columns behind the one of that name; behind all of them where none is named.
+void insert_behind(TableLayout& layout, std::string_view name, const std::vector<Column>& columns) {
+    auto at = std::find_if(layout.columns.begin(), layout.columns.end(),
+                           [&](const Column& column) { return column.name == name; });
+    at = at == layout.columns.end() ? at : at + 1;
+    layout.columns.insert(at, columns.begin(), columns.end());
+}
+
+TableLayout handed_falls() {
+    return {
+        "handed_falls.csv",
+        "a block that left the mass and went on as a single rigid block",
+        {{"block", "-", "number of the block", only_handed},
+         {"volume_m3", "m3", "its volume", only_handed},
+         {"handed_over_s", "s", "when it left the mass", only_handed},
+         {"x_m", "m", "easting of its middle then", only_handed},
+         {"y_m", "m", "northing", only_handed},
+         {"z_m", "m", "height above sea", only_handed},
+         {"motion_kj", "kJ", "translation and rotation that went with it", only_handed},
+         {"strain_kj", "kJ", "held by its contact with the ground, lost then", only_handed},
+         {"duration_s", "s", "from then to its end, which may lie behind that of the run", only_handed},
+         {"way_m", "m", "way in plan from then to its end", only_handed},
+         {"ground_impacts", "-", "impacts on the ground", only_handed},
+         {"tree_hits", "-", "hits of trees", only_handed},
+         {"given_kj", "kJ", "motion and height above its end with which it began", only_handed},
+         {"dissipated_kj", "kJ", "taken by ground and trees up to its end", only_handed},
+         {"corrected_kj", "kJ", "work done on it where overlaps with the ground are taken out", only_handed},
+         {"residual_kj", "kJ", "what its ledger leaves over; 0 in an exact one", only_handed},
+         {"unsolved", "-", "percussions whose solver met its limit", only_handed},
+         {"end", "text", "at_rest, caught, tree, log, net, left_terrain or gave_up", only_handed}}};
+}
+
+std::vector<TableLayout> without_hand_over() {
+    return {energies(), blocks(), targets(), target_hits(), trees()};
+}
+
+std::vector<TableLayout> with_hand_over() {
+    std::vector<TableLayout> layouts = without_hand_over();
+    insert_behind(
+        layouts[0], "left_mj",
+        {{"handed_motion_mj", "MJ", "motion of blocks when they left the mass as single ones", only_handed},
+         {"handed_gravity_mj", "MJ", "of their height above their start then", only_handed},
+         {"handed_strain_mj", "MJ", "held by their contacts with the ground then", only_handed}});
+    insert_behind(layouts[1], "piece",
+                  {{"model", "text", "mass, or rigid for a block that left it as a single one", only_handed},
+                   {"handed_over_s", "s", "when it left the mass", only_handed}});
+    insert_behind(layouts[2], "energy_sum_mj",
+                  {{"rigid_blocks", "-", "blocks among them that came as single ones", only_handed}});
+    insert_behind(layouts[3], "translational_kj",
+                  {{"model", "text", "mass, or rigid for a block that came as a single one", only_handed}});
+    insert_behind(layouts[4], "energy_kj",
+                  {{"rigid_kj", "kJ", "part of it that single blocks gave", only_handed}});
+    layouts.push_back(handed_falls());
+    return layouts;
+}
+
 }  // namespace
 
 const std::vector<TableLayout>& collapse_layouts() {
-    static const std::vector<TableLayout> layouts{energies(), blocks(), targets(), target_hits(), trees()};
+    static const std::vector<TableLayout> layouts = with_hand_over();
     return layouts;
+}
+
+const std::vector<TableLayout>& layouts_of(const CollapseResults& results) {
+    static const std::vector<TableLayout> layouts = without_hand_over();
+    return results.hands_over() ? collapse_layouts() : layouts;
 }
 
 }  // namespace coupling::collapse

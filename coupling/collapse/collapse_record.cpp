@@ -6,9 +6,11 @@
 namespace coupling::collapse {
 namespace {
 
-using rockfall::rock_mass::Block;
 using rockfall::rock_mass::BlockStatus;
 using rockfall::rock_mass::RockMass;
+
+/// Faster blocks count as moving [choice].
+constexpr double moving_mps = 0.5;
 
 /// Whether a block in two places crossed a target's lines or stands in its area.
 bool meets_target(const rockfall::Target& target, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
@@ -91,13 +93,13 @@ CollapseRecord::CollapseRecord(const CollapseSite& site) {
     }
 }
 
-void CollapseRecord::observe(const CollapseSite& site, const RockMass& mass) {
+void CollapseRecord::observe(const CollapseSite& site, const RockMass& mass, const HandOver& hand_over) {
     for (std::size_t i = 0; i < site.count.free; ++i) {
-        const Block& block = mass.blocks()[i];
+        const SeenBlock block = hand_over.seen(mass, i);
         if (block.status != BlockStatus::moving) {
             continue;
         }
-        const double speed_mps = block.velocity_mps.norm(), energy_j = block.energy_j();
+        const double speed_mps = block.velocity_mps.norm(), energy_j = block.energy_j;
         largest_speed_mps = std::max(largest_speed_mps, speed_mps);
         block_speed_mps[i] = std::max(block_speed_mps[i], speed_mps);
         block_energy_j[i] = std::max(block_energy_j[i], energy_j);
@@ -120,13 +122,13 @@ void CollapseRecord::observe(const CollapseSite& site, const RockMass& mass) {
             if (reached_[t][i] == 0 && meets_target(site.targets[t], from, to)) {
                 reached_[t][i] = 1;
                 hits.push_back({static_cast<double>(t), static_cast<double>(i), mass.time_s(), at.x(), at.y(),
-                                speed_mps, energy_j, block.translation_j(), block.volume_m3});
+                                speed_mps, energy_j, block.translation_j, mass.blocks()[i].volume_m3});
             }
         }
     }
 }
 
-void CollapseRecord::add_frame(const CollapseSite& site, const RockMass& mass) {
+void CollapseRecord::add_frame(const CollapseSite& site, const RockMass& mass, const HandOver& hand_over) {
     FrameRow row;
     row.time_s = mass.time_s();
     row.ledger = mass.ledger();
@@ -135,15 +137,18 @@ void CollapseRecord::add_frame(const CollapseSite& site, const RockMass& mass) {
     double mass_kg = 0.0, momentum = 0.0;
     std::vector<BlockPlace> places;
     for (std::size_t i = 0; i < site.count.free; ++i) {
-        const Block& block = mass.blocks()[i];
+        const SeenBlock block = hand_over.seen(mass, i);
         const double speed_mps = block.velocity_mps.norm();
-        mass_kg += block.mass_kg;
-        momentum += block.mass_kg * speed_mps;
+        mass_kg += mass.blocks()[i].mass_kg;
+        momentum += mass.blocks()[i].mass_kg * speed_mps;
         largest_speed_mps = std::max(largest_speed_mps, speed_mps);
         row.front_m = std::max(
             row.front_m, std::hypot(block.centre_m.x() - start_x_m_[i], block.centre_m.y() - start_y_m_[i]));
-        row.moving_share += block.status == BlockStatus::moving && speed_mps > 0.5 ? 1.0 : 0.0;
-        const Eigen::Quaterniond& q = block.rotation.attitude;
+        if (block.status == BlockStatus::moving && speed_mps > moving_mps) {
+            row.moving_share += 1.0;
+            row.moving_m3 += mass.blocks()[i].volume_m3;
+        }
+        const Eigen::Quaterniond& q = block.attitude;
         places.push_back({{static_cast<float>(block.centre_m.x()), static_cast<float>(block.centre_m.y()),
                            static_cast<float>(block.centre_m.z())},
                           {static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),

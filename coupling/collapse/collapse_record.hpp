@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/collapse/collapse_site.hpp"
+#include "coupling/collapse/hand_over.hpp"
 #include "rockfall/rock_mass/rock_mass.hpp"
 
 namespace coupling::collapse {
@@ -17,6 +18,7 @@ struct FrameRow {
     double largest_speed_mps = 0.0;  ///< of any block since the frame before
     double front_m = 0.0;            ///< largest way in plan of any block from its start
     double moving_share = 0.0;       ///< of the free blocks
+    double moving_m3 = 0.0;          ///< their volume
     double bonds_intact = 0.0;
     double broken_by_tension = 0.0;
     double broken_by_shear = 0.0;
@@ -59,9 +61,11 @@ struct CollapseRecord {
     explicit CollapseRecord(const CollapseSite& site);
 
     /// Looks at the blocks between two frames.
-    void observe(const CollapseSite& site, const rockfall::rock_mass::RockMass& mass);
+    void observe(const CollapseSite& site, const rockfall::rock_mass::RockMass& mass,
+                 const HandOver& hand_over = {});
     /// Keeps a state.
-    void add_frame(const CollapseSite& site, const rockfall::rock_mass::RockMass& mass);
+    void add_frame(const CollapseSite& site, const rockfall::rock_mass::RockMass& mass,
+                   const HandOver& hand_over = {});
 
     /// All of it as numbers, and back. False if they are not those of such a site.
     [[nodiscard]] std::vector<double> packed() const;

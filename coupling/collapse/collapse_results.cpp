@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "config/text/joined.hpp"
+#include "coupling/collapse/deposit.hpp"
 #include "coupling/results/data_dictionary.hpp"
 #include "coupling/results/rasters.hpp"
 
@@ -13,100 +14,6 @@ namespace coupling::collapse {
 namespace {
 
 using config::joined;
-using rockfall::rock_mass::Block;
-using rockfall::rock_mass::BlockStatus;
-
-constexpr double j_per_mj = 1e6;
-
-void write_energies(std::ostream& out, const CollapseResults& results) {
-    TableRows row{out, collapse_layouts(), "energies.csv"};
-    for (const FrameRow& frame : results.record.rows) {
-        const auto& l = frame.ledger;
-        row.number<3>(frame.time_s);
-        for (const double energy_j :
-             {l.translation_j, l.rotation_j, l.gravity_j, l.contact_normal_j, l.contact_shear_j,
-              l.bonds.normal_j, l.bonds.shear_j, l.bonds.bending_j, l.bonds.twist_j, l.friction_j,
-              l.dashpot_j, l.local_damping_j, l.fracture_j, l.trees_j, l.rest_j, l.left_j, l.residual_j()}) {
-            row.number<6>(energy_j / j_per_mj);
-        }
-        row.number<4>(100.0 * frame.residual_share).number<3>(frame.mean_speed_mps);
-        row.number<3>(frame.largest_speed_mps).number<2>(frame.front_m).number<2>(100.0 * frame.moving_share);
-        row.number<0>(frame.bonds_intact).number<0>(frame.broken_by_tension).number<0>(frame.broken_by_shear);
-        row.end();
-    }
-}
-
-const char* state_of(const Block& block) {
-    return block.status == BlockStatus::left     ? "left"
-           : block.status == BlockStatus::moving ? "moving"
-                                                 : "at_rest";
-}
-
-void write_blocks(std::ostream& out, const CollapseResults& results) {
-    TableRows row{out, collapse_layouts(), "blocks.csv"};
-    const std::vector<std::size_t> pieces = pieces_of(results);
-    const Eigen::Vector2d origin = results.site.origin_m;
-    for (std::size_t i = 0; i < results.site.count.free; ++i) {
-        const Block& block = results.mass.blocks()[i];
-        const Eigen::Vector3d& start = results.site.blocks[i].centre_m;
-        row.whole(i).number<3>(block.volume_m3).number<3>(2.0 * block.half_side_m);
-        row.number<2>(start.x() + origin.x()).number<2>(start.y() + origin.y()).number<2>(start.z());
-        row.number<2>(block.centre_m.x() + origin.x()).number<2>(block.centre_m.y() + origin.y());
-        row.number<2>(block.centre_m.z());
-        row.number<2>((block.centre_m - start).head<2>().norm());
-        row.number<3>(results.record.block_speed_mps[i]).number<3>(results.record.block_energy_j[i] / 1e3);
-        row.text(state_of(block)).whole(pieces[i]);
-        row.end();
-    }
-}
-
-void write_targets(std::ostream& out, const CollapseResults& results) {
-    TableRows row{out, collapse_layouts(), "collapse_targets.csv"};
-    for (std::size_t t = 0; t < results.site.targets.size(); ++t) {
-        double volume_m3 = 0.0, energy_j = 0.0, largest_j = 0.0, speed_mps = 0.0;
-        double first_s = std::numeric_limits<double>::quiet_NaN();
-        std::size_t blocks = 0;
-        for (const TargetHit& hit : results.record.hits) {
-            if (hit.target == static_cast<double>(t)) {
-                first_s = blocks++ == 0 ? hit.time_s : first_s;
-                volume_m3 += hit.volume_m3;
-                energy_j += hit.energy_j;
-                largest_j = std::max(largest_j, hit.energy_j);
-                speed_mps = std::max(speed_mps, hit.speed_mps);
-            }
-        }
-        row.text(results.site.targets[t].id).text(results.site.targets[t].name).whole(blocks);
-        row.number<2>(volume_m3).number<2>(first_s).number<2>(largest_j / 1e3).number<3>(speed_mps);
-        row.number<4>(energy_j / j_per_mj);
-        row.end();
-    }
-}
-
-void write_hits(std::ostream& out, const CollapseResults& results) {
-    TableRows row{out, collapse_layouts(), "target_hits.csv"};
-    for (const TargetHit& hit : results.record.hits) {
-        row.text(results.site.targets[static_cast<std::size_t>(hit.target)].id);
-        row.number<0>(hit.block).number<3>(hit.time_s).number<2>(hit.x_m).number<2>(hit.y_m);
-        row.number<3>(hit.volume_m3).number<3>(hit.speed_mps).number<3>(hit.energy_j / 1e3);
-        row.number<3>(hit.translational_j / 1e3);
-        row.end();
-    }
-}
-
-void write_trees(std::ostream& out, const CollapseResults& results) {
-    TableRows row{out, collapse_layouts(), "tree_energies.csv"};
-    // Stems stand in the order of the trees; those without ground below have none.
-    for (std::size_t k = 0; k < results.mass.stems().size() && k < results.site.trees.size(); ++k) {
-        const auto& stem = results.mass.stems()[k];
-        if (stem.taken_j > 0.0) {
-            row.text(results.site.trees[k].id).number<2>(stem.x_m + results.site.origin_m.x());
-            row.number<2>(stem.y_m + results.site.origin_m.y()).number<3>(stem.strength_j / 1e3);
-            row.number<3>(stem.taken_j / 1e3).text(stem.is_broken() ? "yes" : "no");
-            row.end();
-        }
-    }
-}
-
 config::Raster<float> map_of(const CollapseResults& results, const std::vector<double>& values, double unit) {
     config::Raster<float> raster{results.site.map_frame, std::numeric_limits<float>::quiet_NaN()};
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -117,24 +24,15 @@ config::Raster<float> map_of(const CollapseResults& results, const std::vector<d
     return raster;
 }
 
-/// Volume by area, and largest block, of the blocks that lie in a cell with their middle at the end.
+/// Depth of the deposit, and the largest block in it.
 void add_deposit(const CollapseResults& results, config::Raster<float>& depth,
                  config::Raster<float>& largest) {
-    std::vector<double> volume_m3(results.site.map_frame.size(), 0.0), size_m(volume_m3);
-    for (std::size_t i = 0; i < results.site.count.free; ++i) {
-        const Block& block = results.mass.blocks()[i];
-        const config::Cell cell = results.site.map_frame.cell_at(
-            block.centre_m.x() + results.site.origin_m.x(), block.centre_m.y() + results.site.origin_m.y());
-        if (block.status != BlockStatus::left && results.site.map_frame.contains(cell)) {
-            const std::size_t k = results.site.map_frame.index(cell);
-            volume_m3[k] += block.volume_m3;
-            size_m[k] = std::max(size_m[k], 2.0 * block.half_side_m);
-        }
-    }
-    for (std::size_t k = 0; k < volume_m3.size(); ++k) {
-        if (volume_m3[k] > 0.0) {
-            depth.values[k] = static_cast<float>(volume_m3[k] / results.site.map_frame.cell_area_m2());
-            largest.values[k] = static_cast<float>(size_m[k]);
+    const Deposit deposit = deposit_of(results);
+    for (std::size_t k = 0; k < deposit.volume_m3.size(); ++k) {
+        if (deposit.volume_m3[k] > 0.0) {
+            depth.values[k] =
+                static_cast<float>(deposit.volume_m3[k] / results.site.map_frame.cell_area_m2());
+            largest.values[k] = static_cast<float>(deposit.largest_m[k]);
         }
     }
 }
@@ -199,7 +97,9 @@ std::vector<CollapseMap> maps_of(const CollapseResults& results) {
     config::Raster<float> largest = depth;
     add_deposit(results, depth, largest);
     maps.push_back(
-        {kind("Deposit_depth", "m", "volume of the blocks that lie in the cell at the end, by its area",
+        {kind("Deposit_depth", "m",
+              "volume of the blocks, or parts of them, that lie in the cell at the end, by its area; blocks "
+              "that moved by more than their size",
               RasterStyle::linear),
          std::move(depth)});
     maps.push_back(
@@ -225,6 +125,7 @@ KeyFigures key_figures(const CollapseResults& results) {
             break;
         }
     }
+    figures.moving_share = results.record.rows.back().moving_m3 / results.site.count.blocks_m3;
     for (const double blocks : results.record.cell_blocks) {
         figures.area_m2 += blocks > 0.0 ? results.site.map_frame.cell_area_m2() : 0.0;
     }
@@ -254,19 +155,7 @@ std::vector<WrittenFile> write_results(const CollapseResults& results, const std
                                        const WriteWatch& watch) {
     make_folder(folder / "tables");
     std::vector<WrittenFile> files;
-    const auto table = [&](const char* name, const char* sentence, const auto& write) {
-        watch(name, 0.0);
-        files.push_back(write_table(folder, name, sentence, [&](std::ostream& out) { write(out, results); }));
-    };
-    table("energies.csv", "Energies, speeds, front and bonds over time.", write_energies);
-    table("blocks.csv", "Every block: size, start, end, largest speed and energy, piece.", write_blocks);
-    if (!results.site.targets.empty()) {
-        table("collapse_targets.csv", "What reached the targets.", write_targets);
-        table("target_hits.csv", "Every block that reached a target.", write_hits);
-    }
-    if (!results.site.trees.empty()) {
-        table("tree_energies.csv", "Trees that blocks touched, with the energy that they took.", write_trees);
-    }
+    write_tables(results, folder, watch, files);
     std::vector<Column> described;
     write_maps(results, folder, files, described);
     if (results.scenario.scenario.gis.vtp) {
@@ -275,7 +164,7 @@ std::vector<WrittenFile> write_results(const CollapseResults& results, const std
     for (WrittenFile& layer : write_layers(results, folder, files, watch)) {
         files.push_back(std::move(layer));
     }
-    add_data_dictionary(folder, {collapse_layouts(), described}, files);
+    add_data_dictionary(folder, {layouts_of(results), described}, files);
     files.push_back({"report.html", "All results on one page; opens offline."});
     files.push_back({"summary.json", "All figures for scripts."});
     watch("report.html", 0.0);

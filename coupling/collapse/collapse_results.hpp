@@ -21,8 +21,14 @@ struct CollapseResults {
     const CollapseSite& site;
     const CollapseRecord& record;
     const rockfall::rock_mass::RockMass& mass;
+    const HandOver& hand_over;
     const config::Warnings& warnings;
     std::string version;
+
+    /// A free block at the end.
+    [[nodiscard]] SeenBlock seen(std::size_t block) const { return hand_over.seen(mass, block); }
+    /// Whether single blocks may have left the mass: tables then tell them apart.
+    [[nodiscard]] bool hands_over() const { return scenario.settings.hand_over != HandOverTo::none; }
 };
 
 /// The figures that are held against those of others.
@@ -36,13 +42,20 @@ struct KeyFigures {
     double front_m = 0.0;
     double area_m2 = 0.0;           ///< of cells that a block passed
     double largest_residual = 0.0;  ///< share of the energy turned over
+    double moving_share = 0.0;      ///< of the volume, at the end of the run
 };
 KeyFigures key_figures(const CollapseResults& results);
+
+/// Above this share of the volume that still moves, a run warns that it ended too early [choice].
+inline constexpr double most_moving_share = 0.02;
 
 /// Pieces that hold together at the end: blocks by number of their piece.
 std::vector<std::size_t> pieces_of(const CollapseResults& results);
 
+/// All tables of a collapse, with all columns.
 const std::vector<TableLayout>& collapse_layouts();
+/// The same without what only runs have that hand single blocks over, where this one does not.
+const std::vector<TableLayout>& layouts_of(const CollapseResults& results);
 
 /// A map of the results and how it is described.
 struct CollapseMap {
@@ -68,6 +81,10 @@ std::string scene_section(const CollapseResults& results);
 /// config::InputError (file), and what `watch` throws.
 std::vector<WrittenFile> write_results(const CollapseResults& results, const std::filesystem::path& folder,
                                        const WriteWatch& watch);
+
+/// The tables of a run, into the folder tables of `folder`.
+void write_tables(const CollapseResults& results, const std::filesystem::path& folder,
+                  const WriteWatch& watch, std::vector<WrittenFile>& files);
 
 void write_summary(std::ostream& out, const CollapseResults& results, const std::vector<WrittenFile>& files);
 void write_page(std::ostream& out, const CollapseResults& results, const std::vector<WrittenFile>& files);

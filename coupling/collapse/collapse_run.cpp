@@ -9,6 +9,7 @@
 #include <iomanip>
 
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 #include "coupling/collapse/collapse_results.hpp"
 #include "coupling/results/disk.hpp"
 #include "coupling/run/byte_archive.hpp"
@@ -91,10 +92,17 @@ public:
         : site_{site},
           mass_{mass_of(scenario, site, threads)},
           record_{site},
-          plan_{plan_of(scenario.settings, mass_.step_s())} {}
+          plan_{plan_of(scenario.settings, mass_.step_s())},
+          hand_over_{scenario, site, static_cast<double>(plan_.steps_of_look) * mass_.step_s(),
+                     on_threads(threads)} {
+        if (scenario.settings.hand_over != HandOverTo::none) {
+            mass_.watch_lone_blocks();
+        }
+    }
 
     [[nodiscard]] const RockMass& mass() const { return mass_; }
     [[nodiscard]] const CollapseRecord& record() const { return record_; }
+    [[nodiscard]] const HandOver& hand_over() const { return hand_over_; }
 
     /// Brings the mass to rest under its weight. An interruption leaves no state: the run begins again.
     template <class AfterLook>
@@ -112,7 +120,7 @@ public:
         mass_.let_go();
     }
 
-    void add_frame() { record_.add_frame(site_, mass_); }
+    void add_frame() { record_.add_frame(site_, mass_, hand_over_); }
 
     /// Whether the time is over or all blocks are at rest.
     [[nodiscard]] bool is_over() const { return record_.rows.size() > plan_.frames || is_at_rest(); }
@@ -121,7 +129,8 @@ public:
     void next_frame(const AfterLook& after_look) {
         for (std::uint64_t look = 0; look < plan_.looks_of_frame; ++look) {
             mass_.advance(plan_.steps_of_look);
-            record_.observe(site_, mass_);
+            hand_over_.look(mass_);
+            record_.observe(site_, mass_, hand_over_);
             after_look(plan_.steps_of_look);
         }
         // States that are kept begin with a new search for pairs, in runs without a stop too.
@@ -140,8 +149,10 @@ public:
             in.check_whole();
             const std::vector<double> of_mass = in.list<double>();
             const std::vector<double> of_record = in.list<double>();
+            const std::vector<double> of_hand_over = in.list<double>();
             in.check_end();
-            if (!mass_.unpack(of_mass) || !record_.unpack(of_record)) {
+            if (!mass_.unpack(of_mass) || !record_.unpack(of_record) ||
+                !hand_over_.unpack(of_hand_over, mass_)) {
                 config::fail(config::ExitCode::file, {file.string()}, "a state of another rock mass",
                              joined("the state of this one; ", own_part_remedy));
             }
@@ -173,6 +184,7 @@ public:
             });
             last_mass_ = mass_.packed();
             last_record_ = record_.packed();
+            last_hand_over_ = hand_over_.packed();
             const std::chrono::duration<double> since = std::chrono::steady_clock::now() - kept;
             if (since.count() > keep_s || is_first) {
                 is_first = false;
@@ -190,7 +202,8 @@ private:
 
     [[nodiscard]] bool is_at_rest() const {
         using rockfall::rock_mass::BlockStatus;
-        return std::none_of(mass_.blocks().begin(), mass_.blocks().end(),
+        return hand_over_.is_over(mass_.time_s()) &&
+               std::none_of(mass_.blocks().begin(), mass_.blocks().end(),
                             [](const auto& block) { return block.status == BlockStatus::moving; });
     }
 
@@ -205,6 +218,7 @@ private:
         ByteWriter out{temporary};
         out.list(last_mass_);
         out.list(last_record_);
+        out.list(last_hand_over_);
         close_and_rename(out, temporary, state_file(folder));
         last_mass_.clear();
     }
@@ -213,8 +227,10 @@ private:
     RockMass mass_;
     CollapseRecord record_;
     TimePlan plan_;
+    HandOver hand_over_;
     std::vector<double> last_mass_;
     std::vector<double> last_record_;
+    std::vector<double> last_hand_over_;
 };
 
 void print_summary(const CollapseResults& results, const OutputFolder& folder,
@@ -228,18 +244,35 @@ void print_summary(const CollapseResults& results, const OutputFolder& folder,
     std::printf("  %zu of %zu bonds broke; residual of the energies at most %.3f %%\n",
                 results.site.count.bonds - results.mass.bonds_intact(), results.site.count.bonds,
                 100.0 * figures.largest_residual);
+    if (results.hands_over()) {
+        std::printf("  %zu blocks went on as single rigid blocks\n", results.hand_over.falls().size());
+    }
     print_files(folder.path(), files, verbose);
 }
 
+/// A run that ends while much of the mass moves has no final figures.
+void warn_of_motion_at_end(const CollapseRun& run, const CollapseSite& site, config::Warnings& warnings) {
+    const FrameRow& last = run.record().rows.back();
+    const double share = last.moving_m3 / site.count.blocks_m3;
+    if (share > most_moving_share) {
+        warnings.add(joined("after ", config::to_text(std::round(10.0 * last.time_s) / 10.0), " s ",
+                            config::to_text(std::round(1000.0 * share) / 10.0),
+                            " % of the volume still moves faster than 0.5 m/s: front, area and deposit are "
+                            "not final; a larger collapse.duration_s lets the blocks come to rest"));
+    }
+}
+
 void move_and_write(const RunRequest& request, const CollapseScenario& scenario, const CollapseSite& site,
-                    const config::Warnings& warnings, const std::string& hash, OutputFolder& folder) {
+                    config::Warnings& warnings, const std::string& hash, OutputFolder& folder) {
     const int threads =
         request.threads > 0 ? request.threads : worthwhile_threads(site, omp_get_max_threads());
     CollapseRun run{scenario, site, threads};
     run.begin(folder, request.quiet);
     run.go_on(folder, hash, request.quiet);
+    warn_of_motion_at_end(run, site, warnings);
     make_folder(folder.staging());
-    const CollapseResults results{scenario, site, run.record(), run.mass(), warnings, version()};
+    const CollapseResults results{scenario,        site,     run.record(), run.mass(),
+                                  run.hand_over(), warnings, version()};
     std::vector<WrittenFile> files;
     {
         WritingProgress writing{request.quiet};
@@ -299,7 +332,7 @@ SimulatedCollapse simulate_collapse(const CollapseScenario& scenario, const Coll
         run.next_frame(after_look);
     }
     const config::Warnings none;
-    const CollapseResults results{scenario, site, run.record(), run.mass(), none, version()};
+    const CollapseResults results{scenario, site, run.record(), run.mass(), run.hand_over(), none, version()};
     return {key_figures(results), run.record().rows, run.mass().step_s()};
 }
 

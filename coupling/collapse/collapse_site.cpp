@@ -22,6 +22,30 @@ using namespace rockfall::rock_mass;
 
 /// Blocks of which a run takes too long for one machine.
 constexpr std::size_t most_blocks = 200'000;
+/// Pieces that the box around the body may be cut into, of which many lie outside of it: 2 GB or so.
+constexpr double most_pieces = 1e6;
+
+/// Refuses joints or cells so narrow that their pieces would fill the memory before they can be counted.
+void check_pieces(const CollapseScenario& scenario, const std::vector<JointSet>& sets, const Vector3d& low_m,
+                  const Vector3d& high_m) {
+    const CollapseSettings& s = scenario.settings;
+    const double volume_m3 = (high_m - low_m).prod();
+    const bool is_voronoi = s.blocks == BlockKind::voronoi;
+    const double pieces = is_voronoi ? volume_m3 / (s.block_size_m * s.block_size_m * s.block_size_m)
+                                     : expected_pieces(volume_m3, sets, s.least_block_m);
+    if (pieces > most_pieces) {
+        config::fail(
+            config::ExitCode::data,
+            scenario.scenario.options->place_of(is_voronoi ? "collapse.block_size_m" : "collapse.joint_sets"),
+            joined("about ", std::to_string(std::llround(pieces)),
+                   " blocks in the box around the rock mass (", std::to_string(std::llround(volume_m3)),
+                   " m3)"),
+            joined("at most ", std::to_string(std::llround(most_pieces))),
+            is_voronoi ? "a larger collapse.block_size_m, or a smaller body"
+                       : "larger spacings of the joint sets, a larger collapse.least_block_m, or a smaller "
+                         "body");
+    }
+}
 
 /// Cells over the box of the body and what lies around it.
 std::vector<ConvexCell> cells_over(const CollapseScenario& scenario, const std::vector<JointSet>& sets,
@@ -143,9 +167,17 @@ void add_stems(const rockfall::Terrain& terrain, CollapseSite& site) {
     }
 }
 
-/// Cuts the mass out of the terrain and divides it into blocks.
-void cut_mass(const CollapseScenario& scenario, const rockfall::Terrain& terrain, Reading& reading,
-              CollapseSite& site) {
+double largest_radius_m(const CollapseSite& site) {
+    double largest_m = 0.0;
+    for (std::size_t i = 0; i < site.count.free; ++i) {
+        largest_m = std::max(largest_m, site.blocks[i].solid.bounding_radius_m);
+    }
+    return largest_m;
+}
+
+/// Cuts the mass out of the terrain and divides it into blocks. Returns the terrain without the mass.
+rockfall::Terrain cut_mass(const CollapseScenario& scenario, const rockfall::Terrain& terrain,
+                           Reading& reading, CollapseSite& site) {
     const CollapseSettings& s = scenario.settings;
     std::vector<JointSet> sets;
     if (s.blocks == BlockKind::joints) {
@@ -158,6 +190,7 @@ void cut_mass(const CollapseScenario& scenario, const rockfall::Terrain& terrain
     }
     around_m = 2.0 * around_m + 1.5 * site.map_frame.cell_width_m;
     const Vector3d low = source.low_m.array() - around_m, high = source.high_m.array() + around_m;
+    check_pieces(scenario, sets, low, high);
     const FacetIndex index{source.body, std::max(around_m, 1.0)};
     std::vector<ConvexCell> inside, outside;
     for (const ConvexCell& cell : cells_over(scenario, sets, low, high)) {
@@ -178,7 +211,7 @@ void cut_mass(const CollapseScenario& scenario, const rockfall::Terrain& terrain
                      joined("1 to ", std::to_string(most_blocks)),
                      "check the body, the spacings and the block size");
     }
-    const rockfall::Terrain floor = lowered(terrain, cells);
+    rockfall::Terrain floor = lowered(terrain, cells);
     const double least_m3 = s.least_block_m * s.least_block_m * s.least_block_m;
     std::vector<ConvexCell> around = rock_around(std::move(outside), terrain, floor, least_m3);
     site.count.fixed = around.size();
@@ -186,6 +219,7 @@ void cut_mass(const CollapseScenario& scenario, const rockfall::Terrain& terrain
     add_blocks(cells, site.count.free, s.density_kgpm3, site, reading);
     join(scenario, sets, cells, site);
     site.ground = Ground{floor};
+    return floor;
 }
 
 }  // namespace
@@ -194,6 +228,11 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
     Reading reading{scenario.scenario, warnings};
     std::optional<HeightInput> heights = read_heights(reading);
     reading.problems().throw_if_any();
+    const bool hands_over = scenario.settings.hand_over != HandOverTo::none;
+    GroundOfBlocks of_blocks;
+    if (hands_over) {
+        of_blocks = read_ground_of_blocks(scenario, *heights, reading);
+    }
     rockfall::GroundLaw as_it_is;  // blocks have their own shape: no contact zone of a sphere
     as_it_is.contact_support_m = 0.0;
     constexpr double no_rock_m = 0.0;  // so its mean diameter plays no part
@@ -210,13 +249,19 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
     if (auto trees = read_trees(reading)) {
         site.trees = on_terrain(std::move(*trees), terrain, reading);
     }
-    reading.attempt([&] {
-        cut_mass(scenario, terrain, reading, site);
-        return true;
-    });
+    const auto floor = reading.attempt([&] { return cut_mass(scenario, terrain, reading, site); });
+    std::optional<rockfall::Slope> slope;
+    if (hands_over) {
+        slope = slope_of_blocks(std::move(of_blocks), *heights, terrain, reading);
+    }
     reading.check_systems();
     reading.problems().throw_if_any();
     add_stems(terrain, site);
+    if (slope) {
+        site.handed_ground = std::make_shared<const HandedGround>(std::move(*slope), *floor, site.trees,
+                                                                  largest_radius_m(site),
+                                                                  scenario.scenario.rockfall.fall.tree.taper);
+    }
     site.inputs = reading.inputs();
     if (site.count.left_out_m3 > 0.0) {
         reading.note(joined("slivers that fit no neighbour were left out: ",

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "coupling/collapse/handed_ground.hpp"
 #include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/site.hpp"
 #include "rockfall/rock_mass/rock_mass.hpp"
@@ -35,6 +37,7 @@ struct CollapseSite {
     std::vector<rockfall::rock_mass::BondStart> bonds;
     rockfall::rock_mass::Ground ground;  ///< without the mass
     std::vector<rockfall::rock_mass::StandingStem> stems;
+    std::shared_ptr<const HandedGround> handed_ground;  ///< of single blocks; null: none is handed over
     BlockCount count;
 };
 

@@ -277,14 +277,21 @@ The tables that a run writes, with unit, meaning and source of every column:
   bannwald info tables targets     the columns of targets.csv
 )";
 
+/// Declares every setting that a scenario file may have: those of all kinds of run.
+void declare_all(config::Options& options, Scenario& scenario, collapse::CollapseSettings& of_collapse) {
+    declare(options, scenario);
+    collapse::declare(options, of_collapse);
+}
+
 /// Settings of a section, which may stand in brackets.
 void write_help_of_section(std::ostream& out, std::string section) {
     if (section.starts_with('[') && section.ends_with(']')) {
         section = section.substr(1, section.size() - 2);
     }
     Scenario scenario;
+    collapse::CollapseSettings of_collapse;
     config::Options options;
-    declare(options, scenario);
+    declare_all(options, scenario, of_collapse);
     std::vector<std::string> sections;
     for (const config::ParameterRow& row : options.rows()) {
         sections.push_back(row.key.substr(0, row.key.rfind('.')));
@@ -348,10 +355,9 @@ void write_help_all(std::ostream& out, std::string section) {
     }
     out << exit_codes << "\nSettings of a scenario file\n\n";
     Scenario scenario;
+    collapse::CollapseSettings of_collapse;
     config::Options options;
-    declare(options, scenario);
-    collapse::CollapseSettings settings;
-    collapse::declare(options, settings);
+    declare_all(options, scenario, of_collapse);
     options.write_help(out);
 }
 

@@ -158,6 +158,21 @@ void declare_laws(config::Options& options, CollapseSettings& s) {
                     .source = choice});
 }
 
+void declare_hand_over(config::Options& options, CollapseSettings& s) {
+    options.choice("collapse.hand_over", s.hand_over,
+                   {{"none", HandOverTo::none}, {"rigid", HandOverTo::rigid}},
+                   {.meaning = "rigid: a moving block without bond and without contact with another block "
+                               "goes on as a single rigid block, with the settings of [rigid] and the "
+                               "ground types of [terrain]",
+                    .source = choice});
+    options.number("collapse.hand_over_after_s", s.hand_over_after_s,
+                   {.unit = "s",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "how long such a block has been alone before it does",
+                    .source = choice});
+}
+
 void check_collapse(const CollapseScenario& s) {
     config::Problems problems;
     const auto refuse = [&](const std::string& key, std::string found, std::string expected) {
@@ -241,6 +256,7 @@ void declare(config::Options& options, CollapseSettings& settings) {
     declare_body(options, settings);
     declare_strength(options, settings);
     declare_laws(options, settings);
+    declare_hand_over(options, settings);
 }
 
 bool is_collapse(const std::filesystem::path& file) {

@@ -15,6 +15,9 @@ namespace coupling::collapse {
 /// How a rock mass is divided into blocks.
 enum class BlockKind : std::uint8_t { joints, voronoi };
 
+/// What becomes of single blocks that are alone: they stay in the mass, or go on as rigid blocks.
+enum class HandOverTo : std::uint8_t { none, rigid };
+
 /// The settings of section [collapse].
 struct CollapseSettings {
     std::string source;     ///< layer with polygons: the mass below them, or
@@ -36,6 +39,8 @@ struct CollapseSettings {
     double settle_s = 0.0;  ///< held under its own weight before it is let go
     double duration_s = 30.0;
     double frame_s = 0.5;
+    HandOverTo hand_over = HandOverTo::none;
+    double hand_over_after_s = 1.0;  ///< how long a block has been alone before
     rockfall::rock_mass::Laws laws;  ///< what the above leaves
 };
 

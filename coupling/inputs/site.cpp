@@ -34,13 +34,6 @@ config::GridFrame relative_to(const config::GridFrame& frame, const Eigen::Vecto
     return relative;
 }
 
-/// The map that rocks ask: cells without ground, which none of them reaches, carry the first type.
-rockfall::SurfaceMap surface_map(const GroundMap& ground, const Eigen::Vector2d& origin_m) {
-    std::vector<std::uint8_t> ids = ground.ids.values;
-    std::replace(ids.begin(), ids.end(), GroundMap::none, std::uint8_t{0});
-    return {relative_to(ground.ids.frame, origin_m), std::move(ids)};
-}
-
 /// The ground types on another frame, by the cell that each centre lies in.
 config::Raster<std::uint8_t> on_frame(const config::Raster<std::uint8_t>& ids,
                                       const config::GridFrame& frame) {

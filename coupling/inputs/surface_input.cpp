@@ -204,6 +204,15 @@ bool check_frame(const config::GridFrame& frame, const std::string& file, const 
     return false;
 }
 
+rockfall::SurfaceMap surface_map(const GroundMap& ground, const Eigen::Vector2d& origin_m) {
+    config::GridFrame frame = ground.ids.frame;
+    frame.x_west_m -= origin_m.x();
+    frame.y_south_m -= origin_m.y();
+    std::vector<std::uint8_t> ids = ground.ids.values;
+    std::replace(ids.begin(), ids.end(), GroundMap::none, std::uint8_t{0});
+    return {frame, std::move(ids)};
+}
+
 std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
                                       const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
                                       Reading& reading) {

@@ -38,6 +38,10 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
                                       const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
                                       Reading& reading);
 
+/// The map that rocks ask, in coordinates of a terrain: cells without ground, which none of them reaches,
+/// carry the first type.
+rockfall::SurfaceMap surface_map(const GroundMap& ground, const Eigen::Vector2d& origin_m);
+
 /// Tells where a grid that must lie on the DEM does not. True if it does.
 bool check_frame(const config::GridFrame& frame, const std::string& file, const HeightInput& heights,
                  Reading& reading);

@@ -222,8 +222,11 @@ void RockMass::force_of_ground(std::uint32_t i, HeldOverlap& held, ChunkSums& su
 /// Sums the stored forces of a block in the order of its pairs.
 void RockMass::gather(std::size_t i) {
     Block& block = blocks_[i];
-    if (block.status == BlockStatus::fixed || block.status == BlockStatus::left) {
+    if (block.status != BlockStatus::moving && block.status != BlockStatus::asleep) {
         return;
+    }
+    if (watches_lone_) {
+        block.alone_s = is_alone(i) ? block.alone_s + step_s_ : 0.0;
     }
     Vector3d force_n{0.0, 0.0, -block.mass_kg * laws_.gravity_mps2};
     force_n += footings_[i].force.force_n;
@@ -296,7 +299,7 @@ Ledger RockMass::ledger() const {
     for (const Block& block : blocks_) {
         sums.translation_j += block.translation_j();
         sums.rotation_j += block.rotation.energy_j(block.inertia_kgm2);
-        if (block.status != BlockStatus::fixed) {
+        if (block.status != BlockStatus::fixed && block.status != BlockStatus::handed) {
             sums.gravity_j +=
                 block.mass_kg * laws_.gravity_mps2 * (block.centre_m.z() - block.start_height_m);
         }
@@ -315,12 +318,9 @@ Ledger RockMass::ledger() const {
             } else if (k < joints_.size() + contacts_.size()) {
                 const Contact& contact = contacts_[k - joints_.size()];
                 energies_j[k] = contact_energy_j(contact.first, contact.second, contact.state);
-            } else if (const auto i = static_cast<std::uint32_t>(k - joints_.size() - contacts_.size());
-                       footings_[i].state.touching) {
+            } else {
                 energies_j[k] =
-                    laws_.contact == ContactLaw::pfc
-                        ? footings_[i].state.normal_energy_j
-                        : ground_pair(i).foundation_npm3 * ground_.energy_m4(footings_[i].prisms, placed(i));
+                    ground_energy_j(static_cast<std::uint32_t>(k - joints_.size() - contacts_.size()));
             }
         }
     });

@@ -75,6 +75,20 @@ std::vector<double> joint_places(const JointSet& set, double low_m, double high_
     return places;
 }
 
+double expected_pieces(double volume_m3, std::span<const JointSet> sets, double least_size_m) {
+    double meetings = 0.0;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        for (std::size_t j = i + 1; j < sets.size(); ++j) {
+            for (std::size_t k = j + 1; k < sets.size(); ++k) {
+                const double apart = std::abs(sets[i].normal().dot(sets[j].normal().cross(sets[k].normal())));
+                meetings += apart / (sets[i].spacing_m * sets[j].spacing_m * sets[k].spacing_m);
+            }
+        }
+    }
+    const double cubes = 1.0 / (least_size_m * least_size_m * least_size_m);
+    return volume_m3 * std::min(meetings, cubes);
+}
+
 std::vector<ConvexCell> cut_by_joints(const ConvexCell& body, std::span<const JointSet> sets,
                                       double least_size_m, std::uint64_t seed) {
     std::vector<ConvexCell> cells{body};

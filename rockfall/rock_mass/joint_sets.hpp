@@ -45,4 +45,9 @@ std::vector<double> joint_places(const JointSet& set, double low_m, double high_
 std::vector<ConvexCell> cut_by_joints(const ConvexCell& body, std::span<const JointSet> sets,
                                       double least_size_m, std::uint64_t seed);
 
+/// How many pieces joint sets cut a large body into: that is how often three joints of different sets meet in
+/// it, V |n_i . n_j x n_k| / (s_i s_j s_k) summed over all triples, as each such point is the lowest one of
+/// one piece. No more than cubes of the least size have room for.
+double expected_pieces(double volume_m3, std::span<const JointSet> sets, double least_size_m);
+
 }  // namespace rockfall::rock_mass

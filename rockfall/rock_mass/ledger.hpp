@@ -17,21 +17,28 @@ struct Ledger {
     double local_damping_j = 0.0;
     double fracture_j = 0.0;  ///< never falls
     double trees_j = 0.0;
-    double rest_j = 0.0;   ///< motion of blocks when they were put to rest
-    double left_j = 0.0;   ///< of blocks that left the area
-    double start_j = 0.0;  ///< sum of all at the start
+    double rest_j = 0.0;  ///< motion of blocks when they were put to rest
+    double left_j = 0.0;  ///< of blocks that left the area
+    // Of blocks that go on under another motion model, as they were when they left the mass.
+    double handed_motion_j = 0.0;
+    double handed_gravity_j = 0.0;  ///< of their height above their start; below 0 as a rule
+    double handed_strain_j = 0.0;   ///< held by their contacts with the ground, lost then
+    double start_j = 0.0;           ///< sum of all at the start
 
     [[nodiscard]] double held_j() const {
         return translation_j + rotation_j + gravity_j + contact_normal_j + contact_shear_j + bonds.sum_j();
     }
     [[nodiscard]] double taken_j() const {
-        return friction_j + dashpot_j + local_damping_j + fracture_j + trees_j + rest_j + left_j;
+        return friction_j + dashpot_j + local_damping_j + fracture_j + trees_j + rest_j + left_j + handed_j();
     }
+    [[nodiscard]] double handed_j() const { return handed_motion_j + handed_gravity_j + handed_strain_j; }
+    /// What gravity gave so far, to blocks that were handed over until then.
+    [[nodiscard]] double given_by_gravity_j() const { return -(gravity_j + handed_gravity_j); }
     /// What is there too much; 0 if every energy is accounted for.
     [[nodiscard]] double residual_j() const { return held_j() + taken_j() - start_j; }
     /// Energy turned over so far: the largest of what gravity gave and what motion and bonds began with.
     [[nodiscard]] double turnover_j(double motion_at_start_j) const {
-        const double given_j = -gravity_j;
+        const double given_j = given_by_gravity_j();
         return given_j > motion_at_start_j ? given_j : motion_at_start_j;
     }
 };

@@ -101,6 +101,9 @@ void visit_ledger(Visit& visit, Sums& sums) {
     visit(sums.trees_j);
     visit(sums.rest_j);
     visit(sums.left_j);
+    visit(sums.handed_motion_j);
+    visit(sums.handed_gravity_j);
+    visit(sums.handed_strain_j);
     visit(sums.start_j);
 }
 
@@ -111,6 +114,7 @@ void visit_block(Visit& visit, AnyBlock& block) {
     visit(block.rotation.attitude);
     visit(block.rotation.momentum_nms);
     visit(block.still_s);
+    visit(block.alone_s);
     visit(block.start_height_m);
     visit(block.force_n);
     visit(block.moment_nm);
@@ -132,7 +136,7 @@ void RockMass::refresh() {
         boxes[i] = box_around(placed(i).vertices_m, margins_m_[i]);
         Footing& footing = footings_[i];
         footing.state.free_way_m = 0.0;
-        if (block.status == BlockStatus::left) {
+        if (block.status == BlockStatus::left || block.status == BlockStatus::handed) {
             boxes[i].low_m.x() = std::numeric_limits<double>::infinity();
         } else if (block.status == BlockStatus::moving) {
             footing.prisms = ground_.prisms_in(boxes[i].low_m.head<2>(), boxes[i].high_m.head<2>());
@@ -266,6 +270,7 @@ std::vector<double> RockMass::packed() const {
     }
     for (const StandingStem& stem : stems_) {
         pack(stem.taken_j);
+        pack(stem.felled ? 1.0 : 0.0);
     }
     pack(static_cast<double>(joints_.size()));
     for (const Joint& joint : joints_) {
@@ -310,6 +315,7 @@ bool RockMass::unpack(std::span<const double> numbers) {
     }
     for (StandingStem& stem : stems_) {
         unpack(stem.taken_j);
+        stem.felled = unpack.next() != 0.0;
     }
     std::vector<Joint> left;
     auto joint = joints_.begin();

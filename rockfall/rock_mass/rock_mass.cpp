@@ -90,7 +90,7 @@ void RockMass::let_go() {
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         blocks_[i].velocity_mps.setZero();
         blocks_[i].rotation.momentum_nms.setZero();
-        blocks_[i].still_s = 0.0;
+        blocks_[i].still_s = blocks_[i].alone_s = 0.0;
         blocks_[i].start_height_m = blocks_[i].centre_m.z();
         spins_[i].setZero();
     }

@@ -16,6 +16,7 @@
 #include "rockfall/rock_mass/held_overlap.hpp"
 #include "rockfall/rock_mass/laws.hpp"
 #include "rockfall/rock_mass/ledger.hpp"
+#include "rockfall/rock_mass/lone_blocks.hpp"
 #include "rockfall/rock_mass/parallel.hpp"
 #include "rockfall/rock_mass/standing_stem.hpp"
 #include "rockfall/solids/free_rotation.hpp"
@@ -46,7 +47,13 @@ struct BondStart {
 };
 
 /// What becomes of a block.
-enum class BlockStatus : std::uint8_t { moving, asleep, fixed, left };
+enum class BlockStatus : std::uint8_t {
+    moving,
+    asleep,
+    fixed,
+    left,
+    handed,  ///< goes on under another motion model
+};
 
 /// A block of a rock mass at a time.
 struct Block {
@@ -55,6 +62,7 @@ struct Block {
     solids::Rotation rotation;
     BlockStatus status = BlockStatus::moving;
     double still_s = 0.0;  ///< how long it has been slow
+    double alone_s = 0.0;  ///< how long it has been alone, since blocks are watched for that
     // Of the forces at this time, gravity included.
     Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
     Eigen::Vector3d moment_nm = Eigen::Vector3d::Zero();  ///< about the centre, in space
@@ -103,6 +111,17 @@ public:
     /// begins time and ledger again at 0.
     void hold();
     void let_go();
+
+    /// From now on blocks are watched for being alone: no intact bond, no contact with another block.
+    void watch_lone_blocks() { watches_lone_ = true; }
+    /// Blocks that move and have been alone for longer than a time, in ascending order; not those that the
+    /// ground is about to throw back (lone_blocks.hpp).
+    [[nodiscard]] std::vector<std::uint32_t> lone_blocks(double longer_than_s) const;
+    /// Takes lone blocks out of the mass. Their energies leave the ledger, booked as handed over. Between
+    /// steps.
+    std::vector<HandedBlock> hand_over(std::span<const std::uint32_t> numbers);
+    /// Books what a block that was handed over did to a stem: the energy is not of this ledger.
+    void load_stem(std::size_t stem, double energy_j, bool breaks);
 
     [[nodiscard]] double step_s() const { return step_s_; }
     [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * step_s_; }
@@ -209,9 +228,13 @@ private:
     void find_stems(std::span<const Box3> boxes);
     [[nodiscard]] double contact_energy_j(std::uint32_t first, std::uint32_t second,
                                           const ContactState& state) const;
+    /// Energy that the ground holds under a block, normal to it.
+    [[nodiscard]] double ground_energy_j(std::uint32_t block) const;
+    [[nodiscard]] bool is_alone(std::size_t block) const;
 
     Laws laws_;
     std::optional<Laws> laws_when_let_go_;
+    bool watches_lone_ = false;
     ParallelFor parallel_;
     Ground ground_;
     double step_s_ = 0.0;

@@ -11,8 +11,9 @@ struct StandingStem {
     double radius_m = 0.0;
     double strength_j = 0.0;  ///< energy that breaks it
     double taken_j = 0.0;     ///< so far
+    bool felled = false;      ///< by a block that goes on under another motion model
 
-    [[nodiscard]] bool is_broken() const { return taken_j >= strength_j; }
+    [[nodiscard]] bool is_broken() const { return felled || taken_j >= strength_j; }
 };
 
 }  // namespace rockfall::rock_mass

@@ -84,6 +84,9 @@ TEST(Program, HelpsWithEverything) {
     EXPECT_TRUE(section.starts_with("[release]\n")) << section;
     EXPECT_NE(section.find("\n  rocks  "), std::string::npos) << section;
     EXPECT_EQ(section.find("contact_support_m"), std::string::npos);
+    const std::string of_collapse = call(project, "--help-all collapse").out;
+    EXPECT_TRUE(of_collapse.starts_with("[collapse]\n")) << of_collapse;
+    EXPECT_NE(of_collapse.find("\n  hand_over  "), std::string::npos) << of_collapse;
     const Outcome unknown = call(project, "--help-all relaese");
     EXPECT_EQ(unknown.code, 2);
     EXPECT_NE(unknown.err.find("'release'"), std::string::npos) << unknown.err;

@@ -31,6 +31,7 @@ constexpr const char* page_style =
     ".s0,.s1,.s2,.s3,.s4,.s5{fill:none;stroke-width:2}"
     ".s0{stroke:#00664f}.s1{stroke:#b04a00;stroke-dasharray:6 4}.s2{stroke:#3566b0;stroke-dasharray:2 3}"
     ".s3{stroke:#8a3ea8;stroke-dasharray:9 3 2 3}.s4{stroke:#7a7a00}.s5{stroke:#777;stroke-dasharray:4 2}"
+    ".s6{fill:none;stroke-width:2;stroke:#c2185b;stroke-dasharray:1 3}"
     ".views{display:grid;grid-template-columns:repeat(auto-fit,minmax(300px,1fr));gap:12px}"
     ".views>figure>svg{width:100%;height:auto}.views>figure>svg>.ground{fill:none;stroke:#888;stroke-width:1}"
     ".views>figure>svg>circle{stroke:none}.v0{fill:#9aa5b1}.v1{fill:#f0b429}.v2{fill:#de6b1f}"
@@ -74,11 +75,11 @@ std::string chart_over_time(const CollapseResults& results, const std::string& t
 
 std::string charts(const CollapseResults& results) {
     constexpr double gj = 1e9;
-    const std::vector<Series> energies{
+    std::vector<Series> energies{
         {"s0", page_text("collapse_page.motion"),
          [](const FrameRow& r) { return (r.ledger.translation_j + r.ledger.rotation_j) / gj; }},
         {"s1", page_text("collapse_page.released_by_gravity"),
-         [](const FrameRow& r) { return -r.ledger.gravity_j / gj; }},
+         [](const FrameRow& r) { return r.ledger.given_by_gravity_j() / gj; }},
         {"s2", page_text("collapse_page.friction"),
          [](const FrameRow& r) { return r.ledger.friction_j / gj; }},
         {"s3", page_text("collapse_page.dashpots"),
@@ -88,6 +89,10 @@ std::string charts(const CollapseResults& results) {
         {"s5", page_text("collapse_page.strain"), [](const FrameRow& r) {
              return (r.ledger.contact_normal_j + r.ledger.contact_shear_j + r.ledger.bonds.sum_j()) / gj;
          }}};
+    if (results.hands_over()) {
+        energies.push_back({"s6", page_text("collapse_page.handed_over"),
+                            [](const FrameRow& r) { return r.ledger.handed_motion_j / gj; }});
+    }
     const std::string html = joined(
         "<h2>", page_text("collapse_page.over_time"), "</h2>\n<div class=\"halves\">",
         chart_over_time(results, page_text("collapse_page.energies"), page_text("collapse_page.energy_gj"),
@@ -120,7 +125,7 @@ std::string charts(const CollapseResults& results) {
 Eigen::Vector2d main_direction(const CollapseResults& results) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < results.site.count.free; ++i) {
-        sum += (results.mass.blocks()[i].centre_m - results.site.blocks[i].centre_m).head<2>();
+        sum += (results.seen(i).centre_m - results.site.blocks[i].centre_m).head<2>();
     }
     return sum.norm() > 0.0 ? Eigen::Vector2d{sum.normalized()} : Eigen::Vector2d{1.0, 0.0};
 }
@@ -217,6 +222,10 @@ std::string opening(const CollapseResults& results) {
     fact("collapse_page.bonds_that_hold",
          joined(grouped(results.mass.bonds_intact()), " / ", grouped(count.bonds)));
     fact("collapse_page.largest_residual", joined(fixed(100.0 * figures.largest_residual, 3), " %"));
+    if (results.hands_over()) {
+        fact("collapse_page.single_blocks", grouped(results.hand_over.falls().size()));
+    }
+    fact("collapse_page.still_moving_volume", joined(fixed(100.0 * figures.moving_share, 1), " %"));
     fact("collapse_page.slivers_left_out", joined(fixed(count.left_out_m3, 1), " m³"));
     fact("collapse_page.time_step", joined(fixed(1e3 * results.mass.step_s(), 3), " ms"));
     fact("common.random_seed", std::to_string(results.scenario.scenario.seed));
@@ -254,7 +263,7 @@ std::string targets(const CollapseResults& results) {
 bool plays_a_part(const std::string& key) {
     return key.starts_with("collapse.") || key.starts_with("terrain.") || key.starts_with("trees.") ||
            key.starts_with("targets.") || key == "run.seed" || key == "output.vtp" ||
-           key == "output.cell_size_m";
+           key == "output.cell_size_m" || key.starts_with("rigid.") || key.starts_with("ground.");
 }
 
 }  // namespace

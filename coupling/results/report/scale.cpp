@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/energy_classes.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_text.hpp"
 
 namespace coupling::report {
@@ -153,7 +154,8 @@ std::string ColourScale::legend(const std::string& id) const {
         svg += joined("<path class=\"tick\" d=\"M", x, " 20v4\"/><text x=\"", x,
                       "\" y=\"37\" text-anchor=\"middle\">", sign, tick_text(tick), "</text>");
     }
-    return joined(svg, "<text x=\"344\" y=\"18\">", escaped(unit_), "</text></svg>");
+    return joined(svg, "<text x=\"344\" y=\"18\">", escaped(translated(unit_).value_or(unit_)),
+                  "</text></svg>");
 }
 
 }  // namespace coupling::report

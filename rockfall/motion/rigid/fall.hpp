@@ -86,6 +86,8 @@ private:
                rigid::start_of_block(slope, law.motion.of<rigid::Model>(), start, *solid,
                                      scratch.of<rigid::Model>())} {}
 
+public:
+    /// A block that is under way already: `begin` counts, and of `start` the rock alone.
     Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
          std::shared_ptr<const solids::Solid> solid, const rigid::BlockStart& begin)
@@ -109,6 +111,7 @@ private:
         begin_piece();
     }
 
+private:
     void stop(StopReason reason) {
         stopped_ = true;
         end_.reason = reason;

@@ -90,6 +90,16 @@ TEST_F(CollapseSites, RefusesPolygonsThatCannotBe) {
     EXPECT_NE(refusal({"collapse.source=missing.csv"}).find("missing.csv"), std::string::npos);
 }
 
+TEST_F(CollapseSites, RefusesMoreBlocksThanTheMemoryTakesBeforeItCutsThem) {
+    project.write("narrow.csv",
+                  "name,dip_deg,dip_direction_deg,spacing_m\na,80,90,0.1\nb,80,0,0.1\nc,5,0,0.1\n");
+    const std::string joints = refusal({"collapse.joint_sets=narrow.csv", "collapse.least_block_m=0.05"});
+    EXPECT_NE(joints.find("at most 1000000"), std::string::npos) << joints;
+    EXPECT_NE(joints.find("collapse.least_block_m"), std::string::npos) << joints;
+    const std::string cells = refusal({"collapse.blocks=voronoi", "collapse.block_size_m=0.2"});
+    EXPECT_NE(cells.find("collapse.block_size_m"), std::string::npos) << cells;
+}
+
 TEST_F(CollapseSites, RefusesSettingsThatContradictEachOther) {
     EXPECT_NE(refusal({"collapse.mesh=body.stl"}).find("beside"), std::string::npos);
     EXPECT_NE(refusal({"collapse.joint_sets="}).find("joint_sets"), std::string::npos);

@@ -65,6 +65,19 @@ TEST(JointSet, NormalFollowsDipAndDirection) {
     EXPECT_NEAR((west - Vector3d(-1.0, 0.0, 0.0)).norm(), 0.0, 1e-10);
 }
 
+TEST(JointSet, PiecesAreAsManyAsExpected) {
+    const std::vector<JointSet> sets = three_sets(SpacingLaw::constant);
+    const Vector3d corner{80.0, 72.0, 60.0};
+    const double expected = expected_pieces(corner.prod(), sets, 0.01);
+    const auto cells = cut_by_joints(box_cell(low, corner, made_by_border), sets, 0.01, 5);
+    // Each piece has a lowest corner in which three joints meet, but for those at the border: with at least
+    // 16 joints of a set across the box these are fewer than (1 + 1/16)^3 - 1 on either side.
+    EXPECT_GT(static_cast<double>(cells.size()), expected / std::pow(1.0 + 1.0 / 16.0, 3));
+    EXPECT_LT(static_cast<double>(cells.size()), expected * std::pow(1.0 + 2.0 / 16.0, 3));
+    EXPECT_EQ(expected_pieces(1000.0, sets, 5.0), 8.0);
+    EXPECT_EQ(expected_pieces(1000.0, std::span{sets}.first(2), 0.01), 0.0);
+}
+
 TEST(JointSet, SpacingsHaveTheirMean) {
     for (const SpacingLaw law :
          {SpacingLaw::constant, SpacingLaw::uniform, SpacingLaw::exponential, SpacingLaw::lognormal}) {

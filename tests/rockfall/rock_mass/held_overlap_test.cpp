@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "rockfall/rock_mass/rock_mass.hpp"
 #include "tests/rockfall/rock_mass/scenes.hpp"
 
@@ -90,6 +93,70 @@ TEST(HeldOverlap, EndsWhereFacesPartSlideOrTilt) {
         held.clear();
         EXPECT_TRUE(held.wants_slope());
     }
+}
+
+/// A gully with sides of 45 degrees along y, and a cube of 1 m that lies in it on two faces, 1 cm deep in
+/// each, shifted across it.
+struct CubeInGully {
+    static constexpr double depth_m = 0.01;
+    std::vector<BlockStart> starts;
+    Ground ground;
+    BlockPose pose;
+
+    explicit CubeInGully(double across_m) : ground{gully()} {
+        pose.centre_m = {across_m, 0.0, std::sqrt(2.0) * (0.5 - depth_m)};
+        pose.attitude = Eigen::AngleAxisd{std::numbers::pi / 4.0, Vector3d::UnitY()};
+        starts.push_back(block_of(solids::placed(solids::box(Vector3d::Ones()), pose.attitude, pose.centre_m),
+                                  1.0, false));
+    }
+    [[nodiscard]] Overlap clipped(OverlapSlope* slope = nullptr) const {
+        const RockMass mass{scenes::lossless(), starts, {}, Ground{}};
+        const std::vector<std::uint32_t> prisms = ground.prisms_in({-2.0, -2.0}, {2.0, 2.0});
+        return ground.overlap_of(prisms, mass.placed(0), pose.centre_m, slope);
+    }
+    static Terrain gully() {
+        std::vector<Vertex> vertices;
+        for (const double y : {-20.0, 20.0}) {
+            for (const double x : {-20.0, 0.0, 20.0}) {
+                vertices.push_back({x, y, std::abs(x)});
+            }
+        }
+        std::vector<Triangle> triangles(4);
+        triangles[0] = {{0, 1, 4}, {no_triangle, 2, 1}};
+        triangles[1] = {{0, 4, 3}, {0, no_triangle, no_triangle}};
+        triangles[2] = {{1, 5, 4}, {3, no_triangle, 0}};
+        triangles[3] = {{1, 2, 5}, {no_triangle, no_triangle, 2}};
+        return Terrain{{0.0, 0.0}, std::move(vertices), std::move(triangles)};
+    }
+};
+
+TEST(HeldOverlap, InAGullyEndsBeforeOneOfItsSidesOpens) {
+    const BlockPose ground_pose{Vector3d::Zero(), untouched};
+    const CubeInGully start{0.0};
+    OverlapSlope slope;
+    const Overlap first = start.clipped(&slope);
+    ASSERT_FALSE(first.is_none());
+    EXPECT_NEAR(first.force_m3.normalized().z(), 1.0, 1e-9);
+    // Across the gully by d each side changes by d / sqrt 2: the force turns by d / (sqrt 2 depth), and one
+    // side opens at sqrt 2 depth. Neither the way towards the contact nor that along it ends this: the force
+    // points upwards, and the sides are 1 m wide.
+    const double opens_m = std::sqrt(2.0) * CubeInGully::depth_m;
+    const auto carried_to = [&](double across_m, Overlap& carried) {
+        HeldOverlap held;
+        held.keep(first, slope, ground_pose, start.pose, 1.0, false);
+        return held.carry_on(ground_pose, CubeInGully{across_m}.pose, carried);
+    };
+    ASSERT_LT(opens_m, held_share_of_side);
+    Overlap carried;
+    ASSERT_TRUE(carried_to(0.95 * held_share_of_depth * opens_m, carried));
+    const Overlap exact = CubeInGully{0.95 * held_share_of_depth * opens_m}.clipped();
+    EXPECT_GT(std::abs(exact.force_m3.x()), 0.25 * exact.force_m3.norm());  // it has turned
+    // What the linear force leaves out: the sides shorten by the way along them, 0.3 % of 1 m, times the
+    // change of the pressure.
+    EXPECT_LT((carried.force_m3 - exact.force_m3).norm(), 0.01 * exact.force_m3.norm());
+    EXPECT_FALSE(carried_to(1.05 * held_share_of_depth * opens_m, carried));
+    EXPECT_FALSE(carried_to(1.5 * opens_m, carried));
+    EXPECT_FALSE(carried_to(-1.5 * opens_m, carried));
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "rockfall/solids/free_rotation.hpp"
+
+namespace rockfall::rock_mass {
+
+/// A lone block leaves its mass only if it is faster than this [m/s] [choice]; a slower one comes to rest
+/// where it is.
+inline constexpr double lone_speed_mps = 0.5;
+
+/// A lone block stays in its mass while the ground under it holds more than this share of its motion, as in
+/// the middle of an impact [-] [choice]: what the ground holds cannot go with it.
+inline constexpr double lone_strain_share = 0.1;
+
+/// A block as it leaves a rock mass to go on under another motion model.
+struct HandedBlock {
+    std::uint32_t number = 0;
+    Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+    solids::Rotation rotation{Eigen::Quaterniond::Identity(), Eigen::Vector3d::Zero()};
+    bool on_ground = false;
+    double motion_j = 0.0;   ///< translation and rotation, which go with it
+    double gravity_j = 0.0;  ///< of its height above its start, which goes with it
+    double strain_j = 0.0;   ///< held by its contact with the ground: lost at the crossing
+};
+
+}  // namespace rockfall::rock_mass
