@@ -74,7 +74,7 @@ Writes an example project into a new or empty folder, whole or not at all.
                         regimes-small: 9 ha under four regimes for thirty years, with rocks
                         regimes: 40 ha under four regimes for a hundred years, ten replicates
                         collapse-small: a SYNTHETIC cliff of 40 m breaks up into about a hundred blocks
-                        collapse: a SYNTHETIC cliff of 110 to 140 m, 11 000 blocks; takes an hour or more
+                        collapse: a SYNTHETIC cliff of 110 to 140 m, 11 000 blocks; takes half an hour or more
   --from-rockyfor3d FOLDER   instead: a project from the inputs of Rockyfor3D (dem.asc, rockdensity.asc,
                         d1 d2 d3, blshape, soiltype, rg70 rg20 rg10, treefile.txt or nrtrees ...); prints
                         and writes into README.md what became of them and what has no counterpart

@@ -17,6 +17,17 @@ const std::string few =
     "collapse p/scenario.ini --quiet --set collapse.duration_s=0.2 --set collapse.frame_s=0.05 "
     "--set collapse.depth_m=8 --set collapse.least_block_m=2 --set collapse.settle_s=0.1 --out ";
 
+/// Some forty blocks of which a few leave the mass, the first ones before the first of two frames.
+const std::string handing =
+    "collapse p/scenario.ini --quiet --set collapse.duration_s=6 --set collapse.frame_s=4.5 "
+    "--set collapse.depth_m=8 --set collapse.least_block_m=3 --set collapse.hand_over=rigid "
+    "--set collapse.hand_over_after_s=0.1 --set terrain.ground=coarse_debris --set output.vtp=yes --out ";
+
+double number_of(const config::Table& table, std::size_t row, const std::string& column) {
+    config::Problems problems;
+    return table.number(row, column, {}, problems).value_or(-1e99);
+}
+
 config::Table table_of(const SampleProject& project, const std::string& file) {
     std::istringstream in{project.read(file)};
     return config::Table::read(in, file);
@@ -45,6 +56,116 @@ TEST_F(CollapseRuns, GoesOnAfterItWasKilledWithTheSameBytes) {
     ASSERT_EQ(call(project, few + "parts").code, 0);
     const auto differences = shell(project, "diff -r whole parts\n");
     EXPECT_EQ(differences.code, 0) << differences.out;
+}
+
+TEST_F(CollapseRuns, HandsBlocksOverWithTheSameBytesOnAnyNumberOfThreads) {
+    ASSERT_EQ(call(project, handing + "one --threads 1").code, 0);
+    ASSERT_GT(table_of(project, "one/tables/handed_falls.csv").rows(), 2U);
+    for (const std::string threads : {"2", "4"}) {
+        // Threads that wait must not take the time of those that work.
+        ASSERT_EQ(shell(project, "OMP_WAIT_POLICY=passive \"$bannwald\" " + handing + "on_" + threads +
+                                     " --threads " + threads + "\n")
+                      .code,
+                  0);
+        const auto differences = shell(project, "diff -r one on_" + threads + "\n");
+        EXPECT_EQ(differences.code, 0) << threads << " threads: " << differences.out;
+    }
+}
+
+TEST_F(CollapseRuns, GoesOnWithHandedBlocksAfterItWasKilledWithTheSameBytes) {
+    ASSERT_EQ(call(project, handing + "whole").code, 0);
+    const config::Table falls = table_of(project, "whole/tables/handed_falls.csv");
+    const config::Table energies = table_of(project, "whole/tables/energies.csv");
+    ASSERT_GE(energies.rows(), 3U);
+    ASSERT_LT(number_of(falls, 0, "handed_over_s"), number_of(energies, 1, "time_s"));
+    EXPECT_EQ(shell(project, interrupted_once("parts/parts/mass.part", handing + "parts", "KILL")).code, 137);
+    ASSERT_EQ(call(project, handing + "parts").code, 0);
+    const auto differences = shell(project, "diff -r whole parts\n");
+    EXPECT_EQ(differences.code, 0) << differences.out;
+}
+
+TEST_F(CollapseRuns, ClosesTheLedgersOfTheMassAndOfTheBlocksThatItHandsOver) {
+    ASSERT_EQ(call(project, handing + "out").code, 0);
+    const config::Table energies = table_of(project, "out/tables/energies.csv");
+    for (std::size_t row = 0; row < energies.rows(); ++row) {
+        EXPECT_LE(std::abs(number_of(energies, row, "residual_percent")), 2.0);
+    }
+    const config::Table falls = table_of(project, "out/tables/handed_falls.csv");
+    double motion_kj = 0.0;
+    for (std::size_t row = 0; row < falls.rows(); ++row) {
+        motion_kj += number_of(falls, row, "motion_kj");
+        const double given_kj = number_of(falls, row, "given_kj");
+        EXPECT_LE(std::abs(number_of(falls, row, "residual_kj")), 0.01 * given_kj);
+        if (falls.text(row, "end") == "at_rest") {
+            EXPECT_NEAR(
+                given_kj + number_of(falls, row, "corrected_kj") - number_of(falls, row, "dissipated_kj"),
+                -number_of(falls, row, "residual_kj"), 0.003);  // of digits
+        }
+    }
+    EXPECT_NEAR(number_of(energies, energies.rows() - 1, "handed_motion_mj"), 1e-3 * motion_kj,
+                1e-6 * static_cast<double>(falls.rows() + 1));
+    std::size_t rigid = 0;
+    const config::Table blocks = table_of(project, "out/tables/blocks.csv");
+    for (std::size_t row = 0; row < blocks.rows(); ++row) {
+        rigid += blocks.text(row, "model") == "rigid" ? 1 : 0;
+    }
+    EXPECT_EQ(rigid, falls.rows());
+    EXPECT_NE(project.read("out/frames/blocks_00001.vtp").find("Name=\"rigid\""), std::string::npos);
+    EXPECT_NE(project.read("out/summary.json").find("\"hand_over\""), std::string::npos);
+}
+
+TEST_F(CollapseRuns, HandsNothingOverUnlessAsked) {
+    ASSERT_EQ(call(project, few + "plain").code, 0);
+    ASSERT_EQ(call(project, few + "none --set collapse.hand_over=none --set collapse.hand_over_after_s=0 "
+                                  "--set terrain.ground=coarse_debris")
+                  .code,
+              0);
+    const auto differences =
+        shell(project, "diff -r plain/tables none/tables && diff -r plain/rasters none/rasters\n");
+    EXPECT_EQ(differences.code, 0) << differences.out;
+    EXPECT_EQ(project.read("plain/tables/blocks.csv").find("rigid"), std::string::npos);
+}
+
+TEST_F(CollapseRuns, AsksForTheGroundOfBlocksThatItHandsOver) {
+    const auto outcome = call(project, "check p/scenario.ini --set collapse.hand_over=rigid");
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_NE(outcome.err.find("terrain.ground"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CollapseRuns, WarnsWhereTheMassStillMovesAtTheEnd) {
+    const std::string warning = "of the volume still moves";
+    const auto early = call(project,
+                            "collapse p/scenario.ini --quiet --out early --set collapse.depth_m=8 "
+                            "--set collapse.least_block_m=3 --set collapse.duration_s=3");
+    ASSERT_EQ(early.code, 0);
+    EXPECT_NE(early.err.find(warning), std::string::npos) << early.err;
+    EXPECT_NE(early.err.find("collapse.duration_s"), std::string::npos) << early.err;
+    EXPECT_NE(project.read("early/report.html").find(warning), std::string::npos);
+    EXPECT_NE(project.read("early/summary.json").find(warning), std::string::npos);
+}
+
+TEST_F(CollapseRuns, ComesToRestWithinTheTimeOfTheExample) {
+    const auto whole = call(project, "collapse p/scenario.ini --quiet --out whole --threads 1");
+    ASSERT_EQ(whole.code, 0);
+    EXPECT_EQ(whole.err.find("still moves"), std::string::npos) << whole.err;
+    const config::Table table = table_of(project, "whole/tables/energies.csv");
+    // What the example promises of its step factor of 0.2.
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        EXPECT_LE(std::abs(number_of(table, row, "residual_percent")), 2.0);
+    }
+}
+
+TEST_F(CollapseRuns, HasAThirdOfAPercentOfResidualWithAShortStep) {
+    // The first seconds, with most of the breaking and the first impacts.
+    ASSERT_EQ(call(project,
+                   "collapse p/scenario.ini --quiet --out fine --threads 1 "
+                   "--set collapse.duration_s=4 --set collapse.step_factor=0.05")
+                  .code,
+              0);
+    const config::Table table = table_of(project, "fine/tables/energies.csv");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        EXPECT_LE(std::abs(number_of(table, row, "residual_percent")), 0.3);
+    }
 }
 
 TEST_F(CollapseRuns, ClosesItsLedger) {

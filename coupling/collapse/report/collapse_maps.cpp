@@ -27,9 +27,12 @@ const char* title_key(std::string_view stem) {
 std::string maps_section(const CollapseResults& results) {
     const Site site = drawn_site(results.site);
     const std::vector<CollapseMap> maps = maps_of(results);
-    const config::Raster<float>& passed = maps.front().raster;
-    const report::MapWindow window = report::window_around(
-        site.map_frame, [&](config::Cell cell) { return passed.values[passed.frame.index(cell)] > 0.0F; });
+    // Blocks that are wider than a cell lie in cells that no middle passed.
+    const report::MapWindow window = report::window_around(site.map_frame, [&](config::Cell cell) {
+        return std::any_of(maps.begin(), maps.end(), [&](const CollapseMap& map) {
+            return map.raster.values[map.raster.frame.index(cell)] > 0.0F;
+        });
+    });
     const report::MapSheet sheet{site, window};
     std::string html = joined("<h2>", page_text("collapse_page.maps"), "</h2>\n", sheet.definitions(),
                               "<div class=\"thirds\">");

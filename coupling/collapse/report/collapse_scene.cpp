@@ -42,10 +42,12 @@ report::SceneMass mass_in_space(const CollapseResults& results) {
         mass.blocks.push_back(results.site.blocks[i].solid.hull);
     }
     const std::size_t frames = results.record.frames.size();
-    const std::size_t kept = std::min(frames, most_times_in_space);
+    // At equal intervals, and the end.
+    const std::size_t every =
+        std::max<std::size_t>(1, (frames + most_times_in_space - 3) / (most_times_in_space - 1));
     const Eigen::Vector2d origin = results.site.origin_m;
-    for (std::size_t k = 0; k < kept; ++k) {
-        const std::size_t f = kept == 1 ? 0 : k * (frames - 1) / (kept - 1);
+    for (std::size_t k = 0; k < frames + every - 1; k += every) {
+        const std::size_t f = std::min(k, frames - 1);
         mass.times_s.push_back(results.record.rows[f].time_s);
         std::vector<report::SceneBlockPlace>& places = mass.frames.emplace_back();
         for (const std::size_t i : blocks) {
