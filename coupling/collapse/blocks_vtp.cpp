@@ -69,8 +69,8 @@ void write_blocks_vtp(std::ostream& out, const CollapseResults& results, std::si
     const std::string number = blocks.array("Int32", "Name=\"block\"", numbers);
     const std::string speed = blocks.array("Float32", "Name=\"speed_mps\"", speeds);
     const std::string volume = blocks.array("Float32", "Name=\"volume_m3\"", volumes);
-    const std::string rigid =
-        results.hands_over() ? blocks.array("Int32", "Name=\"rigid\"", handed) : std::string{};
+    const std::string single =
+        results.hands_over() ? blocks.array("Int32", "Name=\"single\"", handed) : std::string{};
     const std::string places = blocks.array("Float64", "NumberOfComponents=\"3\"", points);
     const std::string connectivity = blocks.array("Int32", "Name=\"connectivity\"", corners);
     const std::string offsets = blocks.array("Int32", "Name=\"offsets\"", ends);
@@ -79,7 +79,7 @@ void write_blocks_vtp(std::ostream& out, const CollapseResults& results, std::si
         << points.size() / 3
         << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << ends.size()
         << "\">\n<CellData Scalars=\"speed_mps\">\n"
-        << number << speed << volume << rigid << "</CellData>\n<Points>\n"
+        << number << speed << volume << single << "</CellData>\n<Points>\n"
         << places << "</Points>\n<Polys>\n"
         << connectivity << offsets << "</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_"
         << blocks.bytes() << "\n</AppendedData>\n</VTKFile>\n";

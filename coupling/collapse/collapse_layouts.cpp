@@ -98,7 +98,7 @@ TableLayout trees() {
              {"broken", "text", "yes or no", simulated}}};
 }
 
-constexpr const char* only_handed = "simulated; with collapse.hand_over = rigid";
+constexpr const char* only_handed = "simulated; with collapse.hand_over";
 
 /// Columns behind the one of that name; behind all of them where none is named.
 void insert_behind(TableLayout& layout, std::string_view name, const std::vector<Column>& columns) {
@@ -111,7 +111,7 @@ void insert_behind(TableLayout& layout, std::string_view name, const std::vector
 TableLayout handed_falls() {
     return {
         "handed_falls.csv",
-        "a block that left the mass and went on as a single rigid block",
+        "a block that left the mass and went on as a single one",
         {{"block", "-", "number of the block", only_handed},
          {"volume_m3", "m3", "its volume", only_handed},
          {"handed_over_s", "s", "when it left the mass", only_handed},
@@ -143,15 +143,17 @@ std::vector<TableLayout> with_hand_over() {
         {{"handed_motion_mj", "MJ", "motion of blocks when they left the mass as single ones", only_handed},
          {"handed_gravity_mj", "MJ", "of their height above their start then", only_handed},
          {"handed_strain_mj", "MJ", "held by their contacts with the ground then", only_handed}});
-    insert_behind(layouts[1], "piece",
-                  {{"model", "text", "mass, or rigid for a block that left it as a single one", only_handed},
-                   {"handed_over_s", "s", "when it left the mass", only_handed}});
+    insert_behind(
+        layouts[1], "piece",
+        {{"model", "text", "mass, or the motion model of a block that left it as a single one", only_handed},
+         {"handed_over_s", "s", "when it left the mass", only_handed}});
     insert_behind(layouts[2], "energy_sum_mj",
-                  {{"rigid_blocks", "-", "blocks among them that came as single ones", only_handed}});
-    insert_behind(layouts[3], "translational_kj",
-                  {{"model", "text", "mass, or rigid for a block that came as a single one", only_handed}});
+                  {{"single_blocks", "-", "blocks among them that came as single ones", only_handed}});
+    insert_behind(
+        layouts[3], "translational_kj",
+        {{"model", "text", "mass, or the motion model of a block that came as a single one", only_handed}});
     insert_behind(layouts[4], "energy_kj",
-                  {{"rigid_kj", "kJ", "part of it that single blocks gave", only_handed}});
+                  {{"single_kj", "kJ", "part of it that single blocks gave", only_handed}});
     layouts.push_back(handed_falls());
     return layouts;
 }

@@ -245,7 +245,7 @@ void print_summary(const CollapseResults& results, const OutputFolder& folder,
                 results.site.count.bonds - results.mass.bonds_intact(), results.site.count.bonds,
                 100.0 * figures.largest_residual);
     if (results.hands_over()) {
-        std::printf("  %zu blocks went on as single rigid blocks\n", results.hand_over.falls().size());
+        std::printf("  %zu blocks went on as single ones\n", results.hand_over.falls().size());
     }
     print_files(folder.path(), files, verbose);
 }

@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/collapse/collapse_results.hpp"
 #include "coupling/results/figures.hpp"
+#include "rockfall/motion/block_fall.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -43,8 +44,8 @@ const char* state_of(const SeenBlock& block) {
                                                  : "at_rest";
 }
 
-const char* model_of(bool is_handed) {
-    return is_handed ? "rigid" : "mass";
+std::string_view model_of(bool is_handed) {
+    return is_handed ? rockfall::BlockModel::description().name : std::string_view{"mass"};
 }
 
 /// Whether a block came to a target as a single one.
@@ -171,7 +172,7 @@ void write_tables(const CollapseResults& results, const std::filesystem::path& f
         table("tree_energies.csv", "Trees that blocks touched, with the energy that they took.", write_trees);
     }
     if (results.hands_over()) {
-        table("handed_falls.csv", "Blocks that left the mass and went on as single rigid blocks.",
+        table("handed_falls.csv", "Blocks that left the mass and went on as single ones.",
               write_handed_falls);
     }
 }

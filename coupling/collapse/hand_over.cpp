@@ -37,7 +37,7 @@ void visit_block(Visit& visit, HandedBlock& block) {
 
 HandOver::HandOver(const CollapseScenario& scenario, const CollapseSite& site, double look_s,
                    rockfall::rock_mass::ParallelFor parallel)
-    : site_{scenario.settings.hand_over == HandOverTo::rigid ? &site : nullptr},
+    : site_{scenario.settings.hand_over == HandOverTo::single_blocks ? &site : nullptr},
       settings_{&scenario.scenario.rockfall.fall, scenario.scenario.seed, look_s},
       after_s_{scenario.settings.hand_over_after_s},
       parallel_{std::move(parallel)},

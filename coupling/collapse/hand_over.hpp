@@ -22,7 +22,7 @@ struct SeenBlock {
     bool is_handed = false;
 };
 
-/// Single blocks that left the mass and go on as rigid blocks (rockfall/motion/rigid).
+/// Single blocks that left the mass and go on alone (rockfall/motion/block_fall.hpp).
 ///
 /// A block is handed over at a look, once it has been alone for long enough, moves, and lies over terrain
 /// that was not dug out. Its whole way is computed at once: it meets ground, trees and targets, no other

@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "config/units/constants.hpp"
-#include "rockfall/motion/rigid/fall.hpp"
-#include "rockfall/trajectory.hpp"
+#include "rockfall/motion/block_fall.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -74,7 +73,7 @@ private:
     std::size_t first_of_piece_ = 0;
 };
 
-HandedMoment moment_of(const rockfall::rigid::Body& body, const rockfall::solids::Solid& solid) {
+HandedMoment moment_of(const rockfall::MovingBlock& body, const rockfall::solids::Solid& solid) {
     return {body.centre_m, body.rotation.attitude, body.velocity_mps,
             0.5 * solid.mass_kg * body.velocity_mps.squaredNorm(),
             body.rotation.energy_j(solid.inertia_kgm2)};
@@ -87,7 +86,7 @@ HandedFall follow(const HandedGround& ground, const FallSettings& settings,
                   std::shared_ptr<const rockfall::solids::Solid> solid, std::vector<std::uint8_t> gone) {
     HandedFall fall;
     fall.block = block;
-    const rockfall::rigid::Body body{block.centre_m, block.velocity_mps, block.rotation};
+    const rockfall::MovingBlock body{block.centre_m, block.velocity_mps, block.rotation};
     fall.moments.push_back(moment_of(body, *solid));
     const auto under = ground.slope().terrain.locate(block.centre_m.x(), block.centre_m.y());
     if (!under) {
@@ -105,11 +104,17 @@ HandedFall follow(const HandedGround& ground, const FallSettings& settings,
     start.triangle = *under;
     rockfall::FallScratch scratch;
     MomentsOfFall moments{fall, settings.moment_s};
-    using Motion = rockfall::rigid::Motion;
-    const auto& law = settings.law->motion.of<rockfall::rigid::Model>();
-    rockfall::Fall<Motion, MomentsOfFall> motion{
-        ground.slope(), obstacles, *settings.law, Motion{law, key, start.rock},   key, start,
-        scratch,        moments,   solid,         {body, *under, block.on_ground}};
+    const auto& law = settings.law->motion.of<rockfall::BlockModel>();
+    rockfall::BlockFall<MomentsOfFall> motion{ground.slope(),
+                                              obstacles,
+                                              *settings.law,
+                                              rockfall::BlockModel::Motion{law, key, start.rock},
+                                              key,
+                                              start,
+                                              scratch,
+                                              moments,
+                                              solid,
+                                              {body, *under, block.on_ground}};
     fall.end = motion.run();
     fall.moments.push_back(moment_of(motion.block().body(), *solid));
     fall.duration_s = moments.time_s();

@@ -42,12 +42,12 @@ struct HandedFall {
 
 /// What a fall takes from the run.
 struct FallSettings {
-    const rockfall::FallLaw* law = nullptr;  ///< the model of rigid blocks, whichever one is chosen
+    const rockfall::FallLaw* law = nullptr;  ///< with that of rockfall::BlockModel, whichever model is chosen
     std::uint64_t seed = 0;
     double moment_s = 0.0;  ///< interval of the moments
 };
 
-/// Follows a block as a rigid one, from the state in which it left its mass. `gone` marks stems that no
+/// Follows a block from the state in which it left its mass. `gone` marks stems that no
 /// longer stand. Its chance is its own, keyed by its number.
 HandedFall follow(const HandedGround& ground, const FallSettings& settings,
                   const rockfall::rock_mass::HandedBlock& block,

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/reading.hpp"
+#include "rockfall/motion/block_fall.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -159,12 +160,14 @@ void declare_laws(config::Options& options, CollapseSettings& s) {
 }
 
 void declare_hand_over(config::Options& options, CollapseSettings& s) {
-    options.choice("collapse.hand_over", s.hand_over,
-                   {{"none", HandOverTo::none}, {"rigid", HandOverTo::rigid}},
-                   {.meaning = "rigid: a moving block without bond and without contact with another block "
-                               "goes on as a single rigid block, with the settings of [rigid] and the "
-                               "ground types of [terrain]",
-                    .source = choice});
+    options.choice(
+        "collapse.hand_over", s.hand_over,
+        {{"none", HandOverTo::none},
+         {std::string{rockfall::BlockModel::description().name}, HandOverTo::single_blocks}},
+        {.meaning = "motion model under which a moving block without bond and without contact with "
+                    "another one goes on alone, with the settings of that model and the ground "
+                    "types of [terrain]; none: it stays in the mass",
+         .source = choice});
     options.number("collapse.hand_over_after_s", s.hand_over_after_s,
                    {.unit = "s",
                     .low = 0.0,

@@ -15,8 +15,8 @@ namespace coupling::collapse {
 /// How a rock mass is divided into blocks.
 enum class BlockKind : std::uint8_t { joints, voronoi };
 
-/// What becomes of single blocks that are alone: they stay in the mass, or go on as rigid blocks.
-enum class HandOverTo : std::uint8_t { none, rigid };
+/// What becomes of blocks that are alone: they stay in the mass, or go on as single ones.
+enum class HandOverTo : std::uint8_t { none, single_blocks };
 
 /// The settings of section [collapse].
 struct CollapseSettings {

@@ -110,7 +110,7 @@ TEST_F(CollapseRuns, ClosesTheLedgersOfTheMassAndOfTheBlocksThatItHandsOver) {
         rigid += blocks.text(row, "model") == "rigid" ? 1 : 0;
     }
     EXPECT_EQ(rigid, falls.rows());
-    EXPECT_NE(project.read("out/frames/blocks_00001.vtp").find("Name=\"rigid\""), std::string::npos);
+    EXPECT_NE(project.read("out/frames/blocks_00001.vtp").find("Name=\"single\""), std::string::npos);
     EXPECT_NE(project.read("out/summary.json").find("\"hand_over\""), std::string::npos);
 }
 

@@ -13,6 +13,7 @@
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/writing_language.hpp"
+#include "rockfall/motion/block_fall.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -263,7 +264,9 @@ std::string targets(const CollapseResults& results) {
 bool plays_a_part(const std::string& key) {
     return key.starts_with("collapse.") || key.starts_with("terrain.") || key.starts_with("trees.") ||
            key.starts_with("targets.") || key == "run.seed" || key == "output.vtp" ||
-           key == "output.cell_size_m" || key.starts_with("rigid.") || key.starts_with("ground.");
+           key == "output.cell_size_m" ||
+           key.starts_with(joined(rockfall::BlockModel::description().name, ".")) ||
+           key.starts_with("ground.");
 }
 
 }  // namespace

@@ -125,8 +125,9 @@ TEST_F(HandOvers, OnlyBlocksOverUntouchedTerrainLeave) {
 TEST_F(HandOvers, HandsABlockOverOnceItWasAloneForLongEnough) {
     RockMass mass = flying();
     mass.watch_lone_blocks();
-    HandOver hand_over{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
     const auto steps = static_cast<std::uint64_t>(look_s / mass.step_s());
+    const double interval_s = static_cast<double>(steps) * mass.step_s();
+    HandOver hand_over{*scenario, site, interval_s, rockfall::rock_mass::one_by_one};
     while (mass.time_s() < 0.28) {
         mass.advance(steps);
         hand_over.look(mass);
@@ -145,7 +146,7 @@ TEST_F(HandOvers, HandsABlockOverOnceItWasAloneForLongEnough) {
     EXPECT_TRUE(seen.is_handed);
     EXPECT_EQ(seen.status, BlockStatus::moving);
     const Vector3d start = at(1100.0, 2070.0, 12.0);
-    EXPECT_NEAR(seen.centre_m.x() - start.x(), 8.0 * mass.time_s(), 0.1);
+    EXPECT_NEAR(seen.centre_m.x() - start.x(), 8.0 * mass.time_s(), 1e-6);
     EXPECT_FALSE(hand_over.is_over(mass.time_s()));
     EXPECT_TRUE(hand_over.is_over(mass.time_s() + 700.0));
 }
