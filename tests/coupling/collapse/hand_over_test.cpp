@@ -48,13 +48,13 @@ protected:
         return follow(*site.handed_ground, {&scenario->scenario.rockfall.fall, 1, look_s}, block, solid(),
                       std::vector<std::uint8_t>(site.handed_ground->stems().placed().size(), 0));
     }
-    /// A mass of the first block alone, in flight.
+    /// The mass without bonds, its first block in flight above the trees.
     [[nodiscard]] RockMass flying() const {
         std::vector<rockfall::rock_mass::BlockStart> blocks = site.blocks;
-        const Vector3d to = at(1100.0, 2070.0, 12.0);
+        const Vector3d to = at(1100.0, 2070.0, 60.0);
         blocks[0].centre_m = to;
         blocks[0].velocity_mps = {8.0, 0.0, 0.0};
-        return {scenario->laws(), blocks, site.bonds, site.ground, site.stems};
+        return {scenario->laws(), blocks, {}, site.ground, site.stems};
     }
 
     static constexpr double look_s = 0.05;
@@ -145,7 +145,7 @@ TEST_F(HandOvers, HandsABlockOverOnceItWasAloneForLongEnough) {
     const SeenBlock seen = hand_over.seen(mass, 0);
     EXPECT_TRUE(seen.is_handed);
     EXPECT_EQ(seen.status, BlockStatus::moving);
-    const Vector3d start = at(1100.0, 2070.0, 12.0);
+    const Vector3d start = at(1100.0, 2070.0, 60.0);
     EXPECT_NEAR(seen.centre_m.x() - start.x(), 8.0 * mass.time_s(), 1e-6);
     EXPECT_FALSE(hand_over.is_over(mass.time_s()));
     EXPECT_TRUE(hand_over.is_over(mass.time_s() + 700.0));
