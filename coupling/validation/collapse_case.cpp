@@ -9,6 +9,7 @@
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/collapse/collapse_run.hpp"
+#include "coupling/examples/embedded.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/validation/interrupted.hpp"
 #include "coupling/validation/unpacked_case.hpp"
@@ -203,16 +204,36 @@ int peaks_of(const std::vector<double>& values, double share) {
     return peaks;
 }
 
+/// The files of a case, and those of an example that the case does not have itself: all unpacked together.
+CaseFiles with_example(CaseFiles files, const std::string& example, const config::Place& place) {
+    bool found = false;
+    for (const ExampleFile& file : example_files()) {
+        if (file.example == example) {
+            found = true;
+            files.texts.try_emplace(file.name, file.bytes);
+        }
+    }
+    if (!found) {
+        config::fail(config::ExitCode::settings, place, joined("example ", config::in_quotes(example)),
+                     config::in_quotes(config::nearest_word(example, example_names())));
+    }
+    files.path.clear();
+    return files;
+}
+
 Comparison read_collapse_case(const CaseFiles& files, CaseHead& head,
                               const std::vector<std::string>& overrides) {
     config::Options options;
-    std::string scenario = "scenario.ini";
+    std::string scenario = "scenario.ini", example;
     declare(options, head);
     options.text("collapse.scenario", scenario,
                  {.meaning = "scenario of `bannwald collapse` in the folder of the case"});
+    options.text("collapse.example", example,
+                 {.meaning = "example of `bannwald init` whose files the scenario finds beside its own"});
     std::istringstream in{files.texts.at("case.ini")};
     options.read(in, files.shown("case.ini"), {});
-    const UnpackedCase folder{files};
+    const UnpackedCase folder{
+        example.empty() ? files : with_example(files, example, options.place_of("collapse.example"))};
     auto opened = std::make_shared<OpenedCollapse>();
     opened->scenario = collapse::read_collapse(folder.path() / scenario, overrides);
     config::Warnings warnings;
