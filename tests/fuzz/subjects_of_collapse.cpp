@@ -14,7 +14,7 @@ void read_rock_mass(const SampleProject& project) {
 }
 
 constexpr const char* of_any_mass =
-    "[run]\nseed = 1\n[terrain]\ndem = dem.asc\n[targets]\nfile = targets.csv\n"
+    "[run]\nseed = 1\n[terrain]\ndem = dem.asc\nground = coarse_debris\n[targets]\nfile = targets.csv\n"
     "[collapse]\nleast_block_m = 2\nstrength_factor = 0.1\n";
 
 /// Between joints, below a polygon.
@@ -33,12 +33,12 @@ std::unique_ptr<SampleProject> jointed() {
     return project;
 }
 
-/// Voronoi cells in a closed surface.
+/// Voronoi cells in a closed surface, of which single ones go on alone.
 std::unique_ptr<SampleProject> celled() {
     auto project = std::make_unique<SampleProject>();
     project->write("scenario.ini", std::string{of_any_mass} +
                                        "mesh = body.ply\nblocks = voronoi\nblock_size_m = 5\n"
-                                       "persistence = 0.5\n");
+                                       "persistence = 0.5\nhand_over = rigid\n");
     project->write("body.ply",
                    "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
                    "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
