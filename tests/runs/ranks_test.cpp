@@ -51,6 +51,15 @@ TEST_F(Ranks, OfAnyNumberGiveTheBytesOfOneProcess) {
     }
 }
 
+TEST_F(Ranks, OfRigidBlocksGiveTheBytesOfOneProcess) {
+    const std::string blocks =
+        members + "--set release.rocks=20 --set rockfall.motion=rigid --set release.shape=cube,plate,sphere ";
+    ASSERT_EQ(call(project_, blocks + "--out whole").code, 0);
+    const Outcome outcome =
+        with_ranks("ranks 3 " + blocks + "--out with_3 || exit 1\ndiff -r whole with_3\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
 TEST_F(Ranks, ShareTheMembersOfAShard) {
     ASSERT_EQ(call(project_, members + "--out whole").code, 0);
     const Outcome outcome = with_ranks("ranks 2 " + members +

@@ -19,6 +19,19 @@ TEST(Shards, InOneFolderGiveTheBytesOfAWholeRun) {
     EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
 }
 
+/// Fewer rocks with shapes: each takes a hundred times as long.
+const std::string of_blocks =
+    members + "--set release.rocks=20 --set rockfall.motion=rigid --set release.shape=cube,plate,sphere ";
+
+TEST(Shards, OfRigidBlocksGiveTheBytesOfAWholeRunOnAnyNumberOfThreads) {
+    const ForestProject project;
+    ASSERT_EQ(call(project, of_blocks + "--threads 1 --out whole").code, 0);
+    ASSERT_EQ(call(project, of_blocks + "--threads 3 --out out --shard 2/2").code, 0);
+    ASSERT_EQ(call(project, of_blocks + "--threads 2 --out out").code, 0);
+    EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
+    EXPECT_NE(project.read("whole/tables/targets_by_year.csv").find("\n"), std::string::npos);
+}
+
 TEST(Shards, SideBySideInOneFolderShareTheirPartsAndSurviveAKill) {
     const ForestProject project;
     ASSERT_EQ(call(project, members + "--out whole").code, 0);
