@@ -16,15 +16,12 @@ namespace coupling {
 
 namespace {
 
-/// A rock touches the ground about once in this length of path, at the jumps of the model on middle slopes.
-constexpr double path_per_impact_m = 6.0;
 /// Sine of the mean slope of a whole path, near the usual energy-line angle.
 constexpr double path_steepness = 0.55;
-/// Time of an impact with the flight before it and its entries in the maps, measured on the shipped example.
-constexpr double seconds_per_impact = 0.6e-6;
-/// The same over years, with the stems of each year put in their places and its figures taken: measured on
-/// the examples regimes-small and regimes, whose stands are denser.
-constexpr double seconds_per_impact_of_years = 1.2e-6;
+/// Over years, with the stems of each year put in their places and its figures taken, a metre of path takes
+/// so many times as long as in an assessment of today: measured on the examples regimes-small and regimes,
+/// whose stands are denser.
+constexpr double times_as_long_over_years = 2.0;
 /// Time of a year on a patch of forest on one thread, what is kept of it and written included: measured on
 /// the same examples.
 constexpr double seconds_per_patch_year = 55e-6;
@@ -68,10 +65,12 @@ std::uint64_t terrain_bytes(const Site& site) {
            site.sources.size() * sizeof(rockfall::ReleaseSource);
 }
 
-/// On one thread.
-double seconds_of_rocks(const Site& site, std::uint64_t rocks, double per_impact_s) {
-    const double impacts = mean_drop_m(site) / path_steepness / path_per_impact_m;
-    return static_cast<double>(rocks) * impacts * per_impact_s;
+/// On one thread, with the flights, the ground and the entries in the maps.
+double seconds_of_rocks(const Scenario& scenario, const Site& site, std::uint64_t rocks) {
+    constexpr double seconds_per_us = 1e-6;
+    const double path_m = mean_drop_m(site) / path_steepness;
+    return static_cast<double>(rocks) * path_m * seconds_per_us *
+           rockfall::description_of(scenario.rockfall.fall.motion.model).us_per_path_m;
 }
 
 /// A forest that lives through its years: trees as they are and as the year changes them.
@@ -110,7 +109,7 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
                          (static_cast<std::uint64_t>(threads) + 1);
     estimate.percentile_bytes =
         scenario.percentiles ? covers * rockfall::CellHistograms::largest_bytes(site.map_frame) : 0;
-    estimate.seconds = seconds_of_rocks(site, estimate.rocks * covers, seconds_per_impact) / threads;
+    estimate.seconds = seconds_of_rocks(scenario, site, estimate.rocks * covers) / threads;
     if (scenario.nets.keep_paths) {
         estimate.seconds *= 2.0;  // all rocks fall once more
         estimate.path_bytes = path_bytes(scenario, site, estimate.rocks * covers);
@@ -140,7 +139,7 @@ Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size
     }
     // Over the bare slope once for each replicate, through the forest for each member.
     const double rocks_s =
-        seconds_of_rocks(site, estimate.rocks * estimate.rock_years, seconds_per_impact_of_years);
+        times_as_long_over_years * seconds_of_rocks(scenario, site, estimate.rocks * estimate.rock_years);
     estimate.seconds = rounds * (static_cast<double>(scenario.years * patches) * seconds_per_patch_year +
                                  rocks_s / static_cast<double>(threads_each)) +
                        static_cast<double>(settings.replicates) * rocks_s / threads;

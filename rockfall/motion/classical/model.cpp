@@ -38,6 +38,7 @@ const ModelDescription& Model::description() {
         .source = "Stevens 1998",
         .energy = "translation alone",
         .path_bytes_per_m = 80.0,
+        .us_per_path_m = 0.43,
         .shared_settings = {"rockfall.rolling_edge_deg"},
         .sideways_settings = {"classical.lateral_deg"}};
     return description;

@@ -56,6 +56,7 @@ const ModelDescription& Model::description() {
         .energy = "translation and rotation",
         .spins = true,
         .path_bytes_per_m = 30.0,
+        .us_per_path_m = 0.1,
         .shared_settings = {"rockfall.rolling_edge_deg"},
         .sideways_settings = {"picus.lateral_slow_deg", "picus.lateral_fast_deg", "picus.lateral_fast_mps"}};
     return description;

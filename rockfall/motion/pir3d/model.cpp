@@ -71,7 +71,8 @@ const ModelDescription& Model::description() {
         .source = "Cottaz et al. 2010",
         .energy = "translation alone",
         .needs_soils = true,
-        .path_bytes_per_m = 90.0};
+        .path_bytes_per_m = 90.0,
+        .us_per_path_m = 0.22};
     return description;
 }
 

@@ -5,6 +5,7 @@
 #include "config/errors/input_error.hpp"
 #include "coupling/commands/estimate.hpp"
 #include "coupling/examples/embedded.hpp"
+#include "rockfall/motion/models.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::init_test {
@@ -65,6 +66,25 @@ TEST(Estimate, CountsTheMapsOfEveryThread) {
     EXPECT_EQ(three.map_bytes, 2 * one.map_bytes);
     EXPECT_EQ(three.percentile_bytes, one.percentile_bytes);
     EXPECT_NEAR(3.0 * three.seconds, one.seconds, 1e-12);
+}
+
+TEST(Estimate, GivesEachModelItsOwnSpeed) {
+    const SampleProject project;
+    const auto seconds = [&](const std::string& model) {
+        const Opened opened = open(project, {"rockfall.motion=" + model});
+        EXPECT_TRUE(opened.site) << opened.errors;
+        return opened.site ? estimate_of(*opened.scenario, *opened.site, 1).seconds : 0.0;
+    };
+    const double picus_s = seconds("picus");
+    for (const rockfall::MotionModel model : rockfall::all_models()) {
+        const rockfall::ModelDescription& description = rockfall::description_of(model);
+        EXPECT_GT(description.us_per_path_m, 0.0) << description.name;
+        const double times = description.us_per_path_m / rockfall::description_of({}).us_per_path_m;
+        EXPECT_NEAR(seconds(std::string{description.name}) / picus_s, times, 1e-9 * times)
+            << description.name;
+    }
+    // Rigid blocks are followed in steps: a hundred times as long at least.
+    EXPECT_GT(seconds("rigid"), 100.0 * picus_s);
 }
 
 }  // namespace
