@@ -11,18 +11,18 @@ enum class FrictionLaw : std::uint8_t {
     slip,      ///< from mu to mu_max with the slip (rigid/slip_friction.hpp)
 };
 
-/// What sets a ground type apart for a rigid block. Unless said otherwise it is the class `medium` of
+/// What sets a ground type apart for a rigid block. Unless said otherwise it is the class `hard` of
 /// config/data/rigid_grounds.csv.
 struct BlockGround {
     std::string name;
     FrictionLaw law = FrictionLaw::slip;
-    double friction = 0.35;           ///< mu, or mu_min of the slip law [-], [0, 10]
-    double friction_max = 2.0;        ///< mu_max of the slip law [-], not below `friction`
-    double slip_beta_ps = 150.0;      ///< decay of the slip without contact [1/s], >= 0
-    double slip_kappa_pm = 2.0;       ///< growth of friction with the slip [1/m], >= 0
-    double drag_ps = 0.6;             ///< drag in contact, proportional to the velocity [1/s], >= 0
-    double restitution = 0.0;         ///< e of slow impacts [-], [0, 1]
-    double rolling_resistance = 0.0;  ///< mu_r: couple mu_r N r against the spin [-], [0, 10]
+    double friction = 0.55;            ///< mu, or mu_min of the slip law [-], [0, 10]
+    double friction_max = 2.0;         ///< mu_max of the slip law [-], not below `friction`
+    double slip_beta_ps = 185.0;       ///< decay of the slip without contact [1/s], >= 0
+    double slip_kappa_pm = 3.0;        ///< growth of friction with the slip [1/m], >= 0
+    double drag_ps = 0.5;              ///< drag in contact, proportional to the velocity [1/s], >= 0
+    double restitution = 0.0;          ///< e of slow impacts [-], [0, 1]
+    double rolling_resistance = 0.02;  ///< mu_r: couple mu_r N r against the spin [-], [0, 10]
 };
 
 }  // namespace rockfall

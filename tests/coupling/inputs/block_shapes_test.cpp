@@ -205,10 +205,10 @@ TEST(BlockGrounds, ComeFromTheShippedTypeTheClassAndSingleColumns) {
     EXPECT_EQ(soil.slip_kappa_pm, 1.25);
 }
 
-TEST(BlockGrounds, AreMediumUnlessSaid) {
+TEST(BlockGrounds, AreHardUnlessSaid) {
     const rockfall::BlockGround unsaid;
     for (const rockfall::BlockGround& shipped : shipped_block_grounds()) {
-        if (shipped.name == "medium") {
+        if (shipped.name == "hard") {
             EXPECT_EQ(unsaid.law, shipped.law);
             EXPECT_EQ(unsaid.friction, shipped.friction);
             EXPECT_EQ(unsaid.friction_max, shipped.friction_max);
@@ -220,7 +220,7 @@ TEST(BlockGrounds, AreMediumUnlessSaid) {
             return;
         }
     }
-    FAIL() << "no class medium";
+    FAIL() << "no class hard";
 }
 
 TEST(BlockGrounds, OfTheClassHardAreThoseOfLuAndOthers) {

@@ -296,6 +296,29 @@ TEST(BlockFootprint, DrawsThePathWithAttitudesAndFewCorners) {
     EXPECT_LT((watched.path.back().position_m - watched.record.end_m).head<2>().norm(), 1e-6);
 }
 
+TEST(BlockFalls, OfSpheresEndOnGentleGroundAndInItsTroughs) {
+    // Drag alone lets a sphere creep for ever: at 0.08 degrees with 0.02 m/s, at 0.5 degrees with 0.1 m/s.
+    const config::GridFrame frame{60, 20, 0.0, 0.0, 5.0, 5.0};
+    for (const double slope_deg : {0.08, 0.5}) {
+        for (const double across : {0.0, 0.1}) {
+            const Slope slope = slope_over(heights_of(frame,
+                                                      [&](double x, double y) {
+                                                          return 500.0 - std::tan(radians(slope_deg)) * x +
+                                                                 across * std::abs(y - 52.5);
+                                                      }),
+                                           {0.35, 0.85});
+            const RockStart ball = start_at(slope, 20.0, 60.0, 0.5, {3.0, 0.5, -1.5}, 0.9);
+            FallLaw law = rigid_law();
+            EXPECT_EQ(logged_fall(slope, law, ball).first.reason, StopReason::at_rest)
+                << slope_deg << " deg, across " << across;
+            law.motion.of<Model>().rolling_resistance = 0.0;
+            law.motion.of<Model>().longest_s = 120.0;
+            EXPECT_NE(logged_fall(slope, law, ball).first.reason, StopReason::at_rest)
+                << slope_deg << " deg, across " << across << ": without resistance";
+        }
+    }
+}
+
 TEST(BlockFalls, AreThoseOfASphereWhereNoShapeIsGiven) {
     const Slope slope = plane_slope(30.0, {0.3, 0.8});
     RockStart ball = start_at(slope, 50.0, 50.0, 1.5, {3.0, 0.5, -1.5}, 0.9);
