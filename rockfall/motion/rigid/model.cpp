@@ -75,7 +75,7 @@ const ModelDescription& Model::description() {
         .energy = "translation and rotation",
         .spins = true,
         .path_bytes_per_m = 400.0,
-        .us_per_path_m = 25.0,
+        .us_per_path_m = 30.0,
         .shared_settings = {"release.shape", "release.shape_shares", "release.sides", "release.sides_m",
                             "release.sides_scatter", "release.shape_file", "release.shape_keeps_size",
                             "release.attitude"}};

@@ -190,6 +190,31 @@ TEST(BlockShapes, OfUnknownNamesAreRefusedWithTheNearest) {
                      "none.csv");
 }
 
+TEST(BlockPresets, UnityCompatIsChosenInAScenario) {
+    const SampleProject project;
+    project.replace("scenario.ini", "[targets]",
+                    "[rockfall]\nmotion = rigid\npreset = unity_compat\n[targets]");
+    const Opened opened = open(project, {});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const rockfall::rigid::Law& law = opened.scenario->rockfall.fall.motion.of<rockfall::rigid::Model>();
+    const rockfall::BlockGround ground = rockfall::rigid::ground_under(law, {});
+    // tan(35 degrees) / 2, twice where two points touch; 7 rad/s at most; nothing else that brakes.
+    EXPECT_NEAR(ground.friction, 0.5 * std::tan(35.0 * M_PI / 180.0), 1e-12);
+    EXPECT_EQ(ground.law, rockfall::FrictionLaw::constant);
+    EXPECT_EQ(ground.restitution, 0.0);
+    EXPECT_EQ(ground.drag_ps, 0.0);
+    EXPECT_EQ(ground.rolling_resistance, 0.0);
+    EXPECT_TRUE(law.double_friction);
+    EXPECT_EQ(law.spin_cap_radps, 7.0);
+
+    const Opened physical = open_blocks(project, {"rockfall.preset=default"});
+    ASSERT_TRUE(physical.site) << physical.errors;
+    const auto& other = physical.scenario->rockfall.fall.motion.of<rockfall::rigid::Model>();
+    EXPECT_FALSE(other.double_friction);
+    EXPECT_EQ(other.spin_cap_radps, 0.0);
+    expect_one_error(project, {"rockfall.preset=unity_compact"}, ExitCode::settings, "unity_compat");
+}
+
 TEST(BlockGrounds, ComeFromTheShippedTypeTheClassAndSingleColumns) {
     const SampleProject project;
     project.write(

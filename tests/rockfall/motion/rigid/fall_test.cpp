@@ -296,6 +296,41 @@ TEST(BlockFootprint, DrawsThePathWithAttitudesAndFewCorners) {
     EXPECT_LT((watched.path.back().position_m - watched.record.end_m).head<2>().norm(), 1e-6);
 }
 
+/// Root of the mean square of the angle between the way of blocks of one shape and the fall line [rad].
+double spread_rad(const solids::Hull& shape, std::uint64_t blocks) {
+    const config::GridFrame frame{100, 80, 0.0, 0.0, 4.0, 4.0};
+    std::uint64_t k = 0;
+    const Slope slope =
+        slope_over(heights_of(frame,
+                              [&](double x, double) {
+                                  config::RandomStream cell{{33, 1, 0, k++}, config::Purpose::test};
+                                  return 500.0 - std::tan(radians(33.0)) * x + 0.9 * (cell.uniform() - 0.5);
+                              }),
+                   {0.35, 0.85});
+    const auto solid =
+        std::make_shared<const solids::Solid>(solids::solid_of(solids::with_volume(shape, 0.27), 2700.0));
+    double squares = 0.0;
+    for (std::uint64_t id = 0; id < blocks; ++id) {
+        RockStart start = start_at(slope, 20.0, 160.0, 1.5, {2.6, 0.0, -1.5}, solid->diameter_m(), id);
+        start.block = {solid, any_attitude(id)};
+        start.heading = Eigen::Vector2d::UnitX();
+        const Vector3d way_m = logged_fall(slope, rigid_law(), start).first.position_m - start.position_m;
+        const double angle_rad = std::atan2(way_m.y(), way_m.x());
+        squares += angle_rad * angle_rad;
+    }
+    return std::sqrt(squares / static_cast<double>(blocks));
+}
+
+TEST(BlockFalls, OfWheelsSpreadMoreToTheSideThanThoseOfCompactBlocksOfEqualMass) {
+    // Caviezel et al. 2021. The root of the mean square of n draws has a relative error of 1 / sqrt(2 n): of
+    // the ratio of two sqrt(1 / n). Four of those are half of the ratio at n = 60.
+    constexpr std::uint64_t blocks = 60;
+    const double four_errors = 4.0 / std::sqrt(static_cast<double>(blocks));
+    const double wheels_rad = spread_rad(solids::ellipsoid({1.0, 1.0, 0.5}, 2), blocks);
+    const double compact_rad = spread_rad(solids::ellipsoid({1.0, 1.0, 0.99}, 2), blocks);
+    EXPECT_GT(wheels_rad, (1.0 + four_errors) * compact_rad) << wheels_rad << " and " << compact_rad;
+}
+
 TEST(BlockFalls, OfSpheresEndOnGentleGroundAndInItsTroughs) {
     // Drag alone lets a sphere creep for ever: at 0.08 degrees with 0.02 m/s, at 0.5 degrees with 0.1 m/s.
     const config::GridFrame frame{60, 20, 0.0, 0.0, 5.0, 5.0};
