@@ -52,8 +52,9 @@ TEST_F(Ranks, OfAnyNumberGiveTheBytesOfOneProcess) {
 }
 
 TEST_F(Ranks, OfRigidBlocksGiveTheBytesOfOneProcess) {
-    const std::string blocks =
-        members + "--set release.rocks=20 --set rockfall.motion=rigid --set release.shape=cube,plate,sphere ";
+    const std::string blocks = std::string{four_members} +
+                               "--set run.years=2 --set release.rocks=8 --set rockfall.motion=rigid --set "
+                               "release.shape=cube,plate,sphere ";
     ASSERT_EQ(call(project_, blocks + "--out whole").code, 0);
     const Outcome outcome =
         with_ranks("ranks 3 " + blocks + "--out with_3 || exit 1\ndiff -r whole with_3\n");

@@ -21,7 +21,9 @@ TEST(Shards, InOneFolderGiveTheBytesOfAWholeRun) {
 
 /// Fewer rocks with shapes: each takes a hundred times as long.
 std::string of_blocks(const std::string& shapes) {
-    return members + "--set release.rocks=20 --set rockfall.motion=rigid --set release.shape=" + shapes + " ";
+    return std::string{four_members} +
+           "--set run.years=2 --set release.rocks=8 --set rockfall.motion=rigid --set release.shape=" +
+           shapes + " ";
 }
 
 TEST(Shards, OfRigidBlocksGiveTheBytesOfAWholeRunOnAnyNumberOfThreads) {
