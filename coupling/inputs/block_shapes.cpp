@@ -11,6 +11,7 @@
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/words_of_list.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/meshes/mesh_file.hpp"
 #include "rockfall/solids/shapes.hpp"
@@ -25,19 +26,6 @@ using rockfall::BlockShape;
 
 constexpr double longest_side_m = 50.0;
 constexpr std::size_t most_points = 10'000;
-
-std::vector<std::string> words_of_list(const std::string& text) {
-    std::vector<std::string> words;
-    std::string word;
-    for (const char c : text + ",") {
-        if (c == ',') {
-            words.push_back(std::exchange(word, ""));
-        } else if (c != ' ' && c != '\t') {
-            word += c;
-        }
-    }
-    return words;
-}
 
 /// Points of a mesh whose faces each have corners of their own (STL) become shared ones.
 std::vector<Vector3d> shared_points(const meshes::MeshFile& mesh,
@@ -298,7 +286,7 @@ std::shared_ptr<const rockfall::ShapeLaw> shape_law(
     const std::function<std::filesystem::path(const std::string&)>& resolve, config::Problems& problems) {
     config::Problems found;
     ShapeReader reader{settings, place, resolve, found};
-    const std::vector<std::string> names = words_of_list(settings.shape);
+    const std::vector<std::string> names = config::words_of_list(settings.shape);
     std::vector<BlockShape> shapes;
     for (const std::string& name : names) {
         if (auto shape = reader.read(name)) {

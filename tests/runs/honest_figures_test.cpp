@@ -212,6 +212,25 @@ TEST(FirstScreen, MarksDefaultsOfAnAssessmentOfToday) {
     EXPECT_NE(entry(screen, "Rocks").find("20 <span class=\"mark given\">set"), std::string::npos);
     EXPECT_NE(entry(screen, "Random seed").find("default"), std::string::npos);
     EXPECT_NE(entry(screen, "Motion").find("default"), std::string::npos);
+    EXPECT_EQ(project.read("out/report.html").find("moved by another model"), std::string::npos);
+}
+
+TEST(FirstScreen, NamesShapesOfBlocksAndThePageCitesTheirModel) {
+    const SampleProject project;
+    const Outcome outcome =
+        call(project,
+             "run scenario.ini --quiet --set rockfall.motion=rigid --set "
+             "release.shape=plate,very-platy,cube --set 'release.shape_shares=3, 1, 1' --set "
+             "report.language=de --out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = project.read("out/report.html");
+    const std::string size = entry(first_screen(project, "out/report.html"), "Steindurchmesser");
+    EXPECT_NE(size.find("Platte 60,0 %, sehr plattig 20,0 %, Würfel 20,0 %"), std::string::npos) << size;
+    EXPECT_NE(page.find("Starre Blöcke: Steine sind starre Blöcke mit einer Form"), std::string::npos);
+    EXPECT_NE(page.find("durch die Form des Blocks und des Bodens"), std::string::npos);
+    EXPECT_NE(page.find("nach einem anderen Modell: Starre Blöcke (Leine et al. 2014, Multibody Syst. Dyn. "
+                        "32:241)."),
+              std::string::npos);
 }
 
 TEST(FirstScreen, NamesRocksOfTheirOwnBySource) {

@@ -1,10 +1,15 @@
 #include "coupling/results/report/deciding.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <string_view>
+#include <utility>
 
 #include "config/text/joined.hpp"
+#include "config/text/words_of_list.hpp"
 #include "coupling/inputs/guesses.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -70,14 +75,56 @@ std::string range_over(const Scenario& scenario, const std::vector<ReleaseSource
 }
 
 const std::vector<std::string>& size_keys() {
-    static const std::vector<std::string> keys{"release.diameter_kind",        "release.diameter_m",
-                                               "release.diameter_deviation_m", "release.diameter_low_m",
-                                               "release.diameter_high_m",      "release.diameter_classes_m",
-                                               "release.diameter_shares",      "release.shape"};
+    static const std::vector<std::string> keys{
+        "release.diameter_kind",   "release.diameter_m",      "release.diameter_deviation_m",
+        "release.diameter_low_m",  "release.diameter_high_m", "release.diameter_classes_m",
+        "release.diameter_shares", "release.shape",           "release.shape_shares"};
     return keys;
 }
 
-/// Names of shapes as the scenario has them; nothing where sources have shapes of their own.
+/// Keys of the texts for the shapes of `release.shape`.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 20> texts_of_shapes{{
+    {"sphere", "shape.sphere"},
+    {"cube", "shape.cube"},
+    {"octahedron", "shape.octahedron"},
+    {"ellipsoid", "shape.ellipsoid"},
+    {"equant", "shape.equant"},
+    {"plate", "shape.plate"},
+    {"column", "shape.column"},
+    {"box", "shape.box"},
+    {"rounded", "shape.rounded"},
+    {"hull", "shape.hull"},
+    {"compact", "shape.compact"},
+    {"compact-platy", "shape.compact_platy"},
+    {"compact-bladed", "shape.compact_bladed"},
+    {"compact-elongate", "shape.compact_elongate"},
+    {"platy", "shape.platy"},
+    {"bladed", "shape.bladed"},
+    {"elongate", "shape.elongate"},
+    {"very-platy", "shape.very_platy"},
+    {"very-bladed", "shape.very_bladed"},
+    {"very-elongate", "shape.very_elongate"},
+}};
+
+/// "plate 60 %, cube 40 %": several shapes with their shares of the rocks.
+std::string names_and_shares(const ShapeSettings& settings) {
+    const std::vector<std::string> names = config::words_of_list(settings.shape);
+    const double sum = std::accumulate(settings.shares.begin(), settings.shares.end(), 0.0);
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto* known = std::find_if(texts_of_shapes.begin(), texts_of_shapes.end(),
+                                         [&](const auto& shape) { return shape.first == names[i]; });
+        text += joined(", ", known == texts_of_shapes.end() ? escaped(names[i]) : page_text(known->second));
+        if (names.size() > 1) {
+            const double share =
+                settings.shares.empty() ? 1.0 / static_cast<double>(names.size()) : settings.shares[i] / sum;
+            text += joined(" ", percent(share));
+        }
+    }
+    return text;
+}
+
+/// Names of the shapes; nothing where sources have shapes of their own.
 std::string shape_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
     const bool own_shapes = rocks_have_shapes(scenario) &&
                             std::any_of(sources.begin(), sources.end(), [&](const ReleaseSource& source) {
@@ -86,7 +133,7 @@ std::string shape_of_rocks(const Scenario& scenario, const std::vector<ReleaseSo
     if (own_shapes) {
         return "";
     }
-    return scenario.shape_law ? joined(", ", escaped(scenario.shapes.shape)) : page_text("deciding.spheres");
+    return scenario.shape_law ? names_and_shares(scenario.shapes) : page_text("deciding.spheres");
 }
 
 std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {

@@ -8,6 +8,7 @@
 #include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/phrases.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::report {
 namespace {
@@ -127,12 +128,20 @@ std::string table_of_files(std::string_view caption, const std::vector<WrittenFi
 }
 
 std::string citation(const std::string& version, const Scenario& scenario) {
+    const rockfall::MotionModel model = scenario.rockfall.fall.motion.model;
+    const rockfall::ModelDescription& description = rockfall::description_of(model);
+    const std::string other_model =
+        model == rockfall::MotionModel{}
+            ? ""
+            : joined(" ", page_text("listings.motion_of_rocks",
+                                    {{"title", escaped(in_page_language(description.title))},
+                                     {"source", escaped(description.source)}}));
     return joined(
         "<h2>", page_text("listings.how_to_cite"), "</h2>\n<p>",
         page_text("listings.bannwald_rockfall_through", {{"version", escaped(version)},
                                                          {"file", escaped(scenario.file.filename().string())},
                                                          {"seed", std::to_string(scenario.seed)}}),
-        "</p>\n");
+        other_model, "</p>\n");
 }
 
 }  // namespace coupling::report

@@ -71,7 +71,7 @@ const ModelDescription& Model::description() {
         .title = "Rigid blocks",
         .rocks = "rocks are rigid blocks with a shape: they fly, turn, strike, slide and roll",
         .law = "rigid blocks of real shape, non-smooth contact with Coulomb friction",
-        .source = "Leine et al. 2014",
+        .source = "Leine et al. 2014, Multibody Syst. Dyn. 32:241",
         .energy = "translation and rotation",
         .spins = true,
         .path_bytes_per_m = 400.0,

@@ -1,0 +1,18 @@
+#include "config/text/words_of_list.hpp"
+
+#include <gtest/gtest.h>
+
+namespace config::words_of_list_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(WordsOfList, AreWhatStandsBetweenTheCommas) {
+    EXPECT_EQ(words_of_list("plate,cube"), (Words{"plate", "cube"}));
+    EXPECT_EQ(words_of_list(" plate , cube"), (Words{"plate", "cube"}));
+    EXPECT_EQ(words_of_list("plate,"), (Words{"plate", ""}));
+    EXPECT_EQ(words_of_list(""), (Words{""}));
+}
+
+}  // namespace
+}  // namespace config::words_of_list_test
