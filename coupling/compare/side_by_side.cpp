@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -41,17 +43,23 @@ std::string pair(const SideBySide& comparison, const Disagreement& d) {
 }
 
 /// "energies of A count translation and rotation, of B translation alone": what energies count under the
-/// motion models with these names, each once.
+/// motion models with these names, each once; "energies of all count translation and rotation" where it is
+/// the same.
 std::string energies_of(std::vector<std::string> names) {
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     std::string text;
+    std::set<std::string_view> kinds;
     for (const rockfall::MotionModel model : rockfall::all_models()) {
         const rockfall::ModelDescription& description = rockfall::description_of(model);
         if (std::find(names.begin(), names.end(), description.name) != names.end()) {
+            kinds.insert(description.energy);
             text += joined(text.empty() ? "energies of " : ", of ", description.name,
                            text.empty() ? " count " : " ", description.energy);
         }
+    }
+    if (kinds.size() == 1) {
+        return joined("energies of all count ", *kinds.begin());
     }
     return text;
 }

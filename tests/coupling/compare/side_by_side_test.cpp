@@ -123,6 +123,11 @@ TEST(SideBySide, TellsOfOtherYearsWithRocksAndOfOtherMotionModels) {
     EXPECT_TRUE(side_by_side(runs).not_comparable.empty());
     ASSERT_EQ(side_by_side(runs).notes.size(), 1U);
     EXPECT_NE(side_by_side(runs).notes[0].find("the motion models differ"), std::string::npos);
+    EXPECT_NE(side_by_side(runs).notes[0].find("of pir3d translation alone"), std::string::npos);
+
+    runs[1].summary.settings.back().value = "rigid";
+    EXPECT_NE(side_by_side(runs).notes[0].find("energies of all count translation and rotation"),
+              std::string::npos);
 }
 
 TEST(SideBySide, TakesShapesOfBlocksForPartOfTheModel) {
