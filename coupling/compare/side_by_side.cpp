@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
+#include <functional>
+#include <map>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -42,24 +43,25 @@ std::string pair(const SideBySide& comparison, const Disagreement& d) {
     return text;
 }
 
-/// "energies of A count translation and rotation, of B translation alone": what energies count under the
+/// "energies of A, B count translation and rotation, of C translation alone": what energies count under the
 /// motion models with these names, each once; "energies of all count translation and rotation" where it is
 /// the same.
-std::string energies_of(std::vector<std::string> names) {
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    std::string text;
-    std::set<std::string_view> kinds;
+std::string energies_of(const std::vector<std::string>& names) {
+    std::map<std::string_view, std::string, std::greater<>> models_by_energy;
     for (const rockfall::MotionModel model : rockfall::all_models()) {
         const rockfall::ModelDescription& description = rockfall::description_of(model);
         if (std::find(names.begin(), names.end(), description.name) != names.end()) {
-            kinds.insert(description.energy);
-            text += joined(text.empty() ? "energies of " : ", of ", description.name,
-                           text.empty() ? " count " : " ", description.energy);
+            std::string& models = models_by_energy[description.energy];
+            models += joined(models.empty() ? "" : ", ", description.name);
         }
     }
-    if (kinds.size() == 1) {
-        return joined("energies of all count ", *kinds.begin());
+    if (models_by_energy.size() == 1) {
+        return joined("energies of all count ", models_by_energy.begin()->first);
+    }
+    std::string text;
+    for (const auto& [energy, models] : models_by_energy) {
+        text +=
+            joined(text.empty() ? "energies of " : ", of ", models, text.empty() ? " count " : " ", energy);
     }
     return text;
 }

@@ -11,6 +11,7 @@
 #include "coupling/results/report/head_of_run.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
@@ -94,8 +95,9 @@ std::string opening(std::span<const FinishedRun> runs, const SideBySide& compari
                        report::page_text("compare.page.not_comparable", {{"why", escaped(why)}}), "</p>\n");
     }
     for (const std::string& note : comparison.notes) {
-        html += joined("<p class=\"lead\">",
-                       report::page_text("compare.page.note", {{"note", escaped(note)}}), "</p>\n");
+        html +=
+            joined("<p class=\"lead\">",
+                   report::page_text("compare.page.note", {{"note", report::message_html(note)}}), "</p>\n");
     }
     return html;
 }

@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/results/report/messages.hpp"
+#include "coupling/results/report/writing_language.hpp"
 
 namespace coupling::compare::side_by_side_test {
 namespace {
@@ -123,10 +125,22 @@ TEST(SideBySide, TellsOfOtherYearsWithRocksAndOfOtherMotionModels) {
     EXPECT_TRUE(side_by_side(runs).not_comparable.empty());
     ASSERT_EQ(side_by_side(runs).notes.size(), 1U);
     EXPECT_NE(side_by_side(runs).notes[0].find("the motion models differ"), std::string::npos);
-    EXPECT_NE(side_by_side(runs).notes[0].find("of pir3d translation alone"), std::string::npos);
+    EXPECT_NE(side_by_side(runs).notes[0].find(
+                  "energies of picus count translation and rotation, of pir3d translation alone"),
+              std::string::npos);
+    {
+        const report::WritingLanguage german{config::Language::de};
+        EXPECT_EQ(report::message_text(side_by_side(runs).notes[0]),
+                  "die Bewegungsmodelle unterscheiden sich (A picus, B pir3d): Energien von picus zählen "
+                  "Translation und Rotation, von pir3d nur Translation");
+    }
 
     runs[1].summary.settings.back().value = "rigid";
     EXPECT_NE(side_by_side(runs).notes[0].find("energies of all count translation and rotation"),
+              std::string::npos);
+    const report::WritingLanguage german{config::Language::de};
+    EXPECT_NE(report::message_text(side_by_side(runs).notes[0])
+                  .find("Energien zählen überall Translation und Rotation"),
               std::string::npos);
 }
 
