@@ -147,9 +147,11 @@ struct CaseResult {
     std::vector<std::string> factor_settings;  ///< such as "stand.stems_per_ha"; empty without factors
     std::vector<FactorRow> factors;
     std::vector<DirectionRow> directions;
-    std::vector<std::string> notes;  ///< such as "profile.csv replaced by surveyed.csv"
-    bool has_strict = true;          ///< else `default` alone is judged
-    std::string extent;              ///< what was computed, such as "10000 rocks, 100 series of 100"
+    std::vector<std::string> notes;     ///< such as "profile.csv replaced by surveyed.csv"
+    std::vector<std::string> warnings;  ///< what the user should look at before using the verdicts
+    std::vector<std::string> details;   ///< lines for the screen, below the verdicts
+    bool has_strict = true;             ///< else `default` alone is judged
+    std::string extent;                 ///< what was computed, such as "10000 rocks, 100 series of 100"
     std::vector<PlotGroup> plots;
     std::vector<PlainTable> tables;
     std::uint64_t rocks = 0;  ///< 0 where none falls

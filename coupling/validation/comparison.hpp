@@ -35,6 +35,7 @@ struct Outcome {
     std::map<std::string, double> values;  ///< by the name of their figure
     std::vector<PlotGroup> plots;
     std::vector<PlainTable> tables;
+    std::vector<std::string> details;  ///< lines for the screen: what was compared, where it differs most
 };
 
 /// A part of the model held against a reference: everything read and checked, nothing computed yet.
@@ -42,7 +43,10 @@ struct Comparison {
     std::string extent;           ///< what is compared, such as "333 trees on 3 slopes"
     std::vector<Figure> figures;  ///< all that run() gives
     std::map<std::string, Reference> references;
-    std::uint64_t pieces = 0;  ///< of work that Work::done will be called with
+    /// Figures that the kind has and this case cannot give, with the reason.
+    std::map<std::string, std::string> unknown;
+    std::vector<std::string> warnings;  ///< what the user should look at in the files
+    std::uint64_t pieces = 0;           ///< of work that Work::done will be called with
     std::function<Outcome(const Work&)> run;
 
     /// Empty for a name that there is not.

@@ -15,6 +15,9 @@ using report::escaped;
 
 std::string notes_of(const CaseResult& result) {
     std::string items;
+    for (const std::string& warning : result.warnings) {
+        items += joined("<li><strong>", escaped(warning), "</strong></li>\n");
+    }
     for (const std::string& note : result.notes) {
         items += joined("<li>", escaped(note), "</li>\n");
     }

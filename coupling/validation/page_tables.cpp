@@ -148,7 +148,8 @@ std::string forest_verdicts(const CaseResult& result) {
     HtmlTable table{escaped(result.extent), head};
     table.text_columns({3});
     Notes notes;
-    for (const VerdictRow& row : result.rows) {
+    for (const VerdictRow& as_judged : result.rows) {
+        const VerdictRow row = in_readable_unit(as_judged);
         std::vector<std::string> cells{row_name(row), ours(row.default_value, row.default_verdict),
                                        joined(criterion_text(row), notes.cite(row.rule)),
                                        escaped(row.rests_on)};

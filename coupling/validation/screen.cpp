@@ -24,8 +24,13 @@ int decimals_of(double value, const std::string& unit) {
 }
 
 std::string fixed_text(double value, int decimals) {
+    constexpr double too_long = 1e7;  // nobody counts the digits of 759267036943571200
     char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    if (std::abs(value) >= too_long) {
+        std::snprintf(text, sizeof text, "%.3g", value);
+    } else {
+        std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    }
     return text;
 }
 
@@ -106,7 +111,7 @@ void print_verdicts(std::ostream& out, const CaseResult& result) {
                                              "criterion"}
                   : std::vector<std::string>{"", "unit", "reference", "Bannwald", "", "criterion"});
     for (const VerdictRow& row : result.rows) {
-        add_figure(table, row, result.has_strict);
+        add_figure(table, in_readable_unit(row), result.has_strict);
     }
     table.print(out);
     const std::string series = result.series == 0
@@ -128,11 +133,13 @@ void print_miss(std::ostream& out, const VerdictRow& row, const char* variant, c
                       ? joined("missed", variant, ": ", row.label, " ", figure_text(value.value, row.unit),
                                unit, ", ", by, unit, value.value < *row.low ? " below " : " above ",
                                config::to_text(*row.low), " to ", config::to_text(*row.high))
-                      : joined("missed", variant, ": ", row.label, " is given by no rock"));
+                      : joined("missed", variant, ": ", row.label,
+                               variant[0] == '\0' ? " cannot be computed" : " is given by no rock"));
 }
 
 void print_misses(std::ostream& out, const CaseResult& result) {
-    for (const VerdictRow& row : result.rows) {
+    for (const VerdictRow& as_judged : result.rows) {
+        const VerdictRow row = in_readable_unit(as_judged);
         const bool strict = row.strict_verdict == Verdict::missed;
         const bool ours = row.default_verdict == Verdict::missed;
         if (strict) {
@@ -220,11 +227,17 @@ void print_case(std::ostream& out, const CaseResult& result) {
     out << result.name << ": " << result.title << '\n';
     print_wrapped(out, "  ", result.rebuilt);
     out << "  " << result.extent << '\n';
+    for (const std::string& warning : result.warnings) {
+        print_wrapped(out, "  ", joined("warning: ", warning));
+    }
     for (const std::string& note : result.notes) {
         print_wrapped(out, "  ", joined("note: ", note));
     }
     print_verdicts(out, result);
     print_misses(out, result);
+    for (const std::string& line : result.details) {
+        print_wrapped(out, "  ", line);
+    }
     print_paper_variants(out, result);
     print_directions(out, result);
     print_flips(out, result);

@@ -8,6 +8,7 @@
 #include "coupling/validation/factor_names.hpp"
 #include "coupling/validation/paper_variants.hpp"
 #include "coupling/validation/screen.hpp"
+#include "coupling/validation/verdict.hpp"
 
 namespace coupling::validation {
 namespace {
@@ -124,11 +125,14 @@ void write_case(std::ostream& out, const CaseResult& result) {
                     : "\n| figure | unit | reference | Bannwald | criterion |\n"
                       "|---|---|---|---|---|\n");
         for (const VerdictRow& row : result.rows) {
-            write_row(out, row, result.has_strict, has_scatter);
+            write_row(out, in_readable_unit(row), result.has_strict, has_scatter);
         }
     }
     write_paper_variants(out, result);
     write_direction_rows(out, result);
+    for (const std::string& warning : result.warnings) {
+        out << "\nWarning: " << warning << ".\n";
+    }
     for (const std::string& note : result.notes) {
         out << "\nNote: " << note << ".\n";
     }

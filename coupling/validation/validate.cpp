@@ -170,12 +170,14 @@ CaseResult compare(const ValidationCase& of, const ValidateRequest& request) {
     result.citation = of.head.citation;
     result.rebuilt = of.head.rebuilt;
     result.notes = of.notes;
+    result.warnings = of.warnings;
     result.has_strict = of.has_strict();
     result.extent = of.comparison->extent;
     result.rows = verdict_rows(of, {}, variant.values);
     result.variants = {std::move(variant)};
     result.plots = std::move(outcome.plots);
     result.tables = std::move(outcome.tables);
+    result.details = std::move(outcome.details);
     progress.finish();
     result.seconds = progress.seconds();
     return result;

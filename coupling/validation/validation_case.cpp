@@ -55,6 +55,7 @@ public:
         for (const Figure& figure : comparison.figures) {
             names_.push_back(figure.name);
         }
+        comparison_ = &comparison;
         read_criteria();
         for (const auto& [name, reference] : comparison.references) {
             out_.published[name] = {reference.value, {}, {}, reference.source};
@@ -65,9 +66,25 @@ public:
             }
         }
         problems_.throw_if_any();
+        if (out_.criteria.empty()) {
+            show_without_criteria(comparison);
+        }
     }
 
 private:
+    /// Figures help without bounds too; but nobody should take their list for a verdict.
+    void show_without_criteria(const Comparison& comparison) {
+        for (const Figure& figure : comparison.figures) {
+            if (figure.listed) {
+                add_figure(figure.name);
+            }
+        }
+        out_.warnings.push_back(
+            joined("nothing is judged: ", out_.files.shown("criteria.csv"),
+                   out_.files.has("criteria.csv") ? " has no row" : " is missing",
+                   "; write a row for each figure that must stay within bounds (validation/README.md)"));
+    }
+
     void read_criteria() {
         table("criteria.csv", {"quantity", "low", "high", "rests_on", "rule"},
               [this](const config::Table& t, std::size_t row) { read_criterion(t, row); });
@@ -156,13 +173,23 @@ private:
     /// The name of a figure that the program computes; "" with a problem for any other.
     std::string figure(const config::Table& table, std::size_t row) {
         const std::string& name = table.text(row, "quantity");
+        if (comparison_ != nullptr && comparison_->unknown.contains(name)) {
+            problems_.add(config::ExitCode::data, table.place(row, "quantity"),
+                          joined(config::in_quotes(name),
+                                 ", which cannot be computed: ", comparison_->unknown.at(name)),
+                          "a figure of this case that has something to compare",
+                          "add the data, or leave the row out");
+            return "";
+        }
         if (!names_.empty() && std::find(names_.begin(), names_.end(), name) == names_.end()) {
             const std::string nearest = config::nearest_word(name, names_);
-            refuse(table, row, "quantity",
-                   nearest.empty()
-                       ? "a figure of `bannwald validate --help`, with a section, station or site "
-                         "of this case where it needs one"
-                       : config::in_quotes(nearest));
+            refuse(
+                table, row, "quantity",
+                !nearest.empty() ? config::in_quotes(nearest)
+                : comparison_ != nullptr
+                    ? joined("a figure of this kind of case (validation/README.md), such as ", names_.front())
+                    : "a figure of `bannwald validate --help`, with a section, station or site "
+                      "of this case where it needs one");
             return "";
         }
         add_figure(name);
@@ -281,6 +308,7 @@ private:
     }
 
     ValidationCase& out_;
+    const Comparison* comparison_ = nullptr;
     std::vector<std::string> names_;  ///< of figures that the case may speak of; any where empty
     Profile profile_;
     config::Problems problems_;
@@ -340,6 +368,7 @@ void read_forest(ValidationCase& out) {
                      "one line on what the case is");
     }
     out.comparison = std::make_shared<const Comparison>(forest_cases::read(out.kind, out.files, settings));
+    out.warnings = out.comparison->warnings;
 }
 
 /// Settings that the user asks for are those of its scenario.

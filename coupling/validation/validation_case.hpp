@@ -76,6 +76,7 @@ struct ValidationCase {
     std::vector<VariantSpec> variants;  ///< strict and default first; none without rocks
     std::vector<ChoiceSpec> choices;
     std::vector<std::string> notes;
+    std::vector<std::string> warnings;
     CaseHead head;
     std::shared_ptr<const Comparison> comparison;  ///< of a kind of the forest, and of the field
 

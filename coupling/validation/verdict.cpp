@@ -1,6 +1,8 @@
 #include "coupling/validation/verdict.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace coupling::validation {
@@ -71,6 +73,31 @@ std::vector<VerdictRow> verdict_rows(const ValidationCase& of, const Values& str
         rows.push_back(row_of(of, name, strict_values, default_values));
     }
     return rows;
+}
+
+VerdictRow in_readable_unit(VerdictRow row) {
+    struct Unit {
+        const char* from;
+        double least;  ///< of the figure, from which on the other unit is taken
+        const char* to;
+        double divisor;
+    };
+    static constexpr std::array<Unit, 3> units{
+        {{"ppb", 1e10, "times", 1e9}, {"ppb", 1e6, "%", 1e7}, {"g/ha", 1e6, "t/ha", 1e6}}};
+    const auto unit = std::find_if(units.begin(), units.end(), [&](const Unit& one) {
+        return row.unit == one.from && std::abs(row.default_value.value) >= one.least;
+    });
+    if (unit == units.end()) {
+        return row;
+    }
+    row.unit = unit->to;
+    row.default_value.value /= unit->divisor;
+    for (std::optional<double>* value : {&row.observed, &row.published, &row.low, &row.high}) {
+        if (*value) {
+            **value /= unit->divisor;
+        }
+    }
+    return row;
 }
 
 std::vector<Flip> flips_of(const CaseResult& result) {

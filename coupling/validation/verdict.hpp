@@ -18,6 +18,10 @@ Verdict verdict_of(double value, const Criterion& criterion);
 std::vector<VerdictRow> verdict_rows(const ValidationCase& of, const Values& strict_values,
                                      const Values& default_values);
 
+/// The same line in a unit that keeps its figures short: parts per billion become per cent or times the
+/// reference, g/ha become t/ha. Tables for programs keep the unit of the criterion.
+VerdictRow in_readable_unit(VerdictRow row);
+
 /// A verdict that a moved choice changes.
 struct Flip {
     std::string choice;

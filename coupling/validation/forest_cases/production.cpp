@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
+#include <set>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -20,7 +22,9 @@ struct ColumnDifference {
     const check::Column* column = nullptr;
     double largest = 0.0;           ///< relative [-]
     double largest_absolute = 0.0;  ///< in the unit of the column
-    std::size_t row = 0;            ///< of the run, where the largest stands
+    std::size_t row = 0;            ///< of the run, where the largest relative one stands
+    double ours = 0.0;              ///< there, in the unit of the column
+    double reference = 0.0;
     std::size_t compared = 0;
 };
 
@@ -49,57 +53,44 @@ std::string species_words(const ReferenceRun& run, const check::Row& row,
 /// InputError (data) with the first month and column.
 void require_numbers(const ReferenceRun& run, const std::vector<check::Row>& rows) {
     for (const check::Row& row : rows) {
-        for (const check::Column& column : check::columns()) {
-            if (run.table.has(column.name) && !std::isfinite(column.of(row))) {
-                config::fail(config::ExitCode::data, {run.table.file()},
-                             joined("run ", run.name, " is not a number since ", month_words(row.when),
-                                    " in column ", column.name, species_words(run, row, rows)),
+        for (const ComparedColumn& compared : run.compared) {
+            if (!std::isfinite(compared.column->of(row))) {
+                config::fail(config::ExitCode::data, {run.parameters_file},
+                             joined("run ", run.name, ", which gives no number from ", month_words(row.when),
+                                    " on in column ", compared.column->name, species_words(run, row, rows)),
                              "parameters and weather that give numbers in every month",
-                             "look at the parameters that the column depends on");
+                             joined("look at the parameters that ", compared.column->name,
+                                    " depends on, and at the weather of that month"));
             }
         }
     }
 }
 
-/// A reference without a figure would agree with everything. Throws InputError (data).
-void require_comparison(const ReferenceRun& run, const RunOutcome& outcome) {
-    const bool any = std::any_of(outcome.columns.begin(), outcome.columns.end(),
-                                 [](const ColumnDifference& column) { return column.compared > 0; });
-    if (!any) {
-        config::fail(config::ExitCode::data, {run.table.file()}, "no figure to compare",
-                     "columns of r3PG such as biom_stem, dbh, lai or npp, with numbers",
-                     "name the columns as r3PG does (README.md of forest_production)");
+ColumnDifference difference_of(const ReferenceRun& run, const ComparedColumn& compared,
+                               const std::vector<check::Row>& rows) {
+    ColumnDifference difference{.column = compared.column, .compared = compared.figures.size()};
+    for (const ComparedFigure& figure : compared.figures) {
+        const double ours = compared.column->of(rows[figure.row]);
+        const double absolute = std::abs(ours - figure.reference);
+        const double relative = absolute / std::max(std::abs(figure.reference), run.floor);
+        difference.largest_absolute = std::max(difference.largest_absolute, absolute);
+        if (relative > difference.largest) {
+            difference.largest = relative;
+            difference.row = figure.row;
+            difference.ours = ours;
+            difference.reference = figure.reference;
+        }
     }
+    return difference;
 }
 
-/// All figures of all months that both programs give. What has not been computed before the first month is 0
-/// in r3PG, and is not compared.
+/// All figures of all months that both programs give.
 RunOutcome compare(const ReferenceRun& run) {
     RunOutcome outcome{check::run(run.inputs, run.settings), {}};
     require_numbers(run, outcome.rows);
-    for (const check::Column& column : check::columns()) {
-        if (!run.table.has(column.name)) {
-            continue;
-        }
-        ColumnDifference difference{&column, 0.0, 0.0, 0, 0};
-        for (std::size_t i = 0; i < run.table.rows(); ++i) {
-            const std::optional<double> expected = config::parse_number(run.table.text(i, column.name));
-            const std::size_t row = run.row_in_run[i];
-            if (!expected || (row < run.inputs.species.size() && *expected == 0.0)) {
-                continue;
-            }
-            const double absolute = std::abs(column.of(outcome.rows[row]) - *expected);
-            const double relative = absolute / std::max(std::abs(*expected), run.floor);
-            ++difference.compared;
-            difference.largest_absolute = std::max(difference.largest_absolute, absolute);
-            if (relative > difference.largest) {
-                difference.largest = relative;
-                difference.row = row;
-            }
-        }
-        outcome.columns.push_back(difference);
+    for (const ComparedColumn& compared : run.compared) {
+        outcome.columns.push_back(difference_of(run, compared, outcome.rows));
     }
-    require_comparison(run, outcome);
     return outcome;
 }
 
@@ -217,6 +208,67 @@ PlainTable table_for(const ReferenceRun& run, const RunOutcome& outcome) {
     return table;
 }
 
+/// "0.021 %", or "12 times the reference" where per cent would only be long.
+std::string relative_words(double relative) {
+    constexpr double many = 10.0;
+    return relative < many ? joined(report::three_digits(100.0 * relative), " %")
+                           : joined(report::three_digits(relative), " times the reference");
+}
+
+/// As many digits as r3PG prints.
+std::string nine_digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
+/// The names where they are few; many columns are only counted.
+std::string column_names(const std::vector<ComparedColumn>& compared) {
+    constexpr std::size_t most_named = 8;
+    std::string list;
+    for (const ComparedColumn& one : compared) {
+        list += joined(list.empty() ? "" : ", ", one.column->name);
+    }
+    return compared.size() <= most_named ? joined(" (", list, ")") : "";
+}
+
+/// How much was compared and where the run differs most: without it a small figure says little.
+std::string detail_of(const ReferenceRun& run, const RunOutcome& outcome) {
+    const auto worst = std::max_element(
+        outcome.columns.begin(), outcome.columns.end(),
+        [](const ColumnDifference& a, const ColumnDifference& b) { return a.largest < b.largest; });
+    std::set<int> months;
+    std::size_t figures = 0;
+    for (const ComparedColumn& one : run.compared) {
+        figures += one.figures.size();
+        for (const ComparedFigure& figure : one.figures) {
+            months.insert(outcome.rows[figure.row].when.count());
+        }
+    }
+    const std::string compared =
+        joined("run ", run.name, ": compared ", std::to_string(run.compared.size()),
+               run.compared.size() == 1 ? " column" : " columns", column_names(run.compared), " in ",
+               std::to_string(months.size()), months.size() == 1 ? " month, " : " months, ",
+               std::to_string(figures), " figures; ");
+    if (worst->largest == 0.0) {
+        return joined(compared, "no difference");
+    }
+    const check::Row& row = outcome.rows[worst->row];
+    const std::string unit = worst->column->unit == "-" ? "" : joined(" ", worst->column->unit);
+    const bool is_floored = std::abs(worst->reference) < run.floor;
+    return joined(compared, "largest difference in column ", worst->column->name,
+                  species_words(run, row, outcome.rows), ", ", month_words(row.when), ": Bannwald ",
+                  nine_digits(worst->ours), unit, ", reference ", nine_digits(worst->reference), unit,
+                  is_floored ? joined(", relative to the floor ", config::to_text(run.floor))
+                             : joined(", ", relative_words(worst->largest)));
+}
+
+/// Whether a reference has any stock of biomass.
+bool has_stocks(const ReferenceRun& run) {
+    return std::any_of(run.compared.begin(), run.compared.end(),
+                       [](const ComparedColumn& one) { return is_stock(*one.column); });
+}
+
 Outcome compare_all(const std::vector<ReferenceRun>& runs, const Work& work) {
     std::vector<RunOutcome> outcomes(runs.size());
     each_piece(work, runs.size(), [&](std::size_t i) { outcomes[i] = compare(runs[i]); });
@@ -230,7 +282,10 @@ Outcome compare_all(const std::vector<ReferenceRun>& runs, const Work& work) {
                 std::max(largest_stock_tpha, is_stock(*column.column) ? column.largest_absolute : 0.0);
         }
         out.values[difference_name(runs[i])] = per_billion * largest;
-        out.values[biomass_name(runs[i])] = g_per_t * largest_stock_tpha;
+        if (has_stocks(runs[i])) {
+            out.values[biomass_name(runs[i])] = g_per_t * largest_stock_tpha;
+        }
+        out.details.push_back(detail_of(runs[i], outcomes[i]));
         for (std::size_t species = 0; species < runs[i].inputs.species.size(); ++species) {
             out.plots.push_back(plots_of(runs[i], outcomes[i], species));
         }
@@ -242,18 +297,28 @@ Outcome compare_all(const std::vector<ReferenceRun>& runs, const Work& work) {
 }  // namespace
 
 Comparison read_production(const CaseFiles& files) {
-    const auto runs = std::make_shared<const std::vector<ReferenceRun>>(read_reference_runs(files));
+    config::Warnings warnings;
+    const auto runs = std::make_shared<const std::vector<ReferenceRun>>(read_reference_runs(files, warnings));
     Comparison comparison;
+    comparison.warnings = warnings.sentences();
     std::size_t months = 0;
     for (const ReferenceRun& run : *runs) {
         months += rows_of(run.inputs) / run.inputs.species.size();
         comparison.figures.push_back(
             {difference_name(run), joined("largest difference of any column and month, ", run.name), "ppb"});
-        comparison.figures.push_back(
-            {biomass_name(run), joined("largest difference of biomass, ", run.name), "g/ha"});
+        if (has_stocks(run)) {
+            comparison.figures.push_back(
+                {biomass_name(run), joined("largest difference of biomass, ", run.name), "g/ha"});
+        } else {
+            comparison.unknown[biomass_name(run)] =
+                joined(run.table.file(),
+                       " has no column of biomass in t/ha with numbers (biom_stem, biom_root, biom_foliage)",
+                       unread_columns(run));
+        }
     }
     comparison.extent =
-        joined(std::to_string(runs->size()), " reference runs, ", std::to_string(months), " months");
+        joined(std::to_string(runs->size()), runs->size() == 1 ? " reference run, " : " reference runs, ",
+               std::to_string(months), " months");
     comparison.pieces = runs->size();
     comparison.run = [runs](const Work& work) { return compare_all(*runs, work); };
     return comparison;

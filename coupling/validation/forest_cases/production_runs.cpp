@@ -1,13 +1,16 @@
 #include "coupling/validation/forest_cases/production_runs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
+#include "coupling/validation/forest_cases/unknown_columns.hpp"
 
 namespace coupling::validation::forest_cases {
 namespace {
@@ -42,12 +45,16 @@ public:
     }
     [[nodiscard]] check::Inputs inputs() const {
         const check::Site site = check::read_site(table("site", "demo_site.csv"));
-        return check::inputs_of(
-            site, starting_species(), check::read_parameters(table("parameters", "demo_parameters.csv")),
-            check::read_climate(table("climate", "demo_climate.csv"), site),
-            text_or("thinned", "no") == "yes" ? check::read_thinnings(table("thinning", "demo_thinning.csv"))
-                                              : std::vector<check::Thinning>{});
+        std::vector<check::StartingSpecies> species = starting_species();
+        require_parameters(species);
+        return check::inputs_of(site, std::move(species), check::read_parameters(parameters()),
+                                check::read_climate(climate(), site),
+                                text_or("thinned", "no") == "yes"
+                                    ? check::read_thinnings(table("thinning", "demo_thinning.csv"))
+                                    : std::vector<check::Thinning>{});
     }
+    [[nodiscard]] config::Table parameters() const { return table("parameters", "demo_parameters.csv"); }
+    [[nodiscard]] config::Table climate() const { return table("climate", "demo_climate.csv"); }
     [[nodiscard]] check::Settings settings(config::Problems& problems) const {
         const std::string& models = runs_.text(row_, "models");
         if (models != "3-PGpjs" && models != "3-PGmix") {
@@ -66,6 +73,23 @@ public:
     }
 
 private:
+    void require_parameters(const std::vector<check::StartingSpecies>& species) const {
+        const config::Table given = parameters();
+        config::Problems problems;
+        for (const check::StartingSpecies& one : species) {
+            if (!given.has(one.species)) {
+                const std::string nearest = config::nearest_word(one.species, given.columns());
+                problems.add(config::ExitCode::data, {given.file()},
+                             joined("no parameters of ", config::in_quotes(one.species)),
+                             joined("a column for each species of run ", runs_.text(row_, "run")),
+                             nearest.empty() ? "add the column, spelt as in the other tables"
+                                             : joined("if it is the column ", config::in_quotes(nearest),
+                                                      ", spell it alike in all tables"));
+            }
+        }
+        problems.throw_if_any();
+    }
+
     [[nodiscard]] std::vector<check::StartingSpecies> starting_species() const {
         const std::vector<std::string> wanted = between(runs_.text(row_, "species"), '+');
         const std::string file = text_or("start", "demo_species.csv");
@@ -192,16 +216,128 @@ std::vector<std::size_t> rows_in_run(const config::Table& table, const check::In
     return rows;
 }
 
+/// Columns of r3PG that our run does not have: carbon isotopes, size distributions and sums of these.
+constexpr std::array<const char*, 28> only_of_r3pg{"Gc_mol",
+                                                   "Dweibullscale",
+                                                   "Gw_mol",
+                                                   "Dweibullshape",
+                                                   "D13CNewPS",
+                                                   "Dweibulllocation",
+                                                   "D13CTissue",
+                                                   "wsweibullscale",
+                                                   "InterCi",
+                                                   "wsweibullshape",
+                                                   "epsilon_gpp",
+                                                   "volume_extracted",
+                                                   "wsweibulllocation",
+                                                   "height_rel",
+                                                   "epsilon_npp",
+                                                   "CVdbhDistribution",
+                                                   "epsilon_biom_stem",
+                                                   "wue",
+                                                   "CVwsDistribution",
+                                                   "wue_transp",
+                                                   "wsrelBias",
+                                                   "delta13c",
+                                                   "DrelBiaspFS",
+                                                   "DrelBiasheight",
+                                                   "DrelBiasBasArea",
+                                                   "water_runoff_polled",
+                                                   "DrelBiasLCL",
+                                                   "DrelBiasCrowndiameter"};
+
+std::vector<std::string> known_columns() {
+    std::vector<std::string> known{"date", "species", "year", "month", "month_number"};
+    known.insert(known.end(), only_of_r3pg.begin(), only_of_r3pg.end());
+    for (const check::Column& column : check::columns()) {
+        known.emplace_back(column.name);
+    }
+    return known;
+}
+
+/// A number; nothing for what has not been computed: an empty field, or NA as R writes it.
+std::optional<double> figure_in(const config::Table& table, std::size_t row, std::string_view column,
+                                config::Problems& problems) {
+    const std::string& text = table.text(row, column);
+    return text.empty() || text == "NA" ? std::nullopt : table.number(row, column, {}, problems);
+}
+
+std::vector<ComparedColumn> compared_columns(const ReferenceRun& run) {
+    config::Problems problems;
+    std::vector<ComparedColumn> compared;
+    for (const check::Column& column : check::columns()) {
+        ComparedColumn found{&column, {}};
+        for (std::size_t i = 0; run.table.has(column.name) && i < run.table.rows(); ++i) {
+            const std::size_t row = run.row_in_run[i];
+            const std::optional<double> figure = figure_in(run.table, i, column.name, problems);
+            const bool before_the_first_month = row < run.inputs.species.size() && figure == 0.0;
+            if (figure && !before_the_first_month) {
+                found.figures.push_back({row, *figure});
+            }
+        }
+        if (!found.figures.empty()) {
+            compared.push_back(std::move(found));
+        }
+    }
+    if (problems.empty() && compared.empty()) {
+        const bool is_long = run.table.has("variable") && run.table.has("value");
+        problems.add(config::ExitCode::data, {run.table.file()},
+                     joined("no figure to compare", unread_columns(run)),
+                     "columns of r3PG such as biom_stem, dbh, lai or npp, with numbers",
+                     is_long ? "turn the table: a column for each `variable` with its `value`"
+                             : "name the columns as r3PG does (README.md of forest_production)");
+    }
+    problems.throw_if_any();
+    return compared;
+}
+
+/// A run with other parameters or weather than its reference had differs for no fault of the model.
+void warn_of_defaults(const config::Table& parameters, const config::Table& climate,
+                      config::Warnings& warnings) {
+    const std::vector<std::string> filled = check::defaults_in(parameters);
+    if (!filled.empty()) {
+        std::string list;
+        for (const std::string& one : filled) {
+            list += joined(list.empty() ? "" : ", ", one);
+        }
+        warnings.add(joined(
+            parameters.file(), ": ", std::to_string(filled.size()),
+            filled.size() == 1 ? " parameter has no row and takes" : " parameters have no row and take",
+            " the default of r3PG: ", list, "; add the rows if the reference was made with other values"));
+    }
+    if (!climate.has("co2")) {
+        warnings.add(joined(climate.file(),
+                            ": no column co2, 350 ppm in all months; add the column if the "
+                            "reference was made with other values"));
+    }
+}
+
 }  // namespace
+
+std::string unread_columns(const ReferenceRun& run) {
+    const std::vector<std::string> known = known_columns();
+    std::string list;
+    for (const std::string& column : run.table.columns()) {
+        if (std::find(known.begin(), known.end(), column) == known.end()) {
+            list += joined(list.empty() ? "; not read: " : ", ", column);
+        }
+    }
+    return list;
+}
 
 std::size_t rows_of(const plain_3pg::Inputs& inputs) {
     return inputs.species.size() *
            static_cast<std::size_t>(inputs.site.to.count() - inputs.site.from.count() + 1);
 }
 
-std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files) {
+std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files, config::Warnings& warnings) {
     const config::Table table = table_of(files, "runs.csv");
     config::Problems problems;
+    warn_of_unknown_columns(table,
+                            {"run", "species", "models", "reference", "height", "thinned", "floor", "site",
+                             "start", "parameters", "climate", "thinning"},
+                            warnings);
+    std::set<std::string> looked_at;  // files of several runs, which one warning is enough for
     if (!table.require({"run", "species", "models", "reference", "source"}, problems)) {
         problems.throw_if_any();
     }
@@ -214,11 +350,19 @@ std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files) {
                          table_of(files, table.text(row, "reference")),
                          {},
                          1e-7,
-                         table.text(row, "source")};
+                         table.text(row, "source"),
+                         reader.parameters().file()};
         if (table.has("floor") && !table.text(row, "floor").empty()) {
             run.floor = table.number(row, "floor", {.low = 1e-12, .high = 1e3}, problems).value_or(1.0);
         }
         run.row_in_run = rows_in_run(run.table, run.inputs);
+        run.compared = compared_columns(run);
+        if (looked_at.insert(run.table.file()).second) {
+            warn_of_unknown_columns(run.table, known_columns(), warnings);
+        }
+        if (looked_at.insert(run.parameters_file).second) {
+            warn_of_defaults(reader.parameters(), reader.climate(), warnings);
+        }
         runs.push_back(std::move(run));
     }
     if (runs.empty()) {

@@ -4,11 +4,24 @@
 #include <string>
 #include <vector>
 
+#include "config/errors/warnings.hpp"
 #include "config/table/table.hpp"
 #include "coupling/validation/case_files.hpp"
 #include "coupling/validation/forest_cases/plain_3pg/plain_3pg.hpp"
 
 namespace coupling::validation::forest_cases {
+
+/// A figure of the reference and the row of our run that it is compared with.
+struct ComparedFigure {
+    std::size_t row = 0;
+    double reference = 0.0;
+};
+
+/// What a reference gives of one of r3PG's columns: one figure or more.
+struct ComparedColumn {
+    const plain_3pg::Column* column = nullptr;
+    std::vector<ComparedFigure> figures;
+};
 
 /// A run of another program and the inputs it was made with.
 struct ReferenceRun {
@@ -20,15 +33,24 @@ struct ReferenceRun {
     std::vector<std::size_t> row_in_run;
     double floor = 0.0;  ///< differences are relative to the reference, or to this where it is smaller
     std::string source;
+    std::string parameters_file;             ///< in messages
+    std::vector<ComparedColumn> compared{};  ///< never empty
 };
+
+/// "; not read: bio_stem": the columns of its reference that are none of r3PG's; "" without.
+std::string unread_columns(const ReferenceRun& run);
 
 /// Rows that a run gives: one a species and month.
 std::size_t rows_of(const plain_3pg::Inputs& inputs);
 
 /// Reads runs.csv of a case forest_production and the tables that each of its rows names
 /// (validation/README.md). Rows of a reference are found by month and species, in any order; it may leave
-/// months and species out. Throws InputError (file, data) for what is missing or not plausible, for months
-/// outside the run, other species, and a month and species twice.
-std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files);
+/// months and species out. What has not been computed before the first month is 0 in r3PG, and is not
+/// compared.
+///
+/// Throws InputError (file, data) for what is missing or not plausible, for months outside the run, other
+/// species, a month and species twice, and a reference without any figure to compare. Warns of columns that
+/// nothing reads and of parameters that take a default.
+std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files, config::Warnings& warnings);
 
 }  // namespace coupling::validation::forest_cases

@@ -24,6 +24,27 @@ Values speeds(double mean_mps) {
     return {{"mean_speed_mps", {mean_mps, mean_mps, 0.1}}, {"max_speed_mean_mps", {14.0, {}, {}}}};
 }
 
+TEST(InReadableUnit, KeepsTheFiguresShort) {
+    VerdictRow row;
+    row.unit = "ppb";
+    row.low = 0.0;
+    row.high = 1000.0;
+    row.default_value.value = 500.0;
+    EXPECT_EQ(in_readable_unit(row).unit, "ppb");
+    row.default_value.value = 2.5e8;
+    EXPECT_EQ(in_readable_unit(row).unit, "%");
+    EXPECT_DOUBLE_EQ(in_readable_unit(row).default_value.value, 25.0);
+    EXPECT_DOUBLE_EQ(*in_readable_unit(row).high, 1e-4);
+    row.default_value.value = 3e11;
+    EXPECT_EQ(in_readable_unit(row).unit, "times");
+    EXPECT_DOUBLE_EQ(in_readable_unit(row).default_value.value, 300.0);
+    EXPECT_EQ(*in_readable_unit(row).high, 1e-6);
+    row.unit = "g/ha";
+    EXPECT_EQ(in_readable_unit(row).unit, "t/ha");
+    row.unit = "kJ";
+    EXPECT_EQ(in_readable_unit(row).unit, "kJ");
+}
+
 TEST(VerdictOf, CountsTheBoundsAsInside) {
     const Criterion criterion{9.0, 11.0, {}, {}, {}};
     EXPECT_EQ(verdict_of(9.0, criterion), Verdict::inside);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+
 namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
@@ -189,10 +192,32 @@ std::vector<Parameters> read_parameters(const Table& table) {
         }
     }
     if (result.empty()) {
-        problems.add(ExitCode::data, {table.file()}, "no species", "a column for each");
+        problems.add(ExitCode::data, {table.file()}, "no species", "a column for each",
+                     "call the columns as the species are spelt in the other tables");
+    }
+    if (table.rows() == 0) {
+        problems.add(ExitCode::data, {table.file()}, "no parameter",
+                     "a row for each parameter of 3-PG that is known, such as alphaCx or k",
+                     "add the rows: no stand grows on defaults alone");
     }
     problems.throw_if_any();
     return result;
+}
+
+std::vector<std::string> defaults_in(const Table& table) {
+    Problems reported;  // by read_parameters
+    const Rows rows{table, reported};
+    std::vector<std::string> filled;
+    for (const ParameterField& field : fields) {
+        if (rows.row_of(field.name) == table.rows()) {
+            filled.push_back(config::joined(field.name, " = ", config::to_text(field.default_value)));
+        }
+    }
+    if (rows.row_of(crown_form_name) == table.rows()) {
+        filled.push_back(config::joined(crown_form_name, " = ",
+                                        std::to_string(static_cast<int>(Parameters{}.crown_form))));
+    }
+    return filled;
 }
 
 }  // namespace coupling::validation::forest_cases::plain_3pg

@@ -122,9 +122,12 @@ struct ParameterField {
 std::span<const ParameterField> parameter_fields();
 
 /// Reads a table of r3PG's form: a column `parameter`, then one column for each species; rows in any order,
-/// missing ones take their default. Throws one InputError (data) for unknown and doubled parameters and
-/// values that are no numbers or out of range. Rows for carbon isotopes are read over: they change no other
-/// result.
+/// missing ones take their default (`defaults_in`). Throws one InputError (data) for unknown and doubled
+/// parameters, a table without any row, and values that are no numbers or out of range. Rows for carbon
+/// isotopes are read over: they change no other result.
 std::vector<Parameters> read_parameters(const config::Table& table);
+
+/// The parameters that a table has no row for, each with its default, such as "k = 0.5".
+std::vector<std::string> defaults_in(const config::Table& table);
 
 }  // namespace coupling::validation::forest_cases::plain_3pg

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
+#include "coupling/validation/screen.hpp"
 #include "coupling/validation/tables.hpp"
 #include "coupling/validation/validate.hpp"
 #include "coupling/validation/verdict.hpp"
@@ -76,7 +77,9 @@ TEST(ForestProduction, NamesTheMonthAndColumnThatAreNoNumberAnyMore) {
         ADD_FAILURE() << "compared what is no number";
     } catch (const config::InputError& error) {
         const std::string message = config::to_string(error.problems().front());
-        EXPECT_NE(message.find("is not a number since "), std::string::npos) << message;
+        EXPECT_EQ(message.find("validation/forest_production/demo_parameters.csv: found run "), 0U)
+            << message;
+        EXPECT_NE(message.find("which gives no number from 2001-0"), std::string::npos) << message;
         EXPECT_NE(message.find("in column height"), std::string::npos) << message;
     }
 }
@@ -119,6 +122,86 @@ std::string text_of(const std::vector<std::string>& lines) {
     return text;
 }
 
+TEST(ProductionCase, RefusesFiguresThatHaveNothingToCompare) {
+    CaseFiles files = shipped("forest_production");
+    const auto pine_with = [&](const std::string& head, const std::string& row) {
+        files.texts["out_pine_pjs.csv"] = "date,species," + head + "\n2001-02,Pinus sylvestris," + row + "\n";
+        return problem_of(files);
+    };
+    EXPECT_NE(pine_with("bio_stem,dhb", "90,20")
+                  .find("out_pine_pjs.csv: found no figure to compare; "
+                        "not read: bio_stem, dhb"),
+              std::string::npos);
+    EXPECT_NE(pine_with("dbh,biom_stem", "NA,").find("no figure to compare"), std::string::npos);
+    EXPECT_NE(pine_with("variable,value", "dbh,20").find("turn the table"), std::string::npos);
+    EXPECT_NE(pine_with("dbh", "thick").find("out_pine_pjs.csv:2:26"), std::string::npos)
+        << pine_with("dbh", "thick");
+    const std::string no_stock = pine_with("dbh,bio_stem", "20.0228561,90");
+    EXPECT_NE(no_stock.find("criteria.csv:4:1: found 'largest_biomass_difference_gpha:pine', which cannot be "
+                            "computed: "),
+              std::string::npos)
+        << no_stock;
+    EXPECT_NE(no_stock.find("not read: bio_stem"), std::string::npos) << no_stock;
+}
+
+TEST(ProductionCase, PrintsWhatWasComparedAndWhereItDiffersMost) {
+    CaseFiles files = shipped("forest_production");
+    files.texts["out_pine_pjs.csv"] =
+        "date,species,dbh,hieght,biom_stem\n2001-02,Pinus sylvestris,20.0228561,9,90.1373448\n"
+        "2001-03,Pinus sylvestris,10,9,\n";
+    const CaseResult result = result_of(files);
+    ASSERT_EQ(result.details.size(), 3U);
+    EXPECT_EQ(result.details[0].find("run pine: compared 2 columns (dbh, biom_stem) in 2 months, 3 figures; "
+                                     "largest difference in column dbh, 2001-03: Bannwald 20."),
+              0U)
+        << result.details[0];
+    EXPECT_NE(result.details[0].find(" cm, reference 10 cm, 10"), std::string::npos) << result.details[0];
+    ASSERT_EQ(result.warnings.size(), 1U);
+    EXPECT_NE(result.warnings[0].find("column 'hieght' is not read; if it is 'height'"), std::string::npos)
+        << result.warnings[0];
+    std::ostringstream screen;
+    print_case(screen, result);
+    EXPECT_NE(screen.str().find("warning: "), std::string::npos);
+    EXPECT_NE(screen.str().find("  %  "), std::string::npos) << screen.str();
+}
+
+TEST(ProductionCase, NamesParametersThatTakeADefault) {
+    CaseFiles files = shipped("forest_production");
+    EXPECT_TRUE(read_case(files).warnings.empty());
+    std::string& parameters = files.texts["demo_parameters.csv"];
+    for (const std::string name : {"\nk,", "\ncrownshape,"}) {
+        const std::size_t at = parameters.find(name);
+        ASSERT_NE(at, std::string::npos) << name;
+        parameters.erase(at, parameters.find('\n', at + 1) - at);
+    }
+    const std::vector<std::string> warnings = read_case(files).warnings;
+    ASSERT_EQ(warnings.size(), 1U) << "one for all runs with the same file";
+    EXPECT_NE(warnings[0].find("demo_parameters.csv: 2 parameters have no row and take the default of r3PG: "
+                               "k = 0.5, crownshape = 3"),
+              std::string::npos)
+        << warnings[0];
+    parameters = "parameter,Pinus sylvestris,Fagus sylvatica\n";
+    EXPECT_NE(problem_of(files).find("demo_parameters.csv: found no parameter"), std::string::npos)
+        << problem_of(files);
+    parameters = "parameter,Pinus silvestris,Fagus sylvatica\nk,0.5,0.5\n";
+    EXPECT_NE(
+        problem_of(files).find("demo_parameters.csv: found no parameters of 'Pinus sylvestris', expected "
+                               "a column for each species of run pine; if it is the column 'Pinus "
+                               "silvestris'"),
+        std::string::npos)
+        << problem_of(files);
+}
+
+TEST(ForestCase, WarnsThatNothingJudges) {
+    CaseFiles files = shipped("forest_production");
+    files.texts.erase("criteria.csv");
+    const CaseResult result = result_of(files);
+    ASSERT_EQ(result.warnings.size(), 1U);
+    EXPECT_EQ(result.warnings[0].find("nothing is judged: "), 0U) << result.warnings[0];
+    EXPECT_EQ(result.rows.size(), 6U) << "the figures help without bounds too";
+    EXPECT_FALSE(misses_any(result));
+}
+
 TEST(ProductionCase, FindsRowsByDateAndSpeciesInAnyOrder) {
     CaseFiles files = shipped("forest_production");
     const Values straight = result_of(files).variants.front().values;
@@ -144,6 +227,8 @@ TEST(ProductionCase, ComparesThePartThatAReferenceHas) {
 TEST(ProductionCase, NamesRowsThatAreNotInTheRun) {
     const auto with_row = [](const std::string& row) {
         CaseFiles files = shipped("forest_production");
+        replace(files.texts["criteria.csv"], "largest_biomass_difference_gpha:pine",
+                "largest_biomass_difference_gpha:mixture");
         files.texts["out_pine_pjs.csv"] = "date,species,dbh\n2001-02-28,Pinus sylvestris,20.0228561\n" + row;
         return problem_of(files);
     };
