@@ -71,6 +71,18 @@ bool is_known(const LightMeasure& measure, const MappedSlope& slope) {
     return true;
 }
 
+/// Why a figure that a slope has a reference for cannot be computed; "" where it can.
+std::string why_unknown(const LightMeasure& measure, const MappedStand& stand, const MappedSlope& slope,
+                        const Columns& of) {
+    if (measure.value == &LightAgreement::tree_light_correlation) {
+        return why_no_correlation(slope.tree_light);
+    }
+    if (measure.value == &LightAgreement::sensor_correlation) {
+        return why_no_correlation(stand, slope, of.settings.column_m);
+    }
+    return "";
+}
+
 std::string figure_name(const Columns& of, const LightMeasure& measure, const MappedSlope& slope) {
     return joined(of.prefix, measure.name, ":", slope.name);
 }
@@ -110,8 +122,8 @@ Plot scatter(const MappedSlope& slope, const std::string& of, const std::vector<
 }
 
 std::string agreement_words(double r, double bias, double rmse) {
-    return joined("r ", report::fixed(r, 2), ", bias ", report::fixed(bias, 3), ", RMSE ",
-                  report::fixed(rmse, 3));
+    return joined("r ", std::isfinite(r) ? report::fixed(r, 2) : "unknown", ", bias ", report::fixed(bias, 3),
+                  ", RMSE ", report::fixed(rmse, 3));
 }
 
 /// Dots of trees and sensors, as far as the reference has them.
@@ -161,7 +173,7 @@ Outcome compare(const MappedStand& stand, const LightMonths& months, const Work&
             const LightAgreement& found = agreements[c * slopes + s];
             std::vector<std::string> row{joined(of.words, ", ", slope_words(slope))};
             for (const LightMeasure& measure : light_measures) {
-                const bool known = is_known(measure, slope);
+                const bool known = is_known(measure, slope) && std::isfinite(found.*measure.value);
                 if (known) {
                     outcome.values[figure_name(of, measure, slope)] = found.*measure.value;
                 }
@@ -197,21 +209,29 @@ Comparison read_light(const CaseFiles& files, const LightSettings& settings) {
     const auto if_there = [&files](const char* name) {
         return files.has(name) ? std::optional{table_of(files, name)} : std::nullopt;
     };
-    const auto stand =
-        std::make_shared<const MappedStand>(mapped_stand({.trees = table_of(files, "trees.csv"),
-                                                          .leaves = table_of(files, "leaves.csv"),
-                                                          .radiation = table_of(files, "radiation.csv"),
-                                                          .slopes = table_of(files, "slopes.csv"),
-                                                          .ground = if_there("ground.csv"),
-                                                          .sensors = if_there("sensors.csv")}));
+    const MappedTables tables{.trees = table_of(files, "trees.csv"),
+                              .leaves = table_of(files, "leaves.csv"),
+                              .radiation = table_of(files, "radiation.csv"),
+                              .slopes = table_of(files, "slopes.csv"),
+                              .ground = if_there("ground.csv"),
+                              .sensors = if_there("sensors.csv")};
+    const auto stand = std::make_shared<const MappedStand>(mapped_stand(tables));
+    config::Warnings warnings;
+    warn_of_unknown_columns(tables, warnings);
     const LightMonths months = months_of(settings);
     Comparison comparison;
-    comparison.extent = joined(std::to_string(stand->trees.size()), " trees on ",
-                               std::to_string(stand->slopes.size()), " slopes, in two widths of columns");
+    comparison.warnings = warnings.sentences();
+    comparison.extent = joined(
+        std::to_string(stand->trees.size()), " trees on ", std::to_string(stand->slopes.size()),
+        stand->slopes.size() == 1 ? " slope, in two widths of columns" : " slopes, in two widths of columns");
     for (const Columns& of : columns()) {
         for (const MappedSlope& slope : stand->slopes) {
             for (const LightMeasure& measure : light_measures) {
                 if (!is_known(measure, slope)) {
+                    continue;
+                }
+                if (std::string why = why_unknown(measure, *stand, slope, of); !why.empty()) {
+                    comparison.unknown[figure_name(of, measure, slope)] = std::move(why);
                     continue;
                 }
                 const std::string fine = *of.prefix == '\0' ? "" : joined(", ", of.words);

@@ -3,15 +3,21 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numeric>
 
 #include "config/errors/input_error.hpp"
 #include "config/math/elementary.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/validation/forest_cases/unknown_columns.hpp"
 #include "forest/light/light.hpp"
 
 namespace coupling::validation::forest_cases {
 namespace {
 
+using config::joined;
 using forest::Canopy;
 using forest::compute_light;
 using forest::CrownShape;
@@ -40,40 +46,64 @@ double number(const config::Table& table, std::size_t row, const std::string& co
     return table.number(row, column, {low, high}, problems).value_or(low);
 }
 
-/// Row of a species in the table of leaves; the number of rows if it is missing.
-std::size_t row_of(const config::Table& leaves, const std::string& species) {
-    std::size_t row = 0;
-    while (row < leaves.rows() && leaves.text(row, "species") != species) {
-        ++row;
+/// What the leaves of a tree follow from.
+struct LeavesOf {
+    CrownShape shape = CrownShape::paraboloid;
+    double foliage_a = 0.0;
+    double foliage_b = 0.0;
+    double sla_m2_per_kg = 0.0;
+};
+
+/// The table of leaves by species; each row is read once, however many trees it has.
+std::map<std::string, LeavesOf> leaves_of(const config::Table& table, config::Problems& problems) {
+    std::map<std::string, LeavesOf> leaves;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& crown = table.text(row, "crown");
+        if (crown != "ellipsoid" && crown != "paraboloid") {
+            problems.add(config::ExitCode::data, table.place(row, "crown"),
+                         joined("crown ", config::in_quotes(crown)), "ellipsoid or paraboloid",
+                         "take the one that is nearer: light is computed for these two alone");
+        }
+        const LeavesOf found{crown == "ellipsoid" ? CrownShape::ellipsoid : CrownShape::paraboloid,
+                             number(table, row, "foliage_a", 0.0, 10.0, problems),
+                             number(table, row, "foliage_b", 0.0, 5.0, problems),
+                             number(table, row, "sla_m2_per_kg", 0.1, 100.0, problems)};
+        if (!leaves.emplace(table.text(row, "species"), found).second) {
+            problems.add(config::ExitCode::data, table.place(row, "species"),
+                         joined("species ", config::in_quotes(table.text(row, "species")), " a second time"),
+                         "one row for each species", "leave one of the rows out");
+        }
     }
-    return row;
+    return leaves;
 }
 
-LightTree tree_of(const config::Table& trees, std::size_t row, const config::Table& leaves,
-                  config::Problems& problems) {
+LightTree tree_of(const config::Table& trees, std::size_t row, const std::map<std::string, LeavesOf>& leaves,
+                  const std::string& leaves_file, config::Problems& problems) {
+    const std::size_t problems_before = problems.list().size();
     LightTree tree;
     tree.x_m = number(trees, row, "x_m", -1e4, 1e4, problems);
     tree.y_m = number(trees, row, "y_m", -1e4, 1e4, problems);
     tree.height_m = number(trees, row, "height_m", 0.1, 80.0, problems);
     tree.crown_base_m = number(trees, row, "crown_base_m", 0.0, 80.0, problems);
     tree.crown_radius_m = number(trees, row, "crown_radius_m", 0.0, 20.0, problems);
+    if (problems.list().size() == problems_before && tree.crown_base_m >= tree.height_m) {
+        problems.add(config::ExitCode::data, trees.place(row, "crown_base_m"),
+                     joined("crown_base_m ", trees.text(row, "crown_base_m"), " of a tree of ",
+                            trees.text(row, "height_m"), " m"),
+                     "a crown that begins below the top",
+                     "correct crown_base_m or height_m: the two may be swapped");
+    }
     const double dbh_cm = number(trees, row, "dbh_cm", 0.1, 300.0, problems);
-    const std::size_t kind = row_of(leaves, trees.text(row, "species"));
-    if (kind == leaves.rows()) {
+    const auto of_species = leaves.find(trees.text(row, "species"));
+    if (of_species == leaves.end()) {
         problems.add(config::ExitCode::data, trees.place(row, "species"),
-                     "found species '" + trees.text(row, "species") + "'",
-                     "expected one of " + leaves.file());
+                     joined("species ", config::in_quotes(trees.text(row, "species"))),
+                     joined("a species of ", leaves_file), "add it there, or correct the name");
         return tree;
     }
-    const std::string& crown = leaves.text(kind, "crown");
-    if (crown != "ellipsoid" && crown != "paraboloid") {
-        problems.add(config::ExitCode::data, leaves.place(kind, "crown"), "crown '" + crown + "'",
-                     "ellipsoid or paraboloid");
-    }
-    tree.shape = crown == "ellipsoid" ? CrownShape::ellipsoid : CrownShape::paraboloid;
-    tree.leaf_area_m2 = number(leaves, kind, "foliage_a", 0.0, 10.0, problems) *
-                        config::pow_of(dbh_cm, number(leaves, kind, "foliage_b", 0.0, 5.0, problems)) *
-                        number(leaves, kind, "sla_m2_per_kg", 0.1, 100.0, problems);
+    tree.shape = of_species->second.shape;
+    tree.leaf_area_m2 = of_species->second.foliage_a * config::pow_of(dbh_cm, of_species->second.foliage_b) *
+                        of_species->second.sla_m2_per_kg;
     return tree;
 }
 
@@ -161,8 +191,22 @@ bool columns_are_there(const MappedTables& tables, config::Problems& problems) {
 void read_place(const config::Table& slopes, MappedStand& stand, config::Problems& problems) {
     double first_latitude_deg = 0.0;
     for (std::size_t row = 0; row < slopes.rows(); ++row) {
+        for (std::size_t earlier = 0; earlier < row; ++earlier) {
+            if (slopes.text(earlier, "slope") == slopes.text(row, "slope")) {
+                problems.add(config::ExitCode::data, slopes.place(row, "slope"),
+                             joined("slope ", config::in_quotes(slopes.text(row, "slope")),
+                                    " a second time, as in line ",
+                                    std::to_string(slopes.place(earlier, "slope").line)),
+                             "one row for each slope", "leave one of the rows out, or give it another name");
+                break;
+            }
+        }
+        const std::size_t problems_before = problems.list().size();
         const double latitude_deg = number(slopes, row, "latitude_deg", -66.0, 66.0, problems);
         const double side_m = number(slopes, row, "side_m", widest_column_m, 1000.0, problems);
+        if (problems.list().size() != problems_before) {
+            continue;  // what is no number differs from nothing
+        }
         if (row == 0) {
             first_latitude_deg = latitude_deg;
             stand.latitude = config::Angle::from_degrees(latitude_deg);
@@ -241,10 +285,14 @@ double sum_of_months(const std::array<double, 12>& months) {
 
 /// Means and spread of two lists of the same places.
 struct PlaceAgreement {
-    double correlation = 0.0;  ///< 0 where one of them is even
+    double correlation = 0.0;  ///< NaN of fewer than three places, or where one of the lists is even
     double bias = 0.0;
     double rmse = 0.0;
 };
+
+bool is_even(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
+}
 
 PlaceAgreement agreement_of(const std::vector<double>& ours, const std::vector<double>& reference) {
     assert(ours.size() == reference.size() && !ours.empty());
@@ -263,7 +311,10 @@ PlaceAgreement agreement_of(const std::vector<double>& ours, const std::vector<d
         squares += (ours[i] - reference[i]) * (ours[i] - reference[i]);
     }
     const double spread = std::sqrt(our_spread * their_spread);
-    return {.correlation = spread > 0.0 ? both / spread : 0.0,
+    // Rounding gives an even list a spread a little above 0.
+    const bool is_known =
+        ours.size() >= least_places_of_correlation && !is_even(ours) && !is_even(reference) && spread > 0.0;
+    return {.correlation = is_known ? both / spread : std::numeric_limits<double>::quiet_NaN(),
             .bias = our_mean - their_mean,
             .rmse = std::sqrt(squares / static_cast<double>(ours.size()))};
 }
@@ -295,18 +346,25 @@ MappedStand mapped_stand(const MappedTables& tables) {
         check_rows(tables.slopes, "slope", problems);
         read_place(tables.slopes, stand, problems);
         stand.radiation = radiation_of(tables.radiation, problems);
+        const std::map<std::string, LeavesOf> leaves = leaves_of(tables.leaves, problems);
         for (std::size_t row = 0; row < tables.trees.rows(); ++row) {
-            stand.trees.push_back(tree_of(tables.trees, row, tables.leaves, problems));
-            check_inside(stand, stand.trees.back().x_m, stand.trees.back().y_m, "a tree",
-                         tables.trees.place(row, "x_m"), problems);
+            const std::size_t problems_before = problems.list().size();
+            stand.trees.push_back(tree_of(tables.trees, row, leaves, tables.leaves.file(), problems));
+            if (problems.list().size() == problems_before) {
+                check_inside(stand, stand.trees.back().x_m, stand.trees.back().y_m, "a tree",
+                             tables.trees.place(row, "x_m"), problems);
+            }
         }
         if (tables.sensors) {
             check_rows(*tables.sensors, "sensor", problems);
             for (std::size_t row = 0; row < tables.sensors->rows(); ++row) {
+                const std::size_t problems_before = problems.list().size();
                 stand.sensors.push_back({number(*tables.sensors, row, "x_m", -1e4, 1e4, problems),
                                          number(*tables.sensors, row, "y_m", -1e4, 1e4, problems)});
-                check_inside(stand, stand.sensors.back().x_m, stand.sensors.back().y_m, "a sensor",
-                             tables.sensors->place(row, "x_m"), problems);
+                if (problems.list().size() == problems_before) {
+                    check_inside(stand, stand.sensors.back().x_m, stand.sensors.back().y_m, "a sensor",
+                                 tables.sensors->place(row, "x_m"), problems);
+                }
             }
         }
         for (std::size_t row = 0; row < tables.slopes.rows(); ++row) {
@@ -326,6 +384,59 @@ MappedStand mapped_stand(const MappedTables& tables) {
     }
     problems.throw_if_any();
     return stand;
+}
+
+void warn_of_unknown_columns(const MappedTables& tables, config::Warnings& warnings) {
+    std::vector<std::string> light;
+    for (std::size_t row = 0; row < tables.slopes.rows() && tables.slopes.has("slope"); ++row) {
+        light.push_back("light_" + tables.slopes.text(row, "slope"));
+    }
+    const auto warn = [&](const config::Table& table, std::vector<std::string> known, bool has_light) {
+        if (has_light) {
+            known.insert(known.end(), light.begin(), light.end());
+        }
+        warn_of_unknown_columns(table, known, warnings);
+    };
+    warn(tables.trees,
+         {"tree_id", "species", "x_m", "y_m", "dbh_cm", "height_m", "crown_base_m", "crown_radius_m"}, true);
+    warn(tables.leaves, {"species", "crown", "foliage_a", "foliage_b", "sla_m2_per_kg"}, false);
+    warn(tables.radiation, {"month", "global_mjpm2", "diffuse_share"}, false);
+    warn(tables.slopes,
+         {"slope", "latitude_deg", "side_m", "slope_deg", "aspect_deg", "y_axis_azimuth_deg", "direct_mjpm2",
+          "diffuse_mjpm2"},
+         false);
+    if (tables.ground) {
+        warn(*tables.ground, {"x_m", "y_m"}, true);
+    }
+    if (tables.sensors) {
+        warn(*tables.sensors, {"sensor", "x_m", "y_m"}, true);
+    }
+}
+
+std::string why_no_correlation(const std::vector<double>& reference) {
+    if (reference.size() < least_places_of_correlation) {
+        return joined("a correlation needs ", std::to_string(least_places_of_correlation),
+                      " places or more, and there ", reference.size() == 1 ? "is " : "are ",
+                      std::to_string(reference.size()));
+    }
+    return is_even(reference) ? "the reference light is the same at all places" : "";
+}
+
+std::string why_no_correlation(const MappedStand& stand, const MappedSlope& slope, double column_m) {
+    std::string reason = why_no_correlation(slope.sensor_light);
+    if (!reason.empty()) {
+        return reason;
+    }
+    const auto column_of_light = [&](const LightSensor& sensor) {
+        const double last = std::round(stand.side_m / column_m) - 1.0;  // of a sensor on the outer edge
+        return std::pair{std::min(last, std::floor(sensor.x_m / column_m)),
+                         std::min(last, std::floor(sensor.y_m / column_m))};
+    };
+    const auto first = column_of_light(stand.sensors.front());
+    return std::all_of(stand.sensors.begin(), stand.sensors.end(),
+                       [&](const LightSensor& sensor) { return column_of_light(sensor) == first; })
+               ? joined("all sensors stand in one column of light of ", config::to_text(column_m), " m")
+               : "";
 }
 
 LightAgreement compare_light(const MappedStand& stand, const MappedSlope& slope,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "config/errors/warnings.hpp"
 #include "config/table/table.hpp"
 #include "config/units/angle.hpp"
 #include "forest/light/canopy.hpp"
@@ -54,9 +55,23 @@ struct MappedTables {
 };
 
 /// The stand of validation/forest_light, or another in that form, from its tables. Throws config::InputError
-/// for fields that are no numbers or out of range, for missing columns, and for a slope without any
+/// for fields that are no numbers or out of range, for missing columns, for slopes and species of leaves that
+/// stand twice, for crowns that begin at or above the top of their tree, and for a slope without any
 /// reference: no column light_SLOPE in trees, ground or sensors.
 [[nodiscard]] MappedStand mapped_stand(const MappedTables& tables);
+
+/// Warns of columns that nothing reads: misspelt ones, and light of slopes that there are not.
+void warn_of_unknown_columns(const MappedTables& tables, config::Warnings& warnings);
+
+/// Two places always lie on a line.
+inline constexpr std::size_t least_places_of_correlation = 3;
+
+/// Why light has no correlation with a reference; "" where it has.
+[[nodiscard]] std::string why_no_correlation(const std::vector<double>& reference);
+
+/// The same of the sensors of a slope in columns of a width. Requires sensors with light on the slope.
+[[nodiscard]] std::string why_no_correlation(const MappedStand& stand, const MappedSlope& slope,
+                                             double column_m);
 
 /// What the reference looked at.
 struct LightMonths {
@@ -79,7 +94,7 @@ struct LightAgreement {
     double energy_diffuse_ratio = 0.0;     ///< ours / reference
     double ground_light = 0.0;             ///< mean over the area
     double ground_light_difference = 0.0;  ///< ours - reference
-    double tree_light_correlation = 0.0;   ///< Pearson's r over the trees
+    double tree_light_correlation = 0.0;   ///< Pearson's r over the trees; NaN where one side is even
     double tree_light_bias = 0.0;          ///< mean of ours - reference
     double tree_light_rmse = 0.0;
     double sensor_correlation = 0.0;  ///< the same over the sensors

@@ -306,6 +306,21 @@ TEST(LightCase, ShowsEveryTreeOnEverySlope) {
     }
 }
 
+TEST(LightCase, RefusesACorrelationOfOneSensor) {
+    CaseFiles files = shipped("forest_light");
+    files.texts["sensors.csv"] = "x_m,y_m,light_slope_6\n50,50,0.1\n";
+    files.texts["criteria.csv"] = "quantity,low,high,rests_on,rule\nsensor_bias:slope_6,-1,1,independent,\n";
+    const Values values = result_of(files).variants.front().values;
+    EXPECT_TRUE(values.contains("sensor_bias:slope_6"));
+    EXPECT_FALSE(values.contains("sensor_correlation:slope_6"));
+    files.texts["criteria.csv"] += "fine_sensor_correlation:slope_6,0.5,1,independent,\n";
+    EXPECT_NE(
+        problem_of(files).find("criteria.csv:3:1: found 'fine_sensor_correlation:slope_6', which cannot be "
+                               "computed: a correlation needs 3 places or more, and there is 1"),
+        std::string::npos)
+        << problem_of(files);
+}
+
 TEST(YieldCase, TakesClassesAndAgesOfAnyTable) {
     CaseFiles files = small_yield();
     files.texts["sites.csv"] =

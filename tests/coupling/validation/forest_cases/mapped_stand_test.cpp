@@ -142,6 +142,84 @@ TEST(MappedStand, RefusesSensorsOffTheStandAndSlopesWithoutReference) {
                  config::InputError);
 }
 
+TEST(CompareLight, KnowsNoCorrelationOfFewPlacesOrWithoutSpread) {
+    const MappedStand two = stand_with_sensors("a,2.5,97.5,0.1\nb,52.5,97.5,0.2\n");
+    EXPECT_TRUE(std::isnan(compare_light(two, two.slopes[0]).sensor_correlation));
+    EXPECT_EQ(why_no_correlation(two, two.slopes[0], 10.0),
+              "a correlation needs 3 places or more, and there are 2");
+    const MappedStand even = stand_with_sensors("a,2.5,97.5,0.1\nb,52.5,97.5,0.1\nc,9,9,0.1\n");
+    EXPECT_TRUE(std::isnan(compare_light(even, even.slopes[0]).sensor_correlation));
+    EXPECT_EQ(why_no_correlation(even, even.slopes[0], 10.0),
+              "the reference light is the same at all places");
+    const MappedStand near = stand_with_sensors("a,99,1,0.1\nb,100,6,0.2\nc,92,1,0.3\n");
+    EXPECT_EQ(why_no_correlation(near, near.slopes[0], 10.0),
+              "all sensors stand in one column of light of 10 m");
+    EXPECT_EQ(why_no_correlation(near, near.slopes[0], 5.0), "");
+    EXPECT_TRUE(std::isfinite(
+        compare_light(near, near.slopes[0], {.column_m = 5.0, .ground_points = 2}).sensor_correlation));
+}
+
+/// What is wrong with the stand of the reference after one of its tables has been replaced.
+std::vector<std::string> problems_with(const std::string& name, const std::string& text) {
+    const auto table_or_text = [&](const std::string& wanted) {
+        return wanted == name ? config::Table::read(std::string_view{text}, name) : table(wanted);
+    };
+    std::vector<std::string> problems;
+    try {
+        static_cast<void>(mapped_stand({table_or_text("trees.csv"), table_or_text("leaves.csv"),
+                                        table_or_text("radiation.csv"), table_or_text("slopes.csv"),
+                                        table_or_text("ground.csv")}));
+    } catch (const config::InputError& error) {
+        for (const config::Problem& problem : error.problems()) {
+            problems.push_back(config::to_string(problem));
+        }
+    }
+    return problems;
+}
+
+TEST(MappedStand, NamesEachMistakeOnceWithItsLine) {
+    const std::string trees = "species,x_m,y_m,dbh_cm,height_m,crown_base_m,crown_radius_m,light_slope_6\n";
+    const std::string slopes =
+        "slope,latitude_deg,side_m,slope_deg,aspect_deg,y_axis_azimuth_deg\nslope_6,46.5,100,6,144,324\n";
+    EXPECT_EQ(
+        problems_with("trees.csv", trees + "Abies alba,5,5,30,20,25,3,0.5\n"),
+        std::vector<std::string>{
+            "trees.csv:2:22: found crown_base_m 25 of a tree of 20 m, expected a crown that begins below "
+            "the top; correct crown_base_m or height_m: the two may be swapped"});
+    EXPECT_EQ(problems_with("trees.csv", trees + "Abies alba,nan,5,30,20,5,3,0.5\n").size(), 1U);
+    EXPECT_EQ(problems_with("trees.csv", trees + "Abies alpa,5,5,30,20,5,3,0.5\n"),
+              std::vector<std::string>{"trees.csv:2:1: found species 'Abies alpa', expected a species of "
+                                       "leaves.csv; add it there, or correct the name"});
+    EXPECT_EQ(problems_with("slopes.csv", slopes + "slope_6,46.5,100,6,144,324\n").size(), 1U);
+    EXPECT_EQ(problems_with("slopes.csv", slopes + "slope_35_south,nan,100,6,144,324\n").size(), 1U);
+    const std::string leaves =
+        "species,crown,foliage_a,foliage_b,sla_m2_per_kg\nAbies alba,cone,0.1,1.5,7\n"
+        "Picea abies,paraboloid,0.1,1.5,7\nFagus sylvatica,ellipsoid,0.1,1.5,7\n";
+    EXPECT_EQ(problems_with("leaves.csv", leaves).size(), 1U) << "not once a fir";
+    const std::vector<std::string> twice =
+        problems_with("leaves.csv", leaves + "Abies alba,ellipsoid,1,1,7\n");
+    ASSERT_EQ(twice.size(), 2U);
+    EXPECT_NE(twice[1].find("leaves.csv:5:1: found species 'Abies alba' a second time"), std::string::npos)
+        << twice[1];
+}
+
+TEST(MappedStand, WarnsOfColumnsThatNothingReads) {
+    MappedTables tables{table("trees.csv"), table("leaves.csv"), table("radiation.csv"), table("slopes.csv"),
+                        table("ground.csv")};
+    config::Warnings none;
+    warn_of_unknown_columns(tables, none);
+    EXPECT_TRUE(none.sentences().empty()) << none.sentences().front();
+    tables.sensors =
+        config::Table::read(std::string_view{"x_m,y_m,light_slop_6,remark\n1,1,0.5,\n"}, "sensors.csv");
+    config::Warnings warnings;
+    warn_of_unknown_columns(tables, warnings);
+    ASSERT_EQ(warnings.sentences().size(), 1U);
+    EXPECT_EQ(
+        warnings.sentences()[0],
+        "sensors.csv: column 'light_slop_6' is not read; if it is 'light_slope_6', give it that name, or "
+        "leave it out");
+}
+
 TEST(CompareLight, AgreesInColumnsOfTenMetres) {
     for (const MappedSlope& slope : prenovel().slopes) {
         const bool south = slope.name == "slope_35_south";
