@@ -45,6 +45,7 @@ struct Comparison {
     std::map<std::string, Reference> references;
     /// Figures that the kind has and this case cannot give, with the reason.
     std::map<std::string, std::string> unknown;
+    std::vector<std::string> notes;     ///< what was assumed or filled in
     std::vector<std::string> warnings;  ///< what the user should look at in the files
     std::uint64_t pieces = 0;           ///< of work that Work::done will be called with
     std::function<Outcome(const Work&)> run;

@@ -369,6 +369,7 @@ void read_forest(ValidationCase& out) {
     }
     out.comparison = std::make_shared<const Comparison>(forest_cases::read(out.kind, out.files, settings));
     out.warnings = out.comparison->warnings;
+    out.notes.insert(out.notes.end(), out.comparison->notes.begin(), out.comparison->notes.end());
 }
 
 /// Settings that the user asks for are those of its scenario.

@@ -170,7 +170,7 @@ ClimateSeries read_climate_of_one_place(const Table& table, config::Warnings& wa
     std::vector<ClimateSeries> all = read_climate(table, warnings);
     if (all.size() != 1) {
         config::fail(ExitCode::data, {table.file()}, std::to_string(all.size()) + " elevations in elev_m",
-                     "one");
+                     "the months of one place", "leave out the rows of the other elevations");
     }
     return std::move(all.front());
 }

@@ -415,17 +415,20 @@ Comparison read_remeasured(const CaseFiles& files, const RemeasuredSettings& set
     };
     auto data = std::make_shared<RemeasuredData>();
     data->species = species_of(files);
+    config::Warnings warnings;
     data->stand = remeasured::read_measured_stand({.site = table_of(files, "site.csv"),
                                                    .trees = table_of(files, "trees.csv"),
                                                    .trees_end = table_of(files, "trees_end.csv"),
                                                    .climate = table_of(files, "climate.csv"),
                                                    .fell_list = if_there("fell_list.csv"),
                                                    .saplings = if_there("saplings.csv")},
-                                                  data->species);
+                                                  data->species, warnings);
     data->parameters = parameters;
     data->settings = settings;
     data->kinds = kinds_of(data->stand);
     Comparison comparison;
+    comparison.warnings = warnings.sentences();
+    comparison.notes = remeasured::notes_on_start(data->stand, data->species);
     add_figures(comparison, *data);
     comparison.extent =
         joined(std::to_string(data->stand.trees.size()), " trees measured in ",

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 #include "coupling/regimes/fell_list.hpp"
+#include "coupling/validation/forest_cases/unknown_columns.hpp"
 #include "forest/climate/change.hpp"
 
 namespace coupling::validation::forest_cases::remeasured {
@@ -20,6 +22,10 @@ using config::Table;
 constexpr double highest_tree_id = 1e12;
 /// Two measurements of a living stem may differ a little; more is another tree or a slip [choice].
 constexpr double thinnest_of_before = 0.8;
+/// A tape reads a stem to about this much, bark that falls off included; more is worth a look [choice].
+constexpr double measuring_error_cm = 0.5;
+/// Single trees seldom grow faster than this in diameter; the mean of a plot never does [choice].
+constexpr double most_growth_cm_pyear = 3.0;
 
 double number(const Table& table, std::size_t row, const char* column, config::NumberRange range,
               Problems& problems) {
@@ -75,9 +81,10 @@ void read_site(const Table& table, MeasuredStand& stand, Problems& problems) {
     if (table.has("soil_class")) {
         stand.soil.texture_class = whole(table, 0, "soil_class", 1.0, 4.0, problems);
     }
+    const std::size_t problems_before = problems.list().size();
     stand.first_year = whole(table, 0, "first_year", 1.0, 9999.0, problems);
     stand.last_year = whole(table, 0, "last_year", 1.0, 9999.0, problems);
-    if (stand.last_year <= stand.first_year) {
+    if (problems.list().size() == problems_before && stand.last_year <= stand.first_year) {
         problems.add(ExitCode::data, table.place(0, "last_year"),
                      joined("last_year ", table.text(0, "last_year")),
                      joined("a year after first_year (", table.text(0, "first_year"), ")"));
@@ -117,7 +124,14 @@ MeasuredTree tree_in(const Table& table, std::size_t row, std::uint64_t id,
                           stand.width_m - inside_m);
     tree.y_m = std::clamp(number(table, row, "y_m", {.low = 0.0, .high = stand.length_m}, problems), inside_m,
                           stand.length_m - inside_m);
-    tree.dbh_cm = number(table, row, "dbh_cm", {.low = stand.least_dbh_cm, .high = 300.0}, problems);
+    tree.dbh_cm = number(table, row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
+    const bool is_number = config::parse_number(table.text(row, "dbh_cm")).has_value();
+    if (is_number && tree.dbh_cm < stand.least_dbh_cm) {
+        problems.add(ExitCode::data, table.place(row, "dbh_cm"),
+                     joined("tree ", std::to_string(id), " with dbh_cm ", table.text(row, "dbh_cm")),
+                     joined("least_dbh_cm of site.csv or more, ", config::to_text(stand.least_dbh_cm)),
+                     "leave the tree out of both tables: thinner trees were not all counted");
+    }
     tree.height_m =
         optional_number(table, row, "height_m", {.low = 1.3, .high = 80.0, .low_excluded = true}, problems);
     tree.age_years = optional_number(table, row, "age_years", {.low = 1.0, .high = 1500.0}, problems);
@@ -138,6 +152,67 @@ void read_start(const Table& table, const forest::SpeciesTable& species, Measure
     problems.throw_if_any();
 }
 
+/// "lines 4, 7 and 3 more".
+std::string lines_in_words(const std::vector<std::size_t>& lines) {
+    constexpr std::size_t most_named = 5;
+    std::string words = lines.size() == 1 ? "line" : "lines";
+    for (std::size_t i = 0; i < std::min(lines.size(), most_named); ++i) {
+        words += joined(i == 0 ? " " : ", ", std::to_string(lines[i]));
+    }
+    return lines.size() > most_named
+               ? joined(words, " and ", std::to_string(lines.size() - most_named), " more")
+               : words;
+}
+
+/// Growth that can hardly be: of single trees a warning with their lines, of the plot an error.
+class GrowthCheck {
+public:
+    void add(const MeasuredTree& tree, const MeasuredStand& stand, std::size_t line) {
+        const double growth_cm = *tree.end_dbh_cm - tree.dbh_cm;
+        const double growth_cm_pyear = growth_cm / stand.years();
+        sum_cm_pyear_ += growth_cm_pyear;
+        trees_ += 1.0;
+        if (growth_cm_pyear > most_growth_cm_pyear) {
+            fast_.push_back(line);
+        } else if (growth_cm < -measuring_error_cm) {
+            shrunk_.push_back(line);
+        }
+    }
+    void report(const Table& table, config::Warnings& warnings, Problems& problems) {
+        if (sum_cm_pyear_ > trees_ * most_growth_cm_pyear) {
+            problems.add(ExitCode::data, {table.file()},
+                         joined("mean diameter growth of ",
+                                config::to_text(std::round(sum_cm_pyear_ / trees_)), " cm a year"),
+                         joined(config::to_text(most_growth_cm_pyear), " cm a year or less"),
+                         "write dbh_cm in cm in both tables, and check first_year and last_year of site.csv");
+            return;
+        }
+        warn(fast_, table,
+             joined(" more than ", config::to_text(most_growth_cm_pyear), " cm a year in diameter"), " grows",
+             " grow", warnings);
+        warn(shrunk_, table,
+             joined(" by more than ", config::to_text(measuring_error_cm), " cm, the error of a tape"),
+             " shrinks", " shrink", warnings);
+    }
+
+private:
+    static void warn(std::vector<std::size_t>& lines, const Table& table, const std::string& how,
+                     const char* one, const char* several, config::Warnings& warnings) {
+        if (lines.empty()) {
+            return;
+        }
+        std::sort(lines.begin(), lines.end());
+        warnings.add(joined(table.file(), ", ", lines_in_words(lines), ": ", std::to_string(lines.size()),
+                            lines.size() == 1 ? joined(" tree", one) : joined(" trees", several), how,
+                            "; correct tree_id or dbh_cm, or leave the tree out of both tables"));
+    }
+
+    double sum_cm_pyear_ = 0.0;
+    double trees_ = 0.0;
+    std::vector<std::size_t> fast_;
+    std::vector<std::size_t> shrunk_;
+};
+
 MeasuredTree* tree_with(MeasuredStand& stand, std::uint64_t id) {
     const auto at = std::lower_bound(stand.trees.begin(), stand.trees.end(), id,
                                      [](const MeasuredTree& tree, std::uint64_t n) { return tree.id < n; });
@@ -145,10 +220,11 @@ MeasuredTree* tree_with(MeasuredStand& stand, std::uint64_t id) {
 }
 
 void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredStand& stand,
-              Problems& problems) {
+              config::Warnings& warnings, Problems& problems) {
     if (!table.require({"tree_id", "species", "dbh_cm"}, problems)) {
         problems.throw_if_any();
     }
+    GrowthCheck growth;
     for (const auto& [id, row] : rows_by_id(table, problems)) {
         const auto kind = species.find(table.text(row, "species"), table.place(row, "species"), problems);
         const double dbh_cm = number(table, row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
@@ -165,15 +241,32 @@ void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredS
                          joined("tree ", std::to_string(id), " is ", table.text(row, "species")),
                          joined("the species of the first measurement, ", species[tree->species].latin_name));
         }
-        if (dbh_cm < thinnest_of_before * tree->dbh_cm) {
+        const bool is_number = config::parse_number(table.text(row, "dbh_cm")).has_value();
+        if (is_number && dbh_cm < thinnest_of_before * tree->dbh_cm) {
             problems.add(ExitCode::data, table.place(row, "dbh_cm"),
                          joined("tree ", std::to_string(id), " with dbh_cm ", table.text(row, "dbh_cm"), ", ",
                                 config::to_text(tree->dbh_cm), " cm before"),
                          "no tree thinner by more than a fifth",
                          "correct the number or the diameter, or leave the tree out of both tables");
         }
+        if (is_number) {
+            growth.add(*tree, stand, table.place(row, "dbh_cm").line);
+        }
+    }
+    if (problems.empty()) {
+        growth.report(table, warnings, problems);
     }
     problems.throw_if_any();
+}
+
+/// The field with the number of a tree.
+config::Place place_of_tree(const Table& table, std::uint64_t id) {
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (config::parse_whole(table.text(row, "tree_id")) == static_cast<long long>(id)) {
+            return table.place(row, "tree_id");
+        }
+    }
+    return {table.file()};
 }
 
 void read_cuts(const Table& table, MeasuredStand& stand, Problems& problems) {
@@ -181,14 +274,15 @@ void read_cuts(const Table& table, MeasuredStand& stand, Problems& problems) {
         MeasuredTree* const tree = tree_with(stand, felled.tree);
         const std::string who = joined("tree_id ", std::to_string(felled.tree));
         if (tree == nullptr) {
-            problems.add(ExitCode::data, {table.file()},
+            problems.add(ExitCode::data, place_of_tree(table, felled.tree),
                          joined(who, " felled, which the first measurement has not"), "trees of trees.csv",
                          "correct tree_id, or leave the row out");
         } else if (tree->end_dbh_cm) {
-            problems.add(ExitCode::data, {table.file()}, joined(who, " felled, but measured at the end"),
+            problems.add(ExitCode::data, place_of_tree(table, felled.tree),
+                         joined(who, " felled, but measured at the end"),
                          "trees that are not in trees_end.csv", "leave it out of one of the tables");
         } else if (felled.year < stand.first_year || felled.year > stand.last_year) {
-            problems.add(ExitCode::data, {table.file()},
+            problems.add(ExitCode::data, place_of_tree(table, felled.tree),
                          joined(who, " felled in ", std::to_string(felled.year)),
                          joined("a calendar year from ", std::to_string(stand.first_year), " to ",
                                 std::to_string(stand.last_year)));
@@ -220,8 +314,7 @@ void read_saplings(const Table& table, const forest::SpeciesTable& species, Meas
     problems.throw_if_any();
 }
 
-void read_weather(const Table& table, MeasuredStand& stand) {
-    config::Warnings warnings;
+void read_weather(const Table& table, MeasuredStand& stand, config::Warnings& warnings) {
     stand.climate = forest::read_climate_of_one_place(table, warnings);
     if (stand.climate.elevation_m && *stand.climate.elevation_m != stand.elevation_m) {
         stand.climate = forest::at_elevation(stand.climate, stand.elevation_m - *stand.climate.elevation_m,
@@ -237,21 +330,43 @@ void read_weather(const Table& table, MeasuredStand& stand) {
     }
 }
 
+/// Columns of the climate are those of forest/README.md; what is made there is noted there.
+void warn_of_columns(const MeasuredTables& tables, config::Warnings& warnings) {
+    warn_of_unknown_columns(
+        tables.site,
+        {"width_m", "length_m", "elevation_m", "latitude_deg", "slope_deg", "aspect_deg", "fertility",
+         "water_mm", "nitrogen_kg_ha_yr", "ph", "first_year", "last_year", "least_dbh_cm", "soil_class"},
+        warnings);
+    const std::vector<std::string> of_trees{"tree_id", "x_m",      "y_m",      "species",
+                                            "dbh_cm",  "height_m", "age_years"};
+    warn_of_unknown_columns(tables.trees, of_trees, warnings);
+    warn_of_unknown_columns(tables.trees_end, of_trees, warnings);
+    if (tables.fell_list) {
+        warn_of_unknown_columns(*tables.fell_list, {"tree_id", "year"}, warnings);
+    }
+    if (tables.saplings) {
+        warn_of_unknown_columns(*tables.saplings, {"species", "stems_pha", "height_m", "age_years"},
+                                warnings);
+    }
+}
+
 }  // namespace
 
-MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::SpeciesTable& species) {
+MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::SpeciesTable& species,
+                                  config::Warnings& warnings) {
     MeasuredStand stand;
+    warn_of_columns(tables, warnings);
     Problems problems;
     read_site(tables.site, stand, problems);
     read_start(tables.trees, species, stand, problems);
-    read_end(tables.trees_end, species, stand, problems);
+    read_end(tables.trees_end, species, stand, warnings, problems);
     if (tables.fell_list) {
         read_cuts(*tables.fell_list, stand, problems);
     }
     if (tables.saplings) {
         read_saplings(*tables.saplings, species, stand, problems);
     }
-    read_weather(tables.climate, stand);
+    read_weather(tables.climate, stand, warnings);
     return stand;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "config/errors/warnings.hpp"
 #include "config/table/table.hpp"
 #include "config/units/angle.hpp"
 #include "forest/climate/series.hpp"
@@ -65,8 +66,11 @@ struct MeasuredTables {
 
 /// Reads and checks the tables (validation/README.md has their columns). Throws one InputError (data) for
 /// what is missing, no number, or out of range; trees off the plot or below the least diameter; a tree of
-/// another species at the end, thinner by more than a fifth, or felled and measured again; felled trees that
-/// were not there or fell outside the period; years without climate.
-MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::SpeciesTable& species);
+/// another species at the end, thinner by more than a fifth, or felled and measured again; a mean growth that
+/// no forest has; felled trees that were not there or fell outside the period; years without climate. Warns
+/// of columns that nothing reads, of single trees that grow too fast or shrink, and of what was made of the
+/// climate.
+MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::SpeciesTable& species,
+                                  config::Warnings& warnings);
 
 }  // namespace coupling::validation::forest_cases::remeasured

@@ -74,7 +74,7 @@ double mean_degree_days(const MeasuredStand& stand) {
 }
 
 std::vector<forest::Tree> starting_trees(const MeasuredStand& stand, const forest::PatchGrid& grid,
-                                         const forest::SpeciesTable& species) {
+                                         const forest::SpeciesTable& species, config::Warnings& warnings) {
     std::vector<forest::ListedTree> list;
     for (const MeasuredTree& tree : stand.trees) {
         list.push_back({.id = tree.id,
@@ -85,7 +85,6 @@ std::vector<forest::Tree> starting_trees(const MeasuredStand& stand, const fores
                         .height_m = tree.height_m,
                         .age_years = tree.age_years});
     }
-    config::Warnings warnings;
     return forest::trees_from_list(list, grid, species, mean_degree_days(stand), warnings).trees;
 }
 
@@ -104,7 +103,8 @@ void fell_in(forest::Stand& stand, const MeasuredStand& of, const forest::Specie
 
 forest::Stand start_of(const MeasuredStand& of, const forest::PatchGrid& grid,
                        const forest::SpeciesTable& species, const forest::YearKey& key) {
-    forest::Stand stand{grid, species.size(), starting_trees(of, grid, species), of.first_year};
+    config::Warnings noted;  // once for all replicates, by notes_on_start
+    forest::Stand stand{grid, species.size(), starting_trees(of, grid, species, noted), of.first_year};
     forest::OnPatches<forest::SaplingRecord> saplings{.records = of.saplings};
     for (std::uint32_t i = 0; i < grid.size(); ++i) {
         saplings.patches.push_back(forest::PatchId{i});
@@ -134,6 +134,12 @@ Regrown end_of(const forest::Stand& stand, const MeasuredStand& of) {
 }
 
 }  // namespace
+
+std::vector<std::string> notes_on_start(const MeasuredStand& stand, const forest::SpeciesTable& species) {
+    config::Warnings warnings;
+    static_cast<void>(starting_trees(stand, patches_of(stand), species, warnings));
+    return warnings.sentences();
+}
 
 Regrown regrow(const MeasuredStand& of, const forest::SpeciesTable& species,
                const forest::Parameters& parameters, const forest::YearKey& key) {

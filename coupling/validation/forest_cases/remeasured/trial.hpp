@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "coupling/validation/forest_cases/remeasured/stand.hpp"
@@ -24,5 +25,8 @@ struct Regrown {
 /// bytes.
 Regrown regrow(const MeasuredStand& stand, const forest::SpeciesTable& species,
                const forest::Parameters& parameters, const forest::YearKey& key);
+
+/// What is filled in or left out of the trees that a plot starts with, such as missing heights.
+std::vector<std::string> notes_on_start(const MeasuredStand& stand, const forest::SpeciesTable& species);
 
 }  // namespace coupling::validation::forest_cases::remeasured

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
@@ -11,6 +13,7 @@
 #include "coupling/validation/tables.hpp"
 #include "coupling/validation/validate.hpp"
 #include "coupling/validation/verdict.hpp"
+#include "tests/coupling/validation/forest_cases/remeasured/synthetic_plot.hpp"
 
 namespace coupling::validation::forest_cases::comparison_test {
 namespace {
@@ -190,6 +193,43 @@ TEST(ProductionCase, NamesParametersThatTakeADefault) {
                                "silvestris'"),
         std::string::npos)
         << problem_of(files);
+}
+
+/// The sample of a file in validation/README.md, such as "case.ini" of "forest_light".
+std::string sample_in_readme(const std::string& file, const std::string& kind) {
+    std::ifstream in{BANNWALD_SOURCE_DIR "/validation/README.md"};
+    const std::string readme{std::istreambuf_iterator<char>{in}, {}};
+    const std::size_t named = readme.find("\n`" + file + "` of `" + kind + "`:\n");
+    EXPECT_NE(named, std::string::npos) << file << " of " << kind;
+    const std::size_t begin = readme.find('\n', readme.find("```", named)) + 1;
+    return readme.substr(begin, readme.find("```", begin) - begin);
+}
+
+TEST(ForestCase, RunsTheSamplesOfTheReadme) {
+    // The tables that the samples leave out are those of a shipped case, or of the synthetic plot.
+    const std::map<std::string, std::vector<std::string>> samples{
+        {"forest_production", {"case.ini", "criteria.csv", "runs.csv"}},
+        {"forest_light", {"case.ini", "criteria.csv", "slopes.csv", "sensors.csv"}},
+        {"forest_remeasured", {"case.ini", "criteria.csv"}}};
+    for (const auto& [kind, names] : samples) {
+        CaseFiles files = kind == "forest_remeasured" ? remeasured::synthetic_case() : shipped(kind);
+        if (kind == "forest_light") {
+            files.texts.erase("ground.csv");
+        }
+        for (const std::string& name : names) {
+            files.texts[name] = sample_in_readme(name, kind);
+        }
+        const CaseResult result = result_of(files);
+        const auto rows =
+            std::count(files.texts["criteria.csv"].begin(), files.texts["criteria.csv"].end(), '\n');
+        EXPECT_EQ(std::count_if(result.rows.begin(), result.rows.end(),
+                                [](const VerdictRow& row) {
+                                    return row.low && std::isfinite(row.default_value.value);
+                                }),
+                  rows - 1)
+            << kind;
+        EXPECT_EQ(result.warnings.empty(), kind != "forest_light") << "light of the slopes left out";
+    }
 }
 
 TEST(ForestCase, WarnsThatNothingJudges) {

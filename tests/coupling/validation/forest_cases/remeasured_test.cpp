@@ -51,13 +51,14 @@ TEST(RemeasuredCase, AgreesWithAPlotThatTheModelGrewItself) {
     CaseFiles files = synthetic_case();
     const forest::SpeciesTable species = forest::SpeciesTable::shipped();
     const auto table = [&](const char* name) { return table_of(files, name); };
+    config::Warnings warnings;
     const remeasured::MeasuredStand stand =
         remeasured::read_measured_stand({.site = table("site.csv"),
                                          .trees = table("trees.csv"),
                                          .trees_end = table("trees_end.csv"),
                                          .climate = table("climate.csv"),
                                          .fell_list = table("fell_list.csv")},
-                                        species);
+                                        species, warnings);
     const remeasured::Regrown end = regrow(stand, species, {}, {1, 0});
     EXPECT_FALSE(end.end_dbh_cm[5]) << "felled";
     std::ostringstream text;
@@ -88,6 +89,13 @@ TEST(RemeasuredCase, TakesSaplingsThatGrowIn) {
     const double without = values_of(files, 1).at("ingrowth_pha:all");
     files.texts["saplings.csv"] = "species,stems_pha,height_m,age_years\nfasy,5000,1.9,12\n";
     EXPECT_GT(values_of(files, 1).at("ingrowth_pha:all"), without + 200.0);
+}
+
+TEST(RemeasuredCase, NotesHowMissingHeightsAreFilledIn) {
+    const Comparison comparison = comparison_of(synthetic_case(), 1);
+    EXPECT_TRUE(comparison.warnings.empty());
+    ASSERT_FALSE(comparison.notes.empty());
+    EXPECT_NE(comparison.notes.front().find("height"), std::string::npos) << comparison.notes.front();
 }
 
 TEST(RemeasuredCase, RefusesClassesThatDoNotRise) {

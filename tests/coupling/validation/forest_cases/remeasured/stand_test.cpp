@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/coupling/validation/forest_cases/remeasured/synthetic_plot.hpp"
 
 namespace coupling::validation::forest_cases::remeasured::stand_test {
@@ -19,14 +21,25 @@ struct Texts {
     std::string fell_list = "tree_id,year\n6,1995\n";
 };
 
-MeasuredStand stand_of(const Texts& texts) {
+MeasuredStand stand_of(const Texts& texts, config::Warnings& warnings) {
     return read_measured_stand(
         {.site = table_of(texts.site, "site.csv"),
          .trees = table_of(texts.trees, "trees.csv"),
          .trees_end = table_of(texts.trees_end, "trees_end.csv"),
          .climate = table_of(shipped_text("forest_belts", "climate.csv"), "climate.csv"),
          .fell_list = table_of(texts.fell_list, "fell_list.csv")},
-        forest::SpeciesTable::shipped());
+        forest::SpeciesTable::shipped(), warnings);
+}
+
+MeasuredStand stand_of(const Texts& texts) {
+    config::Warnings warnings;
+    return stand_of(texts, warnings);
+}
+
+std::vector<std::string> warnings_of(const Texts& texts) {
+    config::Warnings warnings;
+    static_cast<void>(stand_of(texts, warnings));
+    return warnings.sentences();
 }
 
 std::string problem_of(const Texts& texts) {
@@ -42,6 +55,10 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     const std::size_t at = text.find(what);
     EXPECT_NE(at, std::string::npos) << what;
     return text.replace(at, what.size(), with);
+}
+
+std::string joined_row(const std::string& dbh_cm) {
+    return ",fasy," + dbh_cm + "\n";
 }
 
 TEST(ReadMeasuredStand, FollowsEachTreeToItsEnd) {
@@ -85,9 +102,83 @@ TEST(ReadMeasuredStand, NamesWhatDoesNotFitTogether) {
         << problem_of(texts);
 }
 
+TEST(ReadMeasuredStand, AsksToLeaveTreesBelowTheLeastDiameterOut) {
+    Texts texts;
+    texts.trees = replaced(texts.trees, ",fasy,23\n", ",fasy,6.5\n");
+    EXPECT_EQ(
+        problem_of(texts),
+        "trees.csv:2:16: found tree 1 with dbh_cm 6.5, expected least_dbh_cm of site.csv or more, 7; leave "
+        "the tree out of both tables: thinner trees were not all counted");
+}
+
+void expect_one_problem(const Texts& texts) {
+    const std::string message = problem_of(texts);
+    EXPECT_NE(message, "");
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
+}
+
+TEST(ReadMeasuredStand, NamesWhatIsNoNumberOnce) {
+    for (const char* no_number : {"nan", "thick", ""}) {
+        Texts texts;
+        texts.trees = replaced(texts.trees, ",fasy,23\n", joined_row(no_number));
+        expect_one_problem(texts);
+        texts = {};
+        texts.trees_end = replaced(texts.trees_end, ",fasy,25\n", joined_row(no_number));
+        expect_one_problem(texts);
+    }
+    Texts texts;
+    texts.site = replaced(texts.site, "1990,2000", "1990,nan");
+    expect_one_problem(texts);
+}
+
+TEST(ReadMeasuredStand, WarnsOfGrowthThatCanHardlyBe) {
+    EXPECT_TRUE(warnings_of({}).empty()) << warnings_of({}).front();
+    Texts texts;
+    texts.trees_end = replaced(texts.trees_end, "\n1,fasy,25", "\n1,fasy,53.1");
+    texts.trees_end = replaced(texts.trees_end, "\n2,piab,36", "\n2,piab,33.4");
+    ASSERT_EQ(warnings_of(texts).size(), 2U);
+    EXPECT_EQ(
+        warnings_of(texts)[0],
+        "trees_end.csv, line 2: 1 tree grows more than 3 cm a year in diameter; correct tree_id or dbh_cm, "
+        "or leave the tree out of both tables");
+    EXPECT_EQ(
+        warnings_of(texts)[1],
+        "trees_end.csv, line 3: 1 tree shrinks by more than 0.5 cm, the error of a tape; correct tree_id or "
+        "dbh_cm, or leave the tree out of both tables");
+    texts.trees_end = replaced(texts.trees_end, "\n2,piab,33.4", "\n2,piab,33.6");
+    EXPECT_EQ(warnings_of(texts).size(), 1U);
+}
+
+TEST(ReadMeasuredStand, RefusesGrowthThatNoForestHas) {
+    Texts texts;
+    texts.site = replaced(texts.site, "1990,2000", "1999,2000");
+    texts.trees_end = "tree_id,species,dbh_cm\n1,fasy,26.5\n2,piab,37.5\n";
+    texts.fell_list = "tree_id,year\n6,1999\n";
+    EXPECT_EQ(problem_of(texts),
+              "trees_end.csv: found mean diameter growth of 4 cm a year, expected 3 cm a year or less; write "
+              "dbh_cm "
+              "in cm in both tables, and check first_year and last_year of site.csv");
+}
+
+TEST(ReadMeasuredStand, WarnsOfColumnsThatNothingReads) {
+    Texts texts;
+    texts.trees = replaced(texts.trees, "tree_id,x_m,y_m,species,dbh_cm\n1,2.5,2.5,fasy,23\n",
+                           "tree_id,x_m,y_m,species,dbh_cm,h,height\n1,2.5,2.5,fasy,23,20,20\n");
+    for (int number = 2; number <= 36; ++number) {
+        const std::size_t at = texts.trees.find("\n" + std::to_string(number) + ",") + 1;
+        texts.trees.insert(texts.trees.find('\n', at), ",,");
+    }
+    ASSERT_EQ(warnings_of(texts).size(), 2U);
+    EXPECT_EQ(warnings_of(texts)[0],
+              "trees.csv: column 'h' is not read; if it is 'height_m', give it that name, or leave it out");
+    EXPECT_NE(warnings_of(texts)[1].find("column 'height' is not read; if it is 'height_m'"),
+              std::string::npos);
+}
+
 TEST(ReadMeasuredStand, RefusesCutsThatCannotBe) {
     Texts texts;
     texts.fell_list = "tree_id,year\n99,1995\n";
+    EXPECT_EQ(problem_of(texts).find("fell_list.csv:2:1: found"), 0U);
     EXPECT_NE(problem_of(texts).find("tree_id 99 felled, which the first measurement has not"),
               std::string::npos);
     texts.fell_list = "tree_id,year\n7,1995\n";
