@@ -14,6 +14,7 @@
 #include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/run/ranks.hpp"
+#include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/quantities.hpp"
 #include "coupling/version.hpp"
 
@@ -208,7 +209,8 @@ Ends with exit code 5 if strict or default misses a criterion of any case, with 
   --profile FILE            takes the place of the profile of the one case named: a surveyed slope
   --rocks N                 rocks of the large ensemble; series and moved choices shrink with it. It and settings
                             of rocks change nothing in a case of the forest, which says so
-  --set section.key=value   changes a setting of case.ini, [rockfall] or [tree_impact]; again for more
+  --set section.key=value   changes a setting of case.ini, [rockfall] or [tree_impact]; again for more. Those of
+                            cases of the forest: `bannwald --help-all light`, also remeasured, yield, belts
   --seed N                  the same as --set series.seed=N
   --threads N               threads to use; results do not depend on it (default: all of the machine)
 )";
@@ -283,6 +285,21 @@ void declare_all(config::Options& options, Scenario& scenario, collapse::Collaps
     collapse::declare(options, of_collapse);
 }
 
+/// Calls `use` with the settings of each kind of case of the forest, and the sections that only case.ini has.
+template <class Use>
+void for_each_kind_of_forest_case(const Use& use) {
+    using validation::CaseKind;
+    for (const auto& [kind, section] :
+         {std::pair{CaseKind::forest_light, "light"}, std::pair{CaseKind::forest_yield, "yield"},
+          std::pair{CaseKind::forest_belts, "belts"}, std::pair{CaseKind::forest_demography, "demography"},
+          std::pair{CaseKind::forest_remeasured, "remeasured"}}) {
+        validation::forest_cases::Settings settings;
+        config::Options options;
+        validation::forest_cases::declare(options, settings, kind);
+        use(options, section);
+    }
+}
+
 /// Settings of a section, which may stand in brackets.
 void write_help_of_section(std::ostream& out, std::string section) {
     if (section.starts_with('[') && section.ends_with(']')) {
@@ -295,6 +312,17 @@ void write_help_of_section(std::ostream& out, std::string section) {
     std::vector<std::string> sections;
     for (const config::ParameterRow& row : options.rows()) {
         sections.push_back(row.key.substr(0, row.key.rfind('.')));
+    }
+    bool is_of_a_case = false;
+    for_each_kind_of_forest_case([&](const config::Options& of_case, const std::string& own) {
+        sections.push_back(own);
+        if (own == section) {
+            of_case.write_help(out, section);
+            is_of_a_case = true;
+        }
+    });
+    if (is_of_a_case) {
+        return;
     }
     if (std::find(sections.begin(), sections.end(), section) == sections.end()) {
         sections.erase(std::unique(sections.begin(), sections.end()), sections.end());
@@ -359,6 +387,11 @@ void write_help_all(std::ostream& out, std::string section) {
     config::Options options;
     declare_all(options, scenario, of_collapse);
     options.write_help(out);
+    out << "\nSettings of case.ini of the forest (bannwald validate); its sections [forest] and "
+           "[disturbance] "
+           "are those above\n\n";
+    for_each_kind_of_forest_case(
+        [&](const config::Options& of_case, const std::string& own) { of_case.write_help(out, own); });
 }
 
 void write_version(std::ostream& out) {

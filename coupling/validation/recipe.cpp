@@ -340,6 +340,38 @@ std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<st
     return recipe;
 }
 
+void require_kind(const CaseFiles& files) {
+    config::Problems reported;  // by the reader of the kind
+    std::istringstream in{files.texts.at(recipe_file)};
+    std::vector<std::string> names;
+    std::string list;
+    for (const auto& [name, kind] : kinds()) {
+        names.push_back(name);
+        list += joined(list.empty() ? "" : ", ", name);
+    }
+    bool has_terrain = files.has("profile.csv");
+    for (const config::IniEntry& entry : config::read_ini(in, files.shown(recipe_file), reported)) {
+        has_terrain = has_terrain || entry.key().starts_with("terrain.");
+        if (entry.key() != "case.kind") {
+            continue;
+        }
+        if (std::find(names.begin(), names.end(), entry.value) == names.end()) {
+            const std::string nearest = config::nearest_word(entry.value, names);
+            config::fail(config::ExitCode::settings, entry.value_place,
+                         joined("case.kind ", config::in_quotes(entry.value)),
+                         nearest.empty() ? joined("one of ", list) : config::in_quotes(nearest),
+                         "validation/README.md says which files each kind has");
+        }
+        return;
+    }
+    if (!has_terrain) {
+        config::fail(config::ExitCode::settings, {files.shown(recipe_file)},
+                     "no case.kind, and no slope for rocks",
+                     joined("a line `kind = ` under [case] with one of ", list),
+                     "add it: validation/README.md says which files each kind has");
+    }
+}
+
 CaseHead head_of(const CaseFiles& files) {
     config::Problems ignored;
     std::istringstream in{files.texts.at(recipe_file)};

@@ -448,6 +448,7 @@ ValidationCase read_case(const CaseFiles& files, const CaseChanges& changes) {
     ValidationCase out;
     out.files = files;
     out.changes = changes;
+    require_kind(files);
     out.kind = head_of(files).kind;
     if (out.kind == CaseKind::field || out.kind == CaseKind::collapse) {
         take_changes_of_a_scenario(out);

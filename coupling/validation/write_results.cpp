@@ -1,5 +1,6 @@
 #include "coupling/validation/write_results.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #include "coupling/validation/page.hpp"
@@ -15,6 +16,7 @@ struct ResultFile {
     std::string name;
     std::string sentence;
     std::function<void(std::ostream&, std::span<const CaseResult>)> write;
+    bool of_variants = false;  ///< empty for cases with one set of settings, such as those of the forest
 };
 
 /// The summary comes last: where it is, the results are whole.
@@ -23,14 +25,14 @@ const std::vector<ResultFile>& files() {
         {"report.html", "everything, with charts", write_validation_page},
         {"verdicts.csv", "every figure beside observed and published, with its criterion", write_verdicts},
         {"figures.csv", "every figure of every variant", write_figures},
-        {"choices.csv", "the same figures under every moved choice", write_choices},
-        {"run_out.csv", "share of rocks that get further than each distance", write_run_out},
-        {"jumps.csv", "lengths of jumps by 10 m of slope length", write_jumps},
-        {"tree_hits.csv", "share of rocks by number of tree hits", write_tree_hits},
-        {"hit_heights.csv", "share of tree hits by height", write_hit_heights},
-        {"factors.csv", "forest effects over combinations of settings", write_factors},
-        {"directions.csv", "how figures go as settings grow, beside the literature", write_directions},
-        {"plots.csv", "the points of the forest's plots", write_plots},
+        {"choices.csv", "the same figures under every moved choice", write_choices, true},
+        {"run_out.csv", "share of rocks that get further than each distance", write_run_out, true},
+        {"jumps.csv", "lengths of jumps by 10 m of slope length", write_jumps, true},
+        {"tree_hits.csv", "share of rocks by number of tree hits", write_tree_hits, true},
+        {"hit_heights.csv", "share of tree hits by height", write_hit_heights, true},
+        {"factors.csv", "forest effects over combinations of settings", write_factors, true},
+        {"directions.csv", "how figures go as settings grow, beside the literature", write_directions, true},
+        {"plots.csv", "the points of the plots", write_plots},
         {"overview.md", "how many criteria each case meets", write_overview},
         {"summary.md", "the verdicts as a text", write_summary},
     };
@@ -52,8 +54,13 @@ const std::vector<std::string>& result_names() {
 
 std::vector<WrittenFile> write_results(std::span<const CaseResult> cases,
                                        const std::filesystem::path& folder) {
+    const bool any_variants =
+        std::any_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.has_strict; });
     std::vector<WrittenFile> written;
     for (const ResultFile& file : files()) {
+        if (file.of_variants && !any_variants) {
+            continue;
+        }
         OutFile out{folder / file.name};
         file.write(out.stream(), cases);
         out.close();

@@ -69,6 +69,9 @@ TEST_P(ShippedCase, RunsWithFewRocks) {
                           (few_years.contains(GetParam()) ? few_years.at(GetParam()) : ""));
     EXPECT_TRUE(outcome.code == 0 || outcome.code == 5) << outcome.err;
     EXPECT_TRUE(std::filesystem::exists(project.file("case/report.html")));
+    if (GetParam().starts_with("forest_")) {
+        EXPECT_FALSE(std::filesystem::exists(project.file("case/run_out.csv"))) << "no rock falls";
+    }
 }
 
 std::vector<std::string> names_of_shipped_cases() {

@@ -232,6 +232,23 @@ TEST(ForestCase, RunsTheSamplesOfTheReadme) {
     }
 }
 
+TEST(ForestCase, AsksForItsKind) {
+    CaseFiles files = shipped("forest_light");
+    replace(files.texts["case.ini"], "kind = forest_light\n", "");
+    EXPECT_EQ(problem_of(files).find("validation/forest_light/case.ini: found no case.kind, and no slope for "
+                                     "rocks, expected a line `kind = ` under [case] with one of slope, "),
+              0U)
+        << problem_of(files);
+    files = shipped("forest_light");
+    replace(files.texts["case.ini"], "kind = forest_light", "kind = forest_lihgt");
+    EXPECT_NE(problem_of(files).find("found case.kind 'forest_lihgt', expected 'forest_light'"),
+              std::string::npos)
+        << problem_of(files);
+    files = shipped("vaujany_open");
+    replace(files.texts["case.ini"], "kind = slope", "");
+    EXPECT_EQ(problem_of(files), "") << "rocks on a slope";
+}
+
 TEST(ForestCase, WarnsThatNothingJudges) {
     CaseFiles files = shipped("forest_production");
     files.texts.erase("criteria.csv");
