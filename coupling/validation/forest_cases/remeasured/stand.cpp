@@ -26,6 +26,8 @@ constexpr double thinnest_of_before = 0.8;
 constexpr double measuring_error_cm = 0.5;
 /// Single trees seldom grow faster than this in diameter; the mean of a plot never does [choice].
 constexpr double most_growth_cm_pyear = 3.0;
+/// The same of trees that were below the least diameter: they stand in the shade of the others [choice].
+constexpr double most_growth_of_new_trees_cm_pyear = 1.0;
 
 double number(const Table& table, std::size_t row, const char* column, config::NumberRange range,
               Problems& problems) {
@@ -124,9 +126,9 @@ MeasuredTree tree_in(const Table& table, std::size_t row, std::uint64_t id,
                           stand.width_m - inside_m);
     tree.y_m = std::clamp(number(table, row, "y_m", {.low = 0.0, .high = stand.length_m}, problems), inside_m,
                           stand.length_m - inside_m);
-    tree.dbh_cm = number(table, row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
-    const bool is_number = config::parse_number(table.text(row, "dbh_cm")).has_value();
-    if (is_number && tree.dbh_cm < stand.least_dbh_cm) {
+    const auto dbh_cm = table.number(row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
+    tree.dbh_cm = dbh_cm.value_or(stand.least_dbh_cm);
+    if (dbh_cm && *dbh_cm < stand.least_dbh_cm) {
         problems.add(ExitCode::data, table.place(row, "dbh_cm"),
                      joined("tree ", std::to_string(id), " with dbh_cm ", table.text(row, "dbh_cm")),
                      joined("least_dbh_cm of site.csv or more, ", config::to_text(stand.least_dbh_cm)),
@@ -167,9 +169,18 @@ std::string lines_in_words(const std::vector<std::size_t>& lines) {
 /// Growth that can hardly be: of single trees a warning with their lines, of the plot an error.
 class GrowthCheck {
 public:
-    void add(const MeasuredTree& tree, const MeasuredStand& stand, std::size_t line) {
+    explicit GrowthCheck(const MeasuredStand& stand)
+        : years_{static_cast<double>(stand.years())}, least_dbh_cm_{stand.least_dbh_cm} {}
+
+    /// A tree that was too thin to be counted before.
+    void add_new(double dbh_cm, std::size_t line) {
+        if (dbh_cm > least_dbh_cm_ + most_growth_of_new_trees_cm_pyear * years_) {
+            too_thick_.push_back(line);
+        }
+    }
+    void add(const MeasuredTree& tree, std::size_t line) {
         const double growth_cm = *tree.end_dbh_cm - tree.dbh_cm;
-        const double growth_cm_pyear = growth_cm / stand.years();
+        const double growth_cm_pyear = growth_cm / years_;
         sum_cm_pyear_ += growth_cm_pyear;
         trees_ += 1.0;
         if (growth_cm_pyear > most_growth_cm_pyear) {
@@ -193,6 +204,14 @@ public:
         warn(shrunk_, table,
              joined(" by more than ", config::to_text(measuring_error_cm), " cm, the error of a tape"),
              " shrinks", " shrink", warnings);
+        if (!too_thick_.empty()) {
+            std::sort(too_thick_.begin(), too_thick_.end());
+            warnings.add(joined(table.file(), ", ", lines_in_words(too_thick_),
+                                ": counted as ingrowth, but thicker than least_dbh_cm and ",
+                                config::to_text(most_growth_of_new_trees_cm_pyear),
+                                " cm a year; correct tree_id if the tree was measured before, or add it to "
+                                "trees.csv if it was overlooked"));
+        }
     }
 
 private:
@@ -207,10 +226,13 @@ private:
                             "; correct tree_id or dbh_cm, or leave the tree out of both tables"));
     }
 
+    double years_;
+    double least_dbh_cm_;
     double sum_cm_pyear_ = 0.0;
     double trees_ = 0.0;
     std::vector<std::size_t> fast_;
     std::vector<std::size_t> shrunk_;
+    std::vector<std::size_t> too_thick_;
 };
 
 MeasuredTree* tree_with(MeasuredStand& stand, std::uint64_t id) {
@@ -224,34 +246,36 @@ void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredS
     if (!table.require({"tree_id", "species", "dbh_cm"}, problems)) {
         problems.throw_if_any();
     }
-    GrowthCheck growth;
+    GrowthCheck growth{stand};
     for (const auto& [id, row] : rows_by_id(table, problems)) {
         const auto kind = species.find(table.text(row, "species"), table.place(row, "species"), problems);
-        const double dbh_cm = number(table, row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
+        const auto dbh_cm = table.number(row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
         MeasuredTree* const tree = tree_with(stand, id);
-        if (tree == nullptr) {
-            if (dbh_cm >= stand.least_dbh_cm && kind) {
-                stand.ingrown.push_back({*kind, dbh_cm});
-            }
-            continue;
-        }
-        tree->end_dbh_cm = dbh_cm;
-        if (kind && *kind != tree->species) {
+        if (tree != nullptr && kind && *kind != tree->species) {
             problems.add(ExitCode::data, table.place(row, "species"),
                          joined("tree ", std::to_string(id), " is ", table.text(row, "species")),
                          joined("the species of the first measurement, ", species[tree->species].latin_name));
         }
-        const bool is_number = config::parse_number(table.text(row, "dbh_cm")).has_value();
-        if (is_number && dbh_cm < thinnest_of_before * tree->dbh_cm) {
+        if (!dbh_cm || !kind) {
+            continue;
+        }
+        const std::size_t line = table.place(row, "dbh_cm").line;
+        if (tree == nullptr) {
+            if (*dbh_cm >= stand.least_dbh_cm) {
+                stand.ingrown.push_back({*kind, *dbh_cm});
+                growth.add_new(*dbh_cm, line);
+            }
+            continue;
+        }
+        tree->end_dbh_cm = *dbh_cm;
+        if (*dbh_cm < thinnest_of_before * tree->dbh_cm) {
             problems.add(ExitCode::data, table.place(row, "dbh_cm"),
                          joined("tree ", std::to_string(id), " with dbh_cm ", table.text(row, "dbh_cm"), ", ",
                                 config::to_text(tree->dbh_cm), " cm before"),
                          "no tree thinner by more than a fifth",
                          "correct the number or the diameter, or leave the tree out of both tables");
         }
-        if (is_number) {
-            growth.add(*tree, stand, table.place(row, "dbh_cm").line);
-        }
+        growth.add(*tree, line);
     }
     if (problems.empty()) {
         growth.report(table, warnings, problems);

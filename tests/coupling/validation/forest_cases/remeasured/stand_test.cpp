@@ -118,7 +118,7 @@ void expect_one_problem(const Texts& texts) {
 }
 
 TEST(ReadMeasuredStand, NamesWhatIsNoNumberOnce) {
-    for (const char* no_number : {"nan", "thick", ""}) {
+    for (const char* no_number : {"nan", "thick", "", "404"}) {
         Texts texts;
         texts.trees = replaced(texts.trees, ",fasy,23\n", joined_row(no_number));
         expect_one_problem(texts);
@@ -147,6 +147,16 @@ TEST(ReadMeasuredStand, WarnsOfGrowthThatCanHardlyBe) {
         "dbh_cm, or leave the tree out of both tables");
     texts.trees_end = replaced(texts.trees_end, "\n2,piab,33.4", "\n2,piab,33.6");
     EXPECT_EQ(warnings_of(texts).size(), 1U);
+}
+
+TEST(ReadMeasuredStand, WarnsOfIngrowthThatIsTooThick) {
+    Texts texts;
+    texts.trees_end = replaced(texts.trees_end, "\n1,fasy,25", "\n1001,fasy,25");
+    ASSERT_EQ(warnings_of(texts).size(), 1U);
+    EXPECT_EQ(warnings_of(texts)[0].find("trees_end.csv, line 2: counted as ingrowth, but thicker than "
+                                         "least_dbh_cm and 1 cm a year; correct tree_id"),
+              0U)
+        << warnings_of(texts)[0];
 }
 
 TEST(ReadMeasuredStand, RefusesGrowthThatNoForestHas) {
