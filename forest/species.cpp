@@ -173,8 +173,13 @@ std::optional<SpeciesId> SpeciesTable::find(std::string_view name, const config:
             names.push_back(species.latin_name);
         }
         const std::string nearest = config::nearest_word(name, names);
-        problems.add(ExitCode::data, place, "species " + config::in_quotes(name),
-                     nearest.empty() ? "a species of the species table" : config::in_quotes(nearest));
+        std::string codes;
+        for (const Species& species : species_) {
+            codes += (codes.empty() ? "" : ", ") + species.code;
+        }
+        problems.add(
+            ExitCode::data, place, "species " + config::in_quotes(name),
+            nearest.empty() ? "a species of the species table: " + codes : config::in_quotes(nearest));
     }
     return found;
 }

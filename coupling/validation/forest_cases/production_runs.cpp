@@ -47,11 +47,9 @@ public:
         const check::Site site = check::read_site(table("site", "demo_site.csv"));
         std::vector<check::StartingSpecies> species = starting_species();
         require_parameters(species);
+        std::vector<check::Thinning> list = thinnings(species);
         return check::inputs_of(site, std::move(species), check::read_parameters(parameters()),
-                                check::read_climate(climate(), site),
-                                text_or("thinned", "no") == "yes"
-                                    ? check::read_thinnings(table("thinning", "demo_thinning.csv"))
-                                    : std::vector<check::Thinning>{});
+                                check::read_climate(climate(), site), std::move(list));
     }
     [[nodiscard]] config::Table parameters() const { return table("parameters", "demo_parameters.csv"); }
     [[nodiscard]] config::Table climate() const { return table("climate", "demo_climate.csv"); }
@@ -90,22 +88,65 @@ private:
         problems.throw_if_any();
     }
 
+    /// Those of the run, in the order of its starting table.
     [[nodiscard]] std::vector<check::StartingSpecies> starting_species() const {
         const std::vector<std::string> wanted = between(runs_.text(row_, "species"), '+');
         const std::string file = text_or("start", "demo_species.csv");
         std::vector<check::StartingSpecies> species;
+        std::vector<std::string> names;
         for (check::StartingSpecies& candidate : check::read_species(table_of(files_, file))) {
+            names.push_back(candidate.species);
             if (std::find(wanted.begin(), wanted.end(), candidate.species) != wanted.end()) {
                 species.push_back(std::move(candidate));
             }
         }
+        for (const std::string& one : wanted) {
+            if (std::find(names.begin(), names.end(), one) == names.end()) {
+                const std::string nearest = config::nearest_word(one, names);
+                config::fail(config::ExitCode::data, runs_.place(row_, "species"),
+                             joined("species ", config::in_quotes(one)),
+                             joined("a species of ", files_.shown(file), ", or several with + between them"),
+                             nearest.empty() ? "add its row there, or correct the name"
+                                             : joined("if it is ", config::in_quotes(nearest),
+                                                      ", spell it alike in all tables"));
+            }
+        }
         if (species.size() != wanted.size()) {
             config::fail(config::ExitCode::data, runs_.place(row_, "species"),
-                         joined("species ", config::in_quotes(runs_.text(row_, "species")),
-                                ", of which not all start"),
-                         joined("species of ", files_.shown(file), " with + between them"));
+                         joined("a species twice: ", config::in_quotes(runs_.text(row_, "species"))),
+                         joined("each species once, here and in ", files_.shown(file)));
         }
         return species;
+    }
+
+    [[nodiscard]] bool is_thinned() const {
+        const std::string thinned = text_or("thinned", "no");
+        if (thinned != "yes" && thinned != "no") {
+            config::fail(config::ExitCode::data, runs_.place(row_, "thinned"),
+                         joined("thinned ", config::in_quotes(thinned)), "yes or no");
+        }
+        return thinned == "yes";
+    }
+
+    [[nodiscard]] std::vector<check::Thinning> thinnings(
+        const std::vector<check::StartingSpecies>& species) const {
+        if (!is_thinned()) {
+            return {};
+        }
+        const config::Table given = table("thinning", "demo_thinning.csv");
+        std::vector<check::Thinning> all = check::read_thinnings(given);
+        const bool any = std::any_of(all.begin(), all.end(), [&](const check::Thinning& one) {
+            return std::any_of(species.begin(), species.end(), [&](const check::StartingSpecies& of_run) {
+                return of_run.species == one.species;
+            });
+        });
+        if (!any) {
+            config::fail(config::ExitCode::data, {given.file()},
+                         joined("no thinning of a species of run ", runs_.text(row_, "run")),
+                         joined("a row for ", runs_.text(row_, "species")),
+                         "spell species alike in all tables, or write `no` under thinned");
+        }
+        return all;
     }
 
     const CaseFiles& files_;
@@ -312,6 +353,29 @@ void warn_of_defaults(const config::Table& parameters, const config::Table& clim
     }
 }
 
+/// Each run has a name of its own, and its reference is there.
+void check_rows_of_runs(const CaseFiles& files, const config::Table& table, config::Problems& problems) {
+    std::vector<std::string> present;
+    for (const auto& [name, text] : files.texts) {
+        present.push_back(name);
+    }
+    std::set<std::string> names;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (!names.insert(table.text(row, "run")).second) {
+            problems.add(config::ExitCode::data, table.place(row, "run"),
+                         joined("run ", config::in_quotes(table.text(row, "run")), " a second time"),
+                         "a name of its own for each run");
+        }
+        const std::string& reference = table.text(row, "reference");
+        if (!files.has(reference)) {
+            const std::string nearest = config::nearest_word(reference, present);
+            problems.add(config::ExitCode::file, table.place(row, "reference"),
+                         joined("no file ", config::in_quotes(reference), " in ", files.folder),
+                         nearest.empty() ? "the results of the other program" : config::in_quotes(nearest));
+        }
+    }
+}
+
 }  // namespace
 
 std::string unread_columns(const ReferenceRun& run) {
@@ -341,6 +405,8 @@ std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files, config::Wa
     if (!table.require({"run", "species", "models", "reference", "source"}, problems)) {
         problems.throw_if_any();
     }
+    check_rows_of_runs(files, table, problems);
+    problems.throw_if_any();
     std::vector<ReferenceRun> runs;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const RunRow reader{files, table, row};

@@ -168,6 +168,28 @@ TEST(ProductionCase, PrintsWhatWasComparedAndWhereItDiffersMost) {
     EXPECT_NE(screen.str().find("  %  "), std::string::npos) << screen.str();
 }
 
+TEST(ProductionCase, NamesTheMistakeInARun) {
+    const auto with = [](const std::string& what, const std::string& instead) {
+        CaseFiles files = shipped("forest_production");
+        replace(files.texts["runs.csv"], what, instead);
+        return problem_of(files);
+    };
+    EXPECT_NE(
+        with("out_pine_pjs.csv", "out_pine.csv").find("runs.csv:3:34: found no file 'out_pine.csv' in "),
+        std::string::npos)
+        << with("out_pine_pjs.csv", "out_pine.csv");
+    EXPECT_NE(with("\nbeech,", "\npine,").find("run 'pine' a second time"), std::string::npos);
+    EXPECT_NE(with("3-PGmix,yes", "3-PGmix,ja").find("found thinned 'ja', expected yes or no"),
+              std::string::npos);
+    EXPECT_NE(
+        with("pine,Pinus sylvestris", "pine,Pinus silvestris").find("if it is 'Pinus sylvestris', spell it"),
+        std::string::npos);
+    CaseFiles files = shipped("forest_production");
+    files.texts["demo_thinning.csv"] = "species,age,stems_n,stem,root,foliage\nbeech,48,500,1,1,1\n";
+    EXPECT_NE(problem_of(files).find("found no thinning of a species of run mixture"), std::string::npos)
+        << problem_of(files);
+}
+
 TEST(ProductionCase, NamesParametersThatTakeADefault) {
     CaseFiles files = shipped("forest_production");
     EXPECT_TRUE(read_case(files).warnings.empty());

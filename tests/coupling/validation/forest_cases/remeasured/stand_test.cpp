@@ -117,6 +117,17 @@ void expect_one_problem(const Texts& texts) {
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
 }
 
+TEST(ReadMeasuredStand, ListsTheSpeciesThatThereAre) {
+    Texts texts;
+    texts.trees = replaced(texts.trees, ",fasy,23\n", ",hornbeam,23\n");
+    EXPECT_EQ(
+        problem_of(texts).find("trees.csv:2:11: found species 'hornbeam', expected a species of the species "
+                               "table: "),
+        0U)
+        << problem_of(texts);
+    EXPECT_NE(problem_of(texts).find("PIAB"), std::string::npos);
+}
+
 TEST(ReadMeasuredStand, NamesWhatIsNoNumberOnce) {
     for (const char* no_number : {"nan", "thick", "", "404"}) {
         Texts texts;
