@@ -7,7 +7,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
-#include "coupling/validation/forest_cases/mapped_stand.hpp"
+#include "coupling/validation/forest_cases/light_agreement.hpp"
 
 namespace coupling::validation::forest_cases {
 namespace {

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/validation/forest_cases/compared_columns.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/production_runs.hpp"
 

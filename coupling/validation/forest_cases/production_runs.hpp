@@ -37,9 +37,6 @@ struct ReferenceRun {
     std::vector<ComparedColumn> compared{};  ///< never empty
 };
 
-/// "; not read: bio_stem": the columns of its reference that are none of r3PG's; "" without.
-std::string unread_columns(const ReferenceRun& run);
-
 /// Rows that a run gives: one a species and month.
 std::size_t rows_of(const plain_3pg::Inputs& inputs);
 

@@ -136,6 +136,8 @@ TEST(ProductionCase, RefusesFiguresThatHaveNothingToCompare) {
                         "not read: bio_stem, dhb"),
               std::string::npos);
     EXPECT_NE(pine_with("dbh,biom_stem", "NA,").find("no figure to compare"), std::string::npos);
+    EXPECT_NE(pine_with("tmp_min,co2", "-0.86,360").find("no figure to compare but weather"),
+              std::string::npos);
     EXPECT_NE(pine_with("variable,value", "dbh,20").find("turn the table"), std::string::npos);
     EXPECT_NE(pine_with("dbh", "thick").find("out_pine_pjs.csv:2:26"), std::string::npos)
         << pine_with("dbh", "thick");

@@ -8,6 +8,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "coupling/validation/forest_cases/light_agreement.hpp"
+
 namespace coupling::validation::forest_cases::mapped_stand_test {
 namespace {
 
