@@ -18,14 +18,26 @@ using config::joined;
 
 namespace check = plain_3pg;
 
-/// How far a column lies from its reference.
+/// The largest difference of a column and where it is.
+struct LargestDifference {
+    double size = 0.0;    ///< relative [-], or in the unit of the column
+    std::size_t row = 0;  ///< of the run
+    double ours = 0.0;    ///< there, in the unit of the column
+    double reference = 0.0;
+
+    void note(const LargestDifference& other) {
+        if (other.size > size) {
+            *this = other;
+        }
+    }
+};
+
+/// How far a column lies from its reference. The largest relative difference is often that of a small figure,
+/// so the largest absolute one has its own month.
 struct ColumnDifference {
     const check::Column* column = nullptr;
-    double largest = 0.0;           ///< relative [-]
-    double largest_absolute = 0.0;  ///< in the unit of the column
-    std::size_t row = 0;            ///< of the run, where the largest relative one stands
-    double ours = 0.0;              ///< there, in the unit of the column
-    double reference = 0.0;
+    LargestDifference relative{};
+    LargestDifference absolute{};
     std::size_t compared = 0;
 };
 
@@ -74,13 +86,8 @@ ColumnDifference difference_of(const ReferenceRun& run, const ComparedColumn& co
         const double ours = compared.column->of(rows[figure.row]);
         const double absolute = std::abs(ours - figure.reference);
         const double relative = absolute / std::max(std::abs(figure.reference), run.floor);
-        difference.largest_absolute = std::max(difference.largest_absolute, absolute);
-        if (relative > difference.largest) {
-            difference.largest = relative;
-            difference.row = figure.row;
-            difference.ours = ours;
-            difference.reference = figure.reference;
-        }
+        difference.relative.note({relative, figure.row, ours, figure.reference});
+        difference.absolute.note({absolute, figure.row, ours, figure.reference});
     }
     return difference;
 }
@@ -186,7 +193,7 @@ PlainTable table_for(const ReferenceRun& run, const RunOutcome& outcome) {
     constexpr std::size_t shown = 10;
     std::vector<ColumnDifference> worst = outcome.columns;
     std::stable_sort(worst.begin(), worst.end(), [](const ColumnDifference& a, const ColumnDifference& b) {
-        return a.largest > b.largest;
+        return a.relative.size > b.relative.size;
     });
     std::size_t compared = 0;
     for (const ColumnDifference& one : worst) {
@@ -202,9 +209,9 @@ PlainTable table_for(const ReferenceRun& run, const RunOutcome& outcome) {
     worst.resize(std::min(shown, worst.size()));
     for (const ColumnDifference& one : worst) {
         table.rows.push_back({std::string{one.column->name}, std::string{one.column->unit},
-                              report::three_digits(per_billion * one.largest),
-                              report::three_digits(one.largest_absolute),
-                              month_words(outcome.rows[one.row].when)});
+                              report::three_digits(per_billion * one.relative.size),
+                              report::three_digits(one.absolute.size),
+                              month_words(outcome.rows[one.relative.row].when)});
     }
     return table;
 }
@@ -233,11 +240,18 @@ std::string column_names(const std::vector<ComparedColumn>& compared) {
     return compared.size() <= most_named ? joined(" (", list, ")") : "";
 }
 
-/// How much was compared and where the run differs most: without it a small figure says little.
-std::string detail_of(const ReferenceRun& run, const RunOutcome& outcome) {
-    const auto worst = std::max_element(
-        outcome.columns.begin(), outcome.columns.end(),
-        [](const ColumnDifference& a, const ColumnDifference& b) { return a.largest < b.largest; });
+/// "column dbh, 2001-03: Bannwald 20.0 cm, reference 10 cm".
+std::string difference_words(const ReferenceRun& run, const RunOutcome& outcome, const check::Column& column,
+                             const LargestDifference& where) {
+    const check::Row& row = outcome.rows[where.row];
+    const std::string unit = column.unit == "-" ? "" : joined(" ", column.unit);
+    return joined("column ", column.name, species_words(run, row, outcome.rows), ", ", month_words(row.when),
+                  ": Bannwald ", nine_digits(where.ours), unit, ", reference ", nine_digits(where.reference),
+                  unit);
+}
+
+/// "compared 2 columns (dbh, lai) in 3 months, 6 figures".
+std::string compared_words(const ReferenceRun& run, const RunOutcome& outcome) {
     std::set<int> months;
     std::size_t figures = 0;
     for (const ComparedColumn& one : run.compared) {
@@ -246,22 +260,53 @@ std::string detail_of(const ReferenceRun& run, const RunOutcome& outcome) {
             months.insert(outcome.rows[figure.row].when.count());
         }
     }
-    const std::string compared =
-        joined("run ", run.name, ": compared ", std::to_string(run.compared.size()),
-               run.compared.size() == 1 ? " column" : " columns", column_names(run.compared), " in ",
-               std::to_string(months.size()), months.size() == 1 ? " month, " : " months, ",
-               std::to_string(figures), " figures; ");
-    if (worst->largest == 0.0) {
+    return joined("compared ", std::to_string(run.compared.size()),
+                  run.compared.size() == 1 ? " column" : " columns", column_names(run.compared), " in ",
+                  std::to_string(months.size()), months.size() == 1 ? " month, " : " months, ",
+                  std::to_string(figures), figures == 1 ? " figure" : " figures");
+}
+
+/// The stock of biomass that differs most; null without stocks.
+const ColumnDifference* worst_stock(const RunOutcome& outcome) {
+    const ColumnDifference* worst = nullptr;
+    for (const ColumnDifference& one : outcome.columns) {
+        if (is_stock(*one.column) && (worst == nullptr || one.absolute.size > worst->absolute.size)) {
+            worst = &one;
+        }
+    }
+    return worst;
+}
+
+/// "8.59 t/ha", or in g/ha below a kilogram.
+std::string biomass_words(double tpha) {
+    constexpr double small_tpha = 1e-3;
+    return tpha < small_tpha ? joined(report::three_digits(g_per_t * tpha), " g/ha")
+                             : joined(report::three_digits(tpha), " t/ha");
+}
+
+/// How much was compared and where the run differs most: without it a small figure says little.
+std::string detail_of(const ReferenceRun& run, const RunOutcome& outcome) {
+    const auto worst = std::max_element(outcome.columns.begin(), outcome.columns.end(),
+                                        [](const ColumnDifference& a, const ColumnDifference& b) {
+                                            return a.relative.size < b.relative.size;
+                                        });
+    const std::string compared = joined("run ", run.name, ": ", compared_words(run, outcome), "; ");
+    if (worst->relative.size == 0.0) {
         return joined(compared, "no difference");
     }
-    const check::Row& row = outcome.rows[worst->row];
-    const std::string unit = worst->column->unit == "-" ? "" : joined(" ", worst->column->unit);
-    const bool is_floored = std::abs(worst->reference) < run.floor;
-    return joined(compared, "largest difference in column ", worst->column->name,
-                  species_words(run, row, outcome.rows), ", ", month_words(row.when), ": Bannwald ",
-                  nine_digits(worst->ours), unit, ", reference ", nine_digits(worst->reference), unit,
-                  is_floored ? joined(", relative to the floor ", config::to_text(run.floor))
-                             : joined(", ", relative_words(worst->largest)));
+    const bool is_floored = std::abs(worst->relative.reference) < run.floor;
+    const std::string relative =
+        joined("largest difference in ", difference_words(run, outcome, *worst->column, worst->relative),
+               is_floored ? joined(", relative to the floor ", config::to_text(run.floor))
+                          : joined(", ", relative_words(worst->relative.size)));
+    const ColumnDifference* const stock = worst_stock(outcome);
+    const bool is_named = stock == nullptr || stock->absolute.size == 0.0 ||
+                          (stock->column == worst->column && stock->absolute.row == worst->relative.row);
+    return joined(compared, relative,
+                  is_named ? ""
+                           : joined("; largest difference of biomass in ",
+                                    difference_words(run, outcome, *stock->column, stock->absolute), ", ",
+                                    biomass_words(stock->absolute.size)));
 }
 
 /// Whether a reference has any stock of biomass.
@@ -276,15 +321,12 @@ Outcome compare_all(const std::vector<ReferenceRun>& runs, const Work& work) {
     Outcome out;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         double largest = 0.0;
-        double largest_stock_tpha = 0.0;
         for (const ColumnDifference& column : outcomes[i].columns) {
-            largest = std::max(largest, column.largest);
-            largest_stock_tpha =
-                std::max(largest_stock_tpha, is_stock(*column.column) ? column.largest_absolute : 0.0);
+            largest = std::max(largest, column.relative.size);
         }
         out.values[difference_name(runs[i])] = per_billion * largest;
-        if (has_stocks(runs[i])) {
-            out.values[biomass_name(runs[i])] = g_per_t * largest_stock_tpha;
+        if (const ColumnDifference* const stock = worst_stock(outcomes[i])) {
+            out.values[biomass_name(runs[i])] = g_per_t * stock->absolute.size;
         }
         out.details.push_back(detail_of(runs[i], outcomes[i]));
         for (std::size_t species = 0; species < runs[i].inputs.species.size(); ++species) {

@@ -325,6 +325,21 @@ TEST(ProductionCase, NamesRowsThatAreNotInTheRun) {
     EXPECT_NE(with_row("February,Pinus sylvestris,20\n").find("a date such as"), std::string::npos);
 }
 
+TEST(ProductionCase, NamesTheLargestDifferenceOfBiomassToo) {
+    CaseFiles files = shipped("forest_production");
+    files.texts["out_pine_pjs.csv"] =
+        "date,species,dbh,biom_stem,biom_root\n2001-02,Pinus sylvestris,10,90.1373448,16\n"
+        "2001-03,Pinus sylvestris,,99,\n";
+    const std::string detail = result_of(files).details[0];
+    EXPECT_NE(detail.find("column dbh, 2001-02: Bannwald 20.0228561 cm, reference 10 cm, 100 %; largest "
+                          "difference of biomass in column biom_stem, 2001-03: Bannwald 90."),
+              std::string::npos)
+        << detail;
+    EXPECT_TRUE(detail.ends_with(" t/ha, reference 99 t/ha, 8.59 t/ha")) << detail;
+    files.texts["out_pine_pjs.csv"] = "date,species,biom_stem\n2001-03,Pinus sylvestris,99\n";
+    EXPECT_EQ(result_of(files).details[0].find("of biomass"), std::string::npos) << "the same place once";
+}
+
 TEST(ProductionCase, TakesFilesAndTheHeightModelFromItsRows) {
     CaseFiles files = shipped("forest_production");
     for (const char* name : {"site", "species", "parameters", "climate"}) {
