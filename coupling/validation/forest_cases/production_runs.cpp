@@ -208,9 +208,12 @@ std::optional<std::size_t> species_in_run(const config::Table& table, std::size_
 }
 
 void check_columns(const config::Table& table, const check::Inputs& inputs, config::Problems& problems) {
-    const bool by_number = table.has("month_number");
-    if (!table.has("date") && !by_number) {
-        table.require({"year", "month"}, problems);
+    if (table.has("year") || table.has("month")) {
+        if (!table.has("date") && !table.has("month_number")) {
+            table.require({"year", "month"}, problems);
+        }
+    } else if (!table.has("month_number")) {
+        table.require({"date"}, problems);  // the usual one: a misspelt `date` is found as such
     }
     if (inputs.species.size() > 1) {
         table.require({"species"}, problems);

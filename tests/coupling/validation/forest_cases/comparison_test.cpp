@@ -340,6 +340,18 @@ TEST(ProductionCase, NamesTheLargestDifferenceOfBiomassToo) {
     EXPECT_EQ(result_of(files).details[0].find("of biomass"), std::string::npos) << "the same place once";
 }
 
+TEST(ProductionCase, AsksForTheDateThatAReferenceMeans) {
+    CaseFiles files = shipped("forest_production");
+    const auto with_head = [&](const std::string& head) {
+        files.texts["out_pine_pjs.csv"] = head + ",species,dbh\n2001,2,Pinus sylvestris,20.0228561\n";
+        return problem_of(files);
+    };
+    EXPECT_EQ(with_head("Date,day"),
+              "validation/forest_production/out_pine_pjs.csv: no column 'date' (is 'Date' meant to be it?)");
+    EXPECT_NE(with_head("year,monht").find("no column 'month' (is 'monht' meant"), std::string::npos)
+        << with_head("year,monht");
+}
+
 TEST(ProductionCase, TakesFilesAndTheHeightModelFromItsRows) {
     CaseFiles files = shipped("forest_production");
     for (const char* name : {"site", "species", "parameters", "climate"}) {
