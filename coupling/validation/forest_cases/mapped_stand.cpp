@@ -130,16 +130,38 @@ bool has_light(const std::optional<config::Table>& table, const std::string& lig
     return table && table->has(light);
 }
 
+/// "column 'ligth_mine' of sensors.csv": what may be meant to hold the light of a slope; "" without. The
+/// light of another slope is not.
+std::string nearest_light(const MappedTables& tables, const std::string& light) {
+    for (const config::Table* table : {&tables.trees, tables.ground ? &*tables.ground : nullptr,
+                                       tables.sensors ? &*tables.sensors : nullptr}) {
+        if (table == nullptr) {
+            continue;
+        }
+        std::vector<std::string> columns = table->columns();
+        for (std::size_t row = 0; row < tables.slopes.rows(); ++row) {
+            std::erase(columns, "light_" + tables.slopes.text(row, "slope"));
+        }
+        const std::string nearest = config::nearest_word(light, columns);
+        if (!nearest.empty()) {
+            return joined("column ", config::in_quotes(nearest), " of ", table->file());
+        }
+    }
+    return "";
+}
+
 /// Each slope needs something to be compared with.
 void check_references(const MappedTables& tables, config::Problems& problems) {
     for (std::size_t row = 0; row < tables.slopes.rows(); ++row) {
         const std::string light = "light_" + tables.slopes.text(row, "slope");
         if (!tables.trees.has(light) && !has_light(tables.ground, light) &&
             !has_light(tables.sensors, light)) {
+            const std::string meant = nearest_light(tables, light);
             problems.add(config::ExitCode::data, tables.slopes.place(row, "slope"),
                          "slope '" + tables.slopes.text(row, "slope") + "' without reference light",
                          "a column " + light + " in trees.csv, ground.csv or sensors.csv",
-                         "add the column, or leave the slope out");
+                         meant.empty() ? "add the column, or leave the slope out"
+                                       : joined("if it is ", meant, ", give it that name"));
         }
     }
 }

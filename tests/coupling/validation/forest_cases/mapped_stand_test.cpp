@@ -205,6 +205,30 @@ TEST(MappedStand, NamesEachMistakeOnceWithItsLine) {
         << twice[1];
 }
 
+TEST(MappedStand, NamesTheColumnThatMayHoldTheLightOfASlope) {
+    MappedTables tables{table("trees.csv"), table("leaves.csv"), table("radiation.csv"), table("slopes.csv")};
+    const auto problem_with = [&](const std::string& slope) -> std::string {
+        tables.slopes = config::Table::read(
+            std::string_view{"slope,latitude_deg,side_m,slope_deg,aspect_deg,y_axis_azimuth_deg\n"
+                             "slope_6,46.5,100,6,144,324\n" +
+                             slope + ",46.5,100,6,144,324\n"},
+            "slopes.csv");
+        try {
+            static_cast<void>(mapped_stand(tables));
+        } catch (const config::InputError& error) {
+            return config::to_string(error.problems().front());
+        }
+        return "";
+    };
+    tables.sensors = config::Table::read(std::string_view{"x_m,y_m,ligth_mine\n1,1,0.5\n"}, "sensors.csv");
+    EXPECT_EQ(problem_with("mine"),
+              "slopes.csv:3:1: found slope 'mine' without reference light, expected a column light_mine in "
+              "trees.csv, ground.csv or sensors.csv; if it is column 'ligth_mine' of sensors.csv, give it "
+              "that name");
+    const std::string other = problem_with("slope_7");
+    EXPECT_EQ(other.find("light_slope_6"), std::string::npos) << "that of another slope: " << other;
+}
+
 TEST(MappedStand, WarnsOfColumnsThatNothingReads) {
     MappedTables tables{table("trees.csv"), table("leaves.csv"), table("radiation.csv"), table("slopes.csv"),
                         table("ground.csv")};
