@@ -68,33 +68,38 @@ std::vector<std::pair<double, std::size_t>> under_fall(std::span<const Tree> tre
 
 double canopy_death(const Species& species, double dbh_cm, double age_years, double crowding,
                     const CanopyDeaths& law, bool storms) {
-    constexpr double old_age = 0.75;  // of the greatest age
+    constexpr double old_age = 0.83;  // of the greatest age
     const double dbh_m = 0.01 * dbh_cm;
     const double scale_years = old_age * species.mortality.max_age_years;
     const double share = age_years / scale_years;
+    const double share3 = share * share * share;
     const double by_size = law.by_size * (species.conifer ? 1.0 : law.broadleaves);
     const double dbh2_m2 = dbh_m * dbh_m;
     const double at_any_size = law.at_any_size * crowding;
     const double of_canopy =
         (storms ? law.beside_storms : 1.0) * (at_any_size + by_size * dbh2_m2 * dbh2_m2 * dbh2_m2);
-    return std::min(1.0, of_canopy + 4.0 / scale_years * share * share * share);
+    return std::min(1.0, of_canopy + 8.0 / scale_years * share3 * share3 * share);
 }
 
 double canopy_crowding(double basal_area_m2pha, const CanopyDeaths& law) {
     constexpr double least_m2pha = 0.01;
     const double ratio = std::max(basal_area_m2pha, least_m2pha) / law.usual_m2pha;
-    return std::min(config::pow_of(ratio, law.by_density), law.most_crowding);
+    return law.alone + std::min(config::pow_of(ratio, law.by_density), law.most_crowding);
 }
 
-std::vector<Removal> taken_along(const Stand& stand, std::span<const std::size_t> fallen, std::uint64_t seed,
+std::vector<Removal> taken_along(const Stand& stand, std::span<const std::size_t> dead, std::uint64_t seed,
                                  std::uint32_t replicate) {
     const std::span<const Tree> trees = stand.trees();
     std::vector<Removal> taken;
-    for (const std::size_t i : fallen) {
+    for (const std::size_t i : dead) {
         const config::RandomStream stream{
             {seed, replicate, static_cast<std::uint16_t>(stand.year()), number_of(trees[i].id)},
             config::Purpose::tree_death};
-        const FallDirection direction = fall_direction_at(stream.uniforms_of(event_of_fall)[0]);
+        const config::FourUniforms drawn = stream.uniforms_of(event_of_fall);
+        if (drawn[1] >= falls_alive_share) {
+            continue;
+        }
+        const FallDirection direction = fall_direction_at(drawn[0]);
         const std::vector<std::pair<double, std::size_t>> near = under_fall(trees, i, direction);
         for (std::size_t k = 0; k < std::min(most_neighbours, near.size()); ++k) {
             taken.push_back({trees[near[k].second].id, Cause::background, 0});

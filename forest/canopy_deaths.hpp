@@ -11,34 +11,43 @@ namespace forest {
 
 /// How often trees of the canopy die of what no process here explains.
 struct CanopyDeaths {
-    double at_any_size = 0.0025;  ///< probability a year where basal area is `usual_m2pha`
-    double usual_m2pha = 40.0;    ///< basal area of old forests
-    double by_density = 4.0;      ///< exponent of basal area / usual_m2pha; 0: no influence
-    double most_crowding = 4.0;   ///< most of that power
-    double by_size = 0.04;        ///< added at a diameter of 1 m; falls with its sixth power, conifers
-    double broadleaves = 1.5;     ///< of it, broadleaves
-    double beside_storms = 0.5;   ///< share of both where storms are simulated: they contain the rest
+    double at_any_size =
+        0.003;  ///< probability a year that a basal area of `usual_m2pha` adds to `alone` of it
+    double usual_m2pha = 40.0;   ///< basal area of old forests
+    double alone = 0.3;          ///< share of at_any_size that remains without neighbours
+    double by_density = 4.0;     ///< exponent of basal area / usual_m2pha; 0: no influence
+    double most_crowding = 4.0;  ///< most of that power
+    double by_size = 0.02;       ///< added at a diameter of 1 m; falls with its sixth power, conifers
+    double broadleaves = 1.5;    ///< of it, broadleaves
+    double beside_storms = 0.5;  ///< share of both where storms are simulated: they contain the rest
 };
 
-/// Probability of a tree to die within a year [0, 1]: c p0 + p1 (D / 1 m)^6 + 4 / A (age / A)^3, A three
-/// quarters of the greatest age, c the crowding of its place (canopy_crowding). Gap models have 0.5 to 1 % a
-/// year at any size. Inventories show no rise up to 50 cm (Guyennon et al. 2023); in unmanaged forests giants
-/// die more often (Holzwarth et al. 2013): the sixth power leaves trees below 60 cm alone [choice].
+/// Probability of a tree to die within a year [0, 1]: c p0 + p1 (D / 1 m)^6 + 8 / A (age / A)^7, A 0.83 of
+/// the greatest age, c the crowding of its place (canopy_crowding). Gap models have 0.5 to 1 % a year at any
+/// size. Inventories show no rise up to 50 cm (Guyennon et al. 2023); in unmanaged forests giants die more
+/// often (Holzwarth et al. 2013): the sixth power leaves trees below 60 cm alone [choice]. Age alone leaves 1
+/// % alive at the greatest age, as gap models do, and nearly all at half of it [choice].
 double canopy_death(const Species& species, double dbh_cm, double age_years, double crowding,
                     const CanopyDeaths& law, bool storms);
 
-/// How many times as often canopy trees die at a basal area around them as at that of old forests:
-/// (G / 40 m2/ha)^4, at most 4. Inventories see deaths rise with basal area (Guyennon et al. 2023); form and
-/// level are [choice], such that fully stocked stands that are left alone stop growing on at 50 m2/ha.
+/// How many times as often as at_any_size a canopy tree dies at its place: 0.3 + (G / 40 m2/ha)^4, the power
+/// at most 4, with the basal area G around it. Inventories see deaths rise with basal area, and some without
+/// any (Guyennon et al. 2023); form and level are [choice], such that fully stocked stands that are left
+/// alone stop growing on at 50 m2/ha.
 double canopy_crowding(double basal_area_m2pha, const CanopyDeaths& law);
 
 /// Trees of more than this diameter may take neighbours with them [choice].
 inline constexpr double falls_with_others_cm = 60.0;
 
-/// The neighbours that thick trees take with them when they fall: in a direction that is drawn by the id of
-/// the fallen tree, the nearest three thinner trees of at least 10 cm that stand within 10 m in a strip as
-/// wide as its crown. Together gaps of 100 to 300 m2 open [choice]. `fallen` are places in Stand::trees().
-std::vector<Removal> taken_along(const Stand& stand, std::span<const std::size_t> fallen, std::uint64_t seed,
+/// Share of dying thick trees that fall alive; the others die standing and fall later as snags [choice, near
+/// the halves of Holzwarth et al. 2013].
+inline constexpr double falls_alive_share = 0.5;
+
+/// The neighbours that thick trees take with them when they fall alive: in a direction that is drawn by the
+/// id of the dead tree, the nearest three thinner trees of at least 10 cm that stand within 10 m in a strip
+/// as wide as its crown. Together gaps of 100 to 300 m2 open [choice]. `dead` are places in Stand::trees();
+/// falls_alive_share of them fall.
+std::vector<Removal> taken_along(const Stand& stand, std::span<const std::size_t> dead, std::uint64_t seed,
                                  std::uint32_t replicate);
 
 }  // namespace forest

@@ -63,7 +63,7 @@ std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& spec
     assert(of_drought.empty() || of_drought.size() == stand.trees().size());
     assert(crowding.empty() || crowding.size() == stand.trees().size());
     std::vector<Removal> deaths;
-    std::vector<std::size_t> fallen;
+    std::vector<std::size_t> thick_dead;
     for (std::size_t i = 0; i < stand.trees().size(); ++i) {
         const Tree& tree = stand.trees()[i];
         const Species& kind = species[tree.species];
@@ -91,7 +91,7 @@ std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& spec
         if (die_of_age > 0) {
             deaths.push_back({tree.id, Cause::background, die_of_age});
             if (tree.dbh_cm > falls_with_others_cm) {
-                fallen.push_back(i);
+                thick_dead.push_back(i);
             }
         }
         if (die_of_stress > 0) {
@@ -101,7 +101,7 @@ std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& spec
             deaths.push_back({tree.id, Cause::drought, die_of_drought});
         }
     }
-    const std::vector<Removal> taken = taken_along(stand, fallen, seed, replicate);
+    const std::vector<Removal> taken = taken_along(stand, thick_dead, seed, replicate);
     deaths.insert(deaths.end(), taken.begin(), taken.end());
     return deaths;
 }

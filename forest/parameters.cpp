@@ -19,7 +19,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                    {.unit = "-",
                     .low = 0.0,
                     .high = 4.0,
-                    .meaning = "it is multiplied by basal area / 40 m2/ha to this power, at most by 4",
+                    .meaning = "it is multiplied by 0.3 + (basal area / 40 m2/ha) to this power, at most 4",
                     .source = "choice; direction: Guyennon et al. 2023"});
     options.number("forest.canopy_death_by_size", law.canopy.by_size,
                    {.unit = "-",

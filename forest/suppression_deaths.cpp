@@ -8,7 +8,8 @@ double suppression_death(const Light& species, double dbh_cm, double light_ratio
                          const SuppressionDeaths& law) {
     const double shade = 1.0 - light_ratio;
     const double level = law.in_full_shade + law.by_class * (species.response_class - 1.0);
-    return level * shade * shade * shade * config::exp_of(-dbh_cm / law.dbh_scale_cm);
+    const double of_light = law.in_full_light + (1.0 - law.in_full_light) * shade * shade * shade;
+    return level * of_light * config::exp_of(-dbh_cm / law.dbh_scale_cm);
 }
 
 }  // namespace forest

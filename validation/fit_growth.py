@@ -30,7 +30,7 @@ SPECIES = ROOT / "config/data/species.csv"
 YOUNGEST, OLDEST = 40, 100
 OPTIMUM = "2"
 # The greatest factor on vigour_half: spruce has to age before beech and fir.
-MOST_VIGOUR = {"piab": 0.08, "fasy": 0.3, "lade": 0.45, "abal": 0.3, "acps": 0.1}
+MOST_VIGOUR = {"piab": 0.15, "fasy": 0.3, "lade": 0.45, "abal": 0.3, "acps": 0.1}
 
 
 def read_species(path):
@@ -125,10 +125,10 @@ def miss(ratios, centre, half_width, free):
     return sum(min(b ** 1.5, 5.0) for b in beyond) / len(ratios)
 
 
-def loss(found, trial):
+def loss(found, trial, of_drift):
     fifteen = math.log(1.15)
     value = 3.5 * miss(found["table"], 1.0, fifteen, 0.7) + 0.9 * miss(found["top"], 1.0, fifteen, 0.6)
-    value += 1.2 * miss(found["drift"], 1.0, fifteen, 0.2)
+    value += of_drift * miss(found["drift"], 1.0, fifteen, 0.2)
     value += 3.3 * miss(found["inventory"], math.sqrt(0.6 * 1.6), math.log(1.6 / 0.6) / 2, 0.8)
     value += 0.4 * max(0.0, trial["vigour"]) + 0.1 * abs(trial["height"]) + 0.05 * abs(trial["lit"])
     return value if found["table"] else value + 0.15 * abs(trial["wood"])
@@ -158,6 +158,7 @@ def main():
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--seeds", type=int, default=2, help="of forest_demography in a trial")
     parser.add_argument("--seed", type=int, default=1, help="of the search")
+    parser.add_argument("--drift", type=float, default=1.2, help="weight of volume that drifts from 60 to 100 years")
     parser.add_argument("--write", action="store_true", help="writes config/data/species.csv")
     asked = parser.parse_args()
     codes = asked.species.split(",")
@@ -167,13 +168,13 @@ def main():
     spread = {code: {"wood": 0.04, "height": 0.05, "lit": 0.08, "vigour": 0.04} for code in codes}
     last_step = dict.fromkeys(codes)
     found = simulated(asked, (comments, changed(rows, best)), codes)
-    least = {code: loss(found[code], best[code]) for code in codes}
+    least = {code: loss(found[code], best[code], asked.drift) for code in codes}
     for _ in range(asked.rounds):
         drawn = {code: next_trial(draw, best[code], spread[code], last_step[code], code) for code in codes}
         trials = {code: trial for code, (trial, _) in drawn.items()}
         tried = simulated(asked, (comments, changed(rows, trials)), codes)
         for code in codes:
-            value = loss(tried[code], trials[code])
+            value = loss(tried[code], trials[code], asked.drift)
             helped = value < least[code]
             spread[code] = {name: size * (1.15 if helped else 0.95) for name, size in spread[code].items()}
             last_step[code] = drawn[code][1] if helped else None

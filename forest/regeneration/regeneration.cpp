@@ -114,9 +114,10 @@ void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
             const Cohort& cohort = stand.cohorts()[here[k]];
             const Species& kind = species[cohort.species];
             SaplingPlace own = place;
-            // The geometric mean of the three responses, as ForClim takes them (v3.0, Eq. 4.8).
-            own.environment = config::pow_of(drought.response(cohort.patch, cohort.species) *
-                                                 climate.warmth[index_of(cohort.species)] *
+            // ForClim takes the geometric mean of the three responses (v3.0, Eq. 4.8). Its cube root of
+            // warmth lets spruce lead at the timber line (forest_belts), so warmth is not dampened here.
+            own.environment = climate.warmth[index_of(cohort.species)] *
+                              config::pow_of(drought.response(cohort.patch, cohort.species) *
                                                  nitrogen_response(kind.response.nitrogen_class, nitrogen_kg),
                                              1.0 / 3.0);
             own.deer = cohort.guarded_years > 0 ? 0.0 : own.deer;

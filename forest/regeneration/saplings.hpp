@@ -20,7 +20,7 @@ double potential_height_m(const Saplings& species, double height_m);
 
 /// What a place offers to young trees in a year.
 struct SaplingPlace {
-    double environment = 1.0;   ///< [0, 1], geometric mean of warmth, nitrogen and soil water
+    double environment = 1.0;   ///< [0, 1], warmth and the cube root of nitrogen times soil water
     double ground_light = 1.0;  ///< [0, 1]
     double deer = 0.0;          ///< browsing pressure: 0 fenced, 1 normal, 3 high
     bool snow_glides = false;   ///< steep and open: snow tears young trees out

@@ -41,15 +41,35 @@ TEST(CanopyDeath, LeavesRoomForStormsWhereTheyAreSimulated) {
 
 TEST(CanopyCrowding, FollowsThePowerOfBasalAreaUpToItsMost) {
     const CanopyDeaths law;
-    EXPECT_NEAR(canopy_crowding(law.usual_m2pha, law), 1.0, 1e-9);
-    EXPECT_NEAR(canopy_crowding(0.5 * law.usual_m2pha, law), std::pow(0.5, law.by_density), 1e-9);
-    EXPECT_NEAR(canopy_crowding(1.2 * law.usual_m2pha, law), std::pow(1.2, law.by_density), 1e-9);
-    EXPECT_EQ(canopy_crowding(3.0 * law.usual_m2pha, law), law.most_crowding);
-    EXPECT_GE(canopy_crowding(0.0, law), 0.0);
-    EXPECT_LT(canopy_crowding(0.0, law), 1e-9);
+    const auto power_of = [&](double m2pha) { return canopy_crowding(m2pha, law) - law.alone; };
+    EXPECT_NEAR(power_of(law.usual_m2pha), 1.0, 1e-9);
+    EXPECT_NEAR(power_of(0.5 * law.usual_m2pha), std::pow(0.5, law.by_density), 1e-9);
+    EXPECT_NEAR(power_of(1.2 * law.usual_m2pha), std::pow(1.2, law.by_density), 1e-9);
+    EXPECT_NEAR(power_of(3.0 * law.usual_m2pha), law.most_crowding, 1e-9);
+    EXPECT_GE(power_of(0.0), 0.0);
+    EXPECT_LT(power_of(0.0), 1e-9);
     CanopyDeaths same_everywhere;
     same_everywhere.by_density = 0.0;
-    EXPECT_EQ(canopy_crowding(70.0, same_everywhere), 1.0);
+    EXPECT_DOUBLE_EQ(canopy_crowding(70.0, same_everywhere), canopy_crowding(5.0, same_everywhere));
+}
+
+TEST(CanopyDeath, OfAgeTakesOldTreesAndSparesThoseOfHalfTheGreatestAge) {
+    const auto of_age = [](double share_of_greatest) {
+        CanopyDeaths none;
+        none.at_any_size = 0.0;
+        const double greatest = table[beech].mortality.max_age_years;
+        return canopy_death(table[beech], 0.0, share_of_greatest * greatest, 1.0, none, !storms);
+    };
+    double alive = 1.0;
+    double alive_at_half = 0.0;
+    const auto greatest = static_cast<int>(table[beech].mortality.max_age_years);
+    for (int age = 0; age < greatest; ++age) {
+        alive *= 1.0 - of_age(static_cast<double>(age) / greatest);
+        alive_at_half = 2 * age < greatest ? alive : alive_at_half;
+    }
+    EXPECT_GT(alive_at_half, 0.95);
+    EXPECT_NEAR(alive, 0.01, 0.005);
+    EXPECT_LT(of_age(0.5), 0.1 * of_age(0.75));
 }
 
 TEST(CanopyDeath, RisesWithCrowdingOnlyInItsPartThatHoldsAtAnySize) {
@@ -82,9 +102,9 @@ Stand around_a_giant() {
 TEST(TakenAlong, AreTheNearestThreeThinnerTreesWhereItFalls) {
     const Stand stand = around_a_giant();
     const std::vector<std::size_t> giant{0};
-    constexpr int falls = 4000;
+    constexpr int deaths = 4000;
     std::array<int, 4> numbers{};
-    for (std::uint32_t replicate = 0; replicate < falls; ++replicate) {
+    for (std::uint32_t replicate = 0; replicate < deaths; ++replicate) {
         const std::vector<Removal> taken = taken_along(stand, giant, 1, replicate);
         ASSERT_LE(taken.size(), 3U);
         ++numbers[taken.size()];
@@ -92,15 +112,17 @@ TEST(TakenAlong, AreTheNearestThreeThinnerTreesWhereItFalls) {
             EXPECT_EQ(number_of(taken[i].tree), i + 1) << "nearest first, none thicker, none below 10 cm";
         }
     }
-    // The neighbours stand in a row at 2, 4, 6 and 8 m. A strip of 3 m to each side holds the first in half
-    // of all directions, and one at a distance d above 3 m where its angle is below asin(3 / d).
+    // Half of the dying fall. The neighbours stand in a row at 2, 4, 6 and 8 m. A strip of 3 m to each side
+    // holds the first in half of all directions, and one at a distance d above 3 m where its angle is below
+    // asin(3 / d).
     const auto share_of = [](double distance_m) {
         return distance_m <= 3.0 ? 0.5 : std::asin(3.0 / distance_m) / std::numbers::pi;
     };
     const std::array<double, 4> shares = {1.0 - share_of(2.0), share_of(2.0) - share_of(4.0),
                                           share_of(4.0) - share_of(6.0), share_of(6.0)};
     for (std::size_t number = 0; number < 4; ++number) {
-        const double expected = falls * shares[number];
+        const double standing = number == 0 ? (1.0 - falls_alive_share) * deaths : 0.0;
+        const double expected = standing + falls_alive_share * deaths * shares[number];
         EXPECT_NEAR(numbers[number], expected, 4.0 * std::sqrt(expected)) << number;
     }
 }

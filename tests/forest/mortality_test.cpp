@@ -104,6 +104,8 @@ TEST(NaturalDeaths, ComeAsOftenAsTheirChanceSays) {
 TEST(NaturalDeaths, NeedThreeBadYears) {
     MortalityLaw law;
     law.background = false;
+    law.suppression.in_full_shade = 0.0;
+    law.suppression.by_class = 0.0;
     EXPECT_TRUE(
         natural_deaths(spruces(std::vector<double>(1000, 0.0), 2), table, law, false, {}, {}, 1, 0).empty());
 }

@@ -14,11 +14,12 @@ const Species& beech = table[*table.find("fasy")];
 const Species& larch = table[*table.find("lade")];
 
 TEST(SuppressionDeath, FallsWithTheThirdPowerOfShadeAndWithDiameter) {
-    const SuppressionDeaths law{.in_full_shade = 0.04, .by_class = 0.0, .dbh_scale_cm = 20.0};
+    const SuppressionDeaths law{
+        .in_full_shade = 0.04, .by_class = 0.0, .in_full_light = 0.2, .dbh_scale_cm = 20.0};
     EXPECT_NEAR(suppression_death(beech.light, 0.0, 0.0, law), 0.04, 1e-12);
-    EXPECT_NEAR(suppression_death(beech.light, 0.0, 0.5, law), 0.04 / 8.0, 1e-12);
+    EXPECT_NEAR(suppression_death(beech.light, 0.0, 0.5, law), 0.04 * (0.2 + 0.8 / 8.0), 1e-12);
     EXPECT_NEAR(suppression_death(beech.light, 20.0, 0.0, law), 0.04 * std::exp(-1.0), 1e-9);
-    EXPECT_EQ(suppression_death(beech.light, 5.0, 1.0, law), 0.0);
+    EXPECT_NEAR(suppression_death(beech.light, 0.0, 1.0, law), 0.2 * 0.04, 1e-12) << "in the open, too";
 }
 
 TEST(SuppressionDeath, TakesLightDemandingTreesFirst) {

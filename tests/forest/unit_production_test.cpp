@@ -105,7 +105,7 @@ TEST(ShareProduction, GivesAShadedLeafNearlyAsMuchAsALitOne) {
     }
 }
 
-TEST(ShareProduction, GivesATreeThatHasLostVigourLess) {
+TEST(ShareProduction, GivesLittleOfWhatOldTreesLoseToOthers) {
     std::vector<Tree> trees(2, new_tree(table[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 50.0));
     std::vector<AbsorbedByMonth> absorbed(2);
     absorbed[0].fill(10.0);
@@ -117,7 +117,8 @@ TEST(ShareProduction, GivesATreeThatHasLostVigourLess) {
     const auto prime = share_production(trees, table, absorbed, std::vector<double>{1.0, 1.0}, unit, use);
     const auto old = share_production(trees, table, absorbed, std::vector<double>{1.0, 0.5}, unit, use);
     EXPECT_NEAR(both_kg(old), 0.75 * both_kg(prime), 1e-12) << "the unit makes less";
-    EXPECT_NEAR(old[1].npp_kg, 0.5 * old[0].npp_kg, 1e-12) << "and the old tree gets less of it";
+    EXPECT_NEAR(old[1].npp_kg, std::pow(0.5, 0.25) * old[0].npp_kg, 1e-12) << "the old tree gets less of it";
+    EXPECT_LT(old[0].npp_kg, prime[0].npp_kg) << "and the other gains nothing";
 }
 
 }  // namespace
