@@ -24,11 +24,13 @@ bool has_browser() {
     return std::system("command -v chromium > /dev/null 2>&1") == 0;  // NOLINT: a test
 }
 
-/// Opens `out/report.html` of a project without network.
+/// Opens `out/report.html` of a project without network. One browser at a time: two that draw in software
+/// beside each other now and then spend their virtual time before the slope is drawn.
 Opened open_in_browser(const SampleProject& project, const std::string& flags) {
     const Outcome outcome = shell(
         project,
-        joined("rm -rf browser; mkdir browser; chromium --headless --no-sandbox --disable-gpu --disable-quic "
+        joined("rm -rf browser; mkdir browser; flock \"${TMPDIR:-/tmp}/bannwald-browser-$(id -u).lock\" "
+               "chromium --headless --no-sandbox --disable-gpu --disable-quic "
                "--no-first-run --disable-background-networking --disable-component-update --disable-sync "
                "--user-data-dir=\"$PWD/browser\" --enable-logging=stderr --v=0 --window-size=1280,14000 "
                "--virtual-time-budget=20000 ",
