@@ -11,8 +11,7 @@ namespace forest {
 
 /// How often trees of the canopy die of what no process here explains.
 struct CanopyDeaths {
-    double at_any_size =
-        0.003;  ///< probability a year that a basal area of `usual_m2pha` adds to `alone` of it
+    double at_any_size = 0.003;  ///< probability a year at a crowding of 1 (canopy_crowding)
     double usual_m2pha = 40.0;   ///< basal area of old forests
     double alone = 0.3;          ///< share of at_any_size that remains without neighbours
     double by_density = 4.0;     ///< exponent of basal area / usual_m2pha; 0: no influence
@@ -25,8 +24,9 @@ struct CanopyDeaths {
 /// Probability of a tree to die within a year [0, 1]: c p0 + p1 (D / 1 m)^6 + 8 / A (age / A)^7, A 0.83 of
 /// the greatest age, c the crowding of its place (canopy_crowding). Gap models have 0.5 to 1 % a year at any
 /// size. Inventories show no rise up to 50 cm (Guyennon et al. 2023); in unmanaged forests giants die more
-/// often (Holzwarth et al. 2013): the sixth power leaves trees below 60 cm alone [choice]. Age alone leaves 1
-/// % alive at the greatest age, as gap models do, and nearly all at half of it [choice].
+/// often (Holzwarth et al. 2013): the sixth power leaves trees below 60 cm alone [choice]. Of age alone one
+/// tree in a hundred is alive at the greatest age, as in gap models, and nearly all are at half of it
+/// [choice].
 double canopy_death(const Species& species, double dbh_cm, double age_years, double crowding,
                     const CanopyDeaths& law, bool storms);
 

@@ -33,8 +33,8 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
         {.unit = "-",
          .low = 0.0,
          .high = 1.0,
-         .meaning = "probability of a very thin tree without light to die in a year; falls with the "
-                    "third power of shade and with diameter",
+         .meaning = "probability of a very thin tree without light to die in a year; 0.3 of it in full "
+                    "light; falls with diameter",
          .source = "choice; Holzwarth et al. 2013, Guyennon et al. 2023"});
     options.number("forest.suppression_dbh", law.suppression.dbh_scale_cm,
                    {.unit = "cm",

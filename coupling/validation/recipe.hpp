@@ -124,8 +124,8 @@ void declare(config::Options& options, Recipe& recipe);
 /// every problem found.
 std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<std::string>& overrides);
 
-/// A case without a kind has rocks on a slope. Throws InputError (settings) for a kind that there is not, and
-/// for none where nothing tells of a slope.
+/// A case without a kind is one of rocks on a slope if its files describe a slope. Throws InputError
+/// (settings) for a kind that there is not, and for no kind without a slope.
 void require_kind(const CaseFiles& files);
 
 /// Title and kind of a case, read without checking the rest; a kind that there is not stays `slope`.

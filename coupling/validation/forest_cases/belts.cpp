@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 
@@ -373,10 +374,12 @@ Outcome compare(const BeltData& data, const Work& work) {
     for (std::size_t site = 0; site < sites.size(); ++site) {
         years.plots.push_back(over_years(data, found, palette, site, most_tpha));
     }
-    PlotGroup elevation{"Belts", {}, false};
-    elevation.plots = {over_elevation(data, found, palette, true),
-                       over_elevation(data, found, palette, false)};
-    outcome.plots = {std::move(elevation), std::move(years)};
+    // A line over elevation needs two places whose climate follows elevation alone.
+    if (std::count_if(sites.begin(), sites.end(), std::not_fn(has_other_climate)) >= 2) {
+        const auto belts = [&](bool shares) { return over_elevation(data, found, palette, shares); };
+        outcome.plots.push_back({"Belts", {belts(true), belts(false)}, false});
+    }
+    outcome.plots.push_back(std::move(years));
     outcome.tables = {biomass_table(data, found, palette), structure_table(data, outcome.values),
                       dead_wood_table(data, outcome.values), group_table(data, found, outcome.values)};
     const forest::DisturbanceLaw& law = data.tables.parameters.disturbance;
@@ -415,9 +418,8 @@ Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
         }
     }
     config::Problems problems;
-    if (!expected.require({"published", "source"}, problems)) {
-        problems.throw_if_any();
-    }
+    expected.require({"published", "source"}, problems);
+    problems.throw_if_any();
     for (std::size_t row = 0; row < expected.rows(); ++row) {
         data->published.push_back(expected.text(row, "published"));
         data->sources.push_back(expected.text(row, "source"));

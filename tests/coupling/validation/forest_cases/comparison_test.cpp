@@ -13,48 +13,11 @@
 #include "coupling/validation/tables.hpp"
 #include "coupling/validation/validate.hpp"
 #include "coupling/validation/verdict.hpp"
+#include "tests/coupling/validation/forest_cases/case_runs.hpp"
 #include "tests/coupling/validation/forest_cases/remeasured/synthetic_plot.hpp"
 
 namespace coupling::validation::forest_cases::comparison_test {
 namespace {
-
-CaseFiles shipped(const std::string& name) {
-    for (CaseFiles& files : shipped_cases()) {
-        if (files.name == name) {
-            return std::move(files);
-        }
-    }
-    ADD_FAILURE() << "no case " << name;
-    return {};
-}
-
-CaseResult result_of(const CaseFiles& files, const CaseChanges& changes = {}, int threads = 2) {
-    return validate(read_case(files, changes), {.threads = threads, .quiet = true});
-}
-
-const VerdictRow& row_of(const CaseResult& result, const std::string& quantity) {
-    for (const VerdictRow& row : result.rows) {
-        if (row.quantity == quantity) {
-            return row;
-        }
-    }
-    throw std::runtime_error{"no row " + quantity};
-}
-
-void replace(std::string& text, const std::string& what, const std::string& with) {
-    const std::size_t at = text.find(what);
-    ASSERT_NE(at, std::string::npos) << what;
-    text.replace(at, what.size(), with);
-}
-
-std::string problem_of(const CaseFiles& files, const CaseChanges& changes = {}) {
-    try {
-        read_case(files, changes);
-    } catch (const config::InputError& error) {
-        return config::to_string(error.problems().front());
-    }
-    return "";
-}
 
 /// Two of the shipped plantations, of spruce with its table and of fir without, up to age 50.
 CaseFiles small_yield() {
@@ -69,154 +32,6 @@ CaseFiles small_yield() {
             "ages_years = 40, 50");
     replace(files.texts["case.ini"], "drawn_ages_years = 70, 100", "drawn_ages_years = 50");
     return files;
-}
-
-TEST(ForestProduction, NamesTheMonthAndColumnThatAreNoNumberAnyMore) {
-    CaseFiles files = shipped("forest_production");
-    // Height is D^1000 then: beyond all numbers from the first month on.
-    replace(files.texts["demo_parameters.csv"], "nHB,0.5375352,0.4738211", "nHB,1000,1000");
-    try {
-        static_cast<void>(result_of(files));
-        ADD_FAILURE() << "compared what is no number";
-    } catch (const config::InputError& error) {
-        const std::string message = config::to_string(error.problems().front());
-        EXPECT_EQ(message.find("validation/forest_production/demo_parameters.csv: found run "), 0U)
-            << message;
-        EXPECT_NE(message.find("which gives no number from 2001-0"), std::string::npos) << message;
-        EXPECT_NE(message.find("in column height"), std::string::npos) << message;
-    }
-}
-
-TEST(ProductionCase, MeetsAllOfItsCriteria) {
-    const CaseResult result = result_of(shipped("forest_production"));
-    EXPECT_EQ(result.rows.size(), 5U);
-    EXPECT_FALSE(misses_any(result));
-    EXPECT_FALSE(result.has_strict);
-}
-
-TEST(ProductionCase, NoticesOneWrongDigitOfTheReference) {
-    CaseFiles files = shipped("forest_production");
-    // 1e-6 on 0.29643865 t/ha: 3373 ppb.
-    replace(files.texts["out_pine_pjs.csv"], ",0.29643865,", ",0.29643965,");
-    const CaseResult result = result_of(files);
-    const VerdictRow& pine = row_of(result, "largest_difference_ppb:pine");
-    EXPECT_EQ(pine.default_verdict, Verdict::missed);
-    EXPECT_NEAR(pine.default_value.value, 3373.0, 50.0);
-    EXPECT_EQ(row_of(result, "largest_difference_ppb:beech").default_verdict, Verdict::inside);
-}
-
-/// Lines of a table, its head first.
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in{text};
-    for (std::string line; std::getline(in, line);) {
-        if (!line.starts_with('#')) {
-            lines.push_back(line);
-        }
-    }
-    return lines;
-}
-
-std::string text_of(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines) {
-        text += line + "\n";
-    }
-    return text;
-}
-
-TEST(ProductionCase, RefusesFiguresThatHaveNothingToCompare) {
-    CaseFiles files = shipped("forest_production");
-    const auto pine_with = [&](const std::string& head, const std::string& row) {
-        files.texts["out_pine_pjs.csv"] = "date,species," + head + "\n2001-02,Pinus sylvestris," + row + "\n";
-        return problem_of(files);
-    };
-    EXPECT_NE(pine_with("bio_stem,dhb", "90,20")
-                  .find("out_pine_pjs.csv: found no figure to compare; "
-                        "not read: bio_stem, dhb"),
-              std::string::npos);
-    EXPECT_NE(pine_with("dbh,biom_stem", "NA,").find("no figure to compare"), std::string::npos);
-    EXPECT_NE(pine_with("tmp_min,co2", "-0.86,360").find("no figure to compare but weather"),
-              std::string::npos);
-    EXPECT_NE(pine_with("variable,value", "dbh,20").find("turn the table"), std::string::npos);
-    EXPECT_NE(pine_with("dbh", "thick").find("out_pine_pjs.csv:2:26"), std::string::npos)
-        << pine_with("dbh", "thick");
-    const std::string no_stock = pine_with("dbh,bio_stem", "20.0228561,90");
-    EXPECT_NE(no_stock.find("criteria.csv:4:1: found 'largest_biomass_difference_gpha:pine', which cannot be "
-                            "computed: "),
-              std::string::npos)
-        << no_stock;
-    EXPECT_NE(no_stock.find("not read: bio_stem"), std::string::npos) << no_stock;
-}
-
-TEST(ProductionCase, PrintsWhatWasComparedAndWhereItDiffersMost) {
-    CaseFiles files = shipped("forest_production");
-    files.texts["out_pine_pjs.csv"] =
-        "date,species,dbh,hieght,biom_stem\n2001-02,Pinus sylvestris,20.0228561,9,90.1373448\n"
-        "2001-03,Pinus sylvestris,10,9,\n";
-    const CaseResult result = result_of(files);
-    ASSERT_EQ(result.details.size(), 3U);
-    EXPECT_EQ(result.details[0].find("run pine: compared 2 columns (dbh, biom_stem) in 2 months, 3 figures; "
-                                     "largest difference in column dbh, 2001-03: Bannwald 20."),
-              0U)
-        << result.details[0];
-    EXPECT_NE(result.details[0].find(" cm, reference 10 cm, 10"), std::string::npos) << result.details[0];
-    ASSERT_EQ(result.warnings.size(), 1U);
-    EXPECT_NE(result.warnings[0].find("column 'hieght' is not read; if it is 'height'"), std::string::npos)
-        << result.warnings[0];
-    std::ostringstream screen;
-    print_case(screen, result);
-    EXPECT_NE(screen.str().find("warning: "), std::string::npos);
-    EXPECT_NE(screen.str().find("  %  "), std::string::npos) << screen.str();
-}
-
-TEST(ProductionCase, NamesTheMistakeInARun) {
-    const auto with = [](const std::string& what, const std::string& instead) {
-        CaseFiles files = shipped("forest_production");
-        replace(files.texts["runs.csv"], what, instead);
-        return problem_of(files);
-    };
-    EXPECT_NE(
-        with("out_pine_pjs.csv", "out_pine.csv").find("runs.csv:3:34: found no file 'out_pine.csv' in "),
-        std::string::npos)
-        << with("out_pine_pjs.csv", "out_pine.csv");
-    EXPECT_NE(with("\nbeech,", "\npine,").find("run 'pine' a second time"), std::string::npos);
-    EXPECT_NE(with("3-PGmix,yes", "3-PGmix,ja").find("found thinned 'ja', expected yes or no"),
-              std::string::npos);
-    EXPECT_NE(
-        with("pine,Pinus sylvestris", "pine,Pinus silvestris").find("if it is 'Pinus sylvestris', spell it"),
-        std::string::npos);
-    CaseFiles files = shipped("forest_production");
-    files.texts["demo_thinning.csv"] = "species,age,stems_n,stem,root,foliage\nbeech,48,500,1,1,1\n";
-    EXPECT_NE(problem_of(files).find("found no thinning of a species of run mixture"), std::string::npos)
-        << problem_of(files);
-}
-
-TEST(ProductionCase, NamesParametersThatTakeADefault) {
-    CaseFiles files = shipped("forest_production");
-    EXPECT_TRUE(read_case(files).warnings.empty());
-    std::string& parameters = files.texts["demo_parameters.csv"];
-    for (const std::string name : {"\nk,", "\ncrownshape,"}) {
-        const std::size_t at = parameters.find(name);
-        ASSERT_NE(at, std::string::npos) << name;
-        parameters.erase(at, parameters.find('\n', at + 1) - at);
-    }
-    const std::vector<std::string> warnings = read_case(files).warnings;
-    ASSERT_EQ(warnings.size(), 1U) << "one for all runs with the same file";
-    EXPECT_NE(warnings[0].find("demo_parameters.csv: 2 parameters have no row and take the default of r3PG: "
-                               "k = 0.5, crownshape = 3"),
-              std::string::npos)
-        << warnings[0];
-    parameters = "parameter,Pinus sylvestris,Fagus sylvatica\n";
-    EXPECT_NE(problem_of(files).find("demo_parameters.csv: found no parameter"), std::string::npos)
-        << problem_of(files);
-    parameters = "parameter,Pinus silvestris,Fagus sylvatica\nk,0.5,0.5\n";
-    EXPECT_NE(
-        problem_of(files).find("demo_parameters.csv: found no parameters of 'Pinus sylvestris', expected "
-                               "a column for each species of run pine; if it is the column 'Pinus "
-                               "silvestris'"),
-        std::string::npos)
-        << problem_of(files);
 }
 
 /// The sample of a file in validation/README.md, such as "case.ini" of "forest_light".
@@ -281,114 +96,6 @@ TEST(ForestCase, WarnsThatNothingJudges) {
     EXPECT_EQ(result.warnings[0].find("nothing is judged: "), 0U) << result.warnings[0];
     EXPECT_EQ(result.rows.size(), 6U) << "the figures help without bounds too";
     EXPECT_FALSE(misses_any(result));
-}
-
-TEST(ProductionCase, FindsRowsByDateAndSpeciesInAnyOrder) {
-    CaseFiles files = shipped("forest_production");
-    const Values straight = result_of(files).variants.front().values;
-    for (const char* file : {"out_pine_pjs.csv", "own_mixture_thinned.csv"}) {
-        std::vector<std::string> lines = lines_of(files.texts[file]);
-        std::reverse(lines.begin() + 1, lines.end());
-        files.texts[file] = text_of(lines);
-    }
-    const Values turned = result_of(files).variants.front().values;
-    for (const auto& [name, estimate] : straight) {
-        EXPECT_EQ(turned.at(name).value, estimate.value) << name;
-    }
-}
-
-TEST(ProductionCase, ComparesThePartThatAReferenceHas) {
-    CaseFiles files = shipped("forest_production");
-    std::vector<std::string> lines = lines_of(files.texts["out_pine_pjs.csv"]);
-    lines.erase(lines.begin() + 40, lines.begin() + 100);
-    files.texts["out_pine_pjs.csv"] = text_of(lines);
-    EXPECT_FALSE(misses_any(result_of(files)));
-}
-
-TEST(ProductionCase, NamesRowsThatAreNotInTheRun) {
-    const auto with_row = [](const std::string& row) {
-        CaseFiles files = shipped("forest_production");
-        replace(files.texts["criteria.csv"], "largest_biomass_difference_gpha:pine",
-                "largest_biomass_difference_gpha:mixture");
-        files.texts["out_pine_pjs.csv"] = "date,species,dbh\n2001-02-28,Pinus sylvestris,20.0228561\n" + row;
-        return problem_of(files);
-    };
-    EXPECT_EQ(with_row(""), "");
-    EXPECT_NE(with_row("2011-01-31,Pinus sylvestris,20\n")
-                  .find("out_pine_pjs.csv:3:1: found date 2011-01-31, "
-                        "which is not in the run"),
-              std::string::npos)
-        << with_row("2011-01-31,Pinus sylvestris,20\n");
-    EXPECT_NE(with_row("2001-03-31,Pinus nigra,20\n").find("a species of the run: Pinus sylvestris"),
-              std::string::npos);
-    EXPECT_NE(with_row("2001-02,Pinus sylvestris,20\n").find("a second time"), std::string::npos);
-    EXPECT_NE(with_row("February,Pinus sylvestris,20\n").find("a date such as"), std::string::npos);
-}
-
-TEST(ProductionCase, NamesTheLargestDifferenceOfBiomassToo) {
-    CaseFiles files = shipped("forest_production");
-    files.texts["out_pine_pjs.csv"] =
-        "date,species,dbh,biom_stem,biom_root\n2001-02,Pinus sylvestris,10,90.1373448,16\n"
-        "2001-03,Pinus sylvestris,,99,\n";
-    const std::string detail = result_of(files).details[0];
-    EXPECT_NE(detail.find("column dbh, 2001-02: Bannwald 20.0228561 cm, reference 10 cm, 100 %; largest "
-                          "difference of biomass in column biom_stem, 2001-03: Bannwald 90."),
-              std::string::npos)
-        << detail;
-    EXPECT_TRUE(detail.ends_with(" t/ha, reference 99 t/ha, 8.59 t/ha")) << detail;
-    files.texts["out_pine_pjs.csv"] = "date,species,biom_stem\n2001-03,Pinus sylvestris,99\n";
-    EXPECT_EQ(result_of(files).details[0].find("of biomass"), std::string::npos) << "the same place once";
-}
-
-TEST(ProductionCase, AsksForTheDateThatAReferenceMeans) {
-    CaseFiles files = shipped("forest_production");
-    const auto with_head = [&](const std::string& head) {
-        files.texts["out_pine_pjs.csv"] = head + ",species,dbh\n2001,2,Pinus sylvestris,20.0228561\n";
-        return problem_of(files);
-    };
-    EXPECT_EQ(with_head("Date,day"),
-              "validation/forest_production/out_pine_pjs.csv: no column 'date' (is 'Date' meant to be it?)");
-    EXPECT_NE(with_head("year,monht").find("no column 'month' (is 'monht' meant"), std::string::npos)
-        << with_head("year,monht");
-}
-
-TEST(ProductionCase, TakesFilesAndTheHeightModelFromItsRows) {
-    CaseFiles files = shipped("forest_production");
-    for (const char* name : {"site", "species", "parameters", "climate"}) {
-        files.texts[std::string{"my_"} + name + ".csv"] = files.texts[std::string{"demo_"} + name + ".csv"];
-        files.texts.erase(std::string{"demo_"} + name + ".csv");
-    }
-    files.texts["criteria.csv"] =
-        "quantity,low,high,rests_on,rule,cause\n"
-        "largest_difference_ppb:pine,0,1000,independent,,\n";
-    const auto rows_with = [](const std::string& height) {
-        return "run,species,models,reference,source,site,start,parameters,climate,height\n"
-               "pine,Pinus sylvestris,3-PGpjs,out_pine_pjs.csv,r3PG,my_site.csv,my_species.csv,"
-               "my_parameters.csv,my_climate.csv," +
-               height + "\n";
-    };
-    files.texts["runs.csv"] = rows_with("power");
-    EXPECT_FALSE(misses_any(result_of(files)));
-    files.texts["runs.csv"] = rows_with("exponential");
-    EXPECT_TRUE(misses_any(result_of(files))) << "another height";
-    files.texts["runs.csv"] = rows_with("2");
-    EXPECT_NE(problem_of(files).find("exponential (model 2)"), std::string::npos);
-}
-
-TEST(ProductionCase, TakesPublishedParameters) {
-    // No litterfall at planting, conductance that more than halves at 700 ppm, leaves that change in a year.
-    CaseFiles files = shipped("forest_production");
-    std::string& parameters = files.texts["demo_parameters.csv"];
-    const auto set = [&](const std::string& name, const std::string& value) {
-        const std::size_t at = parameters.find("\n" + name + ",") + 1;
-        ASSERT_NE(at, 0U) << name;
-        parameters.replace(at, parameters.find('\n', at) - at, name + "," + value + "," + value);
-    };
-    set("gammaF0", "0");
-    set("fCg700", "0.293");
-    set("tSLA", "1");
-    const CaseResult result = result_of(files);
-    EXPECT_TRUE(std::isfinite(row_of(result, "largest_difference_ppb:pine").default_value.value));
 }
 
 TEST(LightCase, MissesTheCorrelationOnTheSouthSlopeAlone) {
@@ -598,6 +305,18 @@ TEST(BeltsCase, GivesTheSameFiguresOnAnyNumberOfThreadsAndOthersForAnotherSeed) 
     const std::string one = figures(1, "belts.seed=1");
     EXPECT_EQ(one, figures(3, "belts.seed=1"));
     EXPECT_NE(one, figures(3, "belts.seed=2"));
+}
+
+TEST(BeltsCase, DrawsNothingOverElevationForPlacesWhoseClimateDoesNotFollowIt) {
+    CaseFiles files = small_belts();
+    files.texts["sites.csv"] =
+        "site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph,warmer_k,rain_factor\n"
+        "e1500,1500,0.6,120,55,5.0,4,1\ne0500,500,0.8,120,70,5.5,0,0.7\n";
+    EXPECT_EQ(result_of(files, few_years()).plots.size(), 1U);
+    files.texts["sites.csv"] =
+        "site,elevation_m,fertility,water_mm,nitrogen_kg_ha_yr,ph,warmer_k,rain_factor\n"
+        "e1500,1500,0.6,120,55,5.0,0,1\ne0500,500,0.8,120,70,5.5,0,0.7\n";
+    EXPECT_EQ(result_of(files, few_years()).plots.size(), 1U) << "one place makes no line";
 }
 
 TEST(BeltsCase, RefusesToJudgeYearsThatAreNotGrown) {
