@@ -16,8 +16,11 @@ using Eigen::Vector3d;
 /// Contacts within this gap strike together.
 constexpr double together_m = 1e-7;
 
-/// A contact that lasts counts up to this gap: what a block that turns about an edge lifts in one step.
-constexpr double lasting_reach_m = 1e-5;
+/// A contact that lasts counts up to this gap. A block that turns about an edge and is pressed to the ground
+/// has a centripetal acceleration below gravity's, so half of this is the most that a straight step lifts it.
+double lasting_reach_m(double step_s) {
+    return gravity_mps2 * step_s * step_s;
+}
 
 /// Overlaps beyond this are taken out, a fifth in each step.
 constexpr double overlap_m = 1e-4;
@@ -179,12 +182,14 @@ Touchdown Block::strike() {
     return touchdown;
 }
 
-/// Lifts the block. It pays with its motion; what that does not cover is booked as work done on it.
+/// Moves the block up or down. Its motion pays for that or gains by it; what motion does not cover is booked
+/// as work done on it.
 void Block::lift(const Vector3d& by_m) {
     const double work_j = solid_.mass_kg * gravity_mps2 * by_m.z();
     const double kinetic_j = body_.kinetic_j(solid_);
-    const double paid_j = std::clamp(work_j, 0.0, kinetic_j);
-    if (paid_j > 0.0) {
+    // Motion never more than doubles its energy: a block that lies still is not set going.
+    const double paid_j = std::clamp(work_j, -kinetic_j, kinetic_j);
+    if (paid_j != 0.0) {
         const double factor = std::sqrt(1.0 - paid_j / kinetic_j);
         body_.velocity_mps *= factor;
         body_.rotation.momentum_nms *= factor;
@@ -208,18 +213,25 @@ void Block::clear_overlap() {
     }
 }
 
-/// Takes out a share of the overlap along the deepest contact.
-void Block::correct_overlap() {
+/// Keeps the block at the ground: takes out a share of the overlap along the deepest contact, or the whole of
+/// the gap. Gaps grow where a block turns about an edge, as its centre moves straight within a step. Left
+/// alone, the contact would be lost and found again, and the slip decay in between, the more the longer the
+/// step.
+void Block::keep_at_ground() {
     const TouchPoint* deepest = nullptr;
     for (const TouchPoint& touch : scratch_.touches) {
         if (deepest == nullptr || touch.gap_m < deepest->gap_m) {
             deepest = &touch;
         }
     }
-    if (deepest == nullptr || deepest->gap_m >= -overlap_m) {
+    if (deepest == nullptr) {
         return;
     }
-    lift(taken_out * (-deepest->gap_m - overlap_m) * deepest->normal);
+    if (deepest->gap_m < -overlap_m) {
+        lift(taken_out * (-deepest->gap_m - overlap_m) * deepest->normal);
+    } else if (deepest->gap_m > 0.0) {
+        lift(-deepest->gap_m * deepest->normal);
+    }
 }
 
 /// v <- v exp(-nu t), and the drag of a scar where that is switched on.
@@ -253,7 +265,7 @@ Touchdown Block::step(double duration_s, bool& inside) {
         return {};
     }
     pose(body_);
-    find_touches(scratch_.patch, scratch_.posed, lasting_reach_m, scratch_.touches);
+    find_touches(scratch_.patch, scratch_.posed, lasting_reach_m(duration_s), scratch_.touches);
     keep_four(scratch_.touches);
     const Vector3d kick_mps{0.0, 0.0, -gravity_mps2 * duration_s};
     Touchdown touchdown;
@@ -280,7 +292,7 @@ Touchdown Block::step(double duration_s, bool& inside) {
     if (touchdown.touched) {
         // After the drift, whose way belongs to the velocity that gravity's kick left.
         drag_in_contact(duration_s);
-        correct_overlap();
+        keep_at_ground();
     }
     return touchdown;
 }

@@ -108,7 +108,7 @@ private:
     [[nodiscard]] Velocities velocities_of(const Body& body) const;
     [[nodiscard]] bool is_pressed(const Velocities& now) const;
     void take_velocities(const Velocities& velocities);
-    void correct_overlap();
+    void keep_at_ground();
     void lift(const Eigen::Vector3d& by_m);
     void drag_in_contact(double duration_s);
     [[nodiscard]] double patch_radius_m() const;

@@ -169,11 +169,11 @@ TEST(BlockAmongLogs, MeetsALogItTouches) {
                         slope.terrain, 1.0, 0.5};
     Obstacles obstacles;
     obstacles.logs = &logs;
-    const RockStart start = block_at(slope, {1.0, 0.8, 0.5}, 102.0, 50.0, 0.3, {6.0, 0.0, -2.0});
+    const RockStart start = block_at(slope, {1.0, 0.8, 0.5}, 102.0, 50.0, 0.3, {9.0, 0.0, -2.0});
     const auto [end, log] = logged_fall(slope, rigid_law(), start, obstacles);
     ASSERT_FALSE(log.logs.empty());
     EXPECT_GT(log.logs[0].energy_j, 0.0);
-    const RockStart beside = block_at(slope, {1.0, 0.8, 0.5}, 102.0, 57.0, 0.3, {6.0, 0.0, -2.0});
+    const RockStart beside = block_at(slope, {1.0, 0.8, 0.5}, 102.0, 57.0, 0.3, {9.0, 0.0, -2.0});
     EXPECT_TRUE(logged_fall(slope, rigid_law(), beside, obstacles).second.logs.empty());
 }
 
