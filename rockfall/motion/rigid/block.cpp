@@ -214,9 +214,9 @@ void Block::clear_overlap() {
 }
 
 /// Keeps the block at the ground: takes out a share of the overlap along the deepest contact, or the whole of
-/// the gap. Gaps grow where a block turns about an edge, as its centre moves straight within a step. Left
-/// alone, the contact would be lost and found again, and the slip decay in between, the more the longer the
-/// step.
+/// the gap while it is pressed. Gaps grow where a block turns about an edge, as its centre moves straight
+/// within a step. Left alone, the contact would be lost and found again, and the slip decay in between, the
+/// more the longer the step.
 void Block::keep_at_ground() {
     const TouchPoint* deepest = nullptr;
     for (const TouchPoint& touch : scratch_.touches) {
@@ -229,7 +229,7 @@ void Block::keep_at_ground() {
     }
     if (deepest->gap_m < -overlap_m) {
         lift(taken_out * (-deepest->gap_m - overlap_m) * deepest->normal);
-    } else if (deepest->gap_m > 0.0) {
+    } else if (deepest->gap_m > 0.0 && solver_.normal_sum_ns() > 0.0) {
         lift(-deepest->gap_m * deepest->normal);
     }
 }
