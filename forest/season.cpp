@@ -178,7 +178,7 @@ YearOfLightUse light_use_of_unit(const SpeciesTable& table, SpeciesId id, const 
                          .supply = water.supply[m] / water.patches,
                          .slope_radiation = year[m].radiation.on_slope};
     }
-    return light_use_of_year(species, conditions, site_unit.soil.fertility, site_unit.soil.ph);
+    return light_use_of_year(species, conditions, site_unit.soil);
 }
 
 /// Leaf area index of the species on a patch, month by month: none while leaves are off.

@@ -8,6 +8,7 @@
 #include "forest/light_response.hpp"
 #include "forest/production/calendar.hpp"
 #include "forest/production/light_use.hpp"
+#include "forest/production/nitrogen.hpp"
 #include "forest/production/three_pg_modifiers.hpp"
 
 namespace forest {
@@ -41,11 +42,13 @@ double weight_of_vigour(double vigour) {
 }  // namespace
 
 YearOfLightUse light_use_of_year(const Species& species, const std::array<MonthConditions, 12>& months,
-                                 double fertility, double ph) {
+                                 const Soil& soil) {
     const ThreePg& law = species.three_pg;
     const LightUse light_use;
+    const double fertility = soil.fertility * ph_modifier(soil.ph, species.response.min_optimum_ph);
     const double nutrition =
-        nutrition_modifier(fertility * ph_modifier(ph, species.response.min_optimum_ph), law.nutrition);
+        std::min(1.0, nutrition_modifier(fertility, law.nutrition) *
+                          nitrogen_advantage(species.response.nitrogen_class, soil.nitrogen_kg_per_ha_year));
     YearOfLightUse year;
     for (std::size_t m = 0; m < months.size(); ++m) {
         const MonthConditions& month = months[m];

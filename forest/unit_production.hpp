@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "forest/patch.hpp"
 #include "forest/species.hpp"
 #include "forest/tree.hpp"
 
@@ -31,9 +32,10 @@ struct YearOfLightUse {
 /// Radiation-use efficiency of 3-PG (Landsberg & Waring 1997; physiology as a product, Forrester & Tang 2016)
 /// times the species' calibrated multiplier. Light is used less well where there is much of it: times
 /// (radiation on the slope / on the flat)^-0.3 [choice], so that a steep shady slope loses less production
-/// than light. `fertility` in [0, 1] is lowered where the top soil is more acid than the species likes.
+/// than light. The soil's fertility is lowered where its top is more acid than the species likes; what it
+/// leaves is multiplied by the species' nitrogen_advantage(), up to 1.
 YearOfLightUse light_use_of_year(const Species& species, const std::array<MonthConditions, 12>& months,
-                                 double fertility, double ph);
+                                 const Soil& soil);
 
 /// Radiation that a tree record absorbed, all its stems together, by month [MJ].
 using AbsorbedByMonth = std::array<double, 12>;

@@ -1,7 +1,6 @@
 #include "forest/regeneration/establishment.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "config/math/elementary.hpp"
@@ -65,22 +64,6 @@ double degree_day_response(const Response& species, double degree_days) {
     const double warm =
         is_warm ? 4.0 * (degree_days - low) * (high - degree_days) / ((high - low) * (high - low)) : 1.0;
     return cold * warm;
-}
-
-double nitrogen_response(double nitrogen_class, double nitrogen_kg_per_ha_year) {
-    struct Demand {
-        double steepness;
-        double least_kg;
-    };
-    constexpr std::array<Demand, 3> demands{{{0.045, 10.0}, {0.055, 25.0}, {0.065, 40.0}}};
-    const double place = std::clamp(nitrogen_class, 1.0, 3.0) - 1.0;
-    const std::size_t low = place < 1.0 ? 0 : 1;
-    const double part = place - static_cast<double>(low);
-    const double steepness =
-        demands[low].steepness + part * (demands[low + 1].steepness - demands[low].steepness);
-    const double least_kg =
-        demands[low].least_kg + part * (demands[low + 1].least_kg - demands[low].least_kg);
-    return std::max(0.0, 1.0 - config::exp_of(-steepness * (nitrogen_kg_per_ha_year - least_kg)));
 }
 
 double climate_chance(const Species& species, const ClimateYear& year) {

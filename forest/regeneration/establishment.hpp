@@ -13,10 +13,6 @@ namespace forest {
 /// least)^2 (Bugmann 1994).
 double degree_day_response(const Response& species, double degree_days);
 
-/// Growth by nitrogen [kg/ha/yr]: 1 - exp(k (N - least)), k and least by the species' demand, straight
-/// between its classes (ForClim).
-double nitrogen_response(double nitrogen_class, double nitrogen_kg_per_ha_year);
-
 /// Whether the year's climate lets seedlings of a species survive: 0 beyond one of its limits, else 1 but
 /// for late frost, which leaves tolerance^sqrt(n), n the frost days to be expected between bud burst and
 /// July.

@@ -9,6 +9,7 @@
 #include "config/random/stream.hpp"
 #include "forest/allometry.hpp"
 #include "forest/climate/summary.hpp"
+#include "forest/production/nitrogen.hpp"
 #include "forest/regeneration/establishment.hpp"
 #include "forest/regeneration/saplings.hpp"
 #include "forest/regeneration/seed_rain.hpp"

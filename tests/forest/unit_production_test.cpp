@@ -22,7 +22,7 @@ std::array<MonthConditions, 12> same_month(const MonthConditions& month) {
 TEST(LightUseOfYear, IsThatOf3PgTimesTheMultiplier) {
     const Species& spruce = table[*table.find("piab")];
     const MonthConditions best{.mean_degc = spruce.three_pg.temperature.optimum_degc};
-    const YearOfLightUse year = light_use_of_year(spruce, same_month(best), 1.0, 7.0);
+    const YearOfLightUse year = light_use_of_year(spruce, same_month(best), {.fertility = 1.0, .ph = 7.0});
     // 24 g/mol * 2.3 mol/MJ * 0.47 * alpha, nothing limiting.
     EXPECT_NEAR(year.npp_gpmj[5],
                 24.0 * 2.3 * 0.47 * spruce.three_pg.quantum_efficiency * spruce.response.npp_multiplier,
@@ -34,9 +34,30 @@ TEST(LightUseOfYear, LosesLessOnAShadySlopeThanLight) {
     const MonthConditions flat{.mean_degc = 15.0};
     MonthConditions shady = flat;
     shady.slope_radiation = 0.668;
-    const double gain = light_use_of_year(spruce, same_month(shady), 0.7, 6.0).npp_gpmj[6] /
-                        light_use_of_year(spruce, same_month(flat), 0.7, 6.0).npp_gpmj[6];
+    const Soil soil{.fertility = 0.7, .ph = 6.0};
+    const double gain = light_use_of_year(spruce, same_month(shady), soil).npp_gpmj[6] /
+                        light_use_of_year(spruce, same_month(flat), soil).npp_gpmj[6];
     EXPECT_NEAR(0.668 * gain, 0.754, 0.001);
+}
+
+TEST(LightUseOfYear, LeavesAshBehindSpruceOnPoorSoil) {
+    // The ratio of their production falls by that of their responses to nitrogen, classes 2.5 and 2.
+    const MonthConditions month{.mean_degc = 15.0};
+    const auto ash_to_spruce = [&](double nitrogen_kg) {
+        const Soil soil{.fertility = 0.7, .nitrogen_kg_per_ha_year = nitrogen_kg, .ph = 7.0};
+        return light_use_of_year(table[*table.find("frex")], same_month(month), soil).npp_gpmj[6] /
+               light_use_of_year(table[*table.find("piab")], same_month(month), soil).npp_gpmj[6];
+    };
+    EXPECT_NEAR(ash_to_spruce(60.0) / ash_to_spruce(100.0), 0.946 / 0.999, 0.001);
+}
+
+TEST(LightUseOfYear, NeverExceedsThatOfFertileSoil) {
+    const Species& birch = table[*table.find("bepe")];
+    const MonthConditions month{.mean_degc = 15.0};
+    const Soil fertile{.fertility = 1.0, .nitrogen_kg_per_ha_year = 90.0, .ph = 7.0};
+    const Soil poor{.fertility = 0.9, .nitrogen_kg_per_ha_year = 30.0, .ph = 7.0};
+    EXPECT_LE(light_use_of_year(birch, same_month(month), poor).npp_gpmj[6],
+              light_use_of_year(birch, same_month(month), fertile).npp_gpmj[6]);
 }
 
 TEST(ShareProduction, GivesOutExactlyWhatTheUnitsMake) {

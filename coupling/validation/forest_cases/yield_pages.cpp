@@ -109,8 +109,9 @@ PlainTable beside_the_table(const YieldData& data, const std::vector<SiteOutcome
             }
             const forest::StandFigures& ours = one.simulated.figures;
             const YieldTableRow& theirs = *one.published;
-            table.rows.push_back({words_of(data, site), report::tick_text(site.fertility), site.site_class,
-                                  std::to_string(one.age_years), pair(ours.stems_pha, theirs.stems_pha, 0),
+            table.rows.push_back({words_of(data, site), report::tick_text(site.soil.fertility),
+                                  site.site_class, std::to_string(one.age_years),
+                                  pair(ours.stems_pha, theirs.stems_pha, 0),
                                   pair(ours.mean_dbh_cm, theirs.mean_dbh_cm, 1),
                                   pair(one.simulated.mean_height_m, theirs.mean_height_m, 1),
                                   pair(ours.basal_area_m2pha, theirs.basal_area_m2pha, 1),
@@ -141,7 +142,7 @@ PlainTable left_alone(const YieldData& data, const std::vector<SiteOutcome>& fou
             const YieldComparison* const layers = at_age(found[i].layers, *age);
             const std::optional<double>& at_25cm = found[i].twin.density_at_25cm;
             table.rows.push_back(
-                {words_of(data, site), report::tick_text(site.fertility), std::to_string(*age),
+                {words_of(data, site), report::tick_text(site.soil.fertility), std::to_string(*age),
                  fixed(ours.stems_pha, 0), fixed(ours.mean_dbh_cm, 1), fixed(ours.basal_area_m2pha, 1),
                  fixed(ours.volume_m3pha, 0), fixed(layers->simulated.figures.volume_m3pha, 0),
                  fixed(ours.dominant_height_m, 1), fixed(one->simulated.dominant_slenderness, 0),

@@ -32,13 +32,6 @@ TEST(DegreeDayResponse, IsNothingAtTheLimitAndRises) {
     EXPECT_GT(degree_day_response(spruce, 1300.0), degree_day_response(spruce, 700.0));
 }
 
-TEST(NitrogenResponse, IsLowerForDemandingSpecies) {
-    EXPECT_NEAR(nitrogen_response(1.0, 60.0), 1.0 - std::exp(-0.045 * 50.0), 1e-9);
-    EXPECT_NEAR(nitrogen_response(3.0, 60.0), 1.0 - std::exp(-0.065 * 20.0), 1e-9);
-    EXPECT_NEAR(nitrogen_response(2.2, 60.0), 1.0 - std::exp(-0.057 * 32.0), 1e-9);
-    EXPECT_EQ(nitrogen_response(3.0, 30.0), 0.0);
-}
-
 TEST(ClimateChance, ClosesTheDoorOfEachSpeciesAtItsOwnLimit) {
     // Beech wants no coldest month below -4 degC, fir none below -6, spruce and cembra go on.
     EXPECT_GT(climate_chance(kind("fasy"), moved(0.0)), 0.0);

@@ -84,10 +84,14 @@ std::vector<YieldSite> read_yield_sites(const config::Table& table, const Specie
         const auto kind = species.find(table.text(row, "species"), table.place(row, "species"), problems);
         site.species = kind.value_or(SpeciesId{});
         site.elevation_m = number_in(table, row, "elevation_m", 0.0, 4000.0, problems);
-        site.fertility = number_in(table, row, "fertility", 0.0, 1.0, problems);
+        site.soil.fertility = number_in(table, row, "fertility", 0.0, 1.0, problems);
         site.table = table.text(row, "table");
         if (!site.table.empty()) {
             site.site_class = class_in(table, row, problems);
+        }
+        if (table.has("nitrogen_kg_ha_yr")) {
+            site.soil.nitrogen_kg_per_ha_year =
+                number_in(table, row, "nitrogen_kg_ha_yr", 0.0, 200.0, problems);
         }
         if (table.has("latitude_deg")) {
             site.latitude =
@@ -183,7 +187,7 @@ SiteYields compare_yields(const YieldCase& data, const YieldSite& site, const Sp
     }
     YieldTrial trial;
     trial.species = site.species;
-    trial.soil.fertility = site.fertility;
+    trial.soil = site.soil;
     trial.latitude = site.latitude;
     trial.weather = climate_of(data, site).years;
     trial.parameters = data.parameters;

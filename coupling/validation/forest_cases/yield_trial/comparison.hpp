@@ -27,7 +27,7 @@ struct YieldSite {
     std::string name;  ///< such as "piab_1000"
     forest::SpeciesId species{};
     double elevation_m = 0.0;
-    double fertility = 0.0;
+    forest::Soil soil = trial_soil;
     std::string table;  ///< it is held against, "" for none
     std::string site_class;
     config::Angle latitude = config::Angle::from_degrees(47.7);
@@ -47,8 +47,8 @@ enum class Treatment : std::uint8_t {
     left_alone,
 };
 
-/// Reads site,species,elevation_m,fertility,table,class and, where it is there, latitude_deg. Each reader
-/// throws one InputError (data) for all problems.
+/// Reads site,species,elevation_m,fertility,table,class and, where they are there, nitrogen_kg_ha_yr and
+/// latitude_deg. Each reader throws one InputError (data) for all problems.
 std::vector<YieldSite> read_yield_sites(const config::Table& table, const forest::SpeciesTable& species);
 /// Reads table,class,age_years,mean_height_m,stems_pha,mean_dbh_cm,volume_m3pha and, where it is there,
 /// basal_area_m2pha. Other columns are read over; an age stands once in a class.
