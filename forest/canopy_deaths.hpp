@@ -16,9 +16,9 @@ struct CanopyDeaths {
     double alone = 0.3;          ///< share of at_any_size that remains without neighbours
     double by_density = 4.0;     ///< exponent of basal area / usual_m2pha; 0: no influence
     double most_crowding = 4.0;  ///< most of that power
-    double by_size = 0.02;       ///< added at a diameter of 1 m; falls with its sixth power, conifers
-    double broadleaves = 1.5;    ///< of it, broadleaves
-    double beside_storms = 0.5;  ///< share of both where storms are simulated: they contain the rest
+    double by_size = 0.013;      ///< added at a diameter of 1 m; falls with its sixth power, conifers
+    double broadleaves = 2.5;    ///< of it, broadleaves
+    double beside_storms = 0.9;  ///< share of both where storms are simulated: they contain the rest
 };
 
 /// Probability of a tree to die within a year [0, 1]: c p0 + p1 (D / 1 m)^6 + 8 / A (age / A)^7, A 0.83 of

@@ -9,12 +9,13 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                    {{"rising", AgeLaw::rising}, {"gap_model", AgeLaw::gap_model}},
                    {.meaning = "deaths by age: rising with size and age, or the constant rate of gap models",
                     .source = "choice; JABOWA, ForClim, iLand"});
-    options.number("forest.canopy_death", law.canopy.at_any_size,
-                   {.unit = "-",
-                    .low = 0.0,
-                    .high = 0.1,
-                    .meaning = "probability of a tree of any size to die in a year; with storms half of it",
-                    .source = "choice"});
+    options.number(
+        "forest.canopy_death", law.canopy.at_any_size,
+        {.unit = "-",
+         .low = 0.0,
+         .high = 0.1,
+         .meaning = "probability of a tree of any size to die in a year; with storms nine tenths of it",
+         .source = "choice"});
     options.number("forest.canopy_death_by_density", law.canopy.by_density,
                    {.unit = "-",
                     .low = 0.0,
@@ -26,7 +27,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .low = 0.0,
                     .high = 0.5,
                     .meaning = "added to it at a diameter of 1 m, falling with its sixth power, conifers; "
-                               "broadleaves 1.5 times; with storms half of it",
+                               "broadleaves 2.5 times; with storms nine tenths of it",
                     .source = "choice; Holzwarth et al. 2013"});
     options.number(
         "forest.suppression_death", law.suppression.in_full_shade,
