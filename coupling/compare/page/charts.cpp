@@ -9,6 +9,7 @@
 #include "coupling/compare/page/parts.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/results/report/markup.hpp"
+#include "coupling/results/report/messages.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/percent_axis.hpp"
 
@@ -99,7 +100,7 @@ double place_of(std::size_t course, std::size_t run, const Lines& lines) {
 /// Why a run has no value: it has no such thing, or too few rocks for the figure.
 std::string why_no_point(const std::optional<Figure>& figure, std::string_view quantity) {
     if (figure && !figure->why_none.empty()) {
-        return figure->why_none;
+        return report::message_text(figure->why_none);
     }
     if (!figure) {
         return report::page_text("compare.charts.not_part_of_this_run");

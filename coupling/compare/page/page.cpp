@@ -135,7 +135,7 @@ std::string disagreements(const SideBySide& comparison) {
 std::string in_words(const std::optional<Figure>& figure) {
     if (!figure || std::isnan(figure->value)) {
         return figure && !figure->why_none.empty()
-                   ? joined("– <small>(", escaped(figure->why_none), ")</small>")
+                   ? joined("– <small>(", report::message_html(figure->why_none), ")</small>")
                    : "–";
     }
     const int decimals = std::abs(figure->value) < 10.0 ? 2 : 1;

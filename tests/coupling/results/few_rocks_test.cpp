@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
+
+#include "config/text/language.hpp"
+#include "coupling/results/report/messages.hpp"
+#include "coupling/results/report/writing_language.hpp"
+
 namespace coupling::few_rocks_test {
 namespace {
 
@@ -16,6 +23,17 @@ TEST(TooFewInWords, CountsTheRocks) {
               "only 1 rock arrives over the bare slope: too few for a protection figure");
     EXPECT_EQ(too_few_in_words(2),
               "only 2 rocks arrive over the bare slope: too few for a protection figure");
+}
+
+TEST(TooFewInWords, OfAnEnglishRunAreTheSameInTheLanguageOfAComparison) {
+    for (const config::Language language :
+         {config::Language::de, config::Language::fr, config::Language::it}) {
+        for (const std::uint64_t rocks : {0, 1, 4}) {
+            const std::string english = too_few_in_words(rocks);
+            const report::WritingLanguage writing{language};
+            EXPECT_EQ(report::message_text(english), too_few_in_words(rocks)) << english;
+        }
+    }
 }
 
 }  // namespace
