@@ -77,7 +77,7 @@ TEST(RigidBlockOnAPlane, BoxTipsWhereItsWeightLineLeavesItsBase) {
 
 TEST(RigidBlockOnAPlane, KeepsTheEdgeAboutWhichItTurnsAtTheGround) {
     // A cube that tips over from 3 degrees beyond its edge: (2/3) a^2 w^2 / 2 = g a / sqrt(2) (cos t0 - cos
-    // t). Without a hold on the contact it was lost in every fifth step of 1 ms, and the slip decayed there.
+    // t). Without a hold it lost the contact for single steps, and the slip decayed there.
     const Slope flat = plane(0.0, 100.0);
     constexpr double side_m = 0.5;
     const solids::Solid block = cube(side_m);
