@@ -12,12 +12,12 @@ namespace forest {
 /// How often trees of the canopy die of what no process here explains.
 struct CanopyDeaths {
     double at_any_size = 0.003;  ///< probability a year at a crowding of 1 (canopy_crowding)
-    double usual_m2pha = 40.0;   ///< basal area of old forests
+    double usual_m2pha = 37.0;   ///< basal area of old forests
     double alone = 0.3;          ///< share of at_any_size that remains without neighbours
     double by_density = 4.0;     ///< exponent of basal area / usual_m2pha; 0: no influence
     double most_crowding = 4.0;  ///< most of that power
     double by_size = 0.013;      ///< added at a diameter of 1 m; falls with its sixth power, conifers
-    double broadleaves = 2.5;    ///< of it, broadleaves
+    double broadleaves = 3.0;    ///< of it, broadleaves
     double beside_storms = 0.9;  ///< share of both where storms are simulated: they contain the rest
 };
 
@@ -30,7 +30,7 @@ struct CanopyDeaths {
 double canopy_death(const Species& species, double dbh_cm, double age_years, double crowding,
                     const CanopyDeaths& law, bool storms);
 
-/// How many times as often as at_any_size a canopy tree dies at its place: 0.3 + (G / 40 m2/ha)^4, the power
+/// How many times as often as at_any_size a canopy tree dies at its place: 0.3 + (G / 37 m2/ha)^4, the power
 /// at most 4, with the basal area G around it. Inventories see deaths rise with basal area, and some without
 /// any (Guyennon et al. 2023); form and level are [choice], such that fully stocked stands that are left
 /// alone stop growing on at 50 m2/ha.

@@ -20,14 +20,14 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                    {.unit = "-",
                     .low = 0.0,
                     .high = 4.0,
-                    .meaning = "it is multiplied by 0.3 + (basal area / 40 m2/ha) to this power, at most 4",
+                    .meaning = "it is multiplied by 0.3 + (basal area / 37 m2/ha) to this power, at most 4",
                     .source = "choice; direction: Guyennon et al. 2023"});
     options.number("forest.canopy_death_by_size", law.canopy.by_size,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.5,
                     .meaning = "added to it at a diameter of 1 m, falling with its sixth power, conifers; "
-                               "broadleaves 2.5 times; with storms nine tenths of it",
+                               "broadleaves 3 times; with storms nine tenths of it",
                     .source = "choice; Holzwarth et al. 2013"});
     options.number(
         "forest.suppression_death", law.suppression.in_full_shade,

@@ -10,6 +10,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/species_column.hpp"
+#include "forest/start/height_curve.hpp"
 #include "forest/start/starting_stand.hpp"
 
 namespace coupling {
@@ -101,10 +102,11 @@ private:
                                  config::to_text(kind.height_growth.max_dbh_cm), " cm"),
                           "check the unit (cm) and the species");
         }
-        if (record.mean_height_m.value_or(0.0) > kind.height_growth.max_height_m) {
+        const double greatest_m = forest::greatest_recorded_height_m(kind.height_growth);
+        if (record.mean_height_m.value_or(0.0) > greatest_m) {
             return refuse(row, "height_m", joined("height_m ", config::to_text(*record.mean_height_m)),
                           joined("at most the greatest height of ", kind.latin_name, ", ",
-                                 config::to_text(kind.height_growth.max_height_m), " m"),
+                                 config::to_text(greatest_m), " m"),
                           "check the unit (m) and the species");
         }
         const auto known = stands_.find(stand);

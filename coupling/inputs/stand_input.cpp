@@ -9,6 +9,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "forest/allometry.hpp"
+#include "forest/start/height_curve.hpp"
 
 namespace coupling {
 namespace {
@@ -220,11 +221,12 @@ private:
                 "check the unit (cm) and the species");
             return false;
         }
-        if (record.mean_height_m.value_or(0.0) > kind.height_growth.max_height_m) {
+        const double greatest_m = forest::greatest_recorded_height_m(kind.height_growth);
+        if (record.mean_height_m.value_or(0.0) > greatest_m) {
             problems_.add(ExitCode::data, table_.place(row, "mean_height_m"),
                           joined("mean_height_m ", config::to_text(*record.mean_height_m)),
                           joined("at most the greatest height of ", kind.latin_name, ", ",
-                                 config::to_text(kind.height_growth.max_height_m), " m"),
+                                 config::to_text(greatest_m), " m"),
                           "check the unit (m) and the species");
             return false;
         }

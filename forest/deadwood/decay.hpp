@@ -22,10 +22,10 @@ double potential_evapotranspiration_mm(const ClimateYear& year);
 /// 2015) times 1.69.
 ///
 /// Herrmann et al. give 0.033 for spruce, from logs of at most 36 years on sites below 10 degC. The factor is
-/// fitted: with it and volume_left() the logs of spruce stay 53 years by volume and 91 by number at 3 degC,
-/// as 2785 of them did that were measured twice on Babia Gora (47 to 63 by volume, 71 to 113 by number;
-/// Holeksa et al. 2008). The same factor gives beech 32 years at 7 degC until it is gone, where about 35 were
-/// found (Mueller-Using & Bartsch 2009), which was not fitted.
+/// fitted, before bark was counted: with it and volume_left() the logs of spruce stay 49 years by volume (53
+/// without bark) and 91 by number at 3 degC; 2785 of them that were measured twice on Babia Gora stayed 47 to
+/// 63 by volume and 71 to 113 by number (Holeksa et al. 2008). The same factor gives beech 32 years at 7 degC
+/// until it is gone, where about 35 were found (Mueller-Using & Bartsch 2009), which was not fitted.
 double lying_decay_pyear(const Deadwood& species);
 
 /// Density after a year relative to before [-]: exp(-rate * speed).

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double browsed_from_m = 0.1;
 constexpr double browsed_to_m = 1.3;
-constexpr double height_spread = 0.4;     // of a cohort, each way
-constexpr double usual_odds = 1.0 / 3.0;  // of the odds in the species table, at pressure 1
+constexpr double height_spread = 0.4;  // of a cohort, each way
 constexpr double cut_back_from_m = 0.3;
 constexpr double cut_back_m = 0.1;
 constexpr double cut_back_share = 1.0 / 3.0;
@@ -54,7 +53,7 @@ double potential_height_m(const Saplings& species, double height_m) {
 
 double browsing_chance(const Saplings& species, double pressure) {
     const double p = species.browsing_probability;
-    const double odds = usual_odds * p * pressure;
+    const double odds = p * pressure;
     return odds > 0.0 ? odds / (1.0 - p + odds) : 0.0;
 }
 
@@ -63,7 +62,7 @@ std::optional<double> pressure_of_browsing(const Saplings& species, double chanc
     if (p <= 0.0 || p >= 1.0 || chance >= 1.0) {
         return std::nullopt;
     }
-    return chance / (1.0 - chance) * (1.0 - p) / (usual_odds * p);
+    return chance / (1.0 - chance) * (1.0 - p) / p;
 }
 
 double share_in_reach(double mean_height_m) {

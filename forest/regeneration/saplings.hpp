@@ -26,9 +26,10 @@ struct SaplingPlace {
     bool snow_glides = false;   ///< steep and open: snow tears young trees out
 };
 
-/// Chance that deer browse a cohort within a year. Its odds are a third of those of the species' chance
-/// (iLand) times the pressure [choice]: iLand's own chance is that of high pressure, 3. At pressure 1 a fir
-/// is browsed in four of nine years, a spruce in one of fifty.
+/// Chance that deer browse a cohort within a year: p at pressure 1, with odds that are proportional to the
+/// pressure. p is the share of young trees whose leading shoot is browsed in a year, as the Swiss inventory
+/// finds it, where it gives one for the species: at pressure 1 a fir is browsed in one of four years, an oak
+/// in one of three, a spruce in one of fifty.
 double browsing_chance(const Saplings& species, double pressure);
 
 /// The pressure at which deer browse a cohort with this chance [0, 1) within a year: the inverse of

@@ -89,4 +89,9 @@ double height_by_growth(const Species& species, double dbh_cm, double degree_day
     return std::min(height_m, law.max_height_m);
 }
 
+double greatest_recorded_height_m(const HeightGrowth& law) {
+    constexpr double of_species = 1.3;
+    return std::round(of_species * law.max_height_m);
+}
+
 }  // namespace forest

@@ -45,4 +45,9 @@ HeightFit fit_heights(std::span<const MeasuredHeight> measured);
 /// height leaves (forest/height_growth.hpp, forest/site_height.hpp), summed in steps of 0.5 cm.
 double height_by_growth(const Species& species, double dbh_cm, double degree_days);
 
+/// Greatest height that a record of a tree may have [m]: 1.3 times the greatest height of the species (in
+/// whole metres), which is that of closed stands on the warmest sites [choice; tallest firs of Europe are
+/// near 60 m].
+double greatest_recorded_height_m(const HeightGrowth& law);
+
 }  // namespace forest

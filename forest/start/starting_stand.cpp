@@ -21,7 +21,8 @@ namespace {
 using config::breast_height_m;
 
 bool is_plausible(const std::optional<double>& height_m, const Species& species) {
-    return height_m && *height_m > breast_height_m && *height_m <= species.height_growth.max_height_m;
+    return height_m && *height_m > breast_height_m &&
+           *height_m <= greatest_recorded_height_m(species.height_growth);
 }
 
 std::string one_decimal(double value) {
@@ -168,7 +169,7 @@ StartingTrees trees_from_list(std::span<const ListedTree> list, const PatchGrid&
             const HeightFit& fit = curves.fit_for(listed.species);
             height_m = fit.trees > 0 ? fit.curve.height_m(listed.dbh_cm)
                                      : height_by_growth(kind, listed.dbh_cm, degree_days);
-            height_m = std::min(height_m, kind.height_growth.max_height_m);
+            height_m = std::min(height_m, greatest_recorded_height_m(kind.height_growth));
         }
         start.trees.push_back(new_tree(kind, listed.species, listed.x_m, listed.y_m, listed.dbh_cm, height_m,
                                        listed.age_years.value_or(usual_age_years(kind, listed.dbh_cm))));
@@ -220,7 +221,8 @@ std::vector<Tree> trees_from_record(const StandRecord& record, const PatchGrid& 
         const std::vector<Place> places = places_for(grid, record.patches, diameters, record.structure,
                                                      {seed, replicate, first_id + trees.size()}, taken);
         for (std::size_t i = 0; i < diameters.size(); ++i) {
-            const double height_m = std::min(curve.height_m(diameters[i]), kind.height_growth.max_height_m);
+            const double height_m =
+                std::min(curve.height_m(diameters[i]), greatest_recorded_height_m(kind.height_growth));
             const double age_years = part.age_years.value_or(usual_age_years(kind, diameters[i]));
             Tree tree =
                 new_tree(kind, part.species, places[i].x_m, places[i].y_m, diameters[i], height_m, age_years);

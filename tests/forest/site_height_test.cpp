@@ -12,10 +12,10 @@ TEST(SiteHeight, FallsFromTheGreatestHeightTowardsTheTimberLine) {
     const HeightGrowth& spruce = table[*table.find("piab")].height_growth;
     const double shares[] = {site_height_m(spruce, 1929.0), site_height_m(spruce, 1323.0),
                              site_height_m(spruce, 815.0), site_height_m(spruce, 428.0)};
-    EXPECT_NEAR(shares[0] / spruce.max_height_m, 0.936, 0.001);
-    EXPECT_NEAR(shares[1] / spruce.max_height_m, 0.849, 0.001);
-    EXPECT_NEAR(shares[2] / spruce.max_height_m, 0.688, 0.001);
-    EXPECT_NEAR(shares[3] / spruce.max_height_m, 0.457, 0.001);
+    EXPECT_NEAR(shares[0] / spruce.max_height_m, 0.968, 0.001);
+    EXPECT_NEAR(shares[1] / spruce.max_height_m, 0.906, 0.001);
+    EXPECT_NEAR(shares[2] / spruce.max_height_m, 0.767, 0.001);
+    EXPECT_NEAR(shares[3] / spruce.max_height_m, 0.534, 0.001);
     EXPECT_DOUBLE_EQ(site_height_m(spruce, 0.0), 0.0);
 }
 

@@ -49,7 +49,7 @@ TEST(SpeciesTable, ShipsElevenSpecies) {
     EXPECT_DOUBLE_EQ(fir.allometry.foliage.factor, 0.065);
     EXPECT_DOUBLE_EQ(fir.three_pg.quantum_efficiency, 0.0289);
     EXPECT_DOUBLE_EQ(fir.light.sla_m2pkg, 7.0);
-    EXPECT_DOUBLE_EQ(fir.vigour.power, 4.0);
+    EXPECT_DOUBLE_EQ(fir.vigour.power, 8.0);
     EXPECT_DOUBLE_EQ(fir.deadwood.log_decay_pyear, 0.035);
 }
 

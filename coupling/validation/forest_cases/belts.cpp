@@ -72,11 +72,12 @@ void add_figures(Comparison& comparison, const BeltData& data) {
         }
         for (const succession_trial::SpeciesGroup& native : data.tables.natives) {
             if (native.site == site.name) {
+                const std::string of = joined(":", native.name, ":", site.name);
+                const std::string species =
+                    joined(data.species[native.species.front()].latin_name, " ", at_words(site));
                 comparison.figures.push_back(
-                    {joined("kept:", native.name, ":", site.name),
-                     joined("replicates that keep ", data.species[native.species.front()].latin_name, " ",
-                            at_words(site)),
-                     "-"});
+                    {joined("kept", of), joined("replicates with thick ", species), "-"});
+                comparison.figures.push_back({joined("alive", of), joined("replicates with ", species), "-"});
             }
         }
         for (const succession_trial::SpeciesGroup& group : data.tables.groups) {

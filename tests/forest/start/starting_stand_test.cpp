@@ -161,6 +161,16 @@ TEST(TreesFromList, FillsHeightsFromTheSpeciesCurveAndSaysSo) {
               "error 0.0 m)");
 }
 
+TEST(TreesFromList, KeepTheHeightOfATallTree) {
+    const double greatest_m = table[spruce].height_growth.max_height_m;
+    config::Warnings warnings;
+    const StartingTrees start = trees_from_list(std::vector<ListedTree>{listed(1, 90.0, greatest_m + 5.0)},
+                                                square_of_forest(1), table, 1300.0, warnings);
+    ASSERT_EQ(start.trees.size(), 1U);
+    EXPECT_EQ(start.trees[0].height_m, greatest_m + 5.0);
+    EXPECT_TRUE(warnings.sentences().empty());
+}
+
 TEST(TreesFromList, CountsWhatItCannotTake) {
     config::Warnings warnings;
     const StartingTrees start = trees_from_list(

@@ -39,14 +39,14 @@ double lost_to(const SuccessionState& state) {
     return state.lost_m3pha[forest::index_of(cause)];
 }
 
-/// Replicates of a site in which a species is left.
-double kept_in(const SpeciesGroup& native, std::span<const SuccessionRun> runs) {
+/// Replicates of a site in which stems of a species are left at the end.
+double replicates_with(const SpeciesGroup& native, std::span<const SuccessionRun> runs,
+                       double SpeciesShare::*stems_pha) {
     double kept = 0.0;
     for (const SuccessionRun& run : runs) {
         if (run.site == native.site && !run.states.empty()) {
-            const double stems_pha =
-                run.states.back().species[index_of(native.species.front())].stems_10cm_pha;
-            kept += stems_pha > 0.0 ? 1.0 : 0.0;
+            const SpeciesShare& left = run.states.back().species[index_of(native.species.front())];
+            kept += left.*stems_pha > 0.0 ? 1.0 : 0.0;
         }
     }
     return kept;
@@ -228,7 +228,10 @@ std::vector<std::pair<std::string, double>> succession_figures(const SuccessionC
         }
         for (const SpeciesGroup& native : data.natives) {
             if (native.site == site.name) {
-                figures.emplace_back("kept:" + native.name + ":" + site.name, kept_in(native, runs));
+                const std::string of = native.name + ":" + site.name;
+                figures.emplace_back("kept:" + of,
+                                     replicates_with(native, runs, &SpeciesShare::stems_10cm_pha));
+                figures.emplace_back("alive:" + of, replicates_with(native, runs, &SpeciesShare::stems_pha));
             }
         }
     }

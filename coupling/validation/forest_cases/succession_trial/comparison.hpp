@@ -87,8 +87,8 @@ const std::vector<StandMeasure>& stand_measures();
 /// group {"share:spruce:e1500",
 /// 0.7}, its part of the biomass, and {"margin:spruce:e1500", 0.6}, its share less that of the greatest
 /// species outside it (above 0: the group leads). 0 without trees. For each native species
-/// {"kept:piab:e1500", 10}: replicates with a tree of it from 10 cm on in the last state. Sites without runs
-/// give no figures.
+/// {"kept:piab:e1500", 10}: replicates with a tree of it from 10 cm on in the last state, and
+/// {"alive:piab:e1500", 10}: with a tree of it at all (from 1 cm on). Sites without runs give no figures.
 std::vector<std::pair<std::string, double>> succession_figures(const SuccessionCase& data,
                                                                std::span<const SuccessionRun> runs,
                                                                forest::YearWindow years);

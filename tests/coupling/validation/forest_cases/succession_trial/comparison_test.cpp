@@ -157,11 +157,14 @@ TEST(SuccessionFigures, CountTheReplicatesThatKeepASpecies) {
     both.species[1].stems_10cm_pha = 1.0;
     SuccessionState one = both;
     one.species[1].stems_10cm_pha = 0.0;
+    both.species[1].stems_pha = 4.0;
+    one.species[1].stems_pha = 4.0;
     const std::vector<SuccessionRun> runs{{"here", {both, one}}, {"here", {one, both}}, {"here", {both}}};
     const auto in_order = succession_figures(data, runs, {300, 400});
     const std::map<std::string, double> figures(in_order.begin(), in_order.end());
     EXPECT_EQ(figures.at("kept:a:here"), 3.0);
     EXPECT_EQ(figures.at("kept:b:here"), 2.0) << "at the end";
+    EXPECT_EQ(figures.at("alive:b:here"), 3.0) << "thinner ones count, too";
 }
 
 TEST(GrowSuccession, BeginsDisturbancesInTheirYear) {
