@@ -12,7 +12,8 @@ namespace {
 
 constexpr double browsed_from_m = 0.1;
 constexpr double browsed_to_m = 1.3;
-constexpr double height_spread = 0.4;  // of a cohort, each way
+constexpr double pressure_power = 1.81;  // of the odds of being browsed
+constexpr double height_spread = 0.4;    // of a cohort, each way
 constexpr double cut_back_from_m = 0.3;
 constexpr double cut_back_m = 0.1;
 constexpr double cut_back_share = 1.0 / 3.0;
@@ -53,8 +54,11 @@ double potential_height_m(const Saplings& species, double height_m) {
 
 double browsing_chance(const Saplings& species, double pressure) {
     const double p = species.browsing_probability;
-    const double odds = p * pressure;
-    return odds > 0.0 ? odds / (1.0 - p + odds) : 0.0;
+    if (pressure <= 0.0 || p <= 0.0) {
+        return 0.0;
+    }
+    const double odds = p * config::pow_of(pressure, pressure_power);
+    return odds / (1.0 - p + odds);
 }
 
 std::optional<double> pressure_of_browsing(const Saplings& species, double chance) {
@@ -62,7 +66,10 @@ std::optional<double> pressure_of_browsing(const Saplings& species, double chanc
     if (p <= 0.0 || p >= 1.0 || chance >= 1.0) {
         return std::nullopt;
     }
-    return chance / (1.0 - chance) * (1.0 - p) / p;
+    if (chance <= 0.0) {
+        return 0.0;
+    }
+    return config::pow_of(chance / (1.0 - chance) * (1.0 - p) / p, 1.0 / pressure_power);
 }
 
 double share_in_reach(double mean_height_m) {

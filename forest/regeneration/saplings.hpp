@@ -26,10 +26,11 @@ struct SaplingPlace {
     bool snow_glides = false;   ///< steep and open: snow tears young trees out
 };
 
-/// Chance that deer browse a cohort within a year: p at pressure 1, with odds that are proportional to the
-/// pressure. p is the share of young trees whose leading shoot is browsed in a year, as the Swiss inventory
-/// finds it, where it gives one for the species: at pressure 1 a fir is browsed in one of four years, an oak
-/// in one of three, a spruce in one of fifty.
+/// Chance that deer browse a cohort within a year: p at pressure 1, with odds that rise with the pressure to
+/// the power 1.81. p is the share of young trees whose leading shoot is browsed in a year, as the Swiss
+/// inventory finds it, where it gives one for the species: a fir is browsed in one of four years, an oak in
+/// one of three, a spruce in one of fifty. The power gives fir the chance of iLand, 0.71, at a high pressure
+/// of 3 [choice].
 double browsing_chance(const Saplings& species, double pressure);
 
 /// The pressure at which deer browse a cohort with this chance [0, 1) within a year: the inverse of

@@ -68,17 +68,18 @@ TEST(GrowSuccession, BringsTheBeltsInTheirOrder) {
     data.groups.push_back({"e1500", "tolerant", {*species.find("fasy"), *species.find("abal")}});
     std::vector<SuccessionRun> runs;
     for (const std::string site : {"e0500", "e1500", "e2000"}) {
-        runs.push_back({site, grow_succession(small_trial_at(data, site), species, {1, 0})});
+        SuccessionTrial trial = small_trial_at(data, site);
+        trial.years = 700;
+        runs.push_back({site, grow_succession(trial, species, {1, 0})});
     }
-    std::map<std::string, double> figures = figures_of_years(data, runs, {500, 600});
+    // The larches that settled first live to 600 years; the case judges the years 600 to 800, too.
+    std::map<std::string, double> figures = figures_of_years(data, runs, {600, 700});
     for (const auto& [name, value] : figures) {
         std::cout << name << ' ' << value << '\n';
     }
     EXPECT_GT(figures["margin:tolerant:e0500"], 0.0);
     EXPECT_LT(figures["share:spruce:e0500"], 0.33);
-    // The larches that settled first live to 600 years here and stand as high as spruce; the case judges the
-    // 60 % of spruce after that.
-    EXPECT_GT(figures["share:spruce:e1500"], figures["share:spruce:e2000"] + 0.2);
+    EXPECT_GT(figures["margin:spruce:e1500"], 0.0);
     EXPECT_LT(figures["share:tolerant:e1500"], 0.3);
     // On this small plot only the order is asked for; the case judges the shares after 600 years.
     EXPECT_GT(figures["share:larch_cembra:e2000"], figures["share:larch:e1500"] + 0.1);
