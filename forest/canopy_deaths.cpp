@@ -66,7 +66,7 @@ std::vector<std::pair<double, std::size_t>> under_fall(std::span<const Tree> tre
 
 }  // namespace
 
-double canopy_death(const Species& species, double dbh_cm, double age_years, double crowding,
+double canopy_death(const Species& species, double dbh_cm, double age_years, const CanopyPlace& place,
                     const CanopyDeaths& law, bool storms) {
     constexpr double old_age = 0.83;  // of the greatest age
     const double dbh_m = 0.01 * dbh_cm;
@@ -75,9 +75,9 @@ double canopy_death(const Species& species, double dbh_cm, double age_years, dou
     const double share3 = share * share * share;
     const double by_size = law.by_size * (species.conifer ? 1.0 : law.broadleaves);
     const double dbh2_m2 = dbh_m * dbh_m;
-    const double at_any_size = law.at_any_size * crowding;
-    const double of_canopy =
-        (storms ? law.beside_storms : 1.0) * (at_any_size + by_size * dbh2_m2 * dbh2_m2 * dbh2_m2);
+    const double at_any_size = law.at_any_size * place.crowding;
+    const double of_canopy = (storms ? law.beside_storms : 1.0) * place.warmth *
+                             (at_any_size + by_size * dbh2_m2 * dbh2_m2 * dbh2_m2);
     return std::min(1.0, of_canopy + 8.0 / scale_years * share3 * share3 * share);
 }
 
@@ -85,6 +85,14 @@ double canopy_crowding(double basal_area_m2pha, const CanopyDeaths& law) {
     constexpr double least_m2pha = 0.01;
     const double ratio = std::max(basal_area_m2pha, least_m2pha) / law.usual_m2pha;
     return law.alone + std::min(config::pow_of(ratio, law.by_density), law.most_crowding);
+}
+
+double canopy_warmth(double usual_degree_days, const CanopyDeaths& law) {
+    constexpr double middle_degree_days = 1300.0;
+    constexpr double coldest = 0.6;
+    constexpr double warmest = 1.4;
+    return std::clamp(1.0 + law.by_warmth * 0.01 * (usual_degree_days - middle_degree_days), coldest,
+                      warmest);
 }
 
 std::vector<Removal> taken_along(const Stand& stand, std::span<const std::size_t> dead, std::uint64_t seed,

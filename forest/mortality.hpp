@@ -38,8 +38,7 @@ struct MortalityLaw {
 };
 
 /// Probability to die of age or size within a year [0, 1]. `storms`: whether they are simulated.
-/// `crowding`: canopy_crowding() of the place.
-double background_death(const Species& species, double dbh_cm, double age_years, double crowding,
+double background_death(const Species& species, double dbh_cm, double age_years, const CanopyPlace& place,
                         const MortalityLaw& law, bool storms);
 
 /// Probability to die of stress within a year, after `bad_years` in a row [0, 1].
@@ -55,10 +54,10 @@ std::vector<std::uint16_t> stress_years_after(const Stand& stand, const SpeciesT
 
 /// Deaths by age and size, by stress and shade, and by drought in the stand's current year, with the
 /// neighbours that thick trees take along. One random number a stem decides, keyed by tree and year.
-/// `storms`: whether they are simulated. `crowding`: canopy_crowding() at each tree; empty = 1. `of_drought`:
+/// `storms`: whether they are simulated. `places`: that of each tree; empty = usual ones. `of_drought`:
 /// probability of each tree to die of the year's drought; empty = none.
 std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& species, const MortalityLaw& law,
-                                    bool storms, std::span<const double> crowding,
+                                    bool storms, std::span<const CanopyPlace> places,
                                     std::span<const double> of_drought, std::uint64_t seed,
                                     std::uint32_t replicate);
 

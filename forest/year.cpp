@@ -111,18 +111,20 @@ void grow_trees(Stand& stand, const SpeciesTable& species, std::span<const TreeS
     stand.grow(growth);
 }
 
-/// canopy_crowding() of the window around each tree.
-std::vector<double> crowding_of_trees(const Stand& stand, const Site& site, const CanopyDeaths& law) {
-    std::vector<double> of_window = window_basal_areas_m2pha(stand, site.windows());
-    for (double& value : of_window) {
+/// How often canopy trees die at the place of each tree. Requires the stand to know its usual warmth.
+std::vector<CanopyPlace> places_of_trees(const Stand& stand, const Site& site, const CanopyDeaths& law) {
+    std::vector<double> crowding = window_basal_areas_m2pha(stand, site.windows());
+    for (double& value : crowding) {
         value = canopy_crowding(value, law);
     }
-    std::vector<double> crowding;
-    crowding.reserve(stand.trees().size());
+    std::vector<CanopyPlace> places;
+    places.reserve(stand.trees().size());
     for (const Tree& tree : stand.trees()) {
-        crowding.push_back(of_window[site.windows().window_of(tree.patch)]);
+        const PatchState& patch = stand.patch_states()[index_of(tree.patch)];
+        places.push_back({.crowding = crowding[site.windows().window_of(tree.patch)],
+                          .warmth = canopy_warmth(patch.usual_degree_days, law)});
     }
-    return crowding;
+    return places;
 }
 
 void apply_mortality(Stand& stand, const Site& site, const SpeciesTable& species,
@@ -132,9 +134,9 @@ void apply_mortality(Stand& stand, const Site& site, const SpeciesTable& species
                                               site.production_units().size()));
     const std::vector<double> of_drought =
         drought_death_chances(stand, drought, parameters.mortality.drought);
-    const std::vector<double> crowding = crowding_of_trees(stand, site, parameters.mortality.canopy);
+    const std::vector<CanopyPlace> places = places_of_trees(stand, site, parameters.mortality.canopy);
     stand.remove_trees(natural_deaths(stand, species, parameters.mortality, parameters.disturbance.wind,
-                                      crowding, of_drought, key.seed, key.replicate));
+                                      places, of_drought, key.seed, key.replicate));
     stand.remove_trees(wound_deaths(stand, species, key.seed, key.replicate));
     if (parameters.processes.self_thinning) {
         stand.remove_trees(self_thinning(stand, species, site.windows(), key.seed, key.replicate));

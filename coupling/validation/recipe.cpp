@@ -340,6 +340,16 @@ std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<st
     return recipe;
 }
 
+namespace {
+
+/// The nearest by spelling, or the kind of which the word is the end, as `production` of forest_production.
+std::string kind_meant_by(const std::string& word, const std::vector<std::string>& names) {
+    const auto of_forest = std::find(names.begin(), names.end(), joined("forest_", word));
+    return of_forest != names.end() ? *of_forest : config::nearest_word(word, names);
+}
+
+}  // namespace
+
 void require_kind(const CaseFiles& files) {
     config::Problems reported;  // by the reader of the kind
     std::istringstream in{files.texts.at(recipe_file)};
@@ -356,7 +366,7 @@ void require_kind(const CaseFiles& files) {
             continue;
         }
         if (std::find(names.begin(), names.end(), entry.value) == names.end()) {
-            const std::string nearest = config::nearest_word(entry.value, names);
+            const std::string nearest = kind_meant_by(entry.value, names);
             config::fail(config::ExitCode::settings, entry.value_place,
                          joined("case.kind ", config::in_quotes(entry.value)),
                          nearest.empty() ? joined("one of ", list) : config::in_quotes(nearest),

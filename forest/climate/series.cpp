@@ -1,9 +1,11 @@
 #include "forest/climate/series.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "forest/climate/climate_checks.hpp"
 #include "forest/climate/normal.hpp"
@@ -116,6 +118,29 @@ std::map<double, Place> read_places(const Table& table, Problems& problems) {
     return places;
 }
 
+/// Tables of stations have columns of their own, which are nobody's mistake; one that is nearly a column that
+/// the table lacks is.
+void warn_of_misspelt_columns(const Table& table, config::Warnings& warnings) {
+    static constexpr std::array<std::string_view, 13> read{
+        "year",    "month",       "tmin_c",     "tmax_c",    "prec_mm",    "rad_mj_m2_d", "tave_c",
+        "vpd_kpa", "vpd_day_kpa", "frost_days", "gdd55_c_d", "abs_tmin_c", "elev_m"};
+    std::vector<std::string> absent;
+    for (const std::string_view name : read) {
+        if (!table.has(name)) {
+            absent.emplace_back(name);
+        }
+    }
+    for (const std::string& column : table.columns()) {
+        const bool is_read = std::find(read.begin(), read.end(), column) != read.end();
+        const std::string meant = is_read ? "" : config::nearest_word(column, absent);
+        if (!meant.empty()) {
+            warnings.add(config::joined(table.file(), ": column ", config::in_quotes(column),
+                                        " is not read; if it is ", config::in_quotes(meant),
+                                        ", give it that name"));
+        }
+    }
+}
+
 void warn_of_what_was_made(const Table& table, config::Warnings& warnings) {
     if (!table.has("tave_c")) {
         warnings.add(table.file() + ": no column tave_c; the middle of minimum and maximum is taken");
@@ -162,6 +187,7 @@ std::vector<ClimateSeries> read_climate(const Table& table, config::Warnings& wa
         check_months(result.back(), table, place.rows, problems, warnings);
     }
     problems.throw_if_any();
+    warn_of_misspelt_columns(table, warnings);
     warn_of_what_was_made(table, warnings);
     return result;
 }

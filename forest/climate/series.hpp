@@ -46,8 +46,8 @@ struct ClimateSeries {
 ///
 /// and, where they are known, tave_c, vpd_kpa (or vpd_day_kpa), frost_days, gdd55_c_d, abs_tmin_c, elev_m.
 /// What is missing is made from temperatures: the mean as the middle of minimum and maximum, the deficit
-/// after 3-PG, frost days with a normal scatter; each with a warning. Other columns are read over. Rows may
-/// stand in any order.
+/// after 3-PG, frost days with a normal scatter; each with a warning. Other columns are read over, with a
+/// warning where the name is nearly one of these. Rows may stand in any order.
 ///
 /// Throws one InputError (data) with file, line and column for all missing columns, values that are no
 /// numbers or cannot be, months that are missing or stand twice, and for radiation in W/m2 and deficits in

@@ -15,29 +15,33 @@ const SpeciesTable table = SpeciesTable::shipped();
 const SpeciesId spruce = *table.find("piab");
 const SpeciesId beech = *table.find("fasy");
 constexpr bool storms = true;
+constexpr CanopyPlace usual_place{};
 
 TEST(CanopyDeath, RisesWithTheSixthPowerOfTheDiameter) {
     const CanopyDeaths law;
-    const double thin = canopy_death(table[spruce], 0.0, 0.0, 1.0, law, !storms);
+    const double thin = canopy_death(table[spruce], 0.0, 0.0, usual_place, law, !storms);
     EXPECT_NEAR(thin, law.at_any_size, 1e-12);
-    EXPECT_NEAR(canopy_death(table[spruce], 100.0, 0.0, 1.0, law, !storms) - thin, law.by_size, 1e-12);
-    EXPECT_NEAR(canopy_death(table[spruce], 50.0, 0.0, 1.0, law, !storms) - thin, law.by_size / 64.0, 1e-12);
-    EXPECT_NEAR(canopy_death(table[beech], 100.0, 0.0, 1.0, law, !storms) - thin,
+    EXPECT_NEAR(canopy_death(table[spruce], 100.0, 0.0, usual_place, law, !storms) - thin, law.by_size,
+                1e-12);
+    EXPECT_NEAR(canopy_death(table[spruce], 50.0, 0.0, usual_place, law, !storms) - thin, law.by_size / 64.0,
+                1e-12);
+    EXPECT_NEAR(canopy_death(table[beech], 100.0, 0.0, usual_place, law, !storms) - thin,
                 law.broadleaves * law.by_size, 1e-12);
 }
 
 TEST(CanopyDeath, OfATreeInTheCanopyIsBelowThatOfGapModels) {
-    // Gap models have 0.5 to 1 % a year at any size, the deaths of suppressed trees included.
+    // Gap models have 0.5 to 1 % a year at any size, the deaths of suppressed trees included: less than their
+    // middle where forests are as dense as old ones.
     for (const SpeciesId kind : {spruce, beech}) {
-        const double p = canopy_death(table[kind], 50.0, 150.0, 1.0, {}, !storms);
+        const double p = canopy_death(table[kind], 50.0, 150.0, usual_place, {}, !storms);
         EXPECT_GT(p, 0.002);
-        EXPECT_LT(p, 0.005);
+        EXPECT_LT(p, 0.0075);
     }
 }
 
 TEST(CanopyDeath, LeavesRoomForStormsWhereTheyAreSimulated) {
-    const double alone = canopy_death(table[spruce], 60.0, 0.0, 1.0, {}, !storms);
-    EXPECT_NEAR(canopy_death(table[spruce], 60.0, 0.0, 1.0, {}, storms), 0.9 * alone, 1e-12);
+    const double alone = canopy_death(table[spruce], 60.0, 0.0, usual_place, {}, !storms);
+    EXPECT_NEAR(canopy_death(table[spruce], 60.0, 0.0, usual_place, {}, storms), 0.9 * alone, 1e-12);
 }
 
 TEST(CanopyCrowding, FollowsThePowerOfBasalAreaUpToItsMost) {
@@ -54,12 +58,45 @@ TEST(CanopyCrowding, FollowsThePowerOfBasalAreaUpToItsMost) {
     EXPECT_DOUBLE_EQ(canopy_crowding(70.0, same_everywhere), canopy_crowding(5.0, same_everywhere));
 }
 
+TEST(CanopyWarmth, FollowsTheTurnoverOfForestsOnTheirGradient) {
+    // Stephenson & van Mantgem 2005: 2.76 - 0.66 z / km % a year; 5.1 K a kilometre, 208 degree-days a
+    // kelvin.
+    const CanopyDeaths law;
+    const auto published = [](double z_km) { return 2.76 - 0.66 * z_km; };
+    constexpr double middle_km = 2.25;
+    for (const double z_km : {1.7, 2.25, 2.9}) {
+        const double degree_days = 1300.0 + (middle_km - z_km) * 5.1 * 208.0;
+        EXPECT_NEAR(canopy_warmth(degree_days, law), published(z_km) / published(middle_km), 0.02) << z_km;
+    }
+    EXPECT_DOUBLE_EQ(canopy_warmth(1300.0, law), 1.0);
+}
+
+TEST(CanopyWarmth, EndsWithTheRangeThatWasMeasured) {
+    const CanopyDeaths law;
+    EXPECT_DOUBLE_EQ(canopy_warmth(0.0, law), 0.6);
+    EXPECT_DOUBLE_EQ(canopy_warmth(3000.0, law), 1.4);
+    CanopyDeaths same_everywhere;
+    same_everywhere.by_warmth = 0.0;
+    EXPECT_DOUBLE_EQ(canopy_warmth(300.0, same_everywhere), canopy_warmth(2000.0, same_everywhere));
+}
+
+TEST(CanopyDeath, OfWarmPlacesIsMoreOftenAtAnySizeButNotByAge) {
+    const auto warm_over_usual = [](double dbh_cm, double age_years) {
+        return canopy_death(table[spruce], dbh_cm, age_years, {.warmth = 1.3}, {}, !storms) -
+               canopy_death(table[spruce], dbh_cm, age_years, usual_place, {}, !storms);
+    };
+    const CanopyDeaths law;
+    EXPECT_NEAR(warm_over_usual(0.0, 0.0), 0.3 * law.at_any_size, 1e-12);
+    EXPECT_NEAR(warm_over_usual(100.0, 0.0), 0.3 * (law.at_any_size + law.by_size), 1e-12);
+    EXPECT_NEAR(warm_over_usual(0.0, 300.0), 0.3 * law.at_any_size, 1e-12);
+}
+
 TEST(CanopyDeath, OfAgeTakesOldTreesAndSparesThoseOfHalfTheGreatestAge) {
     const auto of_age = [](double share_of_greatest) {
         CanopyDeaths none;
         none.at_any_size = 0.0;
         const double greatest = table[beech].mortality.max_age_years;
-        return canopy_death(table[beech], 0.0, share_of_greatest * greatest, 1.0, none, !storms);
+        return canopy_death(table[beech], 0.0, share_of_greatest * greatest, usual_place, none, !storms);
     };
     double alive = 1.0;
     double alive_at_half = 0.0;
@@ -75,8 +112,8 @@ TEST(CanopyDeath, OfAgeTakesOldTreesAndSparesThoseOfHalfTheGreatestAge) {
 
 TEST(CanopyDeath, RisesWithCrowdingOnlyInItsPartThatHoldsAtAnySize) {
     const CanopyDeaths law;
-    const double usual = canopy_death(table[spruce], 60.0, 100.0, 1.0, law, !storms);
-    const double crowded = canopy_death(table[spruce], 60.0, 100.0, 3.0, law, !storms);
+    const double usual = canopy_death(table[spruce], 60.0, 100.0, usual_place, law, !storms);
+    const double crowded = canopy_death(table[spruce], 60.0, 100.0, {.crowding = 3.0}, law, !storms);
     EXPECT_NEAR(crowded - usual, 2.0 * law.at_any_size, 1e-12);
 }
 

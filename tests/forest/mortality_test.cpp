@@ -17,7 +17,7 @@ constexpr bool storms = true;
 TEST(BackgroundDeath, OfTheGapModelLeavesFewAtTheGreatestAge) {
     const Species& kind = table[spruce];
     const MortalityLaw law{.age = AgeLaw::gap_model, .canopy = {}};
-    const double p = background_death(kind, 30.0, 50.0, 1.0, law, !storms);
+    const double p = background_death(kind, 30.0, 50.0, CanopyPlace{}, law, !storms);
     EXPECT_NEAR(std::pow(1.0 - p, kind.mortality.max_age_years), kind.mortality.lucky_share, 1e-9);
     EXPECT_NEAR(p, 0.0077, 0.0001);
 }
@@ -26,7 +26,7 @@ TEST(BackgroundDeath, RisesWithAgeAndLeavesNobodyMuchBeyondTheGreatest) {
     double alive = 1.0;
     double before = 0.0;
     for (int age = 0; age < 600; ++age) {
-        const double p = background_death(table[spruce], 0.2 * age, age, 1.0, {}, !storms);
+        const double p = background_death(table[spruce], 0.2 * age, age, CanopyPlace{}, {}, !storms);
         EXPECT_GE(p, before);
         before = p;
         alive *= 1.0 - p;

@@ -57,6 +57,19 @@ TEST(Climate, IsReadMonthByMonth) {
     EXPECT_EQ(series.find(2004), nullptr);
 }
 
+TEST(Climate, TellsOfAColumnThatIsNearlyOneOfItsOwn) {
+    std::string text = alpine_text(2001, 2002);
+    const std::size_t at = text.find("frost_days");
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, 10, "frost_day");
+    bool told = false;
+    for (const std::string& warning : read(text).warnings) {
+        told = told || (warning.find("'frost_day' is not read") != std::string::npos &&
+                        warning.find("'frost_days'") != std::string::npos);
+    }
+    EXPECT_TRUE(told);
+}
+
 TEST(Climate, OfAGoodTableRaisesNoWarning) {
     const Reading reading = read(alpine_text(1961, 1990));
     EXPECT_EQ(reading.error, "");

@@ -226,7 +226,7 @@ CaseFiles small_demography() {
         "abal,2,1823.7,0.446,30,5,8.2,0.0009\nabal,2,1823.7,0.446,30,40,4.3,0.0019\n"
         "lade,1,2332.4,0.024,15,20,2.6,0.0156\n";
     files.texts["criteria.csv"] = "quantity,low,high,rests_on,rule\nshare_growth:all:2,0,1,independent,x\n";
-    replace(files.texts["case.ini"], "seeds = 50", "seeds = 4");
+    replace(files.texts["case.ini"], "seeds = 100", "seeds = 4");
     replace(files.texts["case.ini"], "years = 10", "years = 2");
     return files;
 }
