@@ -42,7 +42,10 @@ void check_header(const Record& header, const Place& end, Problems& problems) {
     }
     for (auto field = header.begin(); field != header.end(); ++field) {
         if (field->text.empty()) {
-            problems.add(ExitCode::data, field->place, "a column without a name", "a name");
+            problems.add(ExitCode::data, field->place, "a column without a name", "a name",
+                         field == header.begin() ? "name it, or delete it: R's write.csv adds row names "
+                                                   "unless row.names = FALSE"
+                                                 : "");
         } else if (std::any_of(header.begin(), field,
                                [&](const Field& f) { return f.text == field->text; })) {
             problems.add(ExitCode::data, field->place, "column " + in_quotes(field->text) + " a second time",
@@ -244,6 +247,8 @@ void Table::add_problem(std::size_t row, std::string_view column, std::string_vi
     const auto plain = without_separators(field);
     if (plain && range.contains(parse_number(*plain).value_or(range.low))) {
         advice.append("write ").append(*plain).append(" without separators of thousands");
+    } else if (field.find("\u2212") != std::string::npos || field.find("\u2013") != std::string::npos) {
+        advice = "write the minus sign of the keyboard, -, right before the number";
     } else if (field.find(',') != std::string::npos) {
         expected += ", with a decimal point";
     }

@@ -34,6 +34,15 @@ void print_list(const std::vector<CaseFiles>& cases, std::ostream& out) {
     }
 }
 
+/// "a, b, c".
+std::string one_of(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) {
+        list += joined(list.empty() ? "" : ", ", name);
+    }
+    return list;
+}
+
 /// The cases that the user names, in that order.
 std::vector<CaseFiles> chosen(const CommandLine& line, std::vector<CaseFiles> cases) {
     if (line.cases.empty() || line.cases == std::vector<std::string>{"all"}) {
@@ -48,9 +57,9 @@ std::vector<CaseFiles> chosen(const CommandLine& line, std::vector<CaseFiles> ca
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end()) {
             const std::string nearest = config::nearest_word(name, names);
-            config::fail(config::ExitCode::settings, {}, joined("case ", config::in_quotes(name)),
-                         nearest.empty() ? "a name of `bannwald validate --list`, or all"
-                                         : config::in_quotes(nearest));
+            config::fail(
+                config::ExitCode::settings, {}, joined("case ", config::in_quotes(name)),
+                nearest.empty() ? joined("one of ", one_of(names), ", or all") : config::in_quotes(nearest));
         }
         wanted.push_back(cases[static_cast<std::size_t>(found - names.begin())]);
     }

@@ -14,6 +14,7 @@ struct CaseFiles {
     std::map<std::string, std::string> texts;  ///< by file name
     std::filesystem::path path{};              ///< of the folder; empty: built into the program
 
+    [[nodiscard]] bool is_own() const { return !path.empty(); }
     [[nodiscard]] bool has(const std::string& file) const { return texts.contains(file); }
     /// Name of a file in messages.
     [[nodiscard]] std::string shown(const std::string& file) const { return folder + '/' + file; }

@@ -133,6 +133,7 @@ struct DirectionRow {
 /// Everything that validating a case has found.
 struct CaseResult {
     std::string name;
+    bool is_own = false;  ///< of a folder of the user's, not shipped
     std::string title;
     std::string citation;
     std::string rebuilt;  ///< one paragraph: what is rebuilt and what that means for the verdicts

@@ -199,6 +199,7 @@ std::uint64_t falls_planned(const Recipe& recipe, const FactorPlan& plan) {
 CaseResult head_of(const ValidationCase& of, const Recipe& recipe) {
     CaseResult result;
     result.name = of.files.name;
+    result.is_own = of.files.is_own();
     result.title = recipe.head.title;
     result.citation = recipe.head.citation;
     result.rebuilt = recipe.head.rebuilt;

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
+#include "coupling/validation/forest_cases/unread_files.hpp"
 
 namespace coupling::validation {
 namespace {
@@ -58,7 +59,10 @@ void read_forest(ValidationCase& out) {
                      "one line on what the case is");
     }
     out.comparison = std::make_shared<const Comparison>(forest_cases::read(out.kind, out.files, settings));
-    out.warnings = out.comparison->warnings;
+    config::Warnings of_files;
+    forest_cases::warn_of_unread_files(out.kind, out.files, of_files);
+    out.warnings = of_files.sentences();
+    out.warnings.insert(out.warnings.end(), out.comparison->warnings.begin(), out.comparison->warnings.end());
     out.notes.insert(out.notes.end(), out.comparison->notes.begin(), out.comparison->notes.end());
 }
 

@@ -54,7 +54,7 @@ std::string case_part(const CaseResult& result) {
 }  // namespace
 
 void write_validation_page(std::ostream& out, std::span<const CaseResult> cases) {
-    const report::PageFrame frame{.title = report::page_text("common.bannwald_against_the_published"),
+    const report::PageFrame frame{.title = page_title(cases),
                                   .version = version(),
                                   .scripts = {page_scripts::charts()},
                                   .style = std::string{page_style()},

@@ -60,7 +60,11 @@ std::string overview(std::span<const CaseResult> cases) {
     return table.html();
 }
 
-std::string how_to_read() {
+bool all_own(std::span<const CaseResult> cases) {
+    return std::all_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.is_own; });
+}
+
+std::string how_to_read(bool all_own) {
     return joined("<h2>", report::page_text("validation.page_opening.how_to_read_this_page"),
                   "</h2>\n<dl class=\"facts words\"><div><dt>observed</dt><dd>",
                   report::page_text("validation.page_opening.measured_in_the_field"),
@@ -77,10 +81,17 @@ std::string how_to_read() {
                   "</dd></div><div><dt>rebuilding</dt><dd>",
                   report::page_text("validation.page_opening.the_figure_was_used_to_rebuild"),
                   "</dd></div></dl>\n<p>",
-                  report::page_text("validation.page_opening.criteria_come_from_the"), "</p>\n");
+                  report::page_text(all_own ? "validation.page_opening.criteria_of_own_cases"
+                                            : "validation.page_opening.criteria_come_from_the"),
+                  "</p>\n");
 }
 
 }  // namespace
+
+std::string page_title(std::span<const CaseResult> cases) {
+    return report::page_text(all_own(cases) ? "common.bannwald_against_own_cases"
+                                            : "common.bannwald_against_the_published");
+}
 
 std::string page_opening(std::span<const CaseResult> cases) {
     const Score strict = sum_of(cases, strict_side);
@@ -92,14 +103,13 @@ std::string page_opening(std::span<const CaseResult> cases) {
                          "validation.page_opening.strict_meets_criteria_of_the",
                          {{"strict", strict.text()}, {"independent_of_strict", independent_of(strict)}})
                    : "";
-    return joined("<h1>", report::page_text("common.bannwald_against_the_published"),
-                  "</h1>\n<section class=\"card\"><p class=\"answer\">",
+    return joined("<h1>", page_title(cases), "</h1>\n<section class=\"card\"><p class=\"answer\">",
                   report::page_text("validation.page_opening.default_meets_of_the",
                                     {{"of_strict", of_strict},
                                      {"ours", ours.text()},
                                      {"part", has_strict ? "</b>" : "</b> criteria"},
                                      {"independent_of_ours", independent_of(ours)}}),
-                  "</p>\n", overview(cases), "</section>\n", how_to_read());
+                  "</p>\n", overview(cases), "</section>\n", how_to_read(all_own(cases)));
 }
 
 }  // namespace coupling::validation

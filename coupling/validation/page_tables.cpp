@@ -200,7 +200,8 @@ std::string verdict_table(const CaseResult& result) {
 
 std::string misses(const CaseResult& result) {
     std::string items;
-    for (const VerdictRow& row : result.rows) {
+    for (const VerdictRow& as_judged : result.rows) {
+        const VerdictRow row = in_readable_unit(as_judged);
         const bool strict = row.strict_verdict == Verdict::missed;
         const bool ours_missed = row.default_verdict == Verdict::missed;
         if (!strict && !ours_missed) {

@@ -175,8 +175,10 @@ void write_overview(std::ostream& out, std::span<const CaseResult> cases) {
     out << "| case | what | strict | default |\n|---|---|---|---|\n";
     for (const CaseResult& result : cases) {
         const std::string of = " of " + std::to_string(criteria(result));
-        out << "| [" << result.name << "](validation/" << result.name << "/README.md) | "
-            << cell(result.title) << " | ";
+        out << "| "
+            << (result.is_own ? result.name
+                              : joined("[", result.name, "](validation/", result.name, "/README.md)"))
+            << " | " << cell(result.title) << " | ";
         if (result.has_strict) {
             out << met(result, &VerdictRow::strict_verdict) << of;
         }

@@ -25,6 +25,7 @@ public:
     CaseResult run() {
         const std::unique_ptr<Recipe> recipe = case_.recipe("default");
         result_.name = case_.files.name;
+        result_.is_own = case_.files.is_own();
         result_.title = recipe->head.title;
         result_.citation = recipe->head.citation;
         result_.rebuilt = recipe->head.rebuilt;
@@ -166,6 +167,7 @@ CaseResult compare(const ValidationCase& of, const ValidateRequest& request) {
     }
     CaseResult result;
     result.name = of.files.name;
+    result.is_own = of.files.is_own();
     result.title = of.head.title;
     result.citation = of.head.citation;
     result.rebuilt = of.head.rebuilt;

@@ -116,8 +116,11 @@ void check_units_of_climate(const Table& table, std::string_view radiation_colum
     // A month of full sun has 30 MJ/m2 a day; in W/m2 the upper quarter of all months lies beyond 100.
     if (const auto radiation = numbers_of(table, radiation_column);
         !radiation.empty() && quantile(radiation, 0.75) > 45.0) {
+        // No month has a mean above 400 W/m2 day and night; sums of summer months reach 600 MJ/m2.
+        const bool is_sum = quantile(radiation, 0.9) > 400.0;
         complain(radiation_column, "of " + rounded(quantile(radiation, 0.5)) + " in the middle month",
-                 "MJ/m2 a day; this looks like W/m2 (times 0.0864)");
+                 is_sum ? "MJ/m2 a day; this looks like MJ/m2 a month (divide by its days)"
+                        : "MJ/m2 a day; this looks like W/m2 (times 0.0864)");
     }
     if (!deficit_column.empty()) {
         if (const auto dryness = dryness_of(table, deficit_column);

@@ -8,6 +8,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/light_agreement.hpp"
+#include "coupling/validation/forest_cases/plot_checks.hpp"
 
 namespace coupling::validation::forest_cases {
 namespace {
@@ -218,6 +219,11 @@ Comparison read_light(const CaseFiles& files, const LightSettings& settings) {
     const auto stand = std::make_shared<const MappedStand>(mapped_stand(tables));
     config::Warnings warnings;
     warn_of_unknown_columns(tables, warnings);
+    const PlotSides sides{stand->side_m, stand->side_m};
+    warn_of_places(tables.trees, "tree", sides, tables.slopes.file(), warnings);
+    if (tables.sensors) {
+        warn_of_places(*tables.sensors, "sensor", sides, tables.slopes.file(), warnings);
+    }
     const LightMonths months = months_of(settings);
     Comparison comparison;
     comparison.warnings = warnings.sentences();

@@ -7,6 +7,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/math/elementary.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/validation/forest_cases/plot_checks.hpp"
 #include "coupling/validation/forest_cases/unknown_columns.hpp"
 
 namespace coupling::validation::forest_cases {
@@ -117,12 +118,35 @@ MonthlyRadiation radiation_of(const config::Table& table, config::Problems& prob
         return radiation;
     }
     for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto in_order = static_cast<long long>(row + 1);
+        if (table.has("month") &&
+            table.whole(row, "month", {1.0, 12.0}, problems).value_or(in_order) != in_order) {
+            problems.add(config::ExitCode::data, table.place(row, "month"),
+                         joined("month ", table.text(row, "month"), " in row ", std::to_string(row + 1)),
+                         "the months in order, January first", "sort the rows by month");
+            return radiation;
+        }
         const double global_mjpm2 = number(table, row, "global_mjpm2", 0.0, 2000.0, problems);
         const double diffuse = number(table, row, "diffuse_share", 0.0, 1.0, problems);
         radiation.diffuse_mjpm2[row] = diffuse * global_mjpm2;
         radiation.direct_mjpm2[row] = (1.0 - diffuse) * global_mjpm2;
     }
     return radiation;
+}
+
+/// Sums of January and July; a fifth of the larger one leaves no doubt.
+void check_seasons(const MappedStand& stand, const MappedTables& tables, config::Problems& problems) {
+    const auto sum_of = [&](std::size_t month) {
+        return stand.radiation.direct_mjpm2[month] + stand.radiation.diffuse_mjpm2[month];
+    };
+    const double january_mjpm2 = sum_of(0);
+    const double july_mjpm2 = sum_of(6);
+    check_hemisphere({.latitude_deg = stand.latitude.in_degrees(),
+                      .january = january_mjpm2,
+                      .july = july_mjpm2,
+                      .clear = 0.2 * std::max(january_mjpm2, july_mjpm2)},
+                     tables.slopes.place(0, "latitude_deg"), "latitude_deg", tables.radiation.file(),
+                     problems);
 }
 
 /// Whether a table has the reference light of a slope.
@@ -257,6 +281,9 @@ MappedStand mapped_stand(const MappedTables& tables) {
         check_rows(tables.slopes, "slope", problems);
         read_place(tables.slopes, stand, problems);
         stand.radiation = radiation_of(tables.radiation, problems);
+        if (problems.empty()) {
+            check_seasons(stand, tables, problems);
+        }
         const std::map<std::string, LeavesOf> leaves = leaves_of(tables.leaves, problems);
         for (std::size_t row = 0; row < tables.trees.rows(); ++row) {
             const std::size_t problems_before = problems.list().size();

@@ -10,6 +10,7 @@
 #include "config/text/reading.hpp"
 #include "coupling/validation/forest_cases/compared_columns.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
+#include "coupling/validation/forest_cases/production_checks.hpp"
 #include "coupling/validation/forest_cases/unknown_columns.hpp"
 
 namespace coupling::validation::forest_cases {
@@ -50,6 +51,9 @@ public:
         std::vector<check::Thinning> list = thinnings(species);
         return check::inputs_of(site, std::move(species), check::read_parameters(parameters()),
                                 check::read_climate(climate(), site), std::move(list));
+    }
+    [[nodiscard]] ProductionTables tables() const {
+        return {table("site", "demo_site.csv"), table("start", "demo_species.csv"), climate()};
     }
     [[nodiscard]] config::Table parameters() const { return table("parameters", "demo_parameters.csv"); }
     [[nodiscard]] config::Table climate() const { return table("climate", "demo_climate.csv"); }
@@ -224,6 +228,13 @@ void check_columns(const config::Table& table, const check::Inputs& inputs, conf
     problems.throw_if_any();
 }
 
+/// " of 2015" where the year has a column of its own.
+std::string in_year(const config::Table& table, std::size_t row) {
+    return !table.has("date") && !table.has("month_number") && table.has("year")
+               ? joined(" of ", table.text(row, "year"))
+               : "";
+}
+
 /// For each row of a reference the row of our run with its month and species.
 std::vector<std::size_t> rows_in_run(const config::Table& table, const check::Inputs& inputs) {
     config::Problems problems;
@@ -242,7 +253,8 @@ std::vector<std::size_t> rows_in_run(const config::Table& table, const check::In
                                                                : "month";
         if (*month < 0 || *month >= months) {
             problems.add(config::ExitCode::data, table.place(row, column),
-                         joined(column, " ", table.text(row, column), ", which is not in the run"),
+                         joined(column, " ", table.text(row, column), in_year(table, row),
+                                ", which is not in the run"),
                          joined("a month from the first to the last of the site (", std::to_string(months),
                                 " months)"),
                          "leave the row out, or correct `from` and `to` of the site");
@@ -342,6 +354,11 @@ std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files, config::Wa
         run.compared = compared_columns(run);
         if (looked_at.insert(run.table.file()).second) {
             warn_of_unknown_columns(run.table, known_columns(), warnings);
+        }
+        const ProductionTables tables = reader.tables();
+        check_latitude(tables, run.inputs);
+        if (looked_at.insert(joined(tables.site.file(), tables.start.file(), tables.climate.file())).second) {
+            warn_of_inputs(tables, run.inputs, warnings);
         }
         if (looked_at.insert(run.parameters_file).second) {
             warn_of_defaults(reader.parameters(), reader.climate(), warnings);

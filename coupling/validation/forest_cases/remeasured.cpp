@@ -7,49 +7,29 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
+#include "coupling/validation/forest_cases/remeasured/agreement.hpp"
 #include "coupling/validation/forest_cases/remeasured/trial.hpp"
-#include "forest/allometry.hpp"
 
 namespace coupling::validation::forest_cases {
 namespace {
 
 using config::joined;
+using remeasured::EndStand;
+using remeasured::groups_of;
+using remeasured::means_of;
 using remeasured::MeasuredStand;
 using remeasured::MeasuredTree;
+using remeasured::Observed;
+using remeasured::observed_end;
+using remeasured::observed_of;
 using remeasured::Regrown;
+using remeasured::RemeasuredData;
+using remeasured::Simulated;
+using remeasured::simulated_end;
+using remeasured::simulated_of;
+using remeasured::TreeGroup;
+using remeasured::TreeMeans;
 using report::fixed;
-
-/// Trees of a species, or all, and of a class of diameter at the start, or all.
-struct TreeGroup {
-    std::optional<forest::SpeciesId> species{};
-    std::optional<std::size_t> size{};  ///< place in the classes
-
-    friend bool operator==(const TreeGroup&, const TreeGroup&) = default;
-};
-
-struct RemeasuredData {
-    forest::SpeciesTable species;
-    MeasuredStand stand;
-    forest::Parameters parameters;
-    RemeasuredSettings settings;
-    std::vector<forest::SpeciesId> kinds;  ///< of the plot, by the species table
-};
-
-/// The class of a diameter; none below the first.
-std::optional<std::size_t> size_class_of(const RemeasuredData& data, double dbh_cm) {
-    std::optional<std::size_t> found;
-    for (std::size_t i = 0; i < data.settings.classes_cm.size(); ++i) {
-        if (dbh_cm >= data.settings.classes_cm[i]) {
-            found = i;
-        }
-    }
-    return found;
-}
-
-bool is_in(const RemeasuredData& data, const TreeGroup& group, forest::SpeciesId species, double dbh_cm) {
-    return (!group.species || *group.species == species) &&
-           (!group.size || size_class_of(data, dbh_cm) == group.size);
-}
 
 std::string code_of(const RemeasuredData& data, const std::optional<forest::SpeciesId>& species) {
     return species ? code_in_figures(data.species[*species]) : "all";
@@ -72,165 +52,6 @@ std::string words_of(const RemeasuredData& data, const TreeGroup& group) {
     return joined(who, is_last ? joined(" from ", from, " cm on")
                                : joined(" of ", from, " to ",
                                         report::tick_text(data.settings.classes_cm[*group.size + 1]), " cm"));
-}
-
-/// What the two measurements say of a group.
-struct Observed {
-    std::size_t trees = 0;      ///< at the start, without those felled
-    std::size_t survivors = 0;  ///< of these
-    double increment_cm = 0.0;  ///< mean of the survivors, a year
-
-    [[nodiscard]] double survival() const {
-        return static_cast<double>(survivors) / static_cast<double>(trees);
-    }
-};
-
-Observed observed_of(const RemeasuredData& data, const TreeGroup& group) {
-    Observed found;
-    for (const MeasuredTree& tree : data.stand.trees) {
-        if (tree.felled || !is_in(data, group, tree.species, tree.dbh_cm)) {
-            continue;
-        }
-        ++found.trees;
-        if (tree.end_dbh_cm) {
-            ++found.survivors;
-            found.increment_cm += (*tree.end_dbh_cm - tree.dbh_cm) / data.stand.years();
-        }
-    }
-    if (found.survivors > 0) {
-        found.increment_cm /= static_cast<double>(found.survivors);
-    }
-    return found;
-}
-
-/// Groups that have trees: species by class, species, classes, all.
-std::vector<TreeGroup> groups_of(const RemeasuredData& data) {
-    std::vector<std::optional<forest::SpeciesId>> species{std::nullopt};
-    species.insert(species.end(), data.kinds.begin(), data.kinds.end());
-    std::vector<TreeGroup> groups;
-    for (const auto& kind : species) {
-        for (std::size_t size = 0; size <= data.settings.classes_cm.size(); ++size) {
-            const TreeGroup group{kind, size == 0 ? std::nullopt : std::optional{size - 1}};
-            if (observed_of(data, group).trees > 0) {
-                groups.push_back(group);
-            }
-        }
-    }
-    return groups;
-}
-
-/// Mean diameter of each tree of the first measurement at the end, over the replicates in which it stands,
-/// and the share of these.
-struct TreeMeans {
-    std::vector<double> end_dbh_cm;  ///< 0 where it never stands
-    std::vector<double> survival;
-};
-
-TreeMeans means_of(const RemeasuredData& data, const std::vector<Regrown>& runs) {
-    TreeMeans means;
-    for (std::size_t i = 0; i < data.stand.trees.size(); ++i) {
-        double sum_cm = 0.0;
-        double standing = 0.0;
-        for (const Regrown& run : runs) {
-            sum_cm += run.end_dbh_cm[i].value_or(0.0);
-            standing += run.end_dbh_cm[i] ? 1.0 : 0.0;
-        }
-        means.end_dbh_cm.push_back(standing > 0.0 ? sum_cm / standing : 0.0);
-        means.survival.push_back(standing / static_cast<double>(runs.size()));
-    }
-    return means;
-}
-
-/// Simulated figures of a group, of the trees that the observed ones are.
-struct Simulated {
-    double survival = 0.0;
-    std::optional<double> increment_cm{};  ///< of the trees that survived in the plot
-    std::optional<double> bias_cm{};       ///< of their diameters at the end
-    std::optional<double> rmse_cm{};
-};
-
-Simulated simulated_of(const RemeasuredData& data, const TreeGroup& group, const TreeMeans& means) {
-    Simulated found;
-    double trees = 0.0;
-    double paired = 0.0;
-    double increment_cm = 0.0;
-    double bias_cm = 0.0;
-    double squares_cm2 = 0.0;
-    for (std::size_t i = 0; i < data.stand.trees.size(); ++i) {
-        const MeasuredTree& tree = data.stand.trees[i];
-        if (tree.felled || !is_in(data, group, tree.species, tree.dbh_cm)) {
-            continue;
-        }
-        trees += 1.0;
-        found.survival += means.survival[i];
-        if (tree.end_dbh_cm && means.survival[i] > 0.0) {
-            const double difference_cm = means.end_dbh_cm[i] - *tree.end_dbh_cm;
-            paired += 1.0;
-            increment_cm += (means.end_dbh_cm[i] - tree.dbh_cm) / data.stand.years();
-            bias_cm += difference_cm;
-            squares_cm2 += difference_cm * difference_cm;
-        }
-    }
-    found.survival /= trees;
-    if (paired > 0.0) {
-        found.increment_cm = increment_cm / paired;
-        found.bias_cm = bias_cm / paired;
-        found.rmse_cm = std::sqrt(squares_cm2 / paired);
-    }
-    return found;
-}
-
-/// Living trees from the least diameter on at the end, per hectare.
-struct EndStand {
-    double stems_pha = 0.0;
-    double basal_area_m2pha = 0.0;
-    double ingrown_pha = 0.0;
-};
-
-EndStand observed_end(const RemeasuredData& data, const std::optional<forest::SpeciesId>& species) {
-    EndStand end;
-    const TreeGroup group{species, std::nullopt};
-    const double area_ha = data.stand.area_ha();
-    const auto add = [&](forest::SpeciesId kind, double dbh_cm, bool is_new) {
-        if (is_in(data, group, kind, dbh_cm) && dbh_cm >= data.stand.least_dbh_cm) {
-            end.stems_pha += 1.0 / area_ha;
-            end.basal_area_m2pha += forest::basal_area_m2(dbh_cm) / area_ha;
-            end.ingrown_pha += is_new ? 1.0 / area_ha : 0.0;
-        }
-    };
-    for (const MeasuredTree& tree : data.stand.trees) {
-        if (tree.end_dbh_cm) {
-            add(tree.species, *tree.end_dbh_cm, false);
-        }
-    }
-    for (const remeasured::IngrownTree& tree : data.stand.ingrown) {
-        add(tree.species, tree.dbh_cm, true);
-    }
-    return end;
-}
-
-EndStand simulated_end(const RemeasuredData& data, const std::optional<forest::SpeciesId>& species,
-                       const std::vector<Regrown>& runs) {
-    EndStand end;
-    const double per_stem = 1.0 / (data.stand.area_ha() * static_cast<double>(runs.size()));
-    const auto add = [&](forest::SpeciesId kind, double dbh_cm, bool is_new) {
-        if (!species || *species == kind) {
-            end.stems_pha += per_stem;
-            end.basal_area_m2pha += forest::basal_area_m2(dbh_cm) * per_stem;
-            end.ingrown_pha += is_new ? per_stem : 0.0;
-        }
-    };
-    for (const Regrown& run : runs) {
-        for (std::size_t i = 0; i < data.stand.trees.size(); ++i) {
-            if (run.end_dbh_cm[i]) {
-                add(data.stand.trees[i].species, *run.end_dbh_cm[i], false);
-            }
-        }
-        for (const remeasured::IngrownTree& tree : run.ingrown) {
-            add(tree.species, tree.dbh_cm, true);
-        }
-    }
-    return end;
 }
 
 std::vector<std::optional<forest::SpeciesId>> all_and_each(const RemeasuredData& data) {
@@ -398,6 +219,19 @@ std::vector<forest::SpeciesId> kinds_of(const MeasuredStand& stand) {
     return {kinds.begin(), kinds.end()};
 }
 
+/// "73 survived, 4 died, 5 felled, 6 new": what a misread table would change.
+std::string fates_in_words(const MeasuredStand& stand) {
+    std::size_t survived = 0;
+    std::size_t felled = 0;
+    for (const MeasuredTree& tree : stand.trees) {
+        survived += tree.end_dbh_cm ? 1 : 0;
+        felled += tree.felled ? 1 : 0;
+    }
+    return joined(std::to_string(survived), " survived, ",
+                  std::to_string(stand.trees.size() - survived - felled), " died, ", std::to_string(felled),
+                  " felled, ", std::to_string(stand.ingrown.size()), " new");
+}
+
 void check_classes(const std::vector<double>& classes_cm) {
     if (!std::is_sorted(classes_cm.begin(), classes_cm.end(), std::less_equal<>{})) {
         config::fail(config::ExitCode::settings, {}, "remeasured.classes_cm that do not rise",
@@ -432,8 +266,8 @@ Comparison read_remeasured(const CaseFiles& files, const RemeasuredSettings& set
     add_figures(comparison, *data);
     comparison.extent =
         joined(std::to_string(data->stand.trees.size()), " trees measured in ",
-               std::to_string(data->stand.first_year), " and ", std::to_string(data->stand.last_year), ", ",
-               std::to_string(settings.replicates), " replicates");
+               std::to_string(data->stand.first_year), " and ", std::to_string(data->stand.last_year), ": ",
+               fates_in_words(data->stand), ", ", std::to_string(settings.replicates), " replicates");
     comparison.pieces = settings.replicates;
     comparison.run = [data](const Work& work) { return compare(*data, work); };
     return comparison;

@@ -36,7 +36,21 @@ YearMonth read_month(const Table& table, std::size_t row, std::string_view colum
     return {static_cast<int>(year), static_cast<int>(month)};
 }
 
+void check_temperatures(const Table& table, std::size_t row, const ClimateMonth& month, Problems& problems) {
+    if (month.tmin_degc > month.tmax_degc) {
+        problems.add(ExitCode::data, table.place(row, "tmp_min"),
+                     "tmp_min " + table.text(row, "tmp_min") + " above tmp_max " + table.text(row, "tmp_max"),
+                     "a minimum below the maximum", "the two columns may be swapped");
+    } else if (month.tave_degc < month.tmin_degc || month.tave_degc > month.tmax_degc) {
+        problems.add(ExitCode::data, table.place(row, "tmp_ave"),
+                     "tmp_ave " + table.text(row, "tmp_ave") + ", tmp_min " + table.text(row, "tmp_min") +
+                         ", tmp_max " + table.text(row, "tmp_max"),
+                     "a mean between minimum and maximum", "correct it, or leave the column tmp_ave out");
+    }
+}
+
 ClimateMonth read_climate_month(const Table& table, std::size_t row, Problems& problems) {
+    const std::size_t problems_before = problems.list().size();
     ClimateMonth result;
     result.when = {static_cast<int>(table.whole(row, "year", {0, 9999}, problems).value_or(0)),
                    static_cast<int>(table.whole(row, "month", {1, 12}, problems).value_or(1))};
@@ -44,6 +58,9 @@ ClimateMonth read_climate_month(const Table& table, std::size_t row, Problems& p
     result.tmax_degc = number(table, row, "tmp_max", {-80, 60}, problems);
     result.tave_degc = table.has("tmp_ave") ? number(table, row, "tmp_ave", {-80, 60}, problems)
                                             : 0.5 * (result.tmin_degc + result.tmax_degc);
+    if (problems.list().size() == problems_before) {
+        check_temperatures(table, row, result, problems);
+    }
     result.prec_mm = number(table, row, "prcp", {0, 5000}, problems);
     result.radiation_mjpm2 = number(table, row, "srad", {0, 50}, problems);
     result.frost_days = number(table, row, "frost_days", {0, 31}, problems);
@@ -66,10 +83,15 @@ Site read_site(const Table& table) {
     problems.throw_if_any();
     Site site;
     site.latitude = config::Angle::from_degrees(number(table, 0, "latitude", {-89, 89}, problems));
-    site.soil_class = number(table, 0, "soil_class", {-1, 4}, problems);
+    site.soil_class = static_cast<double>(table.whole(0, "soil_class", {-1, 4}, problems).value_or(0));
     site.start_water_mm = number(table, 0, "asw_i", {0, 10000}, problems);
     site.min_water_mm = number(table, 0, "asw_min", {0, 10000}, problems);
     site.max_water_mm = number(table, 0, "asw_max", {0, 10000, above}, problems);
+    if (problems.empty() && site.min_water_mm > site.max_water_mm) {
+        problems.add(ExitCode::data, table.place(0, "asw_min"),
+                     "asw_min " + table.text(0, "asw_min") + " above asw_max " + table.text(0, "asw_max"),
+                     "at most what the soil holds, asw_max [mm]");
+    }
     site.from = read_month(table, 0, "from", problems);
     site.to = read_month(table, 0, "to", problems);
     if (problems.empty() && site.to.count() < site.from.count()) {

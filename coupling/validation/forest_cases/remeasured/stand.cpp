@@ -8,6 +8,8 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/regimes/fell_list.hpp"
+#include "coupling/validation/forest_cases/plot_checks.hpp"
+#include "coupling/validation/forest_cases/remeasured/growth_check.hpp"
 #include "coupling/validation/forest_cases/unknown_columns.hpp"
 #include "forest/climate/change.hpp"
 
@@ -22,13 +24,6 @@ using config::Table;
 constexpr double highest_tree_id = 1e12;
 /// Two measurements of a living stem may differ a little; more is another tree or a slip [choice].
 constexpr double thinnest_of_before = 0.8;
-/// A tape reads a stem to about this much, bark that falls off included; more is worth a look [choice].
-constexpr double measuring_error_cm = 0.5;
-/// Single trees seldom grow faster than this in diameter; the mean of a plot never does [choice].
-constexpr double most_growth_cm_pyear = 3.0;
-/// The same of trees that were below the least diameter: they stand in the shade of the others [choice].
-constexpr double most_growth_of_new_trees_cm_pyear = 1.0;
-
 double number(const Table& table, std::size_t row, const char* column, config::NumberRange range,
               Problems& problems) {
     return table.number(row, column, range, problems).value_or(range.low);
@@ -154,91 +149,15 @@ void read_start(const Table& table, const forest::SpeciesTable& species, Measure
     problems.throw_if_any();
 }
 
-/// "lines 4, 7 and 3 more".
-std::string lines_in_words(const std::vector<std::size_t>& lines) {
-    constexpr std::size_t most_named = 5;
-    std::string words = lines.size() == 1 ? "line" : "lines";
-    for (std::size_t i = 0; i < std::min(lines.size(), most_named); ++i) {
-        words += joined(i == 0 ? " " : ", ", std::to_string(lines[i]));
-    }
-    return lines.size() > most_named
-               ? joined(words, " and ", std::to_string(lines.size() - most_named), " more")
-               : words;
-}
-
-/// Growth that can hardly be: of single trees a warning with their lines, of the plot an error.
-class GrowthCheck {
-public:
-    explicit GrowthCheck(const MeasuredStand& stand)
-        : years_{static_cast<double>(stand.years())}, least_dbh_cm_{stand.least_dbh_cm} {}
-
-    /// A tree that was too thin to be counted before.
-    void add_new(double dbh_cm, std::size_t line) {
-        if (dbh_cm > least_dbh_cm_ + most_growth_of_new_trees_cm_pyear * years_) {
-            too_thick_.push_back(line);
-        }
-    }
-    void add(const MeasuredTree& tree, std::size_t line) {
-        const double growth_cm = *tree.end_dbh_cm - tree.dbh_cm;
-        const double growth_cm_pyear = growth_cm / years_;
-        sum_cm_pyear_ += growth_cm_pyear;
-        trees_ += 1.0;
-        if (growth_cm_pyear > most_growth_cm_pyear) {
-            fast_.push_back(line);
-        } else if (growth_cm < -measuring_error_cm) {
-            shrunk_.push_back(line);
-        }
-    }
-    void report(const Table& table, config::Warnings& warnings, Problems& problems) {
-        if (sum_cm_pyear_ > trees_ * most_growth_cm_pyear) {
-            problems.add(ExitCode::data, {table.file()},
-                         joined("mean diameter growth of ",
-                                config::to_text(std::round(sum_cm_pyear_ / trees_)), " cm a year"),
-                         joined(config::to_text(most_growth_cm_pyear), " cm a year or less"),
-                         "write dbh_cm in cm in both tables, and check first_year and last_year of site.csv");
-            return;
-        }
-        warn(fast_, table,
-             joined(" more than ", config::to_text(most_growth_cm_pyear), " cm a year in diameter"), " grows",
-             " grow", warnings);
-        warn(shrunk_, table,
-             joined(" by more than ", config::to_text(measuring_error_cm), " cm, the error of a tape"),
-             " shrinks", " shrink", warnings);
-        if (!too_thick_.empty()) {
-            std::sort(too_thick_.begin(), too_thick_.end());
-            warnings.add(joined(table.file(), ", ", lines_in_words(too_thick_),
-                                ": counted as ingrowth, but thicker than least_dbh_cm and ",
-                                config::to_text(most_growth_of_new_trees_cm_pyear),
-                                " cm a year; correct tree_id if the tree was measured before, or add it to "
-                                "trees.csv if it was overlooked"));
-        }
-    }
-
-private:
-    static void warn(std::vector<std::size_t>& lines, const Table& table, const std::string& how,
-                     const char* one, const char* several, config::Warnings& warnings) {
-        if (lines.empty()) {
-            return;
-        }
-        std::sort(lines.begin(), lines.end());
-        warnings.add(joined(table.file(), ", ", lines_in_words(lines), ": ", std::to_string(lines.size()),
-                            lines.size() == 1 ? joined(" tree", one) : joined(" trees", several), how,
-                            "; correct tree_id or dbh_cm, or leave the tree out of both tables"));
-    }
-
-    double years_;
-    double least_dbh_cm_;
-    double sum_cm_pyear_ = 0.0;
-    double trees_ = 0.0;
-    std::vector<std::size_t> fast_;
-    std::vector<std::size_t> shrunk_;
-    std::vector<std::size_t> too_thick_;
-};
-
 MeasuredTree* tree_with(MeasuredStand& stand, std::uint64_t id) {
     const auto at = std::lower_bound(stand.trees.begin(), stand.trees.end(), id,
                                      [](const MeasuredTree& tree, std::uint64_t n) { return tree.id < n; });
     return at != stand.trees.end() && at->id == id ? &*at : nullptr;
+}
+
+/// How field tables mark a tree that was not there any more.
+bool is_no_diameter(const std::string& text) {
+    return text.empty() || text == "NA" || text == "-" || config::parse_number(text) == 0.0;
 }
 
 void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredStand& stand,
@@ -246,9 +165,20 @@ void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredS
     if (!table.require({"tree_id", "species", "dbh_cm"}, problems)) {
         problems.throw_if_any();
     }
+    if (table.rows() == 0) {
+        problems.add(ExitCode::data, {table.file()}, "no tree",
+                     "a row for each tree that lived at the second measurement");
+    }
     GrowthCheck growth{stand};
+    std::size_t survivors = 0;
     for (const auto& [id, row] : rows_by_id(table, problems)) {
         const auto kind = species.find(table.text(row, "species"), table.place(row, "species"), problems);
+        if (is_no_diameter(table.text(row, "dbh_cm"))) {
+            problems.add(ExitCode::data, table.place(row, "dbh_cm"),
+                         joined("tree ", std::to_string(id), " without a dbh_cm"), "living trees alone",
+                         "leave the row out if the tree is dead or was felled");
+            continue;
+        }
         const auto dbh_cm = table.number(row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
         MeasuredTree* const tree = tree_with(stand, id);
         if (tree != nullptr && kind && *kind != tree->species) {
@@ -267,6 +197,7 @@ void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredS
             }
             continue;
         }
+        ++survivors;
         tree->end_dbh_cm = *dbh_cm;
         if (*dbh_cm < thinnest_of_before * tree->dbh_cm) {
             problems.add(ExitCode::data, table.place(row, "dbh_cm"),
@@ -276,6 +207,11 @@ void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredS
                          "correct the number or the diameter, or leave the tree out of both tables");
         }
         growth.add(*tree, line);
+    }
+    if (problems.empty() && survivors == 0) {
+        problems.add(ExitCode::data, {table.file()}, "no tree_id of the first measurement",
+                     "the same tree_id for a tree in both tables",
+                     "correct tree_id: a stand in which every tree died has no growth to compare");
     }
     if (problems.empty()) {
         growth.report(table, warnings, problems);
@@ -338,6 +274,26 @@ void read_saplings(const Table& table, const forest::SpeciesTable& species, Meas
     problems.throw_if_any();
 }
 
+/// Means of all years [degC].
+double mean_of_month(const forest::ClimateSeries& climate, std::size_t month) {
+    double sum_degc = 0.0;
+    for (const forest::ClimateYear& year : climate.years) {
+        sum_degc += year.months[month].tave_degc;
+    }
+    return sum_degc / static_cast<double>(climate.years.size());
+}
+
+void check_seasons(const MeasuredStand& stand, const Table& site, const Table& climate) {
+    constexpr double clear_k = 3.0;
+    Problems problems;
+    check_hemisphere({.latitude_deg = stand.latitude.in_degrees(),
+                      .january = mean_of_month(stand.climate, 0),
+                      .july = mean_of_month(stand.climate, 6),
+                      .clear = clear_k},
+                     site.place(0, "latitude_deg"), "latitude_deg", climate.file(), problems);
+    problems.throw_if_any();
+}
+
 void read_weather(const Table& table, MeasuredStand& stand, config::Warnings& warnings) {
     stand.climate = forest::read_climate_of_one_place(table, warnings);
     if (stand.climate.elevation_m && *stand.climate.elevation_m != stand.elevation_m) {
@@ -391,6 +347,8 @@ MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::Sp
         read_saplings(*tables.saplings, species, stand, problems);
     }
     read_weather(tables.climate, stand, warnings);
+    check_seasons(stand, tables.site, tables.climate);
+    warn_of_places(tables.trees, "tree", {stand.width_m, stand.length_m}, tables.site.file(), warnings);
     return stand;
 }
 

@@ -64,8 +64,8 @@ MappedStand stand_with(const std::string& slopes, const std::string& radiation =
 }
 
 TEST(MappedStand, LiesWhereItsTableSays) {
-    const MappedStand stand = stand_with("slope_6,-33.5,110,6,144,324,2439.9,2095.3\n");
-    EXPECT_DOUBLE_EQ(stand.latitude.in_degrees(), -33.5);
+    const MappedStand stand = stand_with("slope_6,-15.5,110,6,144,324,2439.9,2095.3\n");
+    EXPECT_DOUBLE_EQ(stand.latitude.in_degrees(), -15.5);
     EXPECT_DOUBLE_EQ(stand.side_m, 110.0);
 }
 
@@ -91,6 +91,48 @@ TEST(MappedStand, RefusesWhatDoesNotFitTogether) {
     EXPECT_THROW(static_cast<void>(stand_with("slope_6,46.5,100,6,144,324,2439.9,2095.3\n",
                                               "global_mjpm2,diffuse_share\n100,0.5\n")),
                  config::InputError);
+}
+
+std::string problem_with_radiation(const char* latitude_deg, const std::string& months) {
+    std::istringstream radiation{"month,global_mjpm2,diffuse_share\n" + months};
+    std::istringstream slopes{"slope,latitude_deg,side_m,slope_deg,aspect_deg,y_axis_azimuth_deg\nslope_6," +
+                              std::string{latitude_deg} + ",100,6,144,324\n"};
+    try {
+        static_cast<void>(mapped_stand({.trees = table("trees.csv"),
+                                        .leaves = table("leaves.csv"),
+                                        .radiation = config::Table::read(radiation, "radiation.csv"),
+                                        .slopes = config::Table::read(slopes, "slopes.csv"),
+                                        .ground = table("ground.csv")}));
+    } catch (const config::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// Months of a place north of the equator, from the first or from the last on.
+std::string northern_months(bool backwards) {
+    std::string rows;
+    for (int i = 1; i <= 12; ++i) {
+        const int month = backwards ? 13 - i : i;
+        rows += std::to_string(month) + "," + std::to_string(600 - 70 * std::abs(month - 7)) + ",0.5\n";
+    }
+    return rows;
+}
+
+TEST(MappedStand, TakesMonthsInTheirOrderAlone) {
+    EXPECT_EQ(problem_with_radiation("46.5", northern_months(false)), "");
+    EXPECT_EQ(problem_with_radiation("46.5", northern_months(true)),
+              "radiation.csv:2:1: found month 12 in row 1, expected the months in order, January first; sort "
+              "the rows by month");
+}
+
+TEST(MappedStand, RefusesALatitudeThatTheSeasonsContradict) {
+    EXPECT_EQ(problem_with_radiation("-46.5", northern_months(false))
+                  .find("slopes.csv:2:9: found latitude_deg -46.5, expected a place north of the equator: in "
+                        "radiation.csv July is the summer month"),
+              0U)
+        << problem_with_radiation("-46.5", northern_months(false));
+    EXPECT_EQ(problem_with_radiation("-10", northern_months(false)), "") << "no seasons of warmth there";
 }
 
 config::Table sensors_of(const std::string& rows) {

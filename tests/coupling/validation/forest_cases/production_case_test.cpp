@@ -133,6 +133,57 @@ TEST(ProductionCase, NamesTheMistakeInARun) {
         << problem_of(files);
 }
 
+/// The shipped case with a text of one of its files replaced.
+CaseFiles production_with(const std::string& file, const std::string& what, const std::string& instead) {
+    CaseFiles files = shipped("forest_production");
+    replace(files.texts[file], what, instead);
+    return files;
+}
+
+TEST(ProductionCase, RefusesAClimateThatCannotBe) {
+    const auto problem = [](const std::string& what, const std::string& instead) {
+        return problem_of(production_with("demo_climate.csv", what, instead));
+    };
+    EXPECT_NE(problem("tmp_min,tmp_max", "tmp_max,tmp_min").find("the two columns may be swapped"),
+              std::string::npos);
+    EXPECT_NE(problem(",4.42629528045654,1.2551873922348,", ",4.42629528045654,11.2551873922348,")
+                  .find("found tmp_ave 11.2551873922348, tmp_min "),
+              std::string::npos);
+}
+
+TEST(ProductionCase, RefusesASiteThatCannotBe) {
+    const auto problem = [](const std::string& what, const std::string& instead) {
+        return problem_of(production_with("demo_site.csv", what, instead));
+    };
+    EXPECT_NE(problem("999,0,106", "999,200,106").find("found asw_min 200 above asw_max 106"),
+              std::string::npos);
+    EXPECT_NE(problem("100,3,999", "100,2.5,999").find("found soil_class '2.5', expected a whole number"),
+              std::string::npos);
+    EXPECT_NE(problem("47.57,", "-47.57,").find("found latitude -47.57, expected a place north of the"),
+              std::string::npos);
+}
+
+TEST(ProductionCase, WarnsOfInputsThatNothingReadsOrNoForestHas) {
+    const auto warning = [](const std::string& file, const std::string& what, const std::string& instead) {
+        const std::vector<std::string> warnings = read_case(production_with(file, what, instead)).warnings;
+        return warnings.empty() ? std::string{} : warnings.front();
+    };
+    EXPECT_NE(warning("demo_climate.csv", "tmp_ave", "tmp_avg")
+                  .find("column 'tmp_avg' is not read; if it is "
+                        "'tmp_ave'"),
+              std::string::npos);
+    EXPECT_NE(warning("demo_site.csv", "altitude", "height").find("column 'height' is not read"),
+              std::string::npos);
+    CaseFiles late = shipped("forest_production");
+    std::string& species = late.texts["demo_species.csv"];
+    replace(species, "1958-01", "2002-01");
+    replace(species, "1958-01", "2002-01");
+    const std::vector<std::string> warnings = read_case(late).warnings;
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_NE(warnings.front().find("no species of a run is planted by its first month"), std::string::npos)
+        << warnings.front();
+}
+
 TEST(ProductionCase, NamesParametersThatTakeADefault) {
     CaseFiles files = shipped("forest_production");
     EXPECT_TRUE(read_case(files).warnings.empty());

@@ -196,6 +196,53 @@ TEST(ReadMeasuredStand, WarnsOfColumnsThatNothingReads) {
               std::string::npos);
 }
 
+TEST(ReadMeasuredStand, AsksToLeaveDeadTreesOutOfTheEnd) {
+    for (const char* of_dead : {"", "0", "NA"}) {
+        Texts texts;
+        texts.trees_end = replaced(texts.trees_end, ",fasy,25\n", joined_row(of_dead));
+        EXPECT_EQ(problem_of(texts),
+                  "trees_end.csv:2:8: found tree 1 without a dbh_cm, expected living trees alone; leave the "
+                  "row out if the tree is dead or was felled")
+            << of_dead;
+    }
+}
+
+TEST(ReadMeasuredStand, RefusesAnEndWithoutAnyOfItsTrees) {
+    Texts texts;
+    texts.trees_end = "tree_id,species,dbh_cm\n";
+    EXPECT_EQ(problem_of(texts).find("trees_end.csv: found no tree, expected a row for each"), 0U)
+        << problem_of(texts);
+    texts.trees_end = "tree_id,species,dbh_cm\n101,piab,7.5\n102,fasy,8\n";
+    EXPECT_EQ(problem_of(texts).find("trees_end.csv: found no tree_id of the first measurement"), 0U)
+        << problem_of(texts);
+}
+
+TEST(ReadMeasuredStand, RefusesALatitudeThatTheSeasonsContradict) {
+    Texts texts;
+    texts.site = replaced(texts.site, ",47.5,", ",-47.5,");
+    EXPECT_EQ(problem_of(texts).find("site.csv:2:12: found latitude_deg -47.5, expected a place north of the "
+                                     "equator: in climate.csv July is the summer month"),
+              0U)
+        << problem_of(texts);
+}
+
+TEST(ReadMeasuredStand, WarnsOfTreesAtOnePlaceAndOfGroundWithoutTrees) {
+    Texts texts;
+    texts.trees = replaced(texts.trees, "\n2,7.5,2.5,", "\n2,2.5,2.5,");
+    ASSERT_EQ(warnings_of(texts).size(), 1U);
+    EXPECT_EQ(warnings_of(texts)[0],
+              "trees.csv, line 3: 1 row has the x_m and y_m of an earlier one; correct them, or leave out "
+              "what stands there twice");
+    texts = {};
+    texts.site = replaced(texts.site, "\n30,30,", "\n30,300,");
+    ASSERT_EQ(warnings_of(texts).size(), 1U);
+    EXPECT_EQ(
+        warnings_of(texts)[0].find("trees.csv: trees have y_m from 2.5 to 27.5, the plot of site.csv is "
+                                   "300 m wide"),
+        0U)
+        << warnings_of(texts)[0];
+}
+
 TEST(ReadMeasuredStand, RefusesCutsThatCannotBe) {
     Texts texts;
     texts.fell_list = "tree_id,year\n99,1995\n";
