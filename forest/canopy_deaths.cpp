@@ -88,11 +88,8 @@ double canopy_crowding(double basal_area_m2pha, const CanopyDeaths& law) {
 }
 
 double canopy_warmth(double usual_degree_days, const CanopyDeaths& law) {
-    constexpr double middle_degree_days = 1300.0;
-    constexpr double coldest = 0.6;
-    constexpr double warmest = 1.4;
-    return std::clamp(1.0 + law.by_warmth * 0.01 * (usual_degree_days - middle_degree_days), coldest,
-                      warmest);
+    return std::clamp(1.0 + law.by_warmth * 0.01 * (usual_degree_days - law.usual_degree_days), law.coldest,
+                      law.warmest);
 }
 
 std::vector<Removal> taken_along(const Stand& stand, std::span<const std::size_t> dead, std::uint64_t seed,

@@ -11,15 +11,18 @@ namespace forest {
 
 /// How often trees of the canopy die of what no process here explains.
 struct CanopyDeaths {
-    double at_any_size = 0.0048;  ///< probability a year at a crowding and a warmth of 1 (CanopyPlace)
-    double usual_m2pha = 37.0;    ///< basal area of old forests
-    double alone = 0.2;           ///< share of at_any_size that remains without neighbours
-    double by_density = 4.0;      ///< exponent of basal area / usual_m2pha; 0: no influence
-    double most_crowding = 2.5;   ///< most of that power
-    double by_size = 0.013;       ///< added at a diameter of 1 m; falls with its sixth power, conifers
-    double broadleaves = 3.0;     ///< of it, broadleaves
-    double by_warmth = 0.05;      ///< change of both with 100 degree-days (canopy_warmth)
-    double beside_storms = 0.9;   ///< share of both where storms are simulated: they contain the rest
+    double at_any_size = 0.0048;        ///< probability a year at a crowding and a warmth of 1 (CanopyPlace)
+    double usual_m2pha = 37.0;          ///< basal area of old forests
+    double alone = 0.2;                 ///< share of at_any_size that remains without neighbours
+    double by_density = 4.0;            ///< exponent of basal area / usual_m2pha; 0: no influence
+    double most_crowding = 2.5;         ///< most of that power
+    double by_size = 0.013;             ///< added at a diameter of 1 m; falls with its sixth power, conifers
+    double broadleaves = 3.0;           ///< of it, broadleaves
+    double by_warmth = 0.05;            ///< change of both with 100 degree-days (canopy_warmth)
+    double usual_degree_days = 1300.0;  ///< where both are as they stand here
+    double coldest = 0.6;               ///< least factor of warmth
+    double warmest = 1.4;               ///< greatest one
+    double beside_storms = 0.9;         ///< share of both where storms are simulated: they contain the rest
 };
 
 /// How many times as often as usual canopy trees die at their place.
@@ -40,15 +43,16 @@ double canopy_death(const Species& species, double dbh_cm, double age_years, con
 /// How many times as often as at_any_size a canopy tree dies at its place: 0.2 + (G / 37 m2/ha)^4, the power
 /// at most 2.5, with the basal area G around it. Inventories see deaths rise with basal area, and some
 /// without any (Guyennon et al. 2023); form and level are [choice], such that fully stocked stands that are
-/// left alone stop growing on at 50 m2/ha.
+/// left alone stop growing on.
 double canopy_crowding(double basal_area_m2pha, const CanopyDeaths& law);
 
 /// How many times as often canopy trees die at a warm or cold place: 1 + 0.05 (DD - 1300) / 100 in
 /// [0.6, 1.4], DD the usual degree-days above 5.5 degC. Turnover of old conifer forests falls from 1.77 to
 /// 0.78 % a year between 1500 and 3000 m in the Sierra Nevada, 2.76 - 0.66 z / km (Stephenson & van Mantgem
 /// 2005, Ecology Letters 8:524): by 52 % of its middle a kilometre. With 5.1 K a kilometre (lapse_rates.csv)
-/// and, in the climate of forest_belts, 208 degree-days a kelvin that is 4.9 % in 100 degree-days. The middle
-/// of their elevations is as warm as 1300 [choice], and the bounds are their range.
+/// and, in the climate of forest_belts, 208 degree-days a kelvin that is 4.9 % in 100 degree-days. That
+/// deaths follow turnover, and that its middle is as warm as 1300 are [choice]; the bounds are those of 1500
+/// and 3000 m.
 double canopy_warmth(double usual_degree_days, const CanopyDeaths& law);
 
 /// Trees of more than this diameter may take neighbours with them [choice].

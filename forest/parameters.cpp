@@ -22,12 +22,14 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .high = 4.0,
                     .meaning = "it is multiplied by 0.2 + (basal area / 37 m2/ha) to this power, at most 2.5",
                     .source = "choice; direction: Guyennon et al. 2023"});
-    options.number("forest.canopy_death_by_warmth", law.canopy.by_warmth,
-                   {.unit = "-",
-                    .low = 0.0,
-                    .high = 0.1,
-                    .meaning = "change of canopy deaths with 100 degree-days, 1 at 1300; from 0.6 to 1.4",
-                    .source = "Stephenson & van Mantgem 2005"});
+    options.number(
+        "forest.canopy_death_by_warmth", law.canopy.by_warmth,
+        {.unit = "-",
+         .low = 0.0,
+         .high = 0.1,
+         .meaning = "part by which canopy deaths change with 100 degree-days; they are usual at 1300, "
+                    "and 0.6 to 1.4 times that",
+         .source = "Stephenson & van Mantgem 2005"});
     options.number("forest.canopy_death_by_size", law.canopy.by_size,
                    {.unit = "-",
                     .low = 0.0,

@@ -247,9 +247,10 @@ void Table::add_problem(std::size_t row, std::string_view column, std::string_vi
     const auto plain = without_separators(field);
     if (plain && range.contains(parse_number(*plain).value_or(range.low))) {
         advice.append("write ").append(*plain).append(" without separators of thousands");
-    } else if (field.find("\u2212") != std::string::npos || field.find("\u2013") != std::string::npos) {
+    } else if (field.starts_with("\u2212") || field.starts_with("\u2013")) {
         advice = "write the minus sign of the keyboard, -, right before the number";
-    } else if (field.find(',') != std::string::npos) {
+    }
+    if (!plain && field.find(',') != std::string::npos) {
         expected += ", with a decimal point";
     }
     problems.add(ExitCode::data, place(row, column),

@@ -14,9 +14,9 @@ namespace coupling::validation {
 // The parts of the page, each a piece of HTML.
 
 /// Criteria met and missed, by case and all together, and how to read the page.
+std::string page_opening(std::span<const CaseResult> cases);
 /// What the page is about: published cases, or those of the user.
 std::string page_title(std::span<const CaseResult> cases);
-std::string page_opening(std::span<const CaseResult> cases);
 /// Each figure as observed, published and ours, with its criterion; sources as numbered notes below.
 std::string verdict_table(const CaseResult& result);
 /// The misses in words, each with its likely cause; empty without any.

@@ -118,6 +118,15 @@ std::map<double, Place> read_places(const Table& table, Problems& problems) {
     return places;
 }
 
+/// Whether two names differ in what they measure, such as abs_tmax_c and abs_tmin_c, gdd5_c_d and gdd55_c_d.
+bool is_other_quantity(const std::string& column, const std::string& name) {
+    const auto digits = [](const std::string& text) {
+        return std::count_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    };
+    const bool is_maximum = column.find("max") != std::string::npos;
+    return is_maximum != (name.find("max") != std::string::npos) || digits(column) != digits(name);
+}
+
 /// Tables of stations have columns of their own, which are nobody's mistake; one that is nearly a column that
 /// the table lacks is.
 void warn_of_misspelt_columns(const Table& table, config::Warnings& warnings) {
@@ -126,14 +135,15 @@ void warn_of_misspelt_columns(const Table& table, config::Warnings& warnings) {
         "vpd_kpa", "vpd_day_kpa", "frost_days", "gdd55_c_d", "abs_tmin_c", "elev_m"};
     std::vector<std::string> absent;
     for (const std::string_view name : read) {
-        if (!table.has(name)) {
+        const bool is_other_deficit = name.starts_with("vpd") && !deficit_column(table).empty();
+        if (!table.has(name) && !is_other_deficit) {
             absent.emplace_back(name);
         }
     }
     for (const std::string& column : table.columns()) {
         const bool is_read = std::find(read.begin(), read.end(), column) != read.end();
         const std::string meant = is_read ? "" : config::nearest_word(column, absent);
-        if (!meant.empty()) {
+        if (!meant.empty() && !is_other_quantity(column, meant)) {
             warnings.add(config::joined(table.file(), ": column ", config::in_quotes(column),
                                         " is not read; if it is ", config::in_quotes(meant),
                                         ", give it that name"));

@@ -29,7 +29,7 @@ TEST(CanopyDeath, RisesWithTheSixthPowerOfTheDiameter) {
                 law.broadleaves * law.by_size, 1e-12);
 }
 
-TEST(CanopyDeath, OfATreeInTheCanopyIsBelowThatOfGapModels) {
+TEST(CanopyDeath, OfATreeInTheCanopyIsBelowTheMiddleOfGapModels) {
     // Gap models have 0.5 to 1 % a year at any size, the deaths of suppressed trees included: less than their
     // middle where forests are as dense as old ones.
     for (const SpeciesId kind : {spruce, beech}) {

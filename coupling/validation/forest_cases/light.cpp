@@ -219,10 +219,10 @@ Comparison read_light(const CaseFiles& files, const LightSettings& settings) {
     const auto stand = std::make_shared<const MappedStand>(mapped_stand(tables));
     config::Warnings warnings;
     warn_of_unknown_columns(tables, warnings);
-    const PlotSides sides{stand->side_m, stand->side_m};
-    warn_of_places(tables.trees, "tree", sides, tables.slopes.file(), warnings);
+    warn_of_shared_places(tables.trees, warnings);
+    warn_of_empty_edges(tables.trees, {stand->side_m, stand->side_m}, tables.slopes.file(), warnings);
     if (tables.sensors) {
-        warn_of_places(*tables.sensors, "sensor", sides, tables.slopes.file(), warnings);
+        warn_of_shared_places(*tables.sensors, warnings);
     }
     const LightMonths months = months_of(settings);
     Comparison comparison;

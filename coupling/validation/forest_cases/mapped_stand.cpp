@@ -144,8 +144,10 @@ void check_seasons(const MappedStand& stand, const MappedTables& tables, config:
     check_hemisphere({.latitude_deg = stand.latitude.in_degrees(),
                       .january = january_mjpm2,
                       .july = july_mjpm2,
-                      .clear = 0.2 * std::max(january_mjpm2, july_mjpm2)},
-                     tables.slopes.place(0, "latitude_deg"), "latitude_deg", tables.radiation.file(),
+                      .clear = 0.2 * std::max(january_mjpm2, july_mjpm2),
+                      .from_deg = 30.0},  // monsoons dim the summer up to there
+                     tables.slopes.place(0, "latitude_deg"),
+                     joined("latitude_deg ", tables.slopes.text(0, "latitude_deg")), tables.radiation.file(),
                      problems);
 }
 

@@ -29,61 +29,70 @@ struct Reach {
 constexpr std::size_t least_rows = 20;
 constexpr double most_empty_share = 0.25;
 
-void warn_of_empty_edge(const config::Table& table, const std::string& what, const char* column, Reach reach,
-                        double side_m, const std::string& sides_file, config::Warnings& warnings) {
+void warn_of_empty_edge(const config::Table& trees, const char* column, Reach reach, double side_m,
+                        const std::string& sides_file, config::Warnings& warnings) {
     if (reach.low < most_empty_share * side_m && side_m - reach.high < most_empty_share * side_m) {
         return;
     }
-    warnings.add(joined(table.file(), ": ", what, "s have ", column, " from ", config::to_text(reach.low),
-                        " to ", config::to_text(reach.high), ", the plot of ", sides_file, " is ",
-                        config::to_text(side_m), " m wide: ground without a ", what,
-                        " counts as part of the plot; correct the side if it does not belong to it"));
+    warnings.add(joined(trees.file(), ": trees have ", column, " from ", config::to_text(reach.low), " to ",
+                        config::to_text(reach.high), ", the plot of ", sides_file, " is ",
+                        config::to_text(side_m),
+                        " m wide: ground without trees counts as part of the plot; correct the side if it "
+                        "does not belong to it"));
+}
+
+double coordinate(const config::Table& table, std::size_t row, const char* column) {
+    return config::parse_number(table.text(row, column)).value_or(0.0);
 }
 
 }  // namespace
 
-void warn_of_places(const config::Table& table, const std::string& what, PlotSides sides,
-                    const std::string& sides_file, config::Warnings& warnings) {
+void warn_of_shared_places(const config::Table& table, config::Warnings& warnings) {
     std::map<std::pair<double, double>, std::size_t> seen;
     std::size_t shared = 0;
     std::size_t first_line = 0;
-    Reach x;
-    Reach y;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        const double x_m = config::parse_number(table.text(row, "x_m")).value_or(0.0);
-        const double y_m = config::parse_number(table.text(row, "y_m")).value_or(0.0);
-        x.add(x_m);
-        y.add(y_m);
-        if (!seen.emplace(std::pair{x_m, y_m}, row).second && shared++ == 0) {
+        const std::pair place{coordinate(table, row, "x_m"), coordinate(table, row, "y_m")};
+        if (!seen.emplace(place, row).second && shared++ == 0) {
             first_line = table.place(row, "x_m").line;
         }
     }
     if (shared > 0) {
         warnings.add(joined(table.file(), ", line ", std::to_string(first_line), ": ", std::to_string(shared),
                             shared == 1 ? " row has" : " rows have",
-                            " the x_m and y_m of an earlier one; correct them, or leave out what stands "
-                            "there twice"));
-    }
-    if (table.rows() >= least_rows) {
-        warn_of_empty_edge(table, what, "x_m", x, sides.x_m, sides_file, warnings);
-        warn_of_empty_edge(table, what, "y_m", y, sides.y_m, sides_file, warnings);
+                            " the x_m and y_m of an earlier one; leave out what stands there twice, keep "
+                            "stems of one stool"));
     }
 }
 
+void warn_of_empty_edges(const config::Table& trees, PlotSides sides, const std::string& sides_file,
+                         config::Warnings& warnings) {
+    if (trees.rows() < least_rows) {
+        return;
+    }
+    Reach x;
+    Reach y;
+    for (std::size_t row = 0; row < trees.rows(); ++row) {
+        x.add(coordinate(trees, row, "x_m"));
+        y.add(coordinate(trees, row, "y_m"));
+    }
+    warn_of_empty_edge(trees, "x_m", x, sides.x_m, sides_file, warnings);
+    warn_of_empty_edge(trees, "y_m", y, sides.y_m, sides_file, warnings);
+}
+
 bool seasons_contradict(const Hemisphere& at) {
-    constexpr double tropics_deg = 20.0;  // seasons of rain, not of warmth, within
-    if (std::abs(at.latitude_deg) < tropics_deg) {
+    if (std::abs(at.latitude_deg) < at.from_deg) {
         return false;
     }
     const double summer_minus_winter = at.latitude_deg > 0.0 ? at.july - at.january : at.january - at.july;
     return summer_minus_winter < -at.clear;
 }
 
-void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const std::string& column,
+void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const std::string& field,
                       const std::string& series_file, config::Problems& problems) {
     if (seasons_contradict(at)) {
         const bool is_north = at.latitude_deg > 0.0;
-        problems.add(config::ExitCode::data, latitude, joined(column, " ", config::to_text(1e-6 * std::round(1e6 * at.latitude_deg))),
+        problems.add(config::ExitCode::data, latitude, field,
                      joined("a place ", is_north ? "south" : "north", " of the equator: in ", series_file,
                             " ", is_north ? "January" : "July", " is the summer month"),
                      "write latitudes north of the equator as positive, or correct the months");

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "config/errors/warnings.hpp"
 #include "config/table/table.hpp"
@@ -14,27 +13,30 @@ struct PlotSides {
     double y_m = 0.0;
 };
 
-/// Adds warnings for rows of a table with x_m and y_m that share a place with an earlier row, and, from
-/// twenty rows on, for a plot that reaches a quarter of its side or more beyond the outermost of them.
-/// `what` is one of the rows ("tree"), `sides_file` the table with the sides. Requires numbers in both
-/// columns.
-void warn_of_places(const config::Table& table, const std::string& what, PlotSides sides,
-                    const std::string& sides_file, config::Warnings& warnings);
+/// Adds a warning for rows of a table that share x_m and y_m with an earlier row. Requires numbers in both.
+void warn_of_shared_places(const config::Table& table, config::Warnings& warnings);
 
-/// What a year of a place looks like to tell its half of the earth.
+/// Adds a warning for a plot of twenty trees or more that reaches a quarter of its side or more beyond the
+/// outermost of them. `sides_file` is the table with the sides. Requires numbers in x_m and y_m.
+void warn_of_empty_edges(const config::Table& trees, PlotSides sides, const std::string& sides_file,
+                         config::Warnings& warnings);
+
+/// What a year of a place looks like, from which its half of the earth follows.
 struct Hemisphere {
     double latitude_deg = 0.0;  ///< north positive
     double january = 0.0;       ///< means of temperature or sums of radiation, the same unit
     double july = 0.0;
-    double clear = 0.0;  ///< difference that leaves no doubt, same unit
+    double clear = 0.0;      ///< difference that leaves no doubt, same unit
+    double from_deg = 20.0;  ///< nearer to the equator rain makes the seasons
 };
 
 /// Whether the seasons contradict the latitude: a warm January north of the equator or a warm July south of
-/// it, from 20 degrees on.
+/// it.
 bool seasons_contradict(const Hemisphere& at);
 
-/// Adds a problem at `latitude` where the seasons of `series_file` contradict it.
-void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const std::string& column,
+/// Adds a problem at `latitude`, the place of `field` ("latitude_deg -47.5"), where the seasons of
+/// `series_file` contradict it.
+void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const std::string& field,
                       const std::string& series_file, config::Problems& problems);
 
 }  // namespace coupling::validation::forest_cases

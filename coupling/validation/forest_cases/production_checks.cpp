@@ -39,36 +39,43 @@ double yearly_rain_mm(const std::vector<ClimateMonth>& climate) {
 
 }  // namespace
 
-void warn_of_inputs(const ProductionTables& tables, const plain_3pg::Inputs& inputs,
-                    config::Warnings& warnings) {
+void warn_of_site(const config::Table& table, config::Warnings& warnings) {
     warn_of_unknown_columns(
-        tables.site, {"latitude", "altitude", "soil_class", "asw_i", "asw_min", "asw_max", "from", "to"},
+        table, {"latitude", "altitude", "soil_class", "asw_i", "asw_min", "asw_max", "from", "to"}, warnings);
+}
+
+void warn_of_start(const config::Table& table, config::Warnings& warnings) {
+    warn_of_unknown_columns(
+        table, {"species", "planted", "fertility", "stems_n", "biom_stem", "biom_root", "biom_foliage"},
         warnings);
-    warn_of_unknown_columns(
-        tables.start,
-        {"species", "planted", "fertility", "stems_n", "biom_stem", "biom_root", "biom_foliage"}, warnings);
-    warn_of_unknown_columns(tables.climate,
-                            {"year", "month", "tmp_min", "tmp_max", "tmp_ave", "prcp", "rh", "srad",
-                             "frost_days", "vpd_day", "co2", "d13catm"},
+}
+
+void warn_of_climate(const config::Table& table, const std::vector<ClimateMonth>& months,
+                     config::Warnings& warnings) {
+    warn_of_unknown_columns(table,
+                            {"year", "month", "tmp_min", "tmp_max", "tmp_ave", "prcp", "srad", "frost_days",
+                             "vpd_day", "co2", "d13catm"},
                             warnings);
     constexpr std::size_t a_year = 12;
-    if (const double rain_mm = yearly_rain_mm(inputs.climate);
-        inputs.climate.size() >= a_year && rain_mm < least_rain_mm) {
-        warnings.add(joined(tables.climate.file(), ": prcp is ", config::to_text(std::round(rain_mm)),
+    if (const double rain_mm = yearly_rain_mm(months); months.size() >= a_year && rain_mm < least_rain_mm) {
+        warnings.add(joined(table.file(), ": prcp is ", config::to_text(std::round(rain_mm)),
                             " mm a year: no forest grows with so little; write it in mm a month"));
-    }
-    const bool none_stands = std::none_of(inputs.species.begin(), inputs.species.end(),
-                                          [&](const plain_3pg::StartingSpecies& species) {
-                                              return species.planted.count() <= inputs.site.from.count();
-                                          });
-    if (none_stands) {
-        warnings.add(joined(tables.start.file(),
-                            ": no species of a run is planted by its first month, so that nothing stands "
-                            "there; correct `planted`, or `from` of the site"));
     }
 }
 
-void check_latitude(const ProductionTables& tables, const plain_3pg::Inputs& inputs) {
+void note_late_planting(const std::string& run, const plain_3pg::Inputs& inputs, config::Warnings& warnings) {
+    const auto first =
+        std::min_element(inputs.species.begin(), inputs.species.end(),
+                         [](const auto& a, const auto& b) { return a.planted.count() < b.planted.count(); });
+    if (first->planted.count() > inputs.site.from.count()) {
+        warnings.add_note(joined("run ", run, " begins before its first species is planted, in month ",
+                                 std::to_string(first->planted.month), " of ",
+                                 std::to_string(first->planted.year), "; nothing stands before"));
+    }
+}
+
+void check_latitude(const config::Table& site, const config::Table& climate,
+                    const plain_3pg::Inputs& inputs) {
     const double january_degc = mean_of_month(inputs.climate, 1);
     const double july_degc = mean_of_month(inputs.climate, 7);
     if (std::isnan(january_degc) || std::isnan(july_degc)) {
@@ -80,7 +87,8 @@ void check_latitude(const ProductionTables& tables, const plain_3pg::Inputs& inp
                       .january = january_degc,
                       .july = july_degc,
                       .clear = clear_k},
-                     tables.site.place(0, "latitude"), "latitude", tables.climate.file(), problems);
+                     site.place(0, "latitude"), joined("latitude ", site.text(0, "latitude")), climate.file(),
+                     problems);
     problems.throw_if_any();
 }
 

@@ -45,16 +45,15 @@ public:
         return table_of(files_, text_or(column, otherwise));
     }
     [[nodiscard]] check::Inputs inputs() const {
-        const check::Site site = check::read_site(table("site", "demo_site.csv"));
+        const check::Site site = check::read_site(this->site());
         std::vector<check::StartingSpecies> species = starting_species();
         require_parameters(species);
         std::vector<check::Thinning> list = thinnings(species);
         return check::inputs_of(site, std::move(species), check::read_parameters(parameters()),
                                 check::read_climate(climate(), site), std::move(list));
     }
-    [[nodiscard]] ProductionTables tables() const {
-        return {table("site", "demo_site.csv"), table("start", "demo_species.csv"), climate()};
-    }
+    [[nodiscard]] config::Table site() const { return table("site", "demo_site.csv"); }
+    [[nodiscard]] config::Table start() const { return table("start", "demo_species.csv"); }
     [[nodiscard]] config::Table parameters() const { return table("parameters", "demo_parameters.csv"); }
     [[nodiscard]] config::Table climate() const { return table("climate", "demo_climate.csv"); }
     [[nodiscard]] check::Settings settings(config::Problems& problems) const {
@@ -293,6 +292,25 @@ void warn_of_defaults(const config::Table& parameters, const config::Table& clim
     }
 }
 
+/// Warns of each table once, however many runs it has.
+void look_at_inputs(const RunRow& reader, const ReferenceRun& run, std::set<std::string>& looked_at,
+                    config::Warnings& warnings) {
+    const config::Table site = reader.site();
+    const config::Table start = reader.start();
+    const config::Table climate = reader.climate();
+    check_latitude(site, climate, run.inputs);
+    if (looked_at.insert(site.file()).second) {
+        warn_of_site(site, warnings);
+    }
+    if (looked_at.insert(start.file()).second) {
+        warn_of_start(start, warnings);
+    }
+    if (looked_at.insert(climate.file()).second) {
+        warn_of_climate(climate, run.inputs.climate, warnings);
+    }
+    note_late_planting(run.name, run.inputs, warnings);
+}
+
 /// Each run has a name of its own, and its reference is there.
 void check_rows_of_runs(const CaseFiles& files, const config::Table& table, config::Problems& problems) {
     std::vector<std::string> present;
@@ -355,11 +373,7 @@ std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files, config::Wa
         if (looked_at.insert(run.table.file()).second) {
             warn_of_unknown_columns(run.table, known_columns(), warnings);
         }
-        const ProductionTables tables = reader.tables();
-        check_latitude(tables, run.inputs);
-        if (looked_at.insert(joined(tables.site.file(), tables.start.file(), tables.climate.file())).second) {
-            warn_of_inputs(tables, run.inputs, warnings);
-        }
+        look_at_inputs(reader, run, looked_at, warnings);
         if (looked_at.insert(run.parameters_file).second) {
             warn_of_defaults(reader.parameters(), reader.climate(), warnings);
         }

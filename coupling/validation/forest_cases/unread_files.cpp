@@ -73,9 +73,10 @@ void warn_of_unread_files(CaseKind kind, const CaseFiles& files, config::Warning
         }
         const std::string meant = config::nearest_word(name, absent);
         warnings.add(joined(files.shown(name), " is not read; ",
-                            meant.empty()
-                                ? std::string{"rename it if it is one of the tables in validation/README.md"}
-                                : joined("if it is ", config::in_quotes(meant), ", give it that name")));
+                            meant.empty() ? std::string{"rename it if it is one of the tables in "
+                                                        "validation/README.md, keep it if it is your own"}
+                                          : joined("if it is ", config::in_quotes(meant),
+                                                   ", give it that name; keep it if it is your own")));
     }
 }
 

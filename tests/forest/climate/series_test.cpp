@@ -57,17 +57,30 @@ TEST(Climate, IsReadMonthByMonth) {
     EXPECT_EQ(series.find(2004), nullptr);
 }
 
-TEST(Climate, TellsOfAColumnThatIsNearlyOneOfItsOwn) {
+TEST(Climate, WarnsOfAColumnThatIsNearlyOneOfItsOwn) {
     std::string text = alpine_text(2001, 2002);
     const std::size_t at = text.find("frost_days");
     ASSERT_NE(at, std::string::npos);
     text.replace(at, 10, "frost_day");
-    bool told = false;
+    bool warned = false;
     for (const std::string& warning : read(text).warnings) {
-        told = told || (warning.find("'frost_day' is not read") != std::string::npos &&
-                        warning.find("'frost_days'") != std::string::npos);
+        warned = warned || (warning.find("'frost_day' is not read") != std::string::npos &&
+                            warning.find("'frost_days'") != std::string::npos);
     }
-    EXPECT_TRUE(told);
+    EXPECT_TRUE(warned);
+}
+
+TEST(Climate, LeavesColumnsOfOtherQuantitiesAlone) {
+    for (const char* other : {"abs_tmax_c", "gdd5_c_d", "vpd_day_kpa"}) {
+        std::string text = alpine_text(2001, 2002);
+        const std::string replaced = other[0] == 'v'   ? "abs_tmin_c"
+                                     : other[0] == 'a' ? "abs_tmin_c"
+                                                       : "gdd55_c_d";
+        text.replace(text.find(replaced), replaced.size(), other);
+        for (const std::string& warning : read(text).warnings) {
+            EXPECT_EQ(warning.find("is not read"), std::string::npos) << warning;
+        }
+    }
 }
 
 TEST(Climate, OfAGoodTableRaisesNoWarning) {

@@ -21,6 +21,8 @@ public:
     void add_new(double dbh_cm, std::size_t line);
     /// A tree of both measurements. Requires its diameter at the end.
     void add(const MeasuredTree& tree, std::size_t line);
+    /// Whether a new tree can hardly have grown in.
+    [[nodiscard]] bool has_thick_new_trees() const { return !too_thick_.empty(); }
     void report(const config::Table& table, config::Warnings& warnings, config::Problems& problems);
 
 private:

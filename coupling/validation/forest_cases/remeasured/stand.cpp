@@ -208,10 +208,10 @@ void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredS
         }
         growth.add(*tree, line);
     }
-    if (problems.empty() && survivors == 0) {
-        problems.add(ExitCode::data, {table.file()}, "no tree_id of the first measurement",
-                     "the same tree_id for a tree in both tables",
-                     "correct tree_id: a stand in which every tree died has no growth to compare");
+    if (problems.empty() && survivors == 0 && growth.has_thick_new_trees()) {
+        problems.add(ExitCode::data, {table.file()},
+                     "no tree_id of the first measurement, and new trees that are too thick for ingrowth",
+                     "the same tree_id for a tree in both tables", "correct tree_id");
     }
     if (problems.empty()) {
         growth.report(table, warnings, problems);
@@ -290,7 +290,8 @@ void check_seasons(const MeasuredStand& stand, const Table& site, const Table& c
                       .january = mean_of_month(stand.climate, 0),
                       .july = mean_of_month(stand.climate, 6),
                       .clear = clear_k},
-                     site.place(0, "latitude_deg"), "latitude_deg", climate.file(), problems);
+                     site.place(0, "latitude_deg"), joined("latitude_deg ", site.text(0, "latitude_deg")),
+                     climate.file(), problems);
     problems.throw_if_any();
 }
 
@@ -348,7 +349,8 @@ MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::Sp
     }
     read_weather(tables.climate, stand, warnings);
     check_seasons(stand, tables.site, tables.climate);
-    warn_of_places(tables.trees, "tree", {stand.width_m, stand.length_m}, tables.site.file(), warnings);
+    warn_of_shared_places(tables.trees, warnings);
+    warn_of_empty_edges(tables.trees, {stand.width_m, stand.length_m}, tables.site.file(), warnings);
     return stand;
 }
 

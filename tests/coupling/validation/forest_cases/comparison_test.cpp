@@ -108,7 +108,8 @@ TEST(ForestCase, WarnsOfTablesThatItDoesNotRead) {
     files.texts["notes.txt"] = "measured in the rain\n";
     ASSERT_EQ(read_case(files).warnings.size(), 1U);
     EXPECT_EQ(read_case(files).warnings[0],
-              "synthetic/sapling.csv is not read; if it is 'saplings.csv', give it that name");
+              "synthetic/sapling.csv is not read; if it is 'saplings.csv', give it that name; keep it if it "
+              "is your own");
     for (const CaseFiles& shipped_case : shipped_cases()) {
         for (const std::string& warning : read_case(shipped_case).warnings) {
             EXPECT_EQ(warning.find(" is not read; "), std::string::npos) << warning;

@@ -140,6 +140,22 @@ CaseFiles production_with(const std::string& file, const std::string& what, cons
     return files;
 }
 
+/// The climate with its column prcp a thousandth.
+std::string with_rain_in_metres(const std::string& climate) {
+    std::istringstream in{climate};
+    std::string text;
+    for (std::string line; std::getline(in, line);) {
+        std::istringstream fields{line};
+        int at = 0;
+        for (std::string field; std::getline(fields, field, ','); ++at) {
+            const bool is_rain = at == 5 && field != "prcp";
+            text += (at == 0 ? "" : ",") + (is_rain ? std::to_string(0.001 * std::stod(field)) : field);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
 TEST(ProductionCase, RefusesAClimateThatCannotBe) {
     const auto problem = [](const std::string& what, const std::string& instead) {
         return problem_of(production_with("demo_climate.csv", what, instead));
@@ -174,14 +190,22 @@ TEST(ProductionCase, WarnsOfInputsThatNothingReadsOrNoForestHas) {
               std::string::npos);
     EXPECT_NE(warning("demo_site.csv", "altitude", "height").find("column 'height' is not read"),
               std::string::npos);
+    CaseFiles dry = shipped("forest_production");
+    dry.texts["demo_climate.csv"] = with_rain_in_metres(dry.texts["demo_climate.csv"]);
+    ASSERT_FALSE(read_case(dry).warnings.empty());
+    EXPECT_NE(read_case(dry).warnings.front().find("demo_climate.csv: prcp is 1 mm a year"),
+              std::string::npos)
+        << read_case(dry).warnings.front();
+}
+
+TEST(ProductionCase, NotesThatNothingStandsAtTheStart) {
     CaseFiles late = shipped("forest_production");
     std::string& species = late.texts["demo_species.csv"];
-    replace(species, "1958-01", "2002-01");
-    replace(species, "1958-01", "2002-01");
-    const std::vector<std::string> warnings = read_case(late).warnings;
-    ASSERT_FALSE(warnings.empty());
-    EXPECT_NE(warnings.front().find("no species of a run is planted by its first month"), std::string::npos)
-        << warnings.front();
+    replace(species, "1958-01", "2002-03");
+    EXPECT_EQ(read_case(late).warnings.size(), 1U) << "beech alone; the mixture has pines at the start";
+    EXPECT_EQ(
+        read_case(late).warnings.front(),
+        "run beech begins before its first species is planted, in month 3 of 2002; nothing stands before");
 }
 
 TEST(ProductionCase, NamesParametersThatTakeADefault) {

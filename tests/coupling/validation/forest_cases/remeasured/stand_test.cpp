@@ -212,9 +212,11 @@ TEST(ReadMeasuredStand, RefusesAnEndWithoutAnyOfItsTrees) {
     texts.trees_end = "tree_id,species,dbh_cm\n";
     EXPECT_EQ(problem_of(texts).find("trees_end.csv: found no tree, expected a row for each"), 0U)
         << problem_of(texts);
-    texts.trees_end = "tree_id,species,dbh_cm\n101,piab,7.5\n102,fasy,8\n";
+    texts.trees_end = "tree_id,species,dbh_cm\n101,piab,37\n102,fasy,8\n";
     EXPECT_EQ(problem_of(texts).find("trees_end.csv: found no tree_id of the first measurement"), 0U)
         << problem_of(texts);
+    texts.trees_end = "tree_id,species,dbh_cm\n101,piab,7.5\n102,fasy,8\n";
+    EXPECT_EQ(problem_of(texts), "") << "all trees died, young ones grew in";
 }
 
 TEST(ReadMeasuredStand, RefusesALatitudeThatTheSeasonsContradict) {
@@ -231,8 +233,8 @@ TEST(ReadMeasuredStand, WarnsOfTreesAtOnePlaceAndOfGroundWithoutTrees) {
     texts.trees = replaced(texts.trees, "\n2,7.5,2.5,", "\n2,2.5,2.5,");
     ASSERT_EQ(warnings_of(texts).size(), 1U);
     EXPECT_EQ(warnings_of(texts)[0],
-              "trees.csv, line 3: 1 row has the x_m and y_m of an earlier one; correct them, or leave out "
-              "what stands there twice");
+              "trees.csv, line 3: 1 row has the x_m and y_m of an earlier one; leave out what stands there "
+              "twice, keep stems of one stool");
     texts = {};
     texts.site = replaced(texts.site, "\n30,30,", "\n30,300,");
     ASSERT_EQ(warnings_of(texts).size(), 1U);
