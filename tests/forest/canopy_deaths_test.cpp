@@ -117,6 +117,36 @@ TEST(CanopyDeath, RisesWithCrowdingOnlyInItsPartThatHoldsAtAnySize) {
     EXPECT_NEAR(crowded - usual, 2.0 * law.at_any_size, 1e-12);
 }
 
+/// Stems that are gone after a year in which trees of the canopy alone die, at a factor of warmth.
+double deaths_in_a_year(double factor) {
+    SmallForest forest{square_of_forest(10)};
+    CanopyDeaths& law = forest.parameters.mortality.canopy;
+    law.at_any_size = 0.1;
+    law.by_density = 0.0;
+    law.coldest = law.warmest = factor;
+    forest.parameters.mortality.stress = false;
+    forest.parameters.processes.self_thinning = false;
+    forest.parameters.processes.regeneration = false;
+    Stand stand{forest.grid, forest.species.size(), mixed_stand(forest, 600.0, 1), 2000};
+    const auto stems = [&stand] {
+        double sum = 0.0;
+        for (const Tree& tree : stand.trees()) {
+            sum += tree.stems;
+        }
+        return sum;
+    };
+    const double before = stems();
+    static_cast<void>(forest.grow(stand));
+    return before - stems();
+}
+
+TEST(CanopyWarmth, OfThePlaceDecidesInAGrownYear) {
+    const double usual = deaths_in_a_year(1.0);
+    EXPECT_GT(usual, 40.0);
+    EXPECT_NEAR(deaths_in_a_year(2.0), 2.0 * usual, 4.0 * std::sqrt(3.0 * usual)) << "binomial";
+    EXPECT_LT(deaths_in_a_year(0.0), 0.05 * usual) << "of age alone";
+}
+
 /// A thick tree with thinner ones at rising distances to the east, and one that is thicker still. Its crown
 /// is 3 m wide to each side.
 Stand around_a_giant() {

@@ -148,7 +148,13 @@ forest::SpeciesTable species_of(const CaseFiles& files) {
 config::Table table_of(const CaseFiles& files, const std::string& name) {
     const auto text = files.texts.find(name);
     if (text == files.texts.end()) {
-        config::fail(config::ExitCode::file, {files.shown(name)}, "no such file", "a table of the case");
+        std::vector<std::string> present;
+        for (const auto& [file, bytes] : files.texts) {
+            present.push_back(file);
+        }
+        const std::string nearest = config::nearest_word(name, present);
+        config::fail(config::ExitCode::file, {files.shown(name)}, "no such file", "a table of the case",
+                     nearest.empty() ? "" : joined("if it is ", config::in_quotes(nearest), ", rename it"));
     }
     std::istringstream in{text->second};
     return config::Table::read(in, files.shown(name));

@@ -119,11 +119,25 @@ TEST(Table, NamesAllFaultsOfItsFormAtOnce) {
               "trees.csv:2:3: found 2 fields, expected 3 as in the header\n"
               "trees.csv:3:7: found 4 fields, expected 3 as in the header");
     EXPECT_EQ(message_of("a,,c\n"), "trees.csv:1:3: found a column without a name, expected a name");
+    EXPECT_EQ(message_of(",a\n"),
+              "trees.csv:1:1: found a column without a name, expected a name; name it, or delete it: R's "
+              "write.csv adds row names unless row.names = FALSE");
     EXPECT_EQ(message_of("# only a note\n"),
               "trees.csv:2:1: found no header line, expected a line of column names");
     EXPECT_EQ(message_of("a,b\n1,\"x\n"), "trees.csv:2:3: a quote that is never closed");
     EXPECT_EQ(message_of("a,b\n1,\"x\"y\n"),
               "trees.csv:2:3: found 'y' after a closing quote, expected quotes around the whole field");
+}
+
+TEST(Table, AsksForTheMinusOfTheKeyboard) {
+    const Table table = table_of("x_m\n\u22125\n5\u20137\n");
+    Problems problems;
+    EXPECT_FALSE(table.number(0, "x_m", {}, problems));
+    EXPECT_FALSE(table.number(1, "x_m", {}, problems));
+    ASSERT_EQ(problems.list().size(), 2U);
+    EXPECT_NE(to_string(problems.list()[0]).find("write the minus sign of the keyboard"), std::string::npos)
+        << to_string(problems.list()[0]);
+    EXPECT_EQ(to_string(problems.list()[1]).find("minus"), std::string::npos) << "a range";
 }
 
 TEST(Table, NamesMissingColumnsWithTheNearestOne) {

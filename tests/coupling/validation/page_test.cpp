@@ -56,6 +56,18 @@ TEST(WriteValidationPage, OpensWithTheCriteriaMet) {
         << "which are missed";
 }
 
+TEST(WriteValidationPage, OfOwnCasesDoesNotSpeakOfPublishedOnes) {
+    std::array cases{testing::forested_case(), testing::bare_case()};
+    EXPECT_NE(page_of(cases).find("<h1>Bannwald against the published cases</h1>"), std::string::npos);
+    for (CaseResult& result : cases) {
+        result.is_own = true;
+    }
+    const std::string page = page_of(cases);
+    EXPECT_NE(page.find("<h1>Bannwald against own cases</h1>"), std::string::npos);
+    EXPECT_NE(page.find("Criteria are those of criteria.csv"), std::string::npos);
+    EXPECT_EQ(page.find("before our model was run"), std::string::npos);
+}
+
 TEST(WriteValidationPage, LinksToEachCaseOnce) {
     const std::string page = full_page();
     std::set<std::string> ids;

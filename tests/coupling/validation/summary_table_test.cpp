@@ -103,6 +103,17 @@ TEST(Overview, HasARowForEachCase) {
         << out.str();
 }
 
+TEST(Overview, LinksNoOwnCaseToAReadmeThatIsNotThere) {
+    CaseResult result;
+    result.name = "mine";
+    result.title = "a plot";
+    result.is_own = true;
+    std::ostringstream out;
+    write_overview(out, {&result, 1});
+    EXPECT_NE(out.str().find("| mine | a plot |"), std::string::npos) << out.str();
+    EXPECT_EQ(out.str().find("README.md"), std::string::npos);
+}
+
 TEST(Summary, OfTheValidationReadmeHasTheFiguresAndCriteriaOfTheCases) {
     const std::string section = section_of("validation/README.md", summary_begins, summary_ends);
     for (const CaseFiles& files : shipped_cases()) {

@@ -386,6 +386,9 @@ TEST(ForestCase, NamesAMissingTableAndAnUnknownFigure) {
     CaseFiles files = shipped("forest_light");
     files.texts.erase("trees.csv");
     EXPECT_NE(problem_of(files).find("forest_light/trees.csv"), std::string::npos);
+    files.texts["tree.csv"] = "";
+    EXPECT_NE(problem_of(files).find("if it is 'tree.csv', rename it"), std::string::npos)
+        << problem_of(files);
     files = shipped("forest_light");
     files.texts["criteria.csv"] += "tree_light_bais:slope_6,0,1,independent,,\n";
     EXPECT_NE(problem_of(files).find("'tree_light_bias:slope_6'"), std::string::npos) << problem_of(files);
