@@ -10,6 +10,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/species_table.hpp"
@@ -178,6 +179,21 @@ void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, c
     }
 }
 
+void doubt_odd_trees(const config::Table& table, Reading& reading) {
+    const plausible::OddTrees odd = plausible::odd_trees(table);
+    if (!odd.lines.empty()) {
+        reading.doubt({table.file(), odd.lines.front()},
+                      counted(odd.lines.size(), "tree") +
+                          " thicker than 200 cm, or less than 15 times as high as thick",
+                      "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
+    }
+    if (odd.columns_look_swapped) {
+        reading.doubt({table.file()}, "most trees of 20 cm or more are more than 110 times as high as thick",
+                      "trees 60 to 130 times as high as thick",
+                      "check whether the columns dbh_cm and height_m are swapped");
+    }
+}
+
 void warn_of_doubled_places(const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
     std::set<std::pair<double, double>> places;
     for (const ListedRow& row : rows) {
@@ -209,6 +225,7 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
         problems.throw_if_any();
     }
     plausible::check_tree_units(table);
+    doubt_odd_trees(table, reading);
     std::vector<ListedRow> rows;
     rows.reserve(table.rows());
     for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -271,12 +271,12 @@ PlainTable structure_table(const BeltData& data, const std::map<std::string, dou
 PlainTable table_by_site(const BeltData& data, const std::map<std::string, double>& values,
                          std::string caption, const std::vector<std::pair<std::string, std::string>>& columns,
                          int decimals) {
-    PlainTable table{.caption = std::move(caption), .head = {"elevation, m"}, .rows = {}};
+    PlainTable table{.caption = std::move(caption), .head = {"place"}, .rows = {}};
     for (const auto& [name, words] : columns) {
         table.head.push_back(words);
     }
     for (const SuccessionSite& site : data.tables.sites) {
-        std::vector<std::string> row{std::to_string(std::lround(site.elevation_m))};
+        std::vector<std::string> row{site_words(site)};
         for (const auto& [name, words] : columns) {
             row.push_back(fixed(values.at(joined(name, ":", site.name)), decimals));
         }

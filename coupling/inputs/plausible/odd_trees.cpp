@@ -1,0 +1,48 @@
+#include "coupling/inputs/plausible/odd_trees.hpp"
+
+#include <string>
+
+#include "config/text/numbers.hpp"
+
+namespace coupling::plausible {
+namespace {
+
+constexpr double thickest_cm = 200.0;
+constexpr double squat_from_cm = 10.0;
+constexpr double least_slenderness = 15.0;
+constexpr double slender_from_cm = 20.0;
+constexpr double most_slenderness = 110.0;
+constexpr std::size_t few_trees = 5;
+
+std::optional<double> number_in(const config::Table& table, std::size_t row, const char* column) {
+    return table.has(column) ? config::parse_number(table.text(row, column)) : std::nullopt;
+}
+
+}  // namespace
+
+OddTrees odd_trees(const config::Table& table) {
+    OddTrees found;
+    std::size_t thick = 0;
+    std::size_t slender = 0;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string state = table.has("state") ? table.text(row, "state") : "";
+        const std::optional<double> dbh_cm = number_in(table, row, "dbh_cm");
+        if (!dbh_cm || *dbh_cm <= 0.0 || !(state.empty() || state == "living")) {
+            continue;
+        }
+        const double height_m = number_in(table, row, "height_m").value_or(0.0);
+        const double slenderness = 100.0 * height_m / *dbh_cm;
+        if (*dbh_cm > thickest_cm ||
+            (height_m > 0.0 && *dbh_cm >= squat_from_cm && slenderness < least_slenderness)) {
+            found.lines.push_back(table.place(row, "dbh_cm").line);
+        }
+        if (height_m > 0.0 && *dbh_cm >= slender_from_cm) {
+            ++thick;
+            slender += slenderness > most_slenderness ? 1 : 0;
+        }
+    }
+    found.columns_look_swapped = thick >= few_trees && 2 * slender > thick;
+    return found;
+}
+
+}  // namespace coupling::plausible

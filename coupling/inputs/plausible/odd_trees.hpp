@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "config/table/table.hpp"
+
+namespace coupling::plausible {
+
+/// Rows of a list that look like slips of single trees, which the medians of check_tree_units() do not show.
+struct OddTrees {
+    std::vector<std::size_t> lines;  ///< of living trees that are too thick, or too thick for their height
+    bool columns_look_swapped = false;
+};
+
+/// - A living tree above 200 cm, or of 10 cm or more and less than 15 times as high as thick: stands have 60
+///   to 130, old trees in the open 20.
+/// - `dbh_cm` and `height_m` look swapped where most trees of 20 cm or more are more than 110 times as high
+/// as
+///   thick: such trees break.
+///
+/// All are choices with a wide margin around real inventories. Reads `dbh_cm`, and `height_m` and `state`
+/// where the table has them; what is no number counts as unknown.
+OddTrees odd_trees(const config::Table& table);
+
+}  // namespace coupling::plausible

@@ -1,0 +1,38 @@
+#include "coupling/inputs/plausible/odd_trees.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+namespace coupling::plausible::odd_trees_test {
+namespace {
+
+OddTrees found_in(const std::string& text) {
+    std::istringstream in{text};
+    return odd_trees(config::Table::read(in, "trees.csv"));
+}
+
+TEST(OddTrees, LetRealTreesPass) {
+    // A stand, a silver fir of the thickest, a tree that grew in the open, a slender pole, a stump.
+    const OddTrees found = found_in(
+        "dbh_cm,height_m,state\n37.6,23.6,\n15.7,13.9,living\n199,55,\n90,18,\n12,17,\n80,0.5,stump\n");
+    EXPECT_TRUE(found.lines.empty());
+    EXPECT_FALSE(found.columns_look_swapped);
+}
+
+TEST(OddTrees, AreThoseWithADigitTooMany) {
+    EXPECT_EQ(found_in("dbh_cm,height_m\n376,23.6\n15.7,13.9\n157,13.9\n").lines,
+              (std::vector<std::size_t>{2, 4}));
+    EXPECT_EQ(found_in("dbh_cm\n37.6\n342\n").lines, std::vector<std::size_t>{3}) << "without heights";
+    EXPECT_TRUE(found_in("dbh_cm,height_m\n5,0.7\nthick,3\n,\n").lines.empty()) << "saplings, no numbers";
+}
+
+TEST(OddTrees, ShowThatColumnsAreSwapped) {
+    const std::string trees = "\n38,24\n30,22\n45,29\n52,31\n28,23\n61,33\n";
+    EXPECT_FALSE(found_in("dbh_cm,height_m" + trees).columns_look_swapped);
+    EXPECT_TRUE(found_in("height_m,dbh_cm" + trees).columns_look_swapped);
+}
+
+}  // namespace
+}  // namespace coupling::plausible::odd_trees_test
