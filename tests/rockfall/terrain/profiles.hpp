@@ -42,7 +42,9 @@ inline std::vector<ProfilePoint> random_profile(std::uint64_t seed) {
         const double kind = shape.uniform();
         double step_m = 1.0 + 25.0 * shape.uniform();
         double drop = -0.1 + 1.2 * shape.uniform();  // per metre; some rise
-        if (kind < 0.1) {
+        // Two in a row would make a crack of 2 cm, which a rock does not stay in (rockfall/README.md).
+        const bool after_cliff = profile.back().distance_m - profile[profile.size() - 2].distance_m < 0.1;
+        if (kind < 0.1 && !after_cliff) {
             step_m = 0.01;
             drop = 4000.0 * (shape.uniform() - 0.2);  // a cliff of up to 32 m, or a wall
         } else if (kind < 0.2) {
