@@ -188,8 +188,9 @@ void doubt_odd_trees(const config::Table& table, Reading& reading) {
                       "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
     }
     if (odd.columns_look_swapped) {
-        reading.doubt({table.file()}, "most trees of 20 cm or more are more than 110 times as high as thick",
-                      "trees 60 to 130 times as high as thick",
+        reading.doubt({table.file()},
+                      "most trees of 20 cm or more that are more than 110 times as high as thick",
+                      "thick trees 40 to 100 times as high as thick",
                       "check whether the columns dbh_cm and height_m are swapped");
     }
 }
