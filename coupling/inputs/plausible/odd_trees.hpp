@@ -16,9 +16,8 @@ struct OddTrees {
 
 /// - A living tree above 200 cm, or of 10 cm or more and less than 15 times as high as thick: stands have 60
 ///   to 130, old trees in the open 20.
-/// - `dbh_cm` and `height_m` look swapped where most trees of 20 cm or more are more than 110 times as high
-/// as
-///   thick: such trees break.
+/// - `dbh_cm` and `height_m` look swapped where most trees of 20 cm or more are more than 110 times as
+///   high as thick: such trees break.
 ///
 /// All are choices with a wide margin around real inventories. Reads `dbh_cm`, and `height_m` and `state`
 /// where the table has them; what is no number counts as unknown.

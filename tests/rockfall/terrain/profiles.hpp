@@ -42,9 +42,7 @@ inline std::vector<ProfilePoint> random_profile(std::uint64_t seed) {
         const double kind = shape.uniform();
         double step_m = 1.0 + 25.0 * shape.uniform();
         double drop = -0.1 + 1.2 * shape.uniform();  // per metre; some rise
-        // Two in a row would make a crack of 2 cm, which a rock does not stay in (rockfall/README.md).
-        const bool after_cliff = profile.back().distance_m - profile[profile.size() - 2].distance_m < 0.1;
-        if (kind < 0.1 && !after_cliff) {
+        if (kind < 0.1) {
             step_m = 0.01;
             drop = 4000.0 * (shape.uniform() - 0.2);  // a cliff of up to 32 m, or a wall
         } else if (kind < 0.2) {
@@ -55,6 +53,19 @@ inline std::vector<ProfilePoint> random_profile(std::uint64_t seed) {
                            static_cast<std::uint8_t>(shape.uniform() < 0.5 ? 0 : 1)});
     }
     return profile;
+}
+
+/// Whether a cliff and a wall of 1 cm in plan stand next to each other: a crack narrower than any rock.
+inline bool has_crack(const std::vector<ProfilePoint>& profile) {
+    const auto is_steep = [&](std::size_t k) {
+        return profile[k].distance_m - profile[k - 1].distance_m < 0.1;
+    };
+    for (std::size_t k = 2; k < profile.size(); ++k) {
+        if (is_steep(k - 1) && is_steep(k)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// Straight between the corners.

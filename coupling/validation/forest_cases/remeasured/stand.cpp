@@ -24,6 +24,7 @@ using config::Table;
 constexpr double highest_tree_id = 1e12;
 /// Two measurements of a living stem may differ a little; more is another tree or a slip [choice].
 constexpr double thinnest_of_before = 0.8;
+
 double number(const Table& table, std::size_t row, const char* column, config::NumberRange range,
               Problems& problems) {
     return table.number(row, column, range, problems).value_or(range.low);
