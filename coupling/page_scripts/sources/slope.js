@@ -39,6 +39,8 @@ class SlopeView {
         this.build(figure);
         this.plant(0);
         this.eye.reset();
+        // At once, not before the next frame: a browser that shows nothing (printing, no window) may never make one.
+        this.draw();
     }
 
     lights() {
