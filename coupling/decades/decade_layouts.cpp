@@ -66,7 +66,7 @@ TableLayout stands() {
         {"volume_from_12cm_m3pha", "m3/ha", "their stem wood over bark", simulated},
         {"drought_index", "-",
          "share of the year's demand for water that was not met in the months above 5.5 degC, mean over the "
-         "patches of the stand; 0 at the start",
+         "patches of the stand; empty at the start",
          simulated}};
     return {"stands.csv", "a stand, or all, and a species, or all, at the end of a year",
             together(member_columns(), rest)};
@@ -148,7 +148,8 @@ TableLayout trees() {
         {"crown_base_m", "m", "height of the crown base above the ground", simulated},
         {"crown_radius_m", "m", "radius of the crown", simulated},
         {"age_years", "years", "age", simulated},
-        {"light_ratio", "-", "light of the last season, 1: no neighbour shades it", simulated},
+        {"light_ratio", "-", "light of the last season, 1: no neighbour shades it; empty at the start",
+         simulated},
         {"vitality", "-", "0 to 1; production goes with its square root", simulated},
         {"stems", "-", "stems that the row stands for: young ones below 5 cm are kept in groups of equals",
          simulated},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -82,6 +83,9 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
             }
         }
         for (const auto& [key, sum] : sums) {
+            if (std::isnan(sum.values.front())) {
+                continue;  // light at the start
+            }
             config::Raster<float> raster{grid.frame(), std::numeric_limits<float>::quiet_NaN()};
             for (std::size_t p = 0; p < grid.size(); ++p) {
                 raster.at(grid.patches()[p].cell) =

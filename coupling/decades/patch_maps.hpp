@@ -19,7 +19,7 @@ std::vector<Column> patch_raster_columns();
 
 /// Writes rasters/forest/REGIME/year_N/{stems,basal_area,volume,top_height,leaf_area_index,ground_light}.asc:
 /// means over the replicates, on the frame of the patches; cells without forest are NODATA. `projection` is
-/// the text for the .prj files, empty for none.
+/// the text for the .prj files, empty for none. At the start there is no ground_light.
 std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, const Names& names,
                                           std::span<const MemberYears> members, const forest::PatchGrid& grid,
                                           const std::string& projection, const WriteWatch& watch = {});

@@ -1,6 +1,7 @@
 #include "coupling/decades/record_forest.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "coupling/exchange/stems_and_logs.hpp"
@@ -12,6 +13,11 @@ namespace coupling::decades {
 namespace {
 
 constexpr double kg_per_t = 1000.0;
+
+/// What only a season of growth can show is not known at the start, in year 0.
+double of_a_season(std::int32_t year, double value) {
+    return year == 0 ? std::numeric_limits<double>::quiet_NaN() : value;
+}
 
 /// The whole of some trees and each species that has any.
 void add_stands(std::span<const forest::Tree> trees, const forest::SpeciesTable& species, double area_ha,
@@ -116,11 +122,13 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
         whole_forest.patches += unit.patches;
         whole_forest.drought += unit.drought;
     }
-    add_stands(stand.trees(), species, area_ha, year, all, whole_forest.drought_index(), kept);
+    add_stands(stand.trees(), species, area_ha, year, all, of_a_season(year, whole_forest.drought_index()),
+               kept);
     if (units.size() > 1) {
         for (const auto& [number, unit] : units) {
             const double unit_ha = static_cast<double>(unit.patches) * forest::patch_area_m2 / 10'000.0;
-            add_stands(unit.trees, species, unit_ha, year, number, unit.drought_index(), kept);
+            add_stands(unit.trees, species, unit_ha, year, number, of_a_season(year, unit.drought_index()),
+                       kept);
         }
     }
 
@@ -192,7 +200,7 @@ void record_trees(const forest::Stand& stand, std::int32_t year, MemberYears& ke
                               .crown_base_m = static_cast<float>(tree.crown.base_m),
                               .crown_radius_m = static_cast<float>(tree.crown.radius_m),
                               .age_years = static_cast<float>(tree.age_years),
-                              .light_ratio = static_cast<float>(tree.light_ratio),
+                              .light_ratio = static_cast<float>(of_a_season(year, tree.light_ratio)),
                               .vitality = static_cast<float>(tree.vitality),
                               .stems = tree.stems});
     }
@@ -224,9 +232,10 @@ void record_patches(const forest::Stand& stand, const forest::SpeciesTable& spec
     constexpr double patches_pha = 10'000.0 / forest::patch_area_m2;
     const std::size_t first = kept.patches.size();
     for (std::uint32_t p = 0; p < stand.grid().size(); ++p) {
-        kept.patches.push_back({.year = year,
-                                .patch = p,
-                                .ground_light = static_cast<float>(stand.patch_states()[p].ground_light)});
+        kept.patches.push_back(
+            {.year = year,
+             .patch = p,
+             .ground_light = static_cast<float>(of_a_season(year, stand.patch_states()[p].ground_light))});
     }
     for (const forest::Tree& tree : stand.trees()) {
         PatchRow& row = kept.patches[first + forest::index_of(tree.patch)];

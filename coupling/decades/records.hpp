@@ -33,7 +33,7 @@ struct StandRow {
     std::uint32_t unit = all;
     std::uint32_t species = all;
     forest::StandFigures figures;
-    double drought_index = 0.0;  ///< of the year, mean over the patches of the unit
+    double drought_index = 0.0;  ///< of the year, mean over the patches of the unit; NaN at the start
 };
 
 /// Gaps along the fall line at the end of a year: in one management unit or in the whole forest.
@@ -103,7 +103,7 @@ struct TreeRow {
     float crown_base_m = 0.0F;
     float crown_radius_m = 0.0F;
     float age_years = 0.0F;
-    float light_ratio = 0.0F;
+    float light_ratio = 0.0F;  ///< NaN at the start
     float vitality = 0.0F;
     std::uint32_t stems = 1;
     std::uint32_t rock_hits = 0;  ///< in that year
@@ -236,7 +236,7 @@ struct PatchRow {
     float volume_m3pha = 0.0F;
     float top_height_m = 0.0F;  ///< of the tallest tree
     float leaf_area_index = 0.0F;
-    float ground_light = 0.0F;
+    float ground_light = 0.0F;  ///< NaN at the start
 };
 
 /// All that one member leaves.

@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "forest/allometry.hpp"
 #include "forest/start/height_curve.hpp"
@@ -255,6 +256,18 @@ private:
     std::map<std::uint32_t, InventoriedStand> stands_;
 };
 
+void doubt_odd_means(const config::Table& table, Reading& reading) {
+    const std::vector<std::size_t> lines = plausible::odd_mean_trees(table);
+    if (!lines.empty()) {
+        reading.doubt(
+            {table.file(), lines.front()},
+            joined(counted(lines.size(), "stand record"),
+                   " with a mean height that is less than 15 or more than 120 times the mean diameter"),
+            "stands whose trees are on the mean 40 to 110 times as high as thick",
+            "check mean_dbh_cm (cm) and mean_height_m (m): are the columns swapped?");
+    }
+}
+
 }  // namespace
 
 std::uint32_t StandCover::at(double x_m, double y_m) const {
@@ -284,6 +297,7 @@ std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const Fore
         config::Problems problems;
         table.require({"stand", "species"}, problems);
         problems.throw_if_any();
+        doubt_odd_means(table, reading);
         const SpeciesLookup lookup = species.lookup();
         RecordReader reader{table, species, lookup};
         for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -121,7 +121,7 @@ void fill_dead_wood(StandTable<forest::DeadWoodRecord>& rows, std::size_t row,
     record.volume_m3pha =
         table.number(row, "volume_m3pha", {.low = 0.0, .high = 3000.0, .low_excluded = true}, rows.problems())
             .value_or(1.0);
-    record.dbh_cm = rows.optional(row, "dbh_cm", {7.0, 300.0}).value_or(record.dbh_cm);
+    record.dbh_cm = rows.optional(row, "dbh_cm", {7.0, 200.0}).value_or(record.dbh_cm);
     record.length_m = rows.optional(row, "length_m", {.low = 0.0, .high = 80.0, .low_excluded = true});
     if (!record.length_m && record.kind == forest::DeadWoodKind::stump) {
         constexpr double usual_stump_m = 0.3;

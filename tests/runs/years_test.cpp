@@ -57,6 +57,51 @@ TEST(ForestExample, RunsAsItIsWritten) {
     }
 }
 
+TEST(ForestExample, ClaimsNothingBeforeItsFirstSeason) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init example --example forest --quiet").code, 0);
+    ASSERT_EQ(call(project,
+                   "run example/scenario.ini --quiet --set run.years=1 "
+                   "--set 'output.tree_list_years=0, 1' --set 'output.map_years=0, 1'")
+                  .code,
+              0);
+    for (const std::string year : {"0", "1"}) {
+        const bool is_known = year == "1";
+        const config::Table trees = table(project, "example/out/tables/trees_" + year + ".csv");
+        ASSERT_GT(trees.rows(), 0U);
+        EXPECT_EQ(trees.text(0, "light_ratio").empty(), !is_known);
+        EXPECT_EQ(
+            fs::exists(project.file("example/out/rasters/forest/none/year_" + year + "/ground_light.asc")),
+            is_known);
+        EXPECT_TRUE(fs::exists(project.file("example/out/rasters/forest/none/year_" + year + "/volume.asc")));
+    }
+    const config::Table stands = table(project, "example/out/tables/stands.csv");
+    for (std::size_t row = 0; row < stands.rows(); ++row) {
+        EXPECT_EQ(stands.text(row, "drought_index").empty(), stands.text(row, "year") == "0") << row;
+    }
+}
+
+TEST(ForestExample, SaysWhichRecordedCutsComeAfterItsEnd) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init example --example forest --quiet").code, 0);
+    project.write("example/felled.csv", "tree_id,year\n3,1\n4,2\n5,30\n");
+    project.write("example/cut.csv", "treatment,trees\nfell_list,felled.csv\n");
+    const auto told = [&](const std::string& years) {
+        return call(project,
+                    "check example/scenario.ini --set regimes.list=cut.csv "
+                    "--set output.tree_list_years= --set output.map_years= --set run.years=" +
+                        years);
+    };
+    const Outcome late = told("2");
+    EXPECT_EQ(late.code, 0) << late.err;
+    EXPECT_NE((late.out + late.err)
+                  .find("felled.csv: 1 tree felled after the last year of the run, 2, left standing"),
+              std::string::npos)
+        << late.out << late.err;
+    const Outcome whole = told("30");
+    EXPECT_EQ((whole.out + whole.err).find("left standing"), std::string::npos) << whole.out << whole.err;
+}
+
 TEST(ForestExample, BeginsWithTheMappedTrees) {
     const SampleProject project;
     ASSERT_EQ(call(project, "init example --example forest --quiet").code, 0);

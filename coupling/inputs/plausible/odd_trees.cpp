@@ -13,6 +13,7 @@ constexpr double least_slenderness = 15.0;
 constexpr double slender_from_cm = 20.0;
 constexpr double most_slenderness = 110.0;
 constexpr std::size_t few_trees = 5;
+constexpr double most_mean_slenderness = 120.0;
 
 std::optional<double> number_in(const config::Table& table, std::size_t row, const char* column) {
     return table.has(column) ? config::parse_number(table.text(row, column)) : std::nullopt;
@@ -43,6 +44,22 @@ OddTrees odd_trees(const config::Table& table) {
     }
     found.columns_look_swapped = thick >= few_trees && 2 * slender > thick;
     return found;
+}
+
+std::vector<std::size_t> odd_mean_trees(const config::Table& table) {
+    std::vector<std::size_t> lines;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const double dbh_cm = number_in(table, row, "mean_dbh_cm").value_or(0.0);
+        const std::optional<double> height_m = number_in(table, row, "mean_height_m");
+        if (!height_m || *height_m <= 0.0 || dbh_cm < squat_from_cm) {
+            continue;
+        }
+        const double slenderness = 100.0 * *height_m / dbh_cm;
+        if (slenderness < least_slenderness || slenderness > most_mean_slenderness) {
+            lines.push_back(table.place(row, "mean_dbh_cm").line);
+        }
+    }
+    return lines;
 }
 
 }  // namespace coupling::plausible

@@ -34,5 +34,18 @@ TEST(OddTrees, ShowThatColumnsAreSwapped) {
     EXPECT_TRUE(found_in("height_m,dbh_cm" + trees).columns_look_swapped);
 }
 
+TEST(OddMeanTrees, AreThoseOfSwappedColumns) {
+    const auto found = [](const std::string& text) {
+        std::istringstream in{text};
+        return odd_mean_trees(config::Table::read(in, "records.csv"));
+    };
+    // A dense pole stand, an old stand, a thicket, records without a height or a diameter.
+    const std::string stands = "\n13,14\n52,33\n4,6\n30,\n,20\n";
+    EXPECT_TRUE(found("mean_dbh_cm,mean_height_m" + stands).empty());
+    EXPECT_EQ(found("mean_height_m,mean_dbh_cm" + stands), std::vector<std::size_t>{3});
+    EXPECT_EQ(found("mean_dbh_cm,mean_height_m\n229,18.6\n22.9,1.86\n"), (std::vector<std::size_t>{2, 3}));
+    EXPECT_TRUE(found("stems_pha,mean_dbh_cm\n500,30\n").empty());
+}
+
 }  // namespace
 }  // namespace coupling::plausible::odd_trees_test
