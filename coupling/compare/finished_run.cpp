@@ -2,23 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <sstream>
-#include <tuple>
 #include <utility>
 
 #include "config/errors/input_error.hpp"
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/compare/forest_over_years.hpp"
+#include "coupling/compare/rate_columns.hpp"
+#include "coupling/compare/rocks_over_years.hpp"
 #include "coupling/compare/run_tables.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/scenario.hpp"
-#include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 
 namespace coupling::compare {
@@ -47,32 +47,6 @@ Figure protection_today(const config::Table& table, std::size_t row) {
     return too_few_for_protection(bare) ? Figure{.key = key, .why_none = too_few_in_words(bare)}
                                         : with_interval(key, table, row, "protection_percent",
                                                         "protection_low_percent", "protection_high_percent");
-}
-
-/// Columns and figures of rocks above an energy: "above_300_kj" + "_bare" + "_per_1000".
-struct RateColumn {
-    std::string begin;
-    [[nodiscard]] std::string with(const std::string& infix) const {
-        return joined(begin, infix, "_per_1000");
-    }
-};
-
-/// Those that a table has; runs of earlier versions have none. Throws config::InputError (data) for one that
-/// lacks one of its `wanted` columns.
-std::vector<RateColumn> rate_columns(const config::Table& table, const std::vector<std::string>& wanted) {
-    std::vector<RateColumn> columns;
-    config::Problems problems;
-    for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
-        const RateColumn rate{joined("above_", kj_text(i), "_kj")};
-        if (table.has(rate.with(""))) {
-            for (const std::string& infix : wanted) {
-                table.require({rate.with(infix)}, problems);
-            }
-            columns.push_back(rate);
-        }
-    }
-    problems.throw_if_any();
-    return columns;
 }
 
 void add_rates(const config::Table& table, std::size_t row, const std::string& where,
@@ -167,147 +141,6 @@ void add_profile(const fs::path& folder, std::vector<Figure>& figures) {
     }
 }
 
-/// Sums over the years of each member in which a figure is known, in the order in which regimes come.
-class MeansOverYears {
-public:
-    explicit MeansOverYears(std::vector<Figure>& figures) : figures_{figures} {}
-
-    /// `why_none`: said of a figure that no year knows.
-    void add(const FigureKey& key, const std::string& replicate, double value,
-             const std::string& why_none = "") {
-        auto found =
-            std::find_if(sums_.begin(), sums_.end(), [&](const auto& sum) { return sum.first == key; });
-        if (found == sums_.end()) {
-            found = sums_.insert(sums_.end(), {key, {}});
-        }
-        if (std::isnan(value)) {
-            why_none_.try_emplace(found - sums_.begin(), why_none);
-            return;
-        }
-        auto& [sum, count] = found->second[config::parse_whole(replicate).value_or(0)];
-        sum += value;
-        ++count;
-    }
-    void finish() {
-        for (std::size_t i = 0; i < sums_.size(); ++i) {
-            auto& [key, replicates] = sums_[i];
-            std::map<long long, double> means;
-            for (const auto& [replicate, sum] : replicates) {
-                means[replicate] = sum.first / static_cast<double>(sum.second);
-            }
-            figures_.push_back(over_replicates(key, std::move(means)));
-            if (std::isnan(figures_.back().value)) {
-                figures_.back().why_none = why_none_[static_cast<std::ptrdiff_t>(i)];
-            }
-        }
-        sums_.clear();
-        why_none_.clear();
-    }
-
-private:
-    std::vector<Figure>& figures_;
-    std::vector<std::pair<FigureKey, std::map<long long, std::pair<double, std::size_t>>>> sums_;
-    std::map<std::ptrdiff_t, std::string> why_none_;  ///< by place in sums_
-};
-
-constexpr const char* over_years = "mean over years";
-
-/// As on the page of the run: only years in which enough rocks arrive over the bare slope, all replicates of
-/// a regime in a climate together.
-void add_protection_over_years(const fs::path& folder, MeansOverYears& means) {
-    const config::Table table =
-        read_table(folder, "protection.csv",
-                   {"regime", "replicate", "year", "target_id", "reached_bare", "protection_percent"});
-    const auto key_of = [&](std::size_t row) {
-        return FigureKey{table.text(row, "target_id"), table.text(row, "regime"), "protection_percent",
-                         over_years, climate_of(table, row)};
-    };
-    const auto place_of = [&](std::size_t row) {
-        const FigureKey key = key_of(row);
-        return std::tuple{key.target, key.regime, key.climate, table.text(row, "year")};
-    };
-    std::map<std::tuple<std::string, std::string, std::string, std::string>, std::uint64_t> bare;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        bare[place_of(row)] += static_cast<std::uint64_t>(number(table, row, "reached_bare"));
-    }
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const bool too_few = too_few_for_protection(bare[place_of(row)]);
-        means.add(key_of(row), table.text(row, "replicate"),
-                  too_few ? unknown : number(table, row, "protection_percent"),
-                  "in every year too few rocks arrive over the bare slope for a protection figure");
-    }
-}
-
-void add_targets_over_years(const fs::path& folder, std::vector<Figure>& figures) {
-    MeansOverYears means{figures};
-    add_protection_over_years(folder, means);
-    const config::Table targets = read_table(folder, "targets.csv",
-                                             {"regime", "replicate", "target_id", "cover", "share_percent",
-                                              "energy_50_kj", "energy_95_kj", "energy_99_kj"});
-    for (std::size_t row = 0; row < targets.rows(); ++row) {
-        const bool bare = targets.text(row, "cover") == "bare";
-        const auto add = [&](const std::string& quantity, const std::string& column) {
-            means.add({targets.text(row, "target_id"), targets.text(row, "regime"), quantity, over_years,
-                       climate_of(targets, row)},
-                      targets.text(row, "replicate"), number(targets, row, column));
-        };
-        add(bare ? "reached_bare_percent" : "reached_percent", "share_percent");
-        for (const RateColumn& rate : rate_columns(targets, {})) {
-            add(rate.with(bare ? "_bare" : ""), rate.with(""));
-        }
-        if (!bare) {
-            add("energy_50_kj", "energy_50_kj");
-            add("energy_95_kj", "energy_95_kj");
-            add("energy_99_kj", "energy_99_kj");
-        }
-    }
-    means.finish();
-}
-
-/// Timber and money; the work of the start counts in the first year.
-void add_work_over_years(const fs::path& folder, std::uint32_t years, MeansOverYears& means) {
-    static const std::vector<std::string> figures{"felled_m3pha", "salvaged_m3pha", "removed_m3pha",
-                                                  "left_m3pha", "contribution_margin_eur_pha"};
-    std::vector<std::string> columns{"regime", "replicate"};
-    columns.insert(columns.end(), figures.begin(), figures.end());
-    const config::Table table = read_table(folder, "work_by_year.csv", columns);
-    std::map<std::tuple<std::string, std::string, std::string>, std::map<std::string, double>> sums;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        auto& sum = sums[{table.text(row, "regime"), climate_of(table, row), table.text(row, "replicate")}];
-        for (const std::string& figure : figures) {
-            sum[figure] += number(table, row, figure);
-        }
-    }
-    for (const std::string& figure : figures) {
-        for (const auto& [member, sum] : sums) {
-            const auto& [regime, climate, replicate] = member;
-            means.add({"", regime, figure, over_years, climate}, replicate,
-                      sum.at(figure) / static_cast<double>(years));
-        }
-    }
-}
-
-void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vector<Figure>& figures) {
-    MeansOverYears means{figures};
-    const config::Table stands =
-        read_table(folder, "stands.csv",
-                   {"regime", "replicate", "year", "stand", "species", "basal_area_m2pha", "volume_m3pha"});
-    for (std::size_t row = 0; row < stands.rows(); ++row) {
-        if (stands.text(row, "stand") != "all" || stands.text(row, "species") != "all") {
-            continue;
-        }
-        const std::string& regime = stands.text(row, "regime");
-        const std::string climate = climate_of(stands, row);
-        const std::string& replicate = stands.text(row, "replicate");
-        means.add({"", regime, "basal_area_m2pha", over_years, climate}, replicate,
-                  number(stands, row, "basal_area_m2pha"));
-        means.add({"", regime, "volume_m3pha", over_years, climate}, replicate,
-                  number(stands, row, "volume_m3pha"));
-    }
-    add_work_over_years(folder, years, means);
-    means.finish();
-}
-
 void add_worst_years(const fs::path& folder, std::vector<Figure>& figures) {
     const config::Table table = read_table(
         folder, "regimes_worst_year.csv",
@@ -316,7 +149,7 @@ void add_worst_years(const fs::path& folder, std::vector<Figure>& figures) {
         const bool has_range = number(table, row, "replicates") > 1.0;
         figures.push_back(
             {.key = {table.text(row, "target_id"), table.text(row, "regime"), table.text(row, "quantity"),
-                     "worst year", climate_of(table, row)},
+                     worst_year, climate_of(table, row)},
              .value = number(table, row, "mean"),
              .low = has_range ? number(table, row, "mean_low_90") : unknown,
              .high = has_range ? number(table, row, "mean_high_90") : unknown,
@@ -339,39 +172,6 @@ void refuse_unfinished(const fs::path& folder) {
 }
 
 }  // namespace
-
-Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate) {
-    if (by_replicate.empty()) {
-        return {.key = std::move(key), .value = unknown};
-    }
-    const auto n = static_cast<double>(by_replicate.size());
-    double mean = 0.0;
-    for (const auto& [replicate, value] : by_replicate) {
-        mean += value / n;
-    }
-    Figure figure{.key = std::move(key), .value = mean, .is_interval = true};
-    if (by_replicate.size() > 1) {
-        double squares = 0.0;
-        for (const auto& [replicate, value] : by_replicate) {
-            squares += (value - mean) * (value - mean);
-        }
-        const double error = std::sqrt(squares / (n - 1.0) / n);
-        // Equal values (no rock arrives, say) say nothing about chance: no interval rather than one of no
-        // width.
-        if (error > 1e-9 * std::abs(mean) && error > 0.0) {
-            const double half = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975) * error;
-            const std::string& quantity = figure.key.quantity;
-            const bool is_share = quantity.ends_with("_percent");
-            const bool may_be_negative = quantity.empty() || quantity.starts_with("protection") ||
-                                         quantity.ends_with("_eur_pha");  // empty: a difference
-            // What cannot be is left out of the interval.
-            figure.low = may_be_negative ? mean - half : std::max(0.0, mean - half);
-            figure.high = is_share ? std::min(100.0, mean + half) : mean + half;
-        }
-    }
-    figure.by_replicate = std::move(by_replicate);
-    return figure;
-}
 
 /// Runs of earlier versions call some settings otherwise.
 void use_present_names(SummaryOfRun& summary) {

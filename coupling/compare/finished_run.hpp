@@ -1,38 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <limits>
-#include <map>
 #include <string>
-#include <tuple>
 #include <vector>
 
+#include "coupling/compare/figure.hpp"
 #include "coupling/results/read_summary.hpp"
 
 namespace coupling::compare {
-
-/// Which figure of a run: the same key in two runs means the same thing.
-struct FigureKey {
-    std::string target;     ///< id, empty for figures of the forest
-    std::string regime;     ///< empty in runs of today
-    std::string quantity;   ///< unit at the end, as columns of tables
-    std::string when;       ///< "today", "mean over years" or "worst year"
-    std::string climate{};  ///< empty in runs of today
-
-    friend bool operator==(const FigureKey&, const FigureKey&) = default;
-};
-
-/// A figure with what is known of its uncertainty; NaN where not known.
-struct Figure {
-    FigureKey key;
-    double value = std::numeric_limits<double>::quiet_NaN();
-    double low = std::numeric_limits<double>::quiet_NaN();
-    double high = std::numeric_limits<double>::quiet_NaN();
-    bool is_interval = false;  ///< low and high: 95 % interval; otherwise the range of nine replicates in ten
-    int year = -1;             ///< the worst one; -1: none
-    std::map<long long, double> by_replicate{};  ///< means over years by the number of the replicate
-    std::string why_none{};  ///< why there is no value, such as too few rocks; may be empty
-};
 
 /// A finished run as its folder holds it.
 struct FinishedRun {
@@ -44,8 +19,5 @@ struct FinishedRun {
 /// Throws config::InputError: (file) for a folder that is missing, holds no finished results or lacks a
 /// table, (data) for files that no run wrote.
 FinishedRun read_finished_run(const std::filesystem::path& folder);
-
-/// Mean of the replicates with its 95 % interval by Student's t; one replicate has none.
-Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate);
 
 }  // namespace coupling::compare

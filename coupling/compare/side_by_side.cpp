@@ -222,6 +222,12 @@ std::optional<Difference> difference(const Figure& figure, const Figure& first, 
     return d;
 }
 
+bool is_nothing_everywhere(const Line& line) {
+    return line.key.target.empty() && line.key.when != worst_year &&
+           std::all_of(line.figures.begin(), line.figures.end(),
+                       [](const std::optional<Figure>& figure) { return !figure || figure->value == 0.0; });
+}
+
 bool all_of_one_replicate(std::span<const FinishedRun> runs) {
     return std::all_of(runs.begin(), runs.end(), [](const FinishedRun& run) {
         return run.summary.years > 0 && run.summary.replicates <= 1;

@@ -14,7 +14,7 @@ namespace {
 
 using config::joined;
 
-constexpr int name_width = 34;
+constexpr int name_width = 37;
 constexpr int value_width = 27;
 
 /// Widths count characters, not bytes: "–" has three bytes.
@@ -94,6 +94,9 @@ void write_disagreements(std::ostream& out, const char* title, const std::vector
 void write_lines(std::ostream& out, const SideBySide& comparison) {
     std::string title;
     for (const Line& line : comparison.lines) {
+        if (is_nothing_everywhere(line)) {
+            continue;
+        }
         if (title != title_of(line.key)) {
             title = title_of(line.key);
             out << '\n' << padded(title, name_width);
@@ -105,9 +108,10 @@ void write_lines(std::ostream& out, const SideBySide& comparison) {
             }
             out << '\n';
         }
-        const std::string when = line.key.when == "today"        ? ""
-                                 : line.key.when == "worst year" ? ", worst"
-                                                                 : ", mean";
+        const std::string when = line.key.when == "today"      ? ""
+                                 : line.key.when == worst_year ? ", worst"
+                                 : line.key.when == last_year  ? ", last"
+                                                               : ", mean";
         out << "  " << padded(line.key.quantity + when, name_width - 2);
         for (const auto& figure : line.figures) {
             out << padded(in_words(figure), value_width);
@@ -134,7 +138,7 @@ void write_missing(std::ostream& out, const SideBySide& comparison) {
 void write_reading(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
     if (all_of_one_replicate(runs)) {
         out << "\nOne replicate: no intervals; which differences are significant is not known. mean: over "
-               "the years;\nyN: year N"
+               "the years;\nlast: in the last year; yN: year N"
             << (comparison.lines.empty() ? "; there is no figure to compare.\n" : ".\n");
         return;
     }
@@ -142,7 +146,7 @@ void write_reading(std::ostream& out, std::span<const FinishedRun> runs, const S
     if (runs.front().summary.years > 0) {
         out << " and years, over the replicates; at worst years\n(yN: year N) the 90 % interval of the "
                "mean. "
-               "mean: over the years";
+               "mean: over the years;\nlast: in the last year";
     }
     out << ".\n*: the difference is statistically significant (95 %)";
     out << (comparison.lines.empty() ? "; there is no figure to compare.\n" : ".\n");
@@ -181,7 +185,7 @@ const std::vector<TableLayout>& compare_layouts() {
           {"regime", "text", "regime; empty in runs of today", from_runs},
           {"climate", "text", "climate; empty in runs of today", from_runs},
           {"quantity", "text", "the figure, its unit at the end", from_runs},
-          {"when", "text", "today, mean over years or worst year", from_runs},
+          {"when", "text", "today, mean over years, last year or worst year", from_runs},
           {"year", "-", "the worst year, empty elsewhere", from_runs},
           {"value", "as the quantity says", "the figure", from_runs},
           {"low", "as the quantity says",

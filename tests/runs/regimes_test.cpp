@@ -226,6 +226,64 @@ TEST(OwnRegimes, CountSalvagedTimberInComparisons) {
     EXPECT_NE(a["contribution_margin_eur_pha"], 0.0);
 }
 
+/// Figures of the first run in a table of `compare`, by name and time.
+std::map<std::pair<std::string, std::string>, double> figures_of_a(const config::Table& compared) {
+    std::map<std::pair<std::string, std::string>, double> figures;
+    for (std::size_t row = 0; row < compared.rows(); ++row) {
+        if (compared.text(row, "run") == "A" && !compared.text(row, "value").empty()) {
+            figures[{compared.text(row, "quantity"), compared.text(row, "when")}] =
+                number(compared, row, "value");
+        }
+    }
+    return figures;
+}
+
+TEST(OwnRegimes, StandBesideEachOtherWithSpeciesDeathsAndDeadWood) {
+    const ForestProject project;
+    for (const std::string folder : {"a", "b"}) {
+        const Outcome outcome = call(project, std::string{own_regimes} + "--set run.years=40 --out " +
+                                                  folder + " --seed " + (folder == "a" ? "1" : "2"));
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+    }
+    const Outcome screen = call(project, "compare a b --out c.csv");
+    ASSERT_EQ(screen.code, 0) << screen.err;
+    const auto a = figures_of_a(table(project, "c.csv"));
+
+    const config::Table stands = table(project, "a/tables/stands.csv");
+    const std::string last = stands.text(stands.rows() - 1, "year");
+    double volume_m3pha = 0.0;
+    double members = 0.0;
+    for (std::size_t row = 0; row < stands.rows(); ++row) {
+        if (stands.text(row, "stand") == "all" && stands.text(row, "species") == "all" &&
+            stands.text(row, "year") == last) {
+            volume_m3pha += number(stands, row, "volume_m3pha");
+            members += 1.0;
+        }
+    }
+    EXPECT_NEAR(a.at({"volume_m3pha", "last year"}), volume_m3pha / members, 1e-3);
+    double of_species_m3pha = 0.0;
+    for (const auto& [name, value] : a) {
+        if (name.second == "last year" && name.first.starts_with("volume_") && name.first != "volume_m3pha") {
+            of_species_m3pha += value;
+        }
+    }
+    EXPECT_NEAR(of_species_m3pha, volume_m3pha / members, 0.1) << "rounded species by species";
+
+    const config::Table deaths = table(project, "a/tables/mortality.csv");
+    double died_m3 = 0.0;
+    for (std::size_t row = 0; row < deaths.rows(); ++row) {
+        died_m3 += deaths.text(row, "cause") == "background" ? number(deaths, row, "volume_m3pha") : 0.0;
+    }
+    const auto died = a.find({"died_background_m3pha", "mean over years"});
+    EXPECT_NEAR(died == a.end() ? 0.0 : died->second, died_m3 / members / std::stod(last), 1e-3);
+    EXPECT_TRUE(a.contains({"snags_m3pha", "mean over years"}));
+
+    // Nobody works: the table for scripts says so, the screen does not fill with zeros.
+    EXPECT_EQ(a.at({"felled_m3pha", "mean over years"}), 0.0);
+    EXPECT_EQ(screen.out.find("felled_m3pha"), std::string::npos) << screen.out;
+    EXPECT_NE(screen.out.find("volume_m3pha, last"), std::string::npos) << screen.out;
+}
+
 TEST(DecisionOfARun, StandsInTableSummaryPageAndClosingLines) {
     const ForestProject project;
     std::string loud{four_members};

@@ -277,7 +277,8 @@ std::string interval_charts(const SideBySide& comparison) {
         std::vector<std::string> targets;
         std::map<std::string, Lines> of_target;
         for (const Line& line : comparison.lines) {
-            if (line.key.quantity == shown.quantity && line.key.when != "worst year") {
+            if (line.key.quantity == shown.quantity && line.key.when != worst_year &&
+                line.key.when != last_year) {
                 Lines& lines = of_target[line.key.target];
                 if (lines.empty()) {
                     targets.push_back(line.key.target);
@@ -294,7 +295,7 @@ std::string interval_charts(const SideBySide& comparison) {
                                  "</h2>\n<div class=\"thirds\">", html, "</div>\n");
 }
 
-std::string over_years(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+std::string charts_over_years(std::span<const FinishedRun> runs, const SideBySide& comparison) {
     if (runs.front().summary.kind != "years") {
         return "";
     }

@@ -185,6 +185,9 @@ std::string figures(const SideBySide& comparison, bool over_years, bool one_repl
         head};
     std::string title;
     for (const Line& line : comparison.lines) {
+        if (is_nothing_everywhere(line)) {
+            continue;
+        }
         if (title != title_of(line.key)) {
             title = title_of(line.key);
             table.group(title);
@@ -216,8 +219,8 @@ void write_page(std::ostream& out, std::span<const FinishedRun> runs, const Side
                                   .before_main = {}};
     report::begin_page(out, frame);
     out << warnings_of(runs, comparison) << opening(runs, comparison) << disagreements(comparison)
-        << interval_charts(comparison) << over_years(runs, comparison) << distributions(runs, comparison)
-        << maps(runs, comparison)
+        << interval_charts(comparison) << charts_over_years(runs, comparison)
+        << distributions(runs, comparison) << maps(runs, comparison)
         << figures(comparison, runs.front().summary.years > 0, all_of_one_replicate(runs));
     report::end_page(out, frame);
 }

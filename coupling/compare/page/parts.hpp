@@ -20,7 +20,7 @@ std::string interval_charts(const SideBySide& comparison);
 /// Energies, speeds and heights at the targets, and run-outs: shares of all rocks.
 std::string distributions(std::span<const FinishedRun> runs, const SideBySide& comparison);
 /// Main quantities over the years, a chart for each regime.
-std::string over_years(std::span<const FinishedRun> runs, const SideBySide& comparison);
+std::string charts_over_years(std::span<const FinishedRun> runs, const SideBySide& comparison);
 /// Rasters of today's runs side by side, in common colours.
 std::string maps(std::span<const FinishedRun> runs, const SideBySide& comparison);
 
