@@ -355,13 +355,15 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     html += joined(fact(report::page_text("decades.answers.years"), years_text(run)),
                    fact(report::page_text("decades.answers.regimes_2"), list_of(regime_names)));
     html += start_fact(content);
+    const auto row = [](const std::string& name, const std::string& value) {
+        return joined("<div class=\"row\"><dt>", name, "</dt><dd>", value, "</dd></div>");
+    };
     html += joined(fact(report::page_text("decades.answers.replicates"), replicates),
-                   fact(report::page_text("decades.answers.species"), list_of(species_names)));
+                   row(report::page_text("decades.answers.species"), list_of(species_names)));
     html += content.climate.empty() ? ""
-                                    : joined("<div class=\"row\"><dt>",
-                                             has_climates ? report::page_text("decades.answers.climates_2")
-                                                          : report::page_text("decades.answers.climate"),
-                                             "</dt><dd>", breakable(escaped(content.climate)), "</dd></div>");
+                                    : row(has_climates ? report::page_text("decades.answers.climates_2")
+                                                       : report::page_text("decades.answers.climate"),
+                                          breakable(escaped(content.climate)));
     if (has_rocks(content.scenario) && content.site != nullptr) {
         html += report::deciding_facts(content.scenario, content.site->sources, rocks_a_year(*content.site));
     } else {

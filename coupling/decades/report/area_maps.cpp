@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/map_sheet.hpp"
@@ -34,6 +36,33 @@ std::string style_of(std::size_t row) {
                   "\" stroke-width=\"2.5\"",
                   *look.dashes == '\0' ? "" : joined(" stroke-dasharray=\"", look.dashes, "\""));
 }
+
+/// The grounds of the rows of a regime on one map: the largest below, so that none hides another.
+class Grounds {
+public:
+    void add(double area_ha, std::string drawing) { rows_.emplace_back(area_ha, std::move(drawing)); }
+
+    /// Rows on the same ground share the look of the first of them, and it is drawn once. `shape`: the ground
+    /// without its look. Returns the row whose look it has.
+    std::size_t look_of(std::size_t row, const std::string& shape) {
+        return looks_.try_emplace(shape, row).first->second;
+    }
+
+    [[nodiscard]] std::string drawing() const {
+        std::vector<std::pair<double, std::string>> rows = rows_;
+        std::stable_sort(rows.begin(), rows.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        std::string all;
+        for (const auto& [area_ha, drawing] : rows) {
+            all += drawing;
+        }
+        return all;
+    }
+
+private:
+    std::vector<std::pair<double, std::string>> rows_;
+    std::map<std::string, std::size_t> looks_;  ///< by ground, the first row on it
+};
 
 /// "strips, clear_cut, turn 1 of 3, from year 5".
 std::string when_of(const InterventionArea& area) {
@@ -108,7 +137,7 @@ std::string rows_without_area(const Regime& regime) {
 std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::size_t place,
                      const DrawnCuts& made) {
     constexpr double patch_ha = forest::patch_area_m2 / 10'000.0;
-    std::string drawing;
+    Grounds grounds;
     std::string legend;
     for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
         std::vector<forest::PatchId> ground;
@@ -121,16 +150,19 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
             }
         }
         if (!ground.empty()) {
-            drawing += sheet.polygon(outline_of(*made.grid, ground), style_of(row));
+            std::sort(ground.begin(), ground.end());
+            ground.erase(std::unique(ground.begin(), ground.end()), ground.end());
+            grounds.add(static_cast<double>(ground.size()) * patch_ha,
+                        sheet.polygon(outline_of(*made.grid, ground), style_of(row)));
             legend += joined(swatch_of(regime.interventions()[row], row),
                              page_text("decades.areas.made_in", {{"years", years}}), "</li>");
         }
     }
-    return drawing.empty()
+    return legend.empty()
                ? ""
                : sheet.figure({escaped(regime.name()),
-                               joined(page_text("decades.areas.made"), ", ", escaped(regime.name())), drawing,
-                               "", joined("<ul class=\"areas\">", legend, "</ul>")},
+                               joined(page_text("decades.areas.made"), ", ", escaped(regime.name())),
+                               grounds.drawing(), "", joined("<ul class=\"areas\">", legend, "</ul>")},
                               report::MapSize::half);
 }
 
@@ -156,26 +188,39 @@ std::string area_maps(const Site& site, const Management& management, std::span<
     std::string figures;
     for (std::size_t place = 0; place < management.regimes.size(); ++place) {
         const Regime& regime = management.regimes[place];
-        std::string drawing;
+        Grounds grounds;
         std::string legend;
         for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
             std::vector<const InterventionArea*> here;
+            std::string shape;
+            double area_ha = 0.0;
             for (const InterventionArea& area : areas) {
                 if (area.regime == place && area.intervention == row) {
                     here.push_back(&area);
-                    drawing += sheet.polygon(area.shape, style_of(row));
+                    shape += sheet.polygon(area.shape, "");
+                    area_ha += area.area_ha;
                 }
             }
-            if (!here.empty()) {
-                legend += legend_line(regime.interventions()[row], row, here);
+            if (here.empty()) {
+                continue;
             }
+            const std::size_t look = grounds.look_of(row, shape);
+            if (look == row) {
+                std::string drawing;
+                for (const InterventionArea* area : here) {
+                    drawing += sheet.polygon(area->shape, style_of(row));
+                }
+                grounds.add(area_ha, std::move(drawing));
+            }
+            legend += legend_line(regime.interventions()[row], look, here);
         }
-        if (drawing.empty()) {
+        if (legend.empty()) {
             continue;
         }
         figures += sheet.figure(
             {escaped(regime.name()), joined(page_text("decades.areas.heading"), ", ", escaped(regime.name())),
-             drawing, "", joined("<ul class=\"areas\">", legend, rows_without_area(regime), "</ul>")},
+             grounds.drawing(), "",
+             joined("<ul class=\"areas\">", legend, rows_without_area(regime), "</ul>")},
             report::MapSize::half);
     }
     return joined("<section class=\"card\"><p>", page_text("decades.areas.how_to_read"), "</p>",

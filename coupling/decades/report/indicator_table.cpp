@@ -70,7 +70,9 @@ std::string indicator_table(const Names& names, const Site& site, std::span<cons
     for (const std::int32_t year : years) {
         head.push_back(page_text("common.year", {{"year", std::to_string(year)}}));
     }
-    report::HtmlTable table{page_text("decades.indicators.caption"), head};
+    report::HtmlTable table{page_text(protection == all_series.end() ? "decades.indicators.caption_forest"
+                                                                     : "decades.indicators.caption"),
+                            head};
     for (const Indicator& indicator : indicators_of_page) {
         for (const Series& series : all_series) {
             if (series.quantity != indicator.quantity || years_of(series).empty()) {

@@ -248,7 +248,7 @@ std::string dbh_chart(const RunView& run, const RegimeView& regime, std::size_t 
         }
         chart.add_steps(shown.series, edges, heights);
         chart.add_name(shown.series, shown.name);
-        thin += joined(thin.empty() ? "" : ", ", shown.name, " ", report::three_digits(thinner));
+        thin += joined(thin.empty() ? "" : "; ", shown.name, ": ", report::three_digits(thinner));
     }
     return chart.figure(
         report::page_text("decades.regime_multiples.thinner_stems_per_ha",

@@ -25,7 +25,9 @@ std::string plain(double value, int decimals) {
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals)
             .ptr;
-    return {digits.data(), end};
+    std::string text{digits.data(), end};
+    // A small negative number that is rounded away reads as 0, not as -0.0.
+    return text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos ? text.substr(1) : text;
 }
 
 }  // namespace
