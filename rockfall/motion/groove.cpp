@@ -40,12 +40,29 @@ Eigen::Vector3d place_of(const Vertex& vertex) {
     return {vertex.x_m, vertex.y_m, vertex.z_m};
 }
 
-/// Plan distance from a point to an edge.
-double distance_to_edge_m(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+/// The place on an edge that is nearest to a point in plan.
+Eigen::Vector3d foot_on_edge(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
+                             const Eigen::Vector3d& b) {
     const Eigen::Vector2d edge = (b - a).head<2>();
     const Eigen::Vector2d to_point = (point - a).head<2>();
     const double share = std::min(1.0, std::max(0.0, to_point.dot(edge) / edge.squaredNorm()));
-    return (to_point - share * edge).norm();
+    return a + share * (b - a);
+}
+
+/// Whether the faces on both sides of an edge lie in one plane: no groove, whatever the mesh.
+bool is_flat_across(const Terrain& terrain, std::uint32_t triangle, int side) {
+    const std::uint32_t beyond = terrain.triangles()[triangle].neighbours[side];
+    if (beyond == no_triangle) {
+        return false;
+    }
+    constexpr double flat_m = 1e-9;
+    const Plane plane = terrain.plane_of(triangle);
+    const Vertex& own = terrain.vertices()[terrain.triangles()[triangle].corners[side]];
+    const auto& corners = terrain.triangles()[beyond].corners;
+    return std::all_of(std::begin(corners), std::end(corners), [&](std::uint32_t corner) {
+        const Eigen::Vector3d from_plane = place_of(terrain.vertices()[corner]) - place_of(own);
+        return std::abs(plane.normal().dot(from_plane)) < flat_m;
+    });
 }
 
 /// The steepest way seen so far: towards a vertex.
@@ -99,9 +116,13 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
     for (int i = 0; i < 3; ++i) {
         const Eigen::Vector3d a = place_of(terrain.vertices()[t.corners[i]]);
         const Eigen::Vector3d b = place_of(terrain.vertices()[t.corners[(i + 1) % 3]]);
-        if (distance_to_edge_m(position_m, a, b) < reach_m) {
-            consider(position_m, a, reach_m, triangle, best);
-            consider(position_m, b, reach_m, triangle, best);
+        const Eigen::Vector3d foot = foot_on_edge(position_m, a, b);
+        const bool is_near = (foot - position_m).head<2>().norm() < reach_m;
+        for (const Eigen::Vector3d& end : {a, b}) {
+            // On a level edge high above its ends, as in a crack, there is no way down along it.
+            if (is_near && end.z() < foot.z() && !is_flat_across(terrain, triangle, i)) {
+                consider(position_m, end, reach_m, triangle, best);
+            }
         }
         if ((a - position_m).head<2>().norm() < reach_m) {
             consider_edges_at(terrain, triangle, t.corners[i], position_m, reach_m, best);
@@ -148,7 +169,8 @@ std::optional<RollingPiece> run_if_pressed(const Terrain& terrain, std::uint32_t
     }
     double speed_mps = velocity_mps.norm();
     Eigen::Vector3d direction = (b - a).normalized();
-    const bool stands = speed_mps < standing_in_groove_mps;
+    // What goes straight into the groove, as between the steep walls of a crack, has no direction along it.
+    const bool stands = std::abs(direction.dot(velocity_mps)) < standing_in_groove_mps;
     if (stands ? direction.z() > 0.0 : direction.dot(velocity_mps) < 0.0) {
         direction = -direction;
     }

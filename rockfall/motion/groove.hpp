@@ -24,7 +24,8 @@ struct GrooveLaw {
 /// and leads into a triangle beyond that end. Choice; no published law.
 ///
 /// Nothing if no edge within `reach_m` (the rock's radius) falls away more steeply than the friction angle:
-/// then the rock lies in a pit. `end` of the piece is `edge`.
+/// then the rock lies in a pit, or in a crack with a level floor. Edges between faces of one plane are no
+/// grooves: the mesh alone would choose the way. `end` of the piece is `edge`.
 std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32_t triangle,
                                              const Eigen::Vector3d& position_m, double reach_m,
                                              const GrooveLaw& law);
@@ -36,7 +37,7 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
 /// `shortest_rolling_piece_s`: it would go to and fro in ever smaller steps. The run is the limit of these:
 /// speed is kept and goes along the edge, friction is that of the two faces by turns, so that where steps end
 /// and the run begins changes nothing. It leads to the end of the edge (`end` is `edge`) or to a standstill;
-/// a rock that stands sets off downwards if gravity along the edge exceeds friction, and else stays (a
+/// a rock that stands, or comes straight across the edge, sets off downwards if gravity along the edge exceeds friction, and else stays (a
 /// standstill in no time). Choice; no published law.
 std::optional<RollingPiece> run_if_pressed(const Terrain& terrain, std::uint32_t from, std::uint32_t triangle,
                                            const Eigen::Vector3d& position_m,

@@ -168,7 +168,8 @@ std::vector<Subject> subjects_of_results() {
          compare_both},
         {"compare_years",
          {"out/summary.json", "out/tables/protection.csv", "out/tables/targets.csv", "out/tables/stands.csv",
-          "out/tables/mortality.csv", "out/tables/regimes_worst_year.csv", "out/tables/regimes_by_year.csv"},
+          "out/tables/mortality.csv", "out/tables/forest_years.csv", "out/tables/work_by_year.csv",
+          "out/tables/regimes_worst_year.csv", "out/tables/regimes_by_year.csv"},
          run_over_years,
          compare_both},
     };

@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "rockfall/terrain/profile_strip.hpp"
 #include "tests/rockfall/slopes.hpp"
+#include "tests/rockfall/terrain/profiles.hpp"
 
 namespace rockfall::groove_test {
 namespace {
@@ -108,6 +110,31 @@ TEST(RunIfPressed, IsTheLimitOfGoingToAndFro) {
     const double length_m = 90.0 * std::sqrt(1.0 + fall * fall);
     const double squared_end = 16.0 + 2.0 * g * (90.0 * fall - friction * support * length_m);
     EXPECT_NEAR(run->velocity_at(run->duration_s).squaredNorm(), squared_end, 1e-9);
+}
+
+TEST(RunIfPressed, TurnsNoSpeedAcrossALevelEdgeIntoOneAlongIt) {
+    // Walls of 80 degrees: what falls down one of them has hardly any speed in plan.
+    const Terrain crack = gully_of_two_faces(0.0, 5.67);
+    const Eigen::Vector3d down_the_wall = 0.02 * Eigen::Vector3d{0.0, 1.0, 5.67}.normalized();
+    const auto run = run_if_pressed(crack, 1, 0, {60.0, 0.0, 0.0}, down_the_wall, {0.5, 1.0, true});
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->end, RollingEnd::standstill);
+    EXPECT_EQ(run->duration_s, 0.0);
+    EXPECT_EQ(run->velocity_mps, Eigen::Vector3d::Zero());
+}
+
+/// A level crack of 2 cm across the strip, 6 m deep below the upper and 2 m below the lower side.
+const std::vector<ProfilePoint> crack_profile{
+    {0.0, 20.0, 0}, {20.0, 16.0, 0}, {20.01, 10.0, 0}, {20.02, 12.0, 0}, {40.0, 8.0, 0}};
+
+TEST(RunAlongGroove, IsNoneInACrackWithALevelFloor) {
+    const Slope slope = strip_slope(crack_profile, {testing::ground({0.3, 0.8})});
+    for (const double x_m : {20.002, 20.008, 20.01, 20.014}) {
+        const auto triangle = slope.terrain.locate(x_m, 0.0);
+        ASSERT_TRUE(triangle);
+        const Eigen::Vector3d place{x_m, 0.0, slope.terrain.plane_of(*triangle).height_m(x_m, 0.0)};
+        EXPECT_FALSE(run_along_groove(slope.terrain, *triangle, place, 0.5, {0.3})) << x_m;
+    }
 }
 
 TEST(RunIfPressed, KeepsItsSpeedOnTheWayUpAndStops) {

@@ -55,19 +55,6 @@ inline std::vector<ProfilePoint> random_profile(std::uint64_t seed) {
     return profile;
 }
 
-/// Whether a cliff and a wall of 1 cm in plan stand next to each other: a crack narrower than any rock.
-inline bool has_crack(const std::vector<ProfilePoint>& profile) {
-    const auto is_steep = [&](std::size_t k) {
-        return profile[k].distance_m - profile[k - 1].distance_m < 0.1;
-    };
-    for (std::size_t k = 2; k < profile.size(); ++k) {
-        if (is_steep(k - 1) && is_steep(k)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// Straight between the corners.
 inline double height_on(const std::vector<ProfilePoint>& profile, double distance_m) {
     const auto next = std::upper_bound(profile.begin() + 1, profile.end() - 1, distance_m,
