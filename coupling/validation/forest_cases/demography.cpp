@@ -8,6 +8,7 @@
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/demography_trial/trial.hpp"
 #include "coupling/validation/forest_cases/level_forest.hpp"
+#include "coupling/validation/forest_cases/unknown_columns.hpp"
 
 namespace coupling::validation::forest_cases {
 
@@ -54,12 +55,15 @@ bool mortality_agrees(double ratio) {
     return ratio >= 1.0 / factor && ratio <= factor;
 }
 
+std::vector<std::string> cell_columns() {
+    return {"species", "place",        "degree_days",     "wetness",
+            "dbh_cm",  "larger_m2pha", "growth_mm_pyear", "mortality_pyear"};
+}
+
 std::vector<DemographyCell> read_cells(const config::Table& table, const forest::SpeciesTable& species,
                                        bool edges) {
     config::Problems problems;
-    if (!table.require({"species", "place", "degree_days", "wetness", "dbh_cm", "larger_m2pha",
-                        "growth_mm_pyear", "mortality_pyear"},
-                       problems)) {
+    if (!table.require(cell_columns(), problems)) {
         problems.throw_if_any();
     }
     const auto number = [&](std::size_t row, const char* column, double low, double high) {
@@ -199,11 +203,14 @@ Comparison read_demography(const CaseFiles& files, const DemographySettings& set
     auto data = std::make_shared<DemographyData>();
     config::Warnings warnings;
     data->species = species_of(files);
-    data->cells = read_cells(table_of(files, "reference.csv"), data->species, settings.edges);
+    const config::Table reference = table_of(files, "reference.csv");
+    warn_of_unknown_columns(reference, cell_columns(), warnings);
+    data->cells = read_cells(reference, data->species, settings.edges);
     data->climate = forest::read_climate_of_one_place(table_of(files, "climate.csv"), warnings).years;
     data->parameters = parameters;
     data->settings = settings;
     Comparison comparison;
+    comparison.warnings = warnings.sentences();
     add_figures(comparison, *data);
     comparison.extent = joined(std::to_string(data->cells.size()), " sizes and competitions, ",
                                std::to_string(settings.seeds), " stands each over ",

@@ -99,4 +99,22 @@ void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const
     }
 }
 
+void check_temperature_seasons(double latitude_deg, const config::Place& latitude, const std::string& field,
+                               const forest::ClimateSeries& climate, const std::string& climate_file,
+                               config::Problems& problems) {
+    constexpr double clear_k = 3.0;
+    const auto mean_of_month_degc = [&](std::size_t month) {
+        double sum_degc = 0.0;
+        for (const forest::ClimateYear& year : climate.years) {
+            sum_degc += year.months[month].tave_degc;
+        }
+        return sum_degc / static_cast<double>(climate.years.size());
+    };
+    check_hemisphere({.latitude_deg = latitude_deg,
+                      .january = mean_of_month_degc(0),
+                      .july = mean_of_month_degc(6),
+                      .clear = clear_k},
+                     latitude, field, climate_file, problems);
+}
+
 }  // namespace coupling::validation::forest_cases

@@ -4,6 +4,7 @@
 
 #include "config/errors/warnings.hpp"
 #include "config/table/table.hpp"
+#include "forest/climate/series.hpp"
 
 namespace coupling::validation::forest_cases {
 
@@ -38,5 +39,10 @@ bool seasons_contradict(const Hemisphere& at);
 /// `series_file` contradict it.
 void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const std::string& field,
                       const std::string& series_file, config::Problems& problems);
+
+/// The same for the temperatures of `climate`; 3 K leave no doubt.
+void check_temperature_seasons(double latitude_deg, const config::Place& latitude, const std::string& field,
+                               const forest::ClimateSeries& climate, const std::string& climate_file,
+                               config::Problems& problems);
 
 }  // namespace coupling::validation::forest_cases

@@ -3,6 +3,8 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
+#include "coupling/validation/forest_cases/plot_checks.hpp"
+#include "coupling/validation/forest_cases/unknown_columns.hpp"
 #include "coupling/validation/forest_cases/yield_pages.hpp"
 
 namespace coupling::validation::forest_cases {
@@ -200,6 +202,21 @@ void check_ages(const YieldData& data, const CaseFiles& files) {
     }
 }
 
+/// Of sites that say where they lie.
+void check_latitudes(const YieldData& data, const config::Table& sites, const CaseFiles& files) {
+    if (!sites.has("latitude_deg") || data.tables.climates.empty()) {
+        return;
+    }
+    config::Problems problems;
+    for (std::size_t row = 0; row < sites.rows(); ++row) {
+        check_temperature_seasons(data.tables.sites[row].latitude.in_degrees(),
+                                  sites.place(row, "latitude_deg"),
+                                  joined("latitude_deg ", sites.text(row, "latitude_deg")),
+                                  data.tables.climates.front(), files.shown("climate.csv"), problems);
+    }
+    problems.throw_if_any();
+}
+
 }  // namespace
 
 Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
@@ -207,9 +224,13 @@ Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
     auto data = std::make_shared<YieldData>();
     config::Warnings warnings;
     data->species = species_of(files);
-    data->tables = {yield_trial::read_yield_sites(table_of(files, "sites.csv"), data->species),
-                    yield_trial::read_yield_rows(table_of(files, "yield_tables.csv")),
+    const config::Table sites = table_of(files, "sites.csv");
+    warn_of_unknown_columns(sites, yield_trial::site_columns(), warnings);
+    const config::Table rows = table_of(files, "yield_tables.csv");
+    warn_of_unknown_columns(rows, yield_trial::row_columns(), warnings);
+    data->tables = {yield_trial::read_yield_sites(sites, data->species), yield_trial::read_yield_rows(rows),
                     forest::read_climate(table_of(files, "climate.csv"), warnings), parameters};
+    check_latitudes(*data, sites, files);
     data->ages_years = settings.ages_years.empty() ? ages_of_tables(data->tables)
                                                    : rising("yield.ages_years", settings.ages_years);
     check_ages(*data, files);
@@ -220,6 +241,7 @@ Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
     check_rows(*data, files);
     check_drawn(data->drawn_ages_years, data->ages_years);
     Comparison comparison;
+    comparison.warnings = warnings.sentences();
     for (const YieldSite& site : data->tables.sites) {
         add_figures(comparison, *data, site);
     }

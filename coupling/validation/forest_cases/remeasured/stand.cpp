@@ -275,24 +275,11 @@ void read_saplings(const Table& table, const forest::SpeciesTable& species, Meas
     problems.throw_if_any();
 }
 
-/// Means of all years [degC].
-double mean_of_month(const forest::ClimateSeries& climate, std::size_t month) {
-    double sum_degc = 0.0;
-    for (const forest::ClimateYear& year : climate.years) {
-        sum_degc += year.months[month].tave_degc;
-    }
-    return sum_degc / static_cast<double>(climate.years.size());
-}
-
-void check_seasons(const MeasuredStand& stand, const Table& site, const Table& climate) {
-    constexpr double clear_k = 3.0;
+void check_seasons_of(const MeasuredStand& stand, const Table& site, const Table& climate) {
     Problems problems;
-    check_hemisphere({.latitude_deg = stand.latitude.in_degrees(),
-                      .january = mean_of_month(stand.climate, 0),
-                      .july = mean_of_month(stand.climate, 6),
-                      .clear = clear_k},
-                     site.place(0, "latitude_deg"), joined("latitude_deg ", site.text(0, "latitude_deg")),
-                     climate.file(), problems);
+    check_temperature_seasons(stand.latitude.in_degrees(), site.place(0, "latitude_deg"),
+                              joined("latitude_deg ", site.text(0, "latitude_deg")), stand.climate,
+                              climate.file(), problems);
     problems.throw_if_any();
 }
 
@@ -349,7 +336,7 @@ MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::Sp
         read_saplings(*tables.saplings, species, stand, problems);
     }
     read_weather(tables.climate, stand, warnings);
-    check_seasons(stand, tables.site, tables.climate);
+    check_seasons_of(stand, tables.site, tables.climate);
     warn_of_shared_places(tables.trees, warnings);
     warn_of_empty_edges(tables.trees, {stand.width_m, stand.length_m}, tables.site.file(), warnings);
     return stand;

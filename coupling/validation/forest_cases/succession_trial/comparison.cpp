@@ -61,6 +61,11 @@ double greatest_share_outside(const SpeciesGroup& group, std::vector<double> bio
 
 }  // namespace
 
+std::vector<std::string> site_columns() {
+    return {"site", "elevation_m", "fertility",  "water_mm", "nitrogen_kg_ha_yr",
+            "ph",   "warmer_k",    "rain_factor"};
+}
+
 std::vector<SuccessionSite> read_succession_sites(const config::Table& table) {
     require(table, {"site", "elevation_m", "fertility", "water_mm", "nitrogen_kg_ha_yr", "ph"});
     config::Problems problems;

@@ -48,6 +48,8 @@ struct SuccessionCase {
 /// and rain_factor: another climate than that of the case at the elevation. Each reader throws one InputError
 /// (data) for all problems.
 std::vector<SuccessionSite> read_succession_sites(const config::Table& table);
+/// The columns that it knows, `warmer_k` and `rain_factor` where they are there.
+std::vector<std::string> site_columns();
 /// Reads site,group,species (codes or names of one word, separated by blanks); other columns are read over.
 std::vector<SpeciesGroup> read_species_groups(const config::Table& table,
                                               const forest::SpeciesTable& species);

@@ -74,6 +74,16 @@ bool agrees(double simulated, double published) {
 
 }  // namespace
 
+std::vector<std::string> site_columns() {
+    return {"site",  "species", "elevation_m",       "fertility",
+            "table", "class",   "nitrogen_kg_ha_yr", "latitude_deg"};
+}
+
+std::vector<std::string> row_columns() {
+    return {"table",     "class",       "age_years",    "mean_height_m",
+            "stems_pha", "mean_dbh_cm", "volume_m3pha", "basal_area_m2pha"};
+}
+
 std::vector<YieldSite> read_yield_sites(const config::Table& table, const SpeciesTable& species) {
     require(table, {"site", "species", "elevation_m", "fertility", "table", "class"});
     config::Problems problems;

@@ -47,6 +47,10 @@ enum class Treatment : std::uint8_t {
     left_alone,
 };
 
+/// The columns that the readers below know.
+std::vector<std::string> site_columns();
+std::vector<std::string> row_columns();
+
 /// Reads site,species,elevation_m,fertility,table,class and, where they are there, nitrogen_kg_ha_yr and
 /// latitude_deg. Each reader throws one InputError (data) for all problems.
 std::vector<YieldSite> read_yield_sites(const config::Table& table, const forest::SpeciesTable& species);
