@@ -37,8 +37,8 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
 /// `shortest_rolling_piece_s`: it would go to and fro in ever smaller steps. The run is the limit of these:
 /// speed is kept and goes along the edge, friction is that of the two faces by turns, so that where steps end
 /// and the run begins changes nothing. It leads to the end of the edge (`end` is `edge`) or to a standstill;
-/// a rock that stands, or comes straight across the edge, sets off downwards if gravity along the edge exceeds friction, and else stays (a
-/// standstill in no time). Choice; no published law.
+/// a rock that stands, or comes straight across the edge, sets off downwards if gravity along the edge
+/// exceeds friction, and else stays (a standstill in no time). Choice; no published law.
 std::optional<RollingPiece> run_if_pressed(const Terrain& terrain, std::uint32_t from, std::uint32_t triangle,
                                            const Eigen::Vector3d& position_m,
                                            const Eigen::Vector3d& velocity_mps, const GrooveLaw& law);

@@ -24,8 +24,8 @@ struct OddTrees {
 OddTrees odd_trees(const config::Table& table);
 
 /// Lines of stand records whose trees of 10 cm or more are on the mean less than 15 or more than 120 times as
-/// high as thick [choice]; dense young stands reach 110. Reads `mean_dbh_cm` and `mean_height_m`; rows without
-/// both are passed over.
+/// high as thick [choice]; dense young stands reach 110. Reads `mean_dbh_cm` and `mean_height_m`; rows
+/// without both are passed over.
 std::vector<std::size_t> odd_mean_trees(const config::Table& table);
 
 }  // namespace coupling::plausible

@@ -27,7 +27,8 @@ std::string plain(double value, int decimals) {
             .ptr;
     std::string text{digits.data(), end};
     // A small negative number that is rounded away reads as 0, not as -0.0.
-    return text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos ? text.substr(1) : text;
+    return text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos ? text.substr(1)
+                                                                                       : text;
 }
 
 }  // namespace
