@@ -29,7 +29,8 @@ struct Figure {
     double high = std::numeric_limits<double>::quiet_NaN();
     bool is_interval = false;  ///< low and high: 95 % interval; otherwise the range of nine replicates in ten
     int year = -1;             ///< the worst one; -1: none
-    std::map<long long, double> by_replicate{};  ///< means over years by the number of the replicate
+    std::map<long long, double> by_replicate{};  ///< values by the number of the replicate
+    bool is_part = false;    ///< of a whole such as all species or causes: 0 where a run has no such part
     std::string why_none{};  ///< why there is no value, such as too few rocks; may be empty
 };
 

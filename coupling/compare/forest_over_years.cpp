@@ -33,8 +33,8 @@ Member member_of(const config::Table& table, std::size_t row) {
     return {table.text(row, "regime"), climate_of(table, row), table.text(row, "replicate")};
 }
 
-/// Values by name of all members; what a member lacks is 0: a species that it has not, a cause of which
-/// nothing died.
+/// Parts of a whole by name, of all members: species, causes of death, kinds of work. What a member lacks is
+/// 0.
 class ByName {
 public:
     void add(const std::string& name, const Member& member, double value) {
@@ -47,8 +47,9 @@ public:
         for (const std::string& name : names_) {
             for (const Member& member : members) {
                 const auto found = values_.find({name, member});
-                means.add(member.key(name, when), member.replicate,
-                          found == values_.end() ? 0.0 : found->second);
+                const FigureKey key = member.key(name, when);
+                means.add(key, member.replicate, found == values_.end() ? 0.0 : found->second);
+                means.mark_as_part(key);
             }
         }
     }
@@ -65,7 +66,7 @@ std::vector<Member> add_stands(const fs::path& folder, std::uint32_t years, Mean
                    {"regime", "replicate", "year", "stand", "species", "basal_area_m2pha", "volume_m3pha"});
     const std::string last = std::to_string(years);
     std::vector<Member> members;
-    ByName at_the_end;
+    ByName species_at_the_end;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         if (table.text(row, "stand") != "all") {
             continue;
@@ -76,7 +77,8 @@ std::vector<Member> add_stands(const fs::path& folder, std::uint32_t years, Mean
         const bool is_last = table.text(row, "year") == last;
         const double volume_m3pha = number(table, row, "volume_m3pha");
         if (species != "all") {
-            at_the_end.add(joined("volume_", species, "_m3pha"), member, is_last ? volume_m3pha : 0.0);
+            species_at_the_end.add(joined("volume_", species, "_m3pha"), member,
+                                   is_last ? volume_m3pha : 0.0);
             continue;
         }
         if (std::find(members.begin(), members.end(), member) == members.end()) {
@@ -85,10 +87,12 @@ std::vector<Member> add_stands(const fs::path& folder, std::uint32_t years, Mean
         for (const char* figure : {"basal_area_m2pha", "volume_m3pha"}) {
             const double value = number(table, row, figure);
             means.add(member.key(figure, over_years), member.replicate, value);
-            at_the_end.add(figure, member, is_last ? value : 0.0);
+            if (is_last) {
+                means.add(member.key(figure, last_year), member.replicate, value);
+            }
         }
     }
-    at_the_end.give(members, last_year, means);
+    species_at_the_end.give(members, last_year, means);
     return members;
 }
 

@@ -22,6 +22,12 @@ void MeansOverYears::add(const FigureKey& key, const std::string& replicate, dou
     ++count;
 }
 
+void MeansOverYears::mark_as_part(const FigureKey& key) {
+    if (std::find(parts_.begin(), parts_.end(), key) == parts_.end()) {
+        parts_.push_back(key);
+    }
+}
+
 void MeansOverYears::finish() {
     for (std::size_t i = 0; i < sums_.size(); ++i) {
         auto& [key, replicates] = sums_[i];
@@ -30,12 +36,14 @@ void MeansOverYears::finish() {
             means[replicate] = sum.first / static_cast<double>(sum.second);
         }
         figures_.push_back(over_replicates(key, std::move(means)));
+        figures_.back().is_part = std::find(parts_.begin(), parts_.end(), key) != parts_.end();
         if (std::isnan(figures_.back().value)) {
             figures_.back().why_none = why_none_[static_cast<std::ptrdiff_t>(i)];
         }
     }
     sums_.clear();
     why_none_.clear();
+    parts_.clear();
 }
 
 }  // namespace coupling::compare

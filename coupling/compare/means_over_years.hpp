@@ -20,6 +20,9 @@ public:
     void add(const FigureKey& key, const std::string& replicate, double value,
              const std::string& why_none = "");
 
+    /// The figures of a key are parts of a whole (`Figure::is_part`).
+    void mark_as_part(const FigureKey& key);
+
     /// Appends the figures and forgets their sums.
     void finish();
 
@@ -27,6 +30,7 @@ private:
     std::vector<Figure>& figures_;
     std::vector<std::pair<FigureKey, std::map<long long, std::pair<double, std::size_t>>>> sums_;
     std::map<std::ptrdiff_t, std::string> why_none_;  ///< by place in sums_
+    std::vector<FigureKey> parts_;
 };
 
 }  // namespace coupling::compare

@@ -35,9 +35,10 @@ void add_protection_over_years(const fs::path& folder, MeansOverYears& means) {
     }
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const bool too_few = too_few_for_protection(bare[place_of(row)]);
-        means.add(key_of(row), table.text(row, "replicate"),
-                  too_few ? unknown : number(table, row, "protection_percent"),
-                  "in every year too few rocks arrive over the bare slope for a protection figure");
+        means.add(
+            key_of(row), table.text(row, "replicate"),
+            too_few ? std::numeric_limits<double>::quiet_NaN() : number(table, row, "protection_percent"),
+            "in every year too few rocks arrive over the bare slope for a protection figure");
     }
 }
 

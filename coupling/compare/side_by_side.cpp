@@ -125,8 +125,8 @@ void judge(SideBySide& comparison, std::span<const FinishedRun> runs) {
                 joined("the ", what, " differ (", d.what, ": ", pair(comparison, d), ")"));
         }
         if (d.what == "run.years" || d.what == "run.rockfall_every") {
-            comparison.not_comparable.push_back(
-                joined("means and worst years are taken over different years (", pair(comparison, d), ")"));
+            comparison.not_comparable.push_back(joined(
+                "means, last and worst years are taken from different years (", pair(comparison, d), ")"));
         }
     }
     for (const Disagreement& d : comparison.settings) {
@@ -152,26 +152,52 @@ const Figure* find(const FinishedRun& run, const FigureKey& key) {
     return found == run.figures.end() ? nullptr : &*found;
 }
 
-/// The order of the first run, then what only later ones know.
+/// 0 for a part of a whole, such as a species, that a run lacks while it has the whole: the replicates are
+/// those of the wood in the same regime and climate.
+std::optional<Figure> without_part(const FinishedRun& run, const Figure& part) {
+    const FigureKey whole{"", part.key.regime, "volume_m3pha", over_years, part.key.climate};
+    const Figure* wood = part.is_part ? find(run, whole) : nullptr;
+    if (wood == nullptr) {
+        return std::nullopt;
+    }
+    std::map<long long, double> zeros = wood->by_replicate;
+    for (auto& [replicate, value] : zeros) {
+        value = 0.0;
+    }
+    Figure figure = over_replicates(part.key, std::move(zeros));
+    figure.is_part = true;
+    return figure;
+}
+
+Line line_of(const Figure& figure, std::span<const FinishedRun> runs, bool paired) {
+    Line line{figure.key, {}, {}};
+    for (const FinishedRun& run : runs) {
+        const Figure* here = find(run, figure.key);
+        line.figures.push_back(here == nullptr ? without_part(run, figure) : std::optional{*here});
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto& here = line.figures[i];
+        const auto& first = line.figures.front();
+        line.differences.push_back(i == 0 || !here || !first ? std::nullopt
+                                                             : difference(*here, *first, paired));
+    }
+    return line;
+}
+
+/// The order of the first run; what only later ones know stands behind what comes before it there.
 std::vector<Line> lines_of(std::span<const FinishedRun> runs, bool paired) {
     std::vector<Line> lines;
     for (const FinishedRun& run : runs) {
+        auto next = static_cast<std::ptrdiff_t>(lines.size());
         for (const Figure& figure : run.figures) {
-            const bool known = std::any_of(lines.begin(), lines.end(),
-                                           [&](const Line& line) { return line.key == figure.key; });
-            if (known) {
+            const auto known = std::find_if(lines.begin(), lines.end(),
+                                            [&](const Line& line) { return line.key == figure.key; });
+            if (known != lines.end()) {
+                next = known - lines.begin() + 1;
                 continue;
             }
-            Line line{figure.key, {}, {}};
-            for (const FinishedRun& other : runs) {
-                const Figure* here = find(other, figure.key);
-                const Figure* first = find(runs.front(), figure.key);
-                line.figures.push_back(here == nullptr ? std::nullopt : std::optional{*here});
-                line.differences.push_back(here == nullptr || first == nullptr || &other == &runs.front()
-                                               ? std::nullopt
-                                               : difference(*here, *first, paired));
-            }
-            lines.push_back(std::move(line));
+            lines.insert(lines.begin() + next, line_of(figure, runs, paired));
+            ++next;
         }
     }
     // Figures of a target, regime and climate stand together.
@@ -223,9 +249,9 @@ std::optional<Difference> difference(const Figure& figure, const Figure& first, 
 }
 
 bool is_nothing_everywhere(const Line& line) {
-    return line.key.target.empty() && line.key.when != worst_year &&
-           std::all_of(line.figures.begin(), line.figures.end(),
-                       [](const std::optional<Figure>& figure) { return !figure || figure->value == 0.0; });
+    return std::all_of(line.figures.begin(), line.figures.end(), [](const std::optional<Figure>& figure) {
+        return !figure || (figure->is_part && figure->value == 0.0);
+    });
 }
 
 bool all_of_one_replicate(std::span<const FinishedRun> runs) {

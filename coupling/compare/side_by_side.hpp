@@ -33,8 +33,7 @@ struct Line {
     std::vector<std::optional<Difference>> differences;  ///< by run; none for the first
 };
 
-/// A mean of the forest that is 0 in all runs, such as timber where nobody works: tables for people leave it
-/// out.
+/// A part that is 0 in all runs, such as timber where nobody works: tables for people leave it out.
 bool is_nothing_everywhere(const Line& line);
 
 /// A setting or input that is not the same in all runs; by run, "–" where a run has none.

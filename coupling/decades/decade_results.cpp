@@ -88,8 +88,7 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
                                     const std::optional<forest::TargetProfile>& profile,
                                     std::span<const NaisCell> nais) {
     std::vector<Section> sections;
-    const bool has_protection = results.rocks > 0 && !results.site.targets.empty();
-    if (has_protection) {
+    if (results.rocks > 0 && !results.site.targets.empty()) {
         sections.push_back({report::page_text("decades.answers.protection_over_the_years"),
                             protection_over_years(results.names, results.site, series, results.members)});
     }
@@ -104,8 +103,8 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
     if (std::string html = nais_table(results.names, nais); !html.empty()) {
         sections.push_back({report::page_text("decades.nais.heading"), std::move(html)});
     }
-    sections.push_back({report::page_text(has_protection ? "decades.indicators.heading"
-                                                         : "decades.indicators.heading_forest"),
+    sections.push_back({report::page_text(has_protection(series) ? "decades.indicators.heading"
+                                                                 : "decades.indicators.heading_forest"),
                         indicator_table(results.names, results.site, series)});
     return sections;
 }

@@ -97,15 +97,16 @@ void check_listed_trees(const Regime& regime, const ForestSite& forest, Reading&
 
 /// Trees of a recorded cut whose year the run does not reach stay: said, as a run that was shortened would
 /// otherwise look like a lighter cut.
-void warn_of_cuts_after_the_run(const Regime& regime, Reading& reading) {
+void warn_of_cuts_after_the_run(const Regime& regime, const ForestSite& forest, Reading& reading) {
     const auto last_year = static_cast<int>(reading.scenario().years);
     for (const Intervention& row : regime.interventions()) {
         const auto late = std::count_if(row.listed.begin(), row.listed.end(),
                                         [&](const ListedTree& tree) { return tree.year > last_year; });
         if (late > 0) {
             reading.warn(joined(row.trees, ": ", counted(static_cast<std::size_t>(late), "tree"),
-                                " felled after the last year of the run, ", std::to_string(last_year),
-                                ", left standing; let the run be longer (run.years) to fell all"));
+                                " to be felled after the last year of the run, ", std::to_string(last_year),
+                                " (", std::to_string(forest.first_year() - 1 + last_year),
+                                "); extend the run (run.years) to fell all"));
         }
     }
 }
@@ -168,7 +169,7 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
             refuse_entry(entry, "regimes of different names, none of them 'bare'", reading);
         }
         warn_of_short_turns(*regime, reading);
-        warn_of_cuts_after_the_run(*regime, reading);
+        warn_of_cuts_after_the_run(*regime, forest, reading);
         check_listed_trees(*regime, forest, reading);
         management.regimes.push_back(std::move(*regime));
     }

@@ -259,12 +259,12 @@ private:
 void doubt_odd_means(const config::Table& table, Reading& reading) {
     const std::vector<std::size_t> lines = plausible::odd_mean_trees(table);
     if (!lines.empty()) {
-        reading.doubt(
-            {table.file(), lines.front()},
-            joined(counted(lines.size(), "stand record"),
-                   " with a mean height that is less than 15 or more than 120 times the mean diameter"),
-            "stands whose trees are on the mean 40 to 110 times as high as thick",
-            "check mean_dbh_cm (cm) and mean_height_m (m): are the columns swapped?");
+        reading.doubt({table.file(), lines.front()},
+                      joined(counted(lines.size(), "stand record"),
+                             " with a mean tree that is less than 15 or more than 100 (thin trees: 120) "
+                             "times as high as thick"),
+                      "mean trees 40 to 100 times as high as thick, thin ones up to 120",
+                      "check mean_dbh_cm (cm) and mean_height_m (m): are the columns swapped?");
     }
 }
 

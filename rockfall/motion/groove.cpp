@@ -72,11 +72,16 @@ struct Way {
     std::uint32_t triangle = no_triangle;
 };
 
-/// Ends nearer than `reach_m` lead nowhere.
-void consider(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double reach_m, std::uint32_t triangle,
-              Way& best) {
-    const double length_m = (to - from).head<2>().norm();
-    const double tangent = length_m > reach_m ? (from.z() - to.z()) / length_m : 0.0;
+/// The way from a place near an edge to its end `to`, as steep as both the way and the edge from its point
+/// `foot` on are: a rock on the wall of a crack gets no steeper way than the floor is. Ends nearer than
+/// `reach_m` lead nowhere.
+void consider(const Eigen::Vector3d& from, const Eigen::Vector3d& foot, const Eigen::Vector3d& to,
+              double reach_m, std::uint32_t triangle, Way& best) {
+    const auto fall_tangent = [&](const Eigen::Vector3d& begin) {
+        return (begin.z() - to.z()) / (to - begin).head<2>().norm();
+    };
+    const bool leads_away = (to - from).head<2>().norm() > reach_m;
+    const double tangent = leads_away ? std::min(fall_tangent(from), fall_tangent(foot)) : 0.0;
     if (tangent > best.fall_tangent) {
         best = {tangent, to, triangle};
     }
@@ -96,7 +101,8 @@ void consider_edges_at(const Terrain& terrain, std::uint32_t triangle, std::uint
             const Triangle& here = terrain.triangles()[t];
             const int k = corner_number(here, vertex);
             for (const int other : {(k + 1) % 3, (k + 2) % 3}) {
-                consider(position_m, place_of(terrain.vertices()[here.corners[other]]), reach_m, t, best);
+                consider(position_m, place_of(terrain.vertices()[vertex]),
+                         place_of(terrain.vertices()[here.corners[other]]), reach_m, t, best);
             }
             t = here.neighbours[(k + turn) % 3];
         } while (t != no_triangle && t != triangle);
@@ -119,9 +125,8 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
         const Eigen::Vector3d foot = foot_on_edge(position_m, a, b);
         const bool is_near = (foot - position_m).head<2>().norm() < reach_m;
         for (const Eigen::Vector3d& end : {a, b}) {
-            // On a level edge high above its ends, as in a crack, there is no way down along it.
-            if (is_near && end.z() < foot.z() && !is_flat_across(terrain, triangle, i)) {
-                consider(position_m, end, reach_m, triangle, best);
+            if (is_near && !is_flat_across(terrain, triangle, i)) {
+                consider(position_m, foot, end, reach_m, triangle, best);
             }
         }
         if ((a - position_m).head<2>().norm() < reach_m) {
@@ -167,10 +172,10 @@ std::optional<RollingPiece> run_if_pressed(const Terrain& terrain, std::uint32_t
     if (back_mps2 <= 0.0 || forth_mps2 <= 0.0 || !is_back_at_once) {
         return std::nullopt;
     }
-    double speed_mps = velocity_mps.norm();
     Eigen::Vector3d direction = (b - a).normalized();
-    // What goes straight into the groove, as between the steep walls of a crack, has no direction along it.
-    const bool stands = std::abs(direction.dot(velocity_mps)) < standing_in_groove_mps;
+    // What goes straight into the groove, as between the steep walls of a crack, is lost.
+    double speed_mps = std::abs(direction.dot(velocity_mps));
+    const bool stands = speed_mps < standing_in_groove_mps;
     if (stands ? direction.z() > 0.0 : direction.dot(velocity_mps) < 0.0) {
         direction = -direction;
     }

@@ -23,9 +23,11 @@ struct GrooveLaw {
 /// acceleration of rolling, 5/7 g (sin c - mu cos c) with c the dip of the edge (1 for 5/7 where it slides),
 /// and leads into a triangle beyond that end. Choice; no published law.
 ///
-/// Nothing if no edge within `reach_m` (the rock's radius) falls away more steeply than the friction angle:
-/// then the rock lies in a pit, or in a crack with a level floor. Edges between faces of one plane are no
-/// grooves: the mesh alone would choose the way. `end` of the piece is `edge`.
+/// Nothing if no edge within `reach_m` (the rock's radius) falls away more steeply than the friction angle,
+/// itself and from the rock's place on: then the rock lies in a pit, or in a crack with a level floor. Edges
+/// between faces of one plane (to 1e-9 m) are no grooves, as the mesh alone would choose the way; those that
+/// meet at a vertex within reach are looked at all the same, and so is the border. `end` of the piece is
+/// `edge`.
 std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32_t triangle,
                                              const Eigen::Vector3d& position_m, double reach_m,
                                              const GrooveLaw& law);
@@ -35,10 +37,10 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
 /// `velocity_mps` lies in the face of `triangle`, which the rock has just entered from its neighbour `from`.
 /// It is pressed where gravity leads to the edge on both faces and the rock would be back at it within
 /// `shortest_rolling_piece_s`: it would go to and fro in ever smaller steps. The run is the limit of these:
-/// speed is kept and goes along the edge, friction is that of the two faces by turns, so that where steps end
-/// and the run begins changes nothing. It leads to the end of the edge (`end` is `edge`) or to a standstill;
-/// a rock that stands, or comes straight across the edge, sets off downwards if gravity along the edge
-/// exceeds friction, and else stays (a standstill in no time). Choice; no published law.
+/// the speed along the edge is kept, that across it is lost, friction is that of the two faces by turns. It
+/// leads to the end of the edge (`end` is `edge`) or to a standstill; a rock without speed along the edge
+/// sets off downwards if gravity along the edge exceeds friction, and else stays (a standstill in no time).
+/// Choice; no published law.
 std::optional<RollingPiece> run_if_pressed(const Terrain& terrain, std::uint32_t from, std::uint32_t triangle,
                                            const Eigen::Vector3d& position_m,
                                            const Eigen::Vector3d& velocity_mps, const GrooveLaw& law);

@@ -95,11 +95,12 @@ TEST(ForestExample, SaysWhichRecordedCutsComeAfterItsEnd) {
     const Outcome late = told("2");
     EXPECT_EQ(late.code, 0) << late.err;
     EXPECT_NE((late.out + late.err)
-                  .find("felled.csv: 1 tree felled after the last year of the run, 2, left standing"),
+                  .find("felled.csv: 1 tree to be felled after the last year of the run, 2 (2012)"),
               std::string::npos)
         << late.out << late.err;
     const Outcome whole = told("30");
-    EXPECT_EQ((whole.out + whole.err).find("left standing"), std::string::npos) << whole.out << whole.err;
+    EXPECT_EQ((whole.out + whole.err).find("to be felled after"), std::string::npos)
+        << whole.out << whole.err;
 }
 
 TEST(ForestExample, BeginsWithTheMappedTrees) {

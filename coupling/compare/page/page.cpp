@@ -169,20 +169,29 @@ std::string title_of(const FigureKey& key) {
                           course_name(key.regime, key.climate)));
 }
 
-std::string figures(const SideBySide& comparison, bool over_years, bool one_replicate) {
+/// "" for figures of today.
+std::string when_in_words(const std::string& when) {
+    return when == over_years   ? report::page_text("compare.page.mean_over_years")
+           : when == last_year  ? report::page_text("compare.page.last_year")
+           : when == worst_year ? report::page_text("compare.page.worst_year")
+                                : std::string{};
+}
+
+std::string figures(const SideBySide& comparison, bool has_years, bool one_replicate) {
     std::vector<std::string> head{report::page_text("compare.page.figure")};
     add_names(comparison, head);
     for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
         head.push_back(joined(comparison.letters[i], " − A"));
     }
-    HtmlTable table{
+    const std::string caption =
         one_replicate
             ? std::string{report::page_text("compare.page.one_replicate_no_intervals")}
             : report::page_text(
                   "compare.page.in_brackets_95_interval_of_the",
                   {{"part",
-                    over_years ? report::page_text("compare.page.and_years_over_the_replicates") : ""}}),
-        head};
+                    has_years ? report::page_text("compare.page.and_years_over_the_replicates") : ""}});
+    HtmlTable table{
+        has_years ? joined(caption, " ", report::page_text("compare.page.over_years_parts")) : caption, head};
     std::string title;
     for (const Line& line : comparison.lines) {
         if (is_nothing_everywhere(line)) {
@@ -192,9 +201,8 @@ std::string figures(const SideBySide& comparison, bool over_years, bool one_repl
             title = title_of(line.key);
             table.group(title);
         }
-        std::vector<std::string> cells{
-            joined(escaped(line.key.quantity), line.key.when == "today" ? "" : ", ",
-                   line.key.when == "today" ? std::string{} : escaped(line.key.when))};
+        const std::string when = when_in_words(line.key.when);
+        std::vector<std::string> cells{joined(escaped(line.key.quantity), when.empty() ? "" : ", ", when)};
         for (const auto& figure : line.figures) {
             cells.push_back(in_words(figure));
         }

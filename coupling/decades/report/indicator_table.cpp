@@ -48,6 +48,12 @@ std::string indicator_cell(const Series& series, std::size_t course, std::int32_
 
 }  // namespace
 
+bool has_protection(std::span<const Series> all_series) {
+    return std::any_of(all_series.begin(), all_series.end(), [](const Series& series) {
+        return series.quantity == "protection_percent" && !years_of(series).empty();
+    });
+}
+
 std::string indicator_table(const Names& names, const Site& site, std::span<const Series> all_series) {
     const auto stand = std::find_if(all_series.begin(), all_series.end(), [](const Series& series) {
         return series.quantity == "hd_above_90_percent";
@@ -70,8 +76,8 @@ std::string indicator_table(const Names& names, const Site& site, std::span<cons
     for (const std::int32_t year : years) {
         head.push_back(page_text("common.year", {{"year", std::to_string(year)}}));
     }
-    report::HtmlTable table{page_text(protection == all_series.end() ? "decades.indicators.caption_forest"
-                                                                     : "decades.indicators.caption"),
+    report::HtmlTable table{page_text(has_protection(all_series) ? "decades.indicators.caption"
+                                                                 : "decades.indicators.caption_forest"),
                             head};
     for (const Indicator& indicator : indicators_of_page) {
         for (const Series& series : all_series) {

@@ -13,7 +13,8 @@ constexpr double least_slenderness = 15.0;
 constexpr double slender_from_cm = 20.0;
 constexpr double most_slenderness = 110.0;
 constexpr std::size_t few_trees = 5;
-constexpr double most_mean_slenderness = 120.0;
+constexpr double most_of_mean_pole = 120.0;
+constexpr double most_of_mean_tree = 100.0;
 
 std::optional<double> number_in(const config::Table& table, std::size_t row, const char* column) {
     return table.has(column) ? config::parse_number(table.text(row, column)) : std::nullopt;
@@ -55,7 +56,8 @@ std::vector<std::size_t> odd_mean_trees(const config::Table& table) {
             continue;
         }
         const double slenderness = 100.0 * *height_m / dbh_cm;
-        if (slenderness < least_slenderness || slenderness > most_mean_slenderness) {
+        const double most = dbh_cm < slender_from_cm ? most_of_mean_pole : most_of_mean_tree;
+        if (slenderness < least_slenderness || slenderness > most) {
             lines.push_back(table.place(row, "mean_dbh_cm").line);
         }
     }

@@ -23,9 +23,9 @@ struct OddTrees {
 /// where the table has them; what is no number counts as unknown.
 OddTrees odd_trees(const config::Table& table);
 
-/// Lines of stand records whose trees of 10 cm or more are on the mean less than 15 or more than 120 times as
-/// high as thick [choice]; dense young stands reach 110. Reads `mean_dbh_cm` and `mean_height_m`; rows
-/// without both are passed over.
+/// Lines of stand records whose mean tree is less than 15 times as high as thick, or more than 120 times,
+/// from 20 cm on more than 100 times [choice]: dense pole stands reach 110. Below 10 cm nothing is odd. Reads
+/// `mean_dbh_cm` and `mean_height_m`; rows without both are passed over.
 std::vector<std::size_t> odd_mean_trees(const config::Table& table);
 
 }  // namespace coupling::plausible

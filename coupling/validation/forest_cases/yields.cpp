@@ -202,17 +202,24 @@ void check_ages(const YieldData& data, const CaseFiles& files) {
     }
 }
 
-/// Of sites that say where they lie.
 void check_latitudes(const YieldData& data, const config::Table& sites, const CaseFiles& files) {
-    if (!sites.has("latitude_deg") || data.tables.climates.empty()) {
-        return;
-    }
+    const bool is_given = sites.has("latitude_deg");
     config::Problems problems;
-    for (std::size_t row = 0; row < sites.rows(); ++row) {
-        check_temperature_seasons(data.tables.sites[row].latitude.in_degrees(),
-                                  sites.place(row, "latitude_deg"),
-                                  joined("latitude_deg ", sites.text(row, "latitude_deg")),
-                                  data.tables.climates.front(), files.shown("climate.csv"), problems);
+    for (std::size_t row = 0; row < (is_given ? sites.rows() : std::min<std::size_t>(1, sites.rows()));
+         ++row) {
+        const double latitude_deg = data.tables.sites[row].latitude.in_degrees();
+        const config::Place place = is_given ? sites.place(row, "latitude_deg") : config::Place{sites.file()};
+        const std::string field =
+            is_given ? joined("latitude_deg ", sites.text(row, "latitude_deg"))
+                     : joined("no column latitude_deg, so that ", config::to_text(latitude_deg), " is taken");
+        const std::size_t before = problems.list().size();
+        for (const forest::ClimateSeries& climate : data.tables.climates) {
+            check_temperature_seasons(latitude_deg, place, field, climate, files.shown("climate.csv"),
+                                      problems);
+            if (problems.list().size() > before) {
+                break;  // once for a site
+            }
+        }
     }
     problems.throw_if_any();
 }

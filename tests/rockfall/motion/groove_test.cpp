@@ -121,19 +121,56 @@ TEST(RunIfPressed, TurnsNoSpeedAcrossALevelEdgeIntoOneAlongIt) {
     EXPECT_EQ(run->end, RollingEnd::standstill);
     EXPECT_EQ(run->duration_s, 0.0);
     EXPECT_EQ(run->velocity_mps, Eigen::Vector3d::Zero());
+    // Of what comes askew only the part along the edge goes on.
+    const auto askew = run_if_pressed(crack, 1, 0, {60.0, 0.0, 0.0},
+                                      down_the_wall + Eigen::Vector3d{0.03, 0.0, 0.0}, {0.5, 1.0, true});
+    ASSERT_TRUE(askew);
+    EXPECT_LT((askew->velocity_mps - Eigen::Vector3d{0.03, 0.0, 0.0}).norm(), 1e-12);
 }
 
 /// A level crack of 2 cm across the strip, 6 m deep below the upper and 2 m below the lower side.
 const std::vector<ProfilePoint> crack_profile{
     {0.0, 20.0, 0}, {20.0, 16.0, 0}, {20.01, 10.0, 0}, {20.02, 12.0, 0}, {40.0, 8.0, 0}};
 
-TEST(RunAlongGroove, IsNoneInACrackWithALevelFloor) {
-    const Slope slope = strip_slope(crack_profile, {testing::ground({0.3, 0.8})});
+/// Whether a rock in the crack, anywhere on its walls, is led along it.
+bool leads_along_crack(const Terrain& terrain, double friction) {
+    bool leads = false;
     for (const double x_m : {20.002, 20.008, 20.01, 20.014}) {
-        const auto triangle = slope.terrain.locate(x_m, 0.0);
+        const auto triangle = terrain.locate(x_m, 0.0);
+        const Eigen::Vector3d place{x_m, 0.0, terrain.plane_of(triangle.value()).height_m(x_m, 0.0)};
+        leads = leads || run_along_groove(terrain, *triangle, place, 0.5, {friction});
+    }
+    return leads;
+}
+
+TEST(RunAlongGroove, IsNoneInACrackWhoseFloorIsFlatterThanFriction) {
+    const Terrain level = strip_slope(crack_profile, {testing::ground({0.3, 0.8})}).terrain;
+    EXPECT_FALSE(leads_along_crack(level, 0.3));
+    for (const double dip : {5e-6, 1e-3, 0.27, 0.33}) {
+        std::vector<Vertex> vertices{level.vertices().begin(), level.vertices().end()};
+        for (Vertex& vertex : vertices) {
+            vertex.z_m -= dip * vertex.y_m;
+        }
+        const Terrain tilted{
+            {0.0, 0.0}, std::move(vertices), {level.triangles().begin(), level.triangles().end()}};
+        EXPECT_EQ(leads_along_crack(tilted, 0.3), dip > 0.3) << dip;
+    }
+}
+
+TEST(RunAlongGroove, IsNoneInALevelCrackOverAGrid) {
+    // Cells of one rock diameter: nearly every place is near a vertex, here of the floor at x = 30.5.
+    const config::GridFrame frame{60, 40, 0.0, 0.0, 1.0, 1.0};
+    const Slope slope = testing::slope_over(
+        testing::heights_of(
+            frame, [](double x, double) { return std::abs(x - 30.5) < 0.1 ? 83.0 : 100.0 - 0.4 * x; }),
+        {0.35, 0.85});
+    for (int i = 0; i < 400; ++i) {
+        const double x_m = 30.05 + 0.00225 * i;
+        const double y_m = 15.0 + 0.0237 * i;
+        const auto triangle = slope.terrain.locate(x_m, y_m);
         ASSERT_TRUE(triangle);
-        const Eigen::Vector3d place{x_m, 0.0, slope.terrain.plane_of(*triangle).height_m(x_m, 0.0)};
-        EXPECT_FALSE(run_along_groove(slope.terrain, *triangle, place, 0.5, {0.3})) << x_m;
+        const double z_m = slope.terrain.plane_of(*triangle).height_m(x_m, y_m);
+        EXPECT_FALSE(run_along_groove(slope.terrain, *triangle, {x_m, y_m, z_m}, 0.5, {0.5})) << x_m;
     }
 }
 

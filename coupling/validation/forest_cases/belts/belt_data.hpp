@@ -29,6 +29,7 @@ std::string group_words(std::string name);
 /// "1200 m", or "1200 m, +4 K, rain x 0.7".
 std::string site_words(const succession_trial::SuccessionSite& site);
 double sum_of(const std::vector<double>& values);
+/// Whether the climate of a site is another than that of its elevation.
 bool has_other_climate(const succession_trial::SuccessionSite& site);
 
 }  // namespace coupling::validation::forest_cases::belts

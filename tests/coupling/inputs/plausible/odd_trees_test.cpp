@@ -40,9 +40,9 @@ TEST(OddMeanTrees, AreThoseOfSwappedColumns) {
         return odd_mean_trees(config::Table::read(in, "records.csv"));
     };
     // A dense pole stand, an old stand, a thicket, records without a height or a diameter.
-    const std::string stands = "\n13,14\n52,33\n4,6\n30,\n,20\n";
+    const std::string stands = "\n13,14\n52,33\n30,25\n22.9,18.6\n4,6\n30,\n,20\n";
     EXPECT_TRUE(found("mean_dbh_cm,mean_height_m" + stands).empty());
-    EXPECT_EQ(found("mean_height_m,mean_dbh_cm" + stands), std::vector<std::size_t>{3});
+    EXPECT_EQ(found("mean_height_m,mean_dbh_cm" + stands), (std::vector<std::size_t>{3, 4, 5}));
     EXPECT_EQ(found("mean_dbh_cm,mean_height_m\n229,18.6\n22.9,1.86\n"), (std::vector<std::size_t>{2, 3}));
     EXPECT_TRUE(found("stems_pha,mean_dbh_cm\n500,30\n").empty());
 }
