@@ -1,7 +1,9 @@
 #include "coupling/commands/describe_forest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -94,7 +96,12 @@ void say_climate(const ForestSite& forest, const SiteClimate& named, std::ostrea
          << temperature_degc << " degC and " << std::setprecision(0) << precipitation_mm << " mm a year at "
          << height_m << " m";
     if (climate.changes()) {
-        text << ", before the change";
+        const auto mean = [](const std::array<double, 12>& months) {
+            return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
+        };
+        text << ", before the change of " << std::showpos << std::setprecision(1)
+             << mean(climate.change.temperature_k) << std::noshowpos << " K and of rain to "
+             << std::setprecision(0) << 100.0 * mean(climate.change.precipitation) << " %";
     }
     say(out, "climate", text.str());
 }

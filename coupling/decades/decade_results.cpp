@@ -74,7 +74,7 @@ std::string climates_in_words(const ForestSite& forest) {
                                                                 : "decades.climate.drawn");
     if (forest.climates.size() == 1) {
         return joined(years_in_words(first), first.order == ClimateOrder::once ? " " : ", ", order,
-                      first.changes() ? report::page_text("decades.climate.with_a_change") : "");
+                      first.changes() ? change_in_words(first) : "");
     }
     std::string text;
     for (const SiteClimate& climate : forest.climates) {

@@ -26,6 +26,9 @@ std::optional<int> first_year_of(const Regime& regime, std::size_t row, int turn
         const auto first = first_year_of(regime, *followed, turn);
         return first ? std::optional{*first + intervention.after_years} : std::nullopt;
     }
+    if (!intervention.listed.empty()) {
+        return intervention.listed.front().year;
+    }
     return intervention.first_year + turn * intervention.every_years.value_or(0);
 }
 

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/dbh_class_input.hpp"
+#include "coupling/inputs/forest_doubts.hpp"
 #include "coupling/inputs/patch_input.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "coupling/inputs/soil_input.hpp"
@@ -332,6 +333,7 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
         site->climates.push_back(
             {std::move(climate.name), std::move(climate.source), std::move(usual_summer_mm)});
     }
+    doubt_climates(*site, reading);
     const ClimateSource& first = site->climates.front().source;
     for (forest::StandRecord& record : site->inventory) {
         record.degree_days = first.degree_days(mean_elevation_m(site->grid, record.patches));
@@ -340,6 +342,7 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
         stand.degree_days = first.degree_days(mean_elevation_m(site->grid, stand.patches));
     }
     plant(*files.rows, *site, reading);
+    doubt_dense_list(*site, reading);
     return site;
 }
 

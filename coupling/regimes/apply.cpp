@@ -154,7 +154,9 @@ private:
                 continue;
             }
             const auto intervention = static_cast<std::uint32_t>(due.intervention);
-            if (row.treatment != Treatment::group_cut) {
+            if (row.treatment == Treatment::fell_list) {
+                cuts.push_back({intervention, year_, ground_of(picks)});
+            } else if (row.treatment != Treatment::group_cut) {
                 cuts.push_back({intervention, year_, *area});
             }
             for (const config::Shape& hole : holes) {
@@ -173,6 +175,31 @@ private:
             state_.cuts.push_back(std::move(cut));
         }
         return trees;
+    }
+
+    /// The patches of some trees: a list of trees has no ground of its own.
+    [[nodiscard]] Area ground_of(const forest::Picks& picks) const {
+        Area ground;
+        for (const std::size_t place : picks) {
+            ground.patches.push_back(stand_.trees()[place].patch);
+        }
+        std::sort(ground.patches.begin(), ground.patches.end());
+        ground.patches.erase(std::unique(ground.patches.begin(), ground.patches.end()), ground.patches.end());
+        ground.area_ha =
+            static_cast<double>(ground.patches.size()) * forest::patch_area_m2 / square_metres_per_hectare;
+        config::Shape squares{config::Shape::Kind::polygon, {}};
+        constexpr double half_m = 0.5 * forest::patch_side_m;
+        for (const forest::PatchId patch : ground.patches) {
+            const double x_m = stand_.grid().x_centre_m(patch);
+            const double y_m = stand_.grid().y_centre_m(patch);
+            squares.parts.push_back({{x_m - half_m, y_m - half_m},
+                                     {x_m + half_m, y_m - half_m},
+                                     {x_m + half_m, y_m + half_m},
+                                     {x_m - half_m, y_m + half_m},
+                                     {x_m - half_m, y_m - half_m}});
+        }
+        ground.place.polygons = {std::move(squares)};
+        return ground;
     }
 
     /// Trees that a row may cut: of its species, without the thickest that it retains.

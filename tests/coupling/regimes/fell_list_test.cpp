@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
 #include <sstream>
 
 #include "tests/coupling/regimes/regime_forest.hpp"
@@ -102,6 +104,36 @@ TEST(FellList, RefusesTimesAndPlacesOfItsOwn) {
               std::string::npos);
     EXPECT_NE(problems("treatment\nfell_list\n").find("no trees"), std::string::npos);
     EXPECT_NE(problems("treatment,trees\nclear_cut,felled.csv\n").find("trees"), std::string::npos);
+}
+
+TEST(FellList, IsFollowedOnThePatchesOfItsTreesAlone) {
+    const Regime regime =
+        Regime::read(table_of("name,treatment,trees,where,after_years,species,plants_pha\n"
+                              "list,fell_list,felled.csv,,,,\nplanting,plant,,cuts_of:list,1,abal,2500\n"),
+                     "recorded", species_table(), two_stands(6), one_polygon, {},
+                     [](const std::string&) { return list_of("0,2\n1,2\n"); });
+    forest::Stand stand = spruce_stand(6);
+    RegimeState state;
+    std::set<forest::PatchId> patches;
+    for (const std::uint64_t number : {0U, 1U}) {
+        patches.insert(stand.trees()[*stand.find(forest::TreeId{number})].patch);
+    }
+    double planted_ha = 0.0;
+    for (int year = 0; year <= 6; ++year) {
+        for (const Entry& entry : apply(regime, year, stand, species_table(), state, {1, 0}).entries) {
+            if (entry.intervention == "planting") {
+                EXPECT_EQ(year, 3);
+                planted_ha += entry.area_ha;
+                EXPECT_NEAR(static_cast<double>(entry.plants), 2500.0 * entry.area_ha,
+                            4.0 * std::sqrt(2500.0 * entry.area_ha));
+            }
+        }
+    }
+    EXPECT_NEAR(planted_ha, 0.01 * static_cast<double>(patches.size()), 1e-9);
+    for (const forest::Cohort& cohort : stand.cohorts()) {
+        EXPECT_TRUE(patches.contains(cohort.patch));
+    }
+    EXPECT_FALSE(stand.cohorts().empty());
 }
 
 TEST(FellList, GoesWithOtherCutsOfItsYear) {
