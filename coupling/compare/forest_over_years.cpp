@@ -96,12 +96,13 @@ std::vector<Member> add_stands(const fs::path& folder, std::uint32_t years, Mean
     return members;
 }
 
-void add_dead_wood(const fs::path& folder, MeansOverYears& means) {
-    const config::Table table =
-        read_table(folder, "forest_years.csv", {"regime", "replicate", "snags_m3pha", "logs_m3pha"});
+void add_dead_wood_and_young(const fs::path& folder, MeansOverYears& means) {
+    const config::Table table = read_table(
+        folder, "forest_years.csv",
+        {"regime", "replicate", "snags_m3pha", "logs_m3pha", "saplings_pha", "ingrowth_stems_pha"});
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const Member member = member_of(table, row);
-        for (const char* figure : {"snags_m3pha", "logs_m3pha"}) {
+        for (const char* figure : {"snags_m3pha", "logs_m3pha", "saplings_pha", "ingrowth_stems_pha"}) {
             means.add(member.key(figure, over_years), member.replicate, number(table, row, figure));
         }
     }
@@ -146,7 +147,7 @@ void add_work(const fs::path& folder, std::uint32_t years, const std::vector<Mem
 void add_forest_over_years(const fs::path& folder, std::uint32_t years, std::vector<Figure>& figures) {
     MeansOverYears means{figures};
     const std::vector<Member> members = add_stands(folder, years, means);
-    add_dead_wood(folder, means);
+    add_dead_wood_and_young(folder, means);
     add_deaths(folder, years, members, means);
     add_work(folder, years, members, means);
     means.finish();

@@ -276,6 +276,10 @@ private:
         for (std::string& sentence : idle_interventions(names_, years)) {
             warnings_.add(std::move(sentence));
         }
+        for (std::string& sentence :
+             unfelled_trees(names_, decades_.management, years, static_cast<std::int32_t>(scenario_.years))) {
+            warnings_.add(std::move(sentence));
+        }
         make_folder(folder.staging());
         const std::vector<WrittenFile> files = write_watched(results, folder.staging());
         folder.publish();

@@ -1,8 +1,11 @@
 #include "coupling/decades/idle_interventions.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -48,6 +51,37 @@ std::vector<std::string> idle_interventions(const Names& names, std::span<const 
             sentences.push_back(joined("regime ", names.regimes[regime], ": ", found_nothing,
                                        " came due and never found anything to do; look at its area and "
                                        "limits"));
+        }
+    }
+    return sentences;
+}
+
+std::vector<std::string> unfelled_trees(const Names& names, const Management& management,
+                                        std::span<const MemberYears> members, std::int32_t years) {
+    std::vector<std::string> sentences;
+    for (std::size_t regime = 0; regime < management.regimes.size(); ++regime) {
+        const auto& rows = management.regimes[regime].interventions();
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            const auto listed = static_cast<double>(
+                std::count_if(rows[row].listed.begin(), rows[row].listed.end(),
+                              [&](const ListedTree& tree) { return tree.year <= years; }));
+            double felled = 0.0;
+            double count = 0.0;
+            for (const MemberYears& member : members) {
+                if (member.member.regime == regime) {
+                    count += 1.0;
+                    for (const HarvestRow& work : member.harvest) {
+                        felled += work.intervention == row ? work.stems : 0.0;
+                    }
+                }
+            }
+            if (count > 0.0 && felled < listed * count) {
+                sentences.push_back(
+                    joined("regime ", names.regimes[regime], ": ", rows[row].name, " felled ",
+                           config::to_text(std::round(10.0 * felled / count) / 10.0), " of ",
+                           config::to_text(listed),
+                           " listed trees, mean of the replicates; the others had died or were cut before"));
+            }
         }
     }
     return sentences;

@@ -103,6 +103,26 @@ TEST(ForestExample, SaysWhichRecordedCutsComeAfterItsEnd) {
         << whole.out << whole.err;
 }
 
+TEST(ForestExample, SaysHowManyListedTreesWereFelled) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "init example --example forest --quiet").code, 0);
+    project.write("example/felled.csv", "tree_id,year\n1,1\n2,3\n3,9\n");
+    project.write("example/cut.csv",
+                  "name,treatment,trees,first_year\nlist,fell_list,felled.csv,\nall,clear_cut,,2\n");
+    project.write("example/list.csv", "name,treatment,trees\nlist,fell_list,felled.csv\n");
+    const auto told = [&](const std::string& regime) {
+        const Outcome outcome = call(project,
+                                     "run example/scenario.ini --quiet --set output.tree_list_years= "
+                                     "--set output.map_years= --set run.years=4 --out " +
+                                         regime + " --set regimes.list=" + regime + ".csv");
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_NE(told("cut").find("regime cut: list felled 1 of 2 listed trees, mean of the replicates"),
+              std::string::npos);
+    EXPECT_EQ(told("list").find("listed trees"), std::string::npos) << "1 and 2 live for four years";
+}
+
 TEST(ForestExample, BeginsWithTheMappedTrees) {
     const SampleProject project;
     ASSERT_EQ(call(project, "init example --example forest --quiet").code, 0);

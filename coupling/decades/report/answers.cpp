@@ -27,6 +27,7 @@ struct NamedFigure {
     const char* name;
     double (*of)(const YearView&);
     Bounds bounds = not_negative;
+    bool forest::DisturbanceLaw::*simulated = nullptr;  ///< nothing is shown of what was switched off
 };
 
 double all_losses(const YearView& year) {
@@ -98,9 +99,12 @@ constexpr std::array flows{
                     return all_losses(year) -
                            year.losses[forest::index_of(forest::Cause::felled)].volume_m3pha;
                 }},
-    NamedFigure{"decades.answers.taken_by_storms_m_ha_a_year", lost_to<forest::Cause::wind>},
-    NamedFigure{"decades.answers.taken_by_wet_snow_m_ha_a_year", lost_to<forest::Cause::snow>},
-    NamedFigure{"decades.answers.taken_by_bark_beetles_m_ha_a_year", lost_to<forest::Cause::beetle>},
+    NamedFigure{"decades.answers.taken_by_storms_m_ha_a_year", lost_to<forest::Cause::wind>, not_negative,
+                &forest::DisturbanceLaw::wind},
+    NamedFigure{"decades.answers.taken_by_wet_snow_m_ha_a_year", lost_to<forest::Cause::snow>, not_negative,
+                &forest::DisturbanceLaw::snow},
+    NamedFigure{"decades.answers.taken_by_bark_beetles_m_ha_a_year", lost_to<forest::Cause::beetle>,
+                not_negative, &forest::DisturbanceLaw::beetle},
     NamedFigure{"decades.answers.ingrowth_over_1_cm_stems_ha_a",
                 [](const YearView& year) { return year.row->ingrowth_stems_pha; }},
 };
@@ -184,8 +188,16 @@ std::string flow_table(const RunView& run, bool with_band) {
             "decades.answers.years_to",
             {{"span", std::to_string(span.first)}, {"span_last", std::to_string(span.last)}}));
     }
-    HtmlTable table{report::page_text("decades.answers.mean_of_the_years_increment_is"), head};
+    const forest::DisturbanceLaw& law = run.disturbance;
+    HtmlTable table{joined(report::page_text("decades.answers.mean_of_the_years_increment_is"),
+                           law.wind || law.snow || law.beetle
+                               ? ""
+                               : joined(" ", report::page_text("decades.answers.no_disturbances"))),
+                    head};
     for (const NamedFigure& figure : flows) {
+        if (figure.simulated != nullptr && !(law.*figure.simulated)) {
+            continue;
+        }
         add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
             std::vector<std::string> cells;
             for (const Span& span : spans) {

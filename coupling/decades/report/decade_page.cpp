@@ -38,8 +38,9 @@ std::string settings_on_paper(const PageContent& content) {
 std::vector<Section> sections_of(const PageContent& content, const RunView& run) {
     std::vector<Section> sections = content.first;
     constexpr bool only_on_screen = false;
+    // On paper, too, where the forest is the whole answer.
     sections.push_back({report::page_text("decades.decade_page.the_forest_at_the_start_half"), answers(run),
-                        only_on_screen});
+                        !has_rocks(content.scenario)});
     sections.push_back({report::page_text("decades.areas.heading"), content.areas});
     sections.push_back({report::page_text("common.the_slope_in_three_dimensions"),
                         view_of_years(content, run), only_on_screen});
@@ -75,7 +76,8 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
 
 void write_decade_page(std::ostream& out, const PageContent& content) {
     const report::WritingLanguage language{content.scenario.report.language};
-    const RunView run = view_of(content.names, content.members, content.grid.area_ha());
+    RunView run = view_of(content.names, content.members, content.grid.area_ha());
+    run.disturbance = content.scenario.forest.parameters.disturbance;
     const report::PageFrame frame{
         .title = report::page_title(content.scenario.report,
                                     joined(report::page_text("decades.decade_page.a_forest_over_years"),

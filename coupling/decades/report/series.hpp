@@ -73,6 +73,7 @@ struct RunView {
     bool chart_a_climate = false;                  ///< splits_charts
     std::size_t years = 0;                         ///< simulated, without the start; 0 without members too
     std::vector<std::size_t> species;              ///< of the table, those that ever stood
+    forest::DisturbanceLaw disturbance{};          ///< which of them were simulated
     [[nodiscard]] std::size_t replicates() const;  ///< most of any regime
 };
 

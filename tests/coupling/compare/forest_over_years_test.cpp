@@ -44,8 +44,10 @@ struct Tables {
             all.insert(field, "all,");
         }
         write("stands.csv", "regime,replicate,year,stand,species,basal_area_m2pha,volume_m3pha", all);
-        write("forest_years.csv", "regime,replicate,year,snags_m3pha,logs_m3pha",
-              "none,1,0,0,0\nnone,1,1,3,1\nnone,1,2,6,2\nnone,2,0,0,0\nnone,2,1,3,1\nnone,2,2,6,2\n");
+        write("forest_years.csv",
+              "regime,replicate,year,snags_m3pha,logs_m3pha,saplings_pha,ingrowth_stems_pha",
+              "none,1,0,0,0,0,\nnone,1,1,3,1,900,10\nnone,1,2,6,2,900,20\n"
+              "none,2,0,0,0,0,\nnone,2,1,3,1,900,10\nnone,2,2,6,2,900,20\n");
         write("mortality.csv", "regime,replicate,year,cause,species,volume_m3pha", deaths);
         write("work_by_year.csv",
               "regime,replicate,year,felled_m3pha,salvaged_m3pha,removed_m3pha,left_m3pha,"
@@ -76,6 +78,9 @@ TEST(ForestOverYears, HasMeansAndTheLastYear) {
     EXPECT_DOUBLE_EQ(figure(run, "none", "volume_m3pha", last_year).value, 140.0);
     EXPECT_DOUBLE_EQ(figure(run, "cut", "basal_area_m2pha", last_year).value, 10.0);
     EXPECT_DOUBLE_EQ(figure(run, "none", "snags_m3pha", over_years).value, 3.0);
+    EXPECT_DOUBLE_EQ(figure(run, "none", "saplings_pha", over_years).value, 600.0);
+    EXPECT_DOUBLE_EQ(figure(run, "none", "ingrowth_stems_pha", over_years).value, 15.0)
+        << "of years 1 and 2: the start has none";
     EXPECT_FALSE(figure(run, "none", "volume_m3pha", last_year).is_part);
 }
 
