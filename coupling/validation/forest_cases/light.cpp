@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -9,6 +10,7 @@
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/light_agreement.hpp"
 #include "coupling/validation/forest_cases/plot_checks.hpp"
+#include "coupling/validation/forest_cases/slip_checks.hpp"
 
 namespace coupling::validation::forest_cases {
 namespace {
@@ -224,6 +226,13 @@ Comparison read_light(const CaseFiles& files, const LightSettings& settings) {
     if (tables.sensors) {
         warn_of_shared_places(*tables.sensors, warnings);
     }
+    warn_of_trees(tables.trees, stand->side_m * stand->side_m / 10'000.0, warnings);
+    warn_of_latitude(stand->latitude.in_degrees(), tables.slopes.place(0, "latitude_deg"), warnings);
+    warn_of_radiation(
+        std::accumulate(stand->radiation.direct_mjpm2.begin(), stand->radiation.direct_mjpm2.end(), 0.0) +
+            std::accumulate(stand->radiation.diffuse_mjpm2.begin(), stand->radiation.diffuse_mjpm2.end(),
+                            0.0),
+        tables.radiation.file(), warnings);
     const LightMonths months = months_of(settings);
     Comparison comparison;
     comparison.warnings = warnings.sentences();

@@ -4,7 +4,9 @@
 #include "config/text/joined.hpp"
 #include "coupling/validation/forest_cases/comparison.hpp"
 #include "coupling/validation/forest_cases/plot_checks.hpp"
+#include "coupling/validation/forest_cases/slip_checks.hpp"
 #include "coupling/validation/forest_cases/unknown_columns.hpp"
+#include "coupling/validation/forest_cases/yield_checks.hpp"
 #include "coupling/validation/forest_cases/yield_pages.hpp"
 
 namespace coupling::validation::forest_cases {
@@ -170,20 +172,6 @@ void check_drawn(const std::vector<int>& some, const std::vector<int>& all) {
     }
 }
 
-/// Every site with a table needs its rows: one to start from and one to be compared with.
-void check_rows(const YieldData& data, const CaseFiles& files) {
-    config::Problems problems;
-    for (const YieldSite& site : data.tables.sites) {
-        if (ages_of(data.tables, site, data.ages_years).empty()) {
-            problems.add(config::ExitCode::data, {files.shown("yield_tables.csv")},
-                         joined("no row of table ", config::in_quotes(site.table), " for site ", site.name,
-                                " at an age of yield.ages_years"),
-                         "a row to start from and one at a later age");
-        }
-    }
-    problems.throw_if_any();
-}
-
 /// There must be an age, and a stand without a table is a plantation of 12 years at its start.
 void check_ages(const YieldData& data, const CaseFiles& files) {
     if (data.ages_years.empty()) {
@@ -237,15 +225,22 @@ Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
     warn_of_unknown_columns(rows, yield_trial::row_columns(), warnings);
     data->tables = {yield_trial::read_yield_sites(sites, data->species), yield_trial::read_yield_rows(rows),
                     forest::read_climate(table_of(files, "climate.csv"), warnings), parameters};
+    warn_of_yield_rows(rows, data->tables.rows, warnings);
     check_latitudes(*data, sites, files);
+    for (std::size_t row = 0; row < sites.rows() && sites.has("latitude_deg"); ++row) {
+        warn_of_latitude(data->tables.sites[row].latitude.in_degrees(), sites.place(row, "latitude_deg"),
+                         warnings);
+    }
     data->ages_years = settings.ages_years.empty() ? ages_of_tables(data->tables)
                                                    : rising("yield.ages_years", settings.ages_years);
+    config::Problems problems;
+    check_sites(sites, data->tables, data->ages_years, files.shown("yield_tables.csv"), problems);
+    problems.throw_if_any();
     check_ages(*data, files);
     data->drawn_ages_years = settings.drawn_ages_years.empty()
-                                 ? std::vector{data->ages_years.back()}
+                                 ? usual_drawn_ages(data->tables, data->ages_years)
                                  : rising("yield.drawn_ages_years", settings.drawn_ages_years);
     data->twins = settings.twins;
-    check_rows(*data, files);
     check_drawn(data->drawn_ages_years, data->ages_years);
     Comparison comparison;
     comparison.warnings = warnings.sentences();

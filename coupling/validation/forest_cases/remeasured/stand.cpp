@@ -10,6 +10,7 @@
 #include "coupling/regimes/fell_list.hpp"
 #include "coupling/validation/forest_cases/plot_checks.hpp"
 #include "coupling/validation/forest_cases/remeasured/growth_check.hpp"
+#include "coupling/validation/forest_cases/slip_checks.hpp"
 #include "coupling/validation/forest_cases/unknown_columns.hpp"
 #include "forest/climate/change.hpp"
 
@@ -338,6 +339,10 @@ MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::Sp
     read_weather(tables.climate, stand, warnings);
     check_seasons_of(stand, tables.site, tables.climate);
     warn_of_shared_places(tables.trees, warnings);
+    warn_of_trees(tables.trees, stand.area_ha(), warnings);
+    warn_of_latitude(stand.latitude.in_degrees(), tables.site.place(0, "latitude_deg"), warnings);
+    warn_of_climate_of_another_place(stand.latitude.in_degrees(), stand.elevation_m, stand.climate,
+                                     tables.climate.file(), warnings);
     warn_of_empty_edges(tables.trees, {stand.width_m, stand.length_m}, tables.site.file(), warnings);
     return stand;
 }

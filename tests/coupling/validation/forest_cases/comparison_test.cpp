@@ -223,7 +223,8 @@ TEST(YieldCase, AsksForRowsOfTheTableAndRisingAges) {
     CaseFiles files = small_yield();
     files.texts["sites.csv"] =
         "site,species,elevation_m,fertility,table,class\npiab_1000,piab,1000,0.8,guttenberg_1915,9\n";
-    EXPECT_NE(problem_of(files).find("no row of table 'guttenberg_1915' for site piab_1000"),
+    EXPECT_NE(problem_of(files).find("sites.csv:2:41: found class '9' of table 'guttenberg_1915', expected "
+                                     "one of validation/forest_yield/yield_tables.csv: '1', '1.5', '2'"),
               std::string::npos)
         << problem_of(files);
     files = small_yield();
