@@ -89,7 +89,7 @@ void check_listed_trees(const Regime& regime, const ForestSite& forest, Reading&
             reading.problems().add(
                 config::ExitCode::data, {row.trees},
                 joined(counted(missing, "tree"), " that the forest does not start with, such as ", first),
-                "tree_id of the list of trees (trees.file), whole numbers there",
+                "tree_id of trees in the list (trees.file) that stand in the forest of stands.map",
                 "correct tree_id, or leave the rows out");
         }
     }

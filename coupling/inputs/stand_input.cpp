@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/shape_input.hpp"
 #include "forest/allometry.hpp"
@@ -297,6 +298,10 @@ std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const Fore
         config::Problems problems;
         table.require({"stand", "species"}, problems);
         problems.throw_if_any();
+        doubt_columns(table,
+                      {"stand", "species", "stems_pha", "basal_area_m2pha", "mean_dbh_cm", "mean_height_m",
+                       "age_years", "structure"},
+                      reading);
         doubt_odd_means(table, reading);
         const SpeciesLookup lookup = species.lookup();
         RecordReader reader{table, species, lookup};

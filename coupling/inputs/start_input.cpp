@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/browsing_note.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 
 namespace coupling {
 namespace {
@@ -202,6 +203,10 @@ std::optional<StartingWood> read_starting_wood(const ForestSpecies& species, con
         if (!settings.dead_wood.empty()) {
             const config::Table table = table_with("stands.dead_wood", "dead_wood", settings.dead_wood,
                                                    {"stand", "species", "kind", "volume_m3pha"}, reading);
+            doubt_columns(table,
+                          {"stand", "species", "kind", "volume_m3pha", "dbh_cm", "length_m", "decay_class",
+                           "log_angle_deg", "anchored"},
+                          reading);
             StandTable<forest::DeadWoodRecord> rows{table, species, lookup, grid};
             wood.dead_wood = rows.read(reading, [&](std::size_t row, forest::DeadWoodRecord& record) {
                 fill_dead_wood(rows, row, record);
@@ -210,6 +215,9 @@ std::optional<StartingWood> read_starting_wood(const ForestSpecies& species, con
         if (!settings.saplings.empty()) {
             const config::Table table = table_with("stands.saplings", "saplings", settings.saplings,
                                                    {"stand", "species", "stems_pha"}, reading);
+            doubt_columns(table,
+                          {"stand", "species", "stems_pha", "height_class", "height_m", "browsed_percent"},
+                          reading);
             StandTable<forest::SaplingRecord> rows{table, species, lookup, grid};
             wood.saplings = rows.read(reading, [&](std::size_t row, forest::SaplingRecord& record) {
                 fill_sapling(rows, row, record);

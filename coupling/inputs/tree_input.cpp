@@ -10,6 +10,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/units.hpp"
@@ -225,6 +226,7 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
     if (!table.require({"x_m", "y_m", "species", "dbh_cm"}, problems)) {
         problems.throw_if_any();
     }
+    doubt_columns(table, {"tree_id", "x_m", "y_m", "species", "dbh_cm", "height_m", "state"}, reading);
     plausible::check_tree_units(table);
     doubt_odd_trees(table, reading);
     std::vector<ListedRow> rows;

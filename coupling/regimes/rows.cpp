@@ -258,7 +258,9 @@ private:
         }
         const std::string nearest = config::nearest_word(wanted, names);
         refuse(column, joined(column, " ", config::in_quotes(table_.text(row_, column))),
-               nearest.empty() ? "the name of a row above it" : config::in_quotes(nearest));
+               nearest.empty()     ? "the name of a row above it"
+               : column == "where" ? config::in_quotes(joined("cuts_of:", nearest))
+                                   : config::in_quotes(nearest));
         return nullptr;
     }
 

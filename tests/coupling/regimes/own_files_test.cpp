@@ -73,7 +73,7 @@ const std::vector<WrongValue> wrong_values{
     // Groups, with fences, plants and tending in the holes just cut.
     {"groups_fenced.csv", "groups,group_cut,2026,12,20,", "groups,group_cut,2026,12,2,", "side_m = '2'"},
     {"groups_fenced.csv", "fence,,,,,,,,,cuts_of:groups", "fence,,,,,,,,,cuts_of:gruops",
-     "where 'cuts_of:gruops', expected 'groups'"},
+     "where 'cuts_of:gruops', expected 'cuts_of:groups'"},
     {"groups_fenced.csv", "fence,,,,,,,,,cuts_of:groups,0,15", "fence,,,,,,,,,cuts_of:groups,0,0",
      "fence_years = '0'"},
     {"groups_fenced.csv", "abal acps,,0.5", "abal acsp,,0.5", "species 'acsp'"},
