@@ -61,7 +61,8 @@ TEST(Apply, RetainsTheThickestTrees) {
     const Worked worked{"treatment,retain_pha\nclear_cut,50\n"};
     ASSERT_EQ(worked.stand.trees().size(), 18U) << "50 a hectare on 0.36 ha";
     std::vector<double> before;
-    for (const forest::Tree& tree : spruce_stand(6).trees()) {
+    const forest::Stand untouched = spruce_stand(6);
+    for (const forest::Tree& tree : untouched.trees()) {
         before.push_back(tree.dbh_cm);
     }
     std::sort(before.rbegin(), before.rend());
@@ -77,7 +78,8 @@ TEST(Apply, CutsCorridorsAlongLines) {
         return std::abs(tree.x_m - 20.0) < 5.0 && tree.y_m < 28.0;
     };
     std::size_t inside = 0;
-    for (const forest::Tree& tree : spruce_stand(6).trees()) {
+    const forest::Stand untouched = spruce_stand(6);
+    for (const forest::Tree& tree : untouched.trees()) {
         inside += is_inside(tree) ? 1 : 0;
     }
     ASSERT_GT(inside, 10U);
