@@ -13,21 +13,13 @@ namespace {
 
 using config::joined;
 
-double mean_elevation_m(const forest::PatchGrid& grid) {
-    double sum_m = 0.0;
-    for (const forest::Patch& patch : grid.patches()) {
-        sum_m += patch.ground_m / static_cast<double>(grid.size());
-    }
-    return sum_m;
-}
-
 std::string one_decimal(double value) {
     return config::to_text(std::round(10.0 * value) / 10.0);
 }
 
 }  // namespace
 
-void doubt_climates(const ForestSite& site, Reading& reading) {
+void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading) {
     const double latitude_deg = reading.scenario().forest.latitude_deg;
     const config::Place latitude = reading.scenario().options->place_of("forest.latitude_deg");
     const std::string given = joined("forest.latitude_deg ", config::to_text(latitude_deg));
@@ -35,11 +27,10 @@ void doubt_climates(const ForestSite& site, Reading& reading) {
         reading.doubt(latitude, given, "30 to 70 degrees: the species are trees of Europe",
                       "write degrees with decimals, such as 46.8");
     }
-    const double elevation_m = mean_elevation_m(site.grid);
     for (const SiteClimate& named : site.climates) {
         const plausible::ClimateAt climate =
             plausible::climate_at(named.source.series, latitude_deg, elevation_m, named.source.lapse_rates);
-        if (plausible::has_seasons_of_other_half(climate)) {
+        if (plausible::seasons_contradict(plausible::hemisphere_of(climate))) {
             reading.refuse({reading.shown(reading.scenario().forest.climate)},
                            "January as the summer month, July as the winter month",
                            "seasons of a place north of the equator, where forest.latitude_deg lies",

@@ -7,7 +7,8 @@ namespace coupling {
 
 /// Doubts about climates that cannot be of the place of the forest, and about latitudes and changes that look
 /// like slips; refuses a climate of the other half of the earth (plausible/climate_at.hpp).
-void doubt_climates(const ForestSite& site, Reading& reading);
+/// `elevation_m`: mean of the forest.
+void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading);
 
 /// Doubts about listed trees that make more than 100 m2/ha: girths for diameters, or another unit.
 void doubt_dense_list(const ForestSite& site, Reading& reading);

@@ -333,7 +333,7 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
         site->climates.push_back(
             {std::move(climate.name), std::move(climate.source), std::move(usual_summer_mm)});
     }
-    doubt_climates(*site, reading);
+    doubt_climates(*site, mean_elevation_m(site->grid, all_patches(site->grid)), reading);
     const ClimateSource& first = site->climates.front().source;
     for (forest::StandRecord& record : site->inventory) {
         record.degree_days = first.degree_days(mean_elevation_m(site->grid, record.patches));

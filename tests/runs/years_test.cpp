@@ -86,19 +86,19 @@ TEST(ForestExample, SaysWhichRecordedCutsComeAfterItsEnd) {
     ASSERT_EQ(call(project, "init example --example forest --quiet").code, 0);
     project.write("example/felled.csv", "tree_id,year\n3,1\n4,2\n5,30\n");
     project.write("example/cut.csv", "treatment,trees\nfell_list,felled.csv\n");
-    const auto told = [&](const std::string& years) {
+    const auto check_years = [&](const std::string& years) {
         return call(project,
                     "check example/scenario.ini --set regimes.list=cut.csv "
                     "--set output.tree_list_years= --set output.map_years= --set run.years=" +
                         years);
     };
-    const Outcome late = told("2");
+    const Outcome late = check_years("2");
     EXPECT_EQ(late.code, 0) << late.err;
     EXPECT_NE((late.out + late.err)
                   .find("felled.csv: 1 tree to be felled after the last year of the run, 2 (2012)"),
               std::string::npos)
         << late.out << late.err;
-    const Outcome whole = told("30");
+    const Outcome whole = check_years("30");
     EXPECT_EQ((whole.out + whole.err).find("to be felled after"), std::string::npos)
         << whole.out << whole.err;
 }
@@ -110,7 +110,7 @@ TEST(ForestExample, SaysHowManyListedTreesWereFelled) {
     project.write("example/cut.csv",
                   "name,treatment,trees,first_year\nlist,fell_list,felled.csv,\nall,clear_cut,,2\n");
     project.write("example/list.csv", "name,treatment,trees\nlist,fell_list,felled.csv\n");
-    const auto told = [&](const std::string& regime) {
+    const auto messages_of = [&](const std::string& regime) {
         const Outcome outcome = call(project,
                                      "run example/scenario.ini --quiet --set output.tree_list_years= "
                                      "--set output.map_years= --set run.years=4 --out " +
@@ -118,9 +118,9 @@ TEST(ForestExample, SaysHowManyListedTreesWereFelled) {
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         return outcome.err;
     };
-    EXPECT_NE(told("cut").find("regime cut: list felled 1 of 2 listed trees, mean of the replicates"),
+    EXPECT_NE(messages_of("cut").find("regime cut: list felled 1 of 2 listed trees, mean of the replicates"),
               std::string::npos);
-    EXPECT_EQ(told("list").find("listed trees"), std::string::npos) << "1 and 2 live for four years";
+    EXPECT_EQ(messages_of("list").find("listed trees"), std::string::npos) << "1 and 2 live for four years";
 }
 
 TEST(ForestExample, BeginsWithTheMappedTrees) {

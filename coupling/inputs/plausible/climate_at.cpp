@@ -5,18 +5,24 @@
 
 namespace coupling::plausible {
 
-ClimateAt climate_at(const forest::ClimateSeries& series, double latitude_deg, double elevation_m,
-                     const forest::LapseRates& rates) {
-    const forest::ClimateSeries here = at_elevation(series, elevation_m - *series.elevation_m, rates);
-    ClimateAt climate{.latitude_deg = latitude_deg, .elevation_m = elevation_m};
-    const auto years = static_cast<double>(here.years.size());
-    for (const forest::ClimateYear& year : here.years) {
+ClimateAt means_of(const forest::ClimateSeries& series, double latitude_deg) {
+    ClimateAt climate{.latitude_deg = latitude_deg, .elevation_m = series.elevation_m.value_or(0.0)};
+    const auto years = static_cast<double>(series.years.size());
+    for (const forest::ClimateYear& year : series.years) {
         for (const forest::ClimateMonth& month : year.months) {
             climate.mean_degc += month.tave_degc / (12.0 * years);
         }
         climate.january_degc += year.months[0].tave_degc / years;
         climate.july_degc += year.months[6].tave_degc / years;
     }
+    return climate;
+}
+
+ClimateAt climate_at(const forest::ClimateSeries& series, double latitude_deg, double elevation_m,
+                     const forest::LapseRates& rates) {
+    ClimateAt climate =
+        means_of(at_elevation(series, elevation_m - *series.elevation_m, rates), latitude_deg);
+    climate.elevation_m = elevation_m;
     return climate;
 }
 
@@ -29,10 +35,19 @@ bool is_of_another_place(const ClimateAt& climate) {
     return std::abs(climate.mean_degc - usual_mean_degc(climate.latitude_deg, climate.elevation_m)) > far_k;
 }
 
-bool has_seasons_of_other_half(const ClimateAt& climate) {
-    constexpr double from_deg = 20.0;
-    constexpr double clear_k = 3.0;
-    return climate.latitude_deg >= from_deg && climate.january_degc - climate.july_degc > clear_k;
+bool seasons_contradict(const Hemisphere& at) {
+    if (std::abs(at.latitude_deg) < at.from_deg) {
+        return false;
+    }
+    const double summer_minus_winter = at.latitude_deg > 0.0 ? at.july - at.january : at.january - at.july;
+    return summer_minus_winter < -at.clear;
+}
+
+Hemisphere hemisphere_of(const ClimateAt& climate) {
+    return {.latitude_deg = climate.latitude_deg,
+            .january = climate.january_degc,
+            .july = climate.july_degc,
+            .clear = 3.0};
 }
 
 bool is_far_from_species(double latitude_deg) {

@@ -80,17 +80,9 @@ void warn_of_empty_edges(const config::Table& trees, PlotSides sides, const std:
     warn_of_empty_edge(trees, "y_m", y, sides.y_m, sides_file, warnings);
 }
 
-bool seasons_contradict(const Hemisphere& at) {
-    if (std::abs(at.latitude_deg) < at.from_deg) {
-        return false;
-    }
-    const double summer_minus_winter = at.latitude_deg > 0.0 ? at.july - at.january : at.january - at.july;
-    return summer_minus_winter < -at.clear;
-}
-
-void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const std::string& field,
-                      const std::string& series_file, config::Problems& problems) {
-    if (seasons_contradict(at)) {
+void check_hemisphere(const plausible::Hemisphere& at, const config::Place& latitude,
+                      const std::string& field, const std::string& series_file, config::Problems& problems) {
+    if (plausible::seasons_contradict(at)) {
         const bool is_north = at.latitude_deg > 0.0;
         problems.add(config::ExitCode::data, latitude, field,
                      joined("a place ", is_north ? "south" : "north", " of the equator: in ", series_file,
@@ -102,19 +94,8 @@ void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const
 void check_temperature_seasons(double latitude_deg, const config::Place& latitude, const std::string& field,
                                const forest::ClimateSeries& climate, const std::string& climate_file,
                                config::Problems& problems) {
-    constexpr double clear_k = 3.0;
-    const auto mean_of_month_degc = [&](std::size_t month) {
-        double sum_degc = 0.0;
-        for (const forest::ClimateYear& year : climate.years) {
-            sum_degc += year.months[month].tave_degc;
-        }
-        return sum_degc / static_cast<double>(climate.years.size());
-    };
-    check_hemisphere({.latitude_deg = latitude_deg,
-                      .january = mean_of_month_degc(0),
-                      .july = mean_of_month_degc(6),
-                      .clear = clear_k},
-                     latitude, field, climate_file, problems);
+    const plausible::ClimateAt at = plausible::means_of(climate, latitude_deg);
+    check_hemisphere(plausible::hemisphere_of(at), latitude, field, climate_file, problems);
 }
 
 }  // namespace coupling::validation::forest_cases

@@ -4,6 +4,7 @@
 
 #include "config/errors/warnings.hpp"
 #include "config/table/table.hpp"
+#include "coupling/inputs/plausible/climate_at.hpp"
 #include "forest/climate/series.hpp"
 
 namespace coupling::validation::forest_cases {
@@ -22,25 +23,12 @@ void warn_of_shared_places(const config::Table& table, config::Warnings& warning
 void warn_of_empty_edges(const config::Table& trees, PlotSides sides, const std::string& sides_file,
                          config::Warnings& warnings);
 
-/// What a year of a place looks like, from which its half of the earth follows.
-struct Hemisphere {
-    double latitude_deg = 0.0;  ///< north positive
-    double january = 0.0;       ///< means of temperature or sums of radiation, the same unit
-    double july = 0.0;
-    double clear = 0.0;      ///< difference that leaves no doubt, same unit
-    double from_deg = 20.0;  ///< nearer to the equator rain makes the seasons
-};
-
-/// Whether the seasons contradict the latitude: a warm January north of the equator or a warm July south of
-/// it.
-bool seasons_contradict(const Hemisphere& at);
-
 /// Adds a problem at `latitude`, the place of `field` ("latitude_deg -47.5"), where the seasons of
 /// `series_file` contradict it.
-void check_hemisphere(const Hemisphere& at, const config::Place& latitude, const std::string& field,
-                      const std::string& series_file, config::Problems& problems);
+void check_hemisphere(const plausible::Hemisphere& at, const config::Place& latitude,
+                      const std::string& field, const std::string& series_file, config::Problems& problems);
 
-/// The same for the temperatures of `climate`; 3 K leave no doubt.
+/// The same for the temperatures of `climate`.
 void check_temperature_seasons(double latitude_deg, const config::Place& latitude, const std::string& field,
                                const forest::ClimateSeries& climate, const std::string& climate_file,
                                config::Problems& problems);

@@ -73,10 +73,8 @@ void warn_of_latitude(double latitude_deg, const config::Place& place, config::W
 void warn_of_climate_of_another_place(double latitude_deg, double elevation_m,
                                       const forest::ClimateSeries& climate, const std::string& climate_file,
                                       config::Warnings& warnings) {
-    forest::ClimateSeries here = climate;
-    here.elevation_m = elevation_m;
-    const plausible::ClimateAt at =
-        plausible::climate_at(here, std::abs(latitude_deg), elevation_m, forest::LapseRates::shipped());
+    plausible::ClimateAt at = plausible::means_of(climate, std::abs(latitude_deg));
+    at.elevation_m = elevation_m;
     if (plausible::is_of_another_place(at)) {
         warnings.add(joined(climate_file, ": ", fixed(at.mean_degc, 1), " degC as the mean of a year at ",
                             fixed(elevation_m, 0), " m, where about ",

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <string>
+#include <utility>
 
 namespace coupling::plausible::climate_at_test {
 namespace {
@@ -40,18 +43,19 @@ TEST(ClimateAt, IsThatOfTheElevationOfTheForest) {
 }
 
 TEST(ClimateAt, OfRealPlacesIsNotDoubted) {
-    // Annual means 1991-2020 (MeteoSwiss, GeoSphere, Meteo-France), rounded: Sion, Davos, Saentis, Innsbruck,
-    // Chamonix; and two of Europe's ends.
-    struct Place {
-        double latitude_deg, elevation_m, mean_degc;
-    };
-    for (const Place& place : {Place{46.2, 482.0, 11.0}, Place{46.8, 1594.0, 4.5}, Place{47.2, 2502.0, -0.8},
-                               Place{47.3, 578.0, 9.8}, Place{45.9, 1042.0, 7.6}, Place{37.9, 107.0, 18.8},
-                               Place{67.4, 179.0, 0.6}}) {
-        EXPECT_FALSE(is_of_another_place({.latitude_deg = place.latitude_deg,
-                                          .elevation_m = place.elevation_m,
-                                          .mean_degc = place.mean_degc}))
-            << place.elevation_m;
+    // Sion, measured, and a grid point of the northern Limestone Alps: sources in the folders of the cases.
+    for (const auto& [name, latitude_deg] : {std::pair{"forest_dry", 46.2}, std::pair{"forest_old", 47.7}}) {
+        const std::string file = std::string{BANNWALD_SOURCE_DIR "/validation/"} + name + "/climate.csv";
+        std::ifstream in{file};
+        config::Warnings warnings;
+        const forest::ClimateSeries real =
+            forest::read_climate_of_one_place(config::Table::read(in, file), warnings);
+        for (const double elevation_m : {*real.elevation_m, 1200.0, 2000.0}) {
+            const ClimateAt climate =
+                climate_at(real, latitude_deg, elevation_m, forest::LapseRates::shipped());
+            EXPECT_FALSE(is_of_another_place(climate)) << name << ' ' << climate.mean_degc;
+            EXPECT_FALSE(seasons_contradict(hemisphere_of(climate)));
+        }
     }
 }
 
@@ -63,9 +67,14 @@ TEST(ClimateAt, IsDoubtedForElevationsInFeetAndOtherPlaces) {
 }
 
 TEST(ClimateAt, KnowsSeasonsOfTheOtherHalf) {
-    EXPECT_FALSE(has_seasons_of_other_half(at(series(500.0, 9.0, 10.0), 500.0)));
-    EXPECT_TRUE(has_seasons_of_other_half(at(series(500.0, 9.0, -10.0), 500.0)));
-    EXPECT_FALSE(has_seasons_of_other_half(at(series(500.0, 9.0, -1.0), 500.0))) << "hardly any season";
+    const auto contradict = [](double swing_k, double latitude_deg) {
+        return seasons_contradict(hemisphere_of(means_of(series(500.0, 9.0, swing_k), latitude_deg)));
+    };
+    EXPECT_FALSE(contradict(10.0, 46.5));
+    EXPECT_TRUE(contradict(-10.0, 46.5));
+    EXPECT_FALSE(contradict(-10.0, -46.5));
+    EXPECT_TRUE(contradict(10.0, -46.5));
+    EXPECT_FALSE(contradict(-1.0, 46.5)) << "hardly any season";
 }
 
 TEST(ClimateAt, KnowsLatitudesAndFactorsThatLookLikeSlips) {
