@@ -22,31 +22,29 @@ std::string without_values(const std::string& sentence) {
     return kind;
 }
 
-/// Lines in their order; of each kind the first ones, and after the last of them how many more there are.
-std::vector<std::string> shortened(const std::vector<std::string>& lines,
-                                   const std::vector<std::string>& kinds, const std::string& where) {
+/// Lines in their order; of a kind with many lines the first one, which counts the others.
+std::vector<BriefMessage> shortened(const std::vector<std::string>& lines,
+                                    const std::vector<std::string>& kinds) {
     std::map<std::string, std::size_t> count;
     for (const std::string& kind : kinds) {
         ++count[kind];
     }
-    std::map<std::string, std::size_t> printed;
-    std::vector<std::string> kept;
+    std::vector<BriefMessage> kept;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::size_t number = ++printed[kinds[i]];
-        const std::size_t all = count[kinds[i]];
-        // One line more than the limit is printed in full: counting it would take a line as well.
-        if (number <= told_of_a_kind || all == told_of_a_kind + 1) {
-            kept.push_back(lines[i]);
-        } else if (number == told_of_a_kind + 1) {
-            kept.push_back("... and " + std::to_string(all - told_of_a_kind) + " more like this; " + where);
+        std::size_t& left = count[kinds[i]];
+        if (left == 0) {
+            continue;
         }
+        const bool many = left > printed_of_a_kind;
+        kept.push_back({lines[i], many ? left - 1 : 0});
+        left = many ? 0 : left;
     }
     return kept;
 }
 
 }  // namespace
 
-std::vector<std::string> brief(const std::vector<Problem>& problems) {
+std::vector<BriefMessage> brief(const std::vector<Problem>& problems) {
     std::vector<std::string> lines;
     std::vector<std::string> kinds;
     for (const Problem& problem : problems) {
@@ -54,16 +52,22 @@ std::vector<std::string> brief(const std::vector<Problem>& problems) {
         kinds.push_back(problem.place.file + '\n' + without_values(problem.found) + '\n' +
                         without_values(problem.expected));
     }
-    return shortened(lines, kinds, "--verbose prints all");
+    return shortened(lines, kinds);
 }
 
-std::vector<std::string> brief(const std::vector<std::string>& sentences, const std::string& where) {
+std::vector<BriefMessage> brief(const std::vector<std::string>& sentences) {
     std::vector<std::string> kinds;
     kinds.reserve(sentences.size());
     for (const std::string& sentence : sentences) {
         kinds.push_back(without_values(sentence));
     }
-    return shortened(sentences, kinds, where);
+    return shortened(sentences, kinds);
+}
+
+std::string to_string(const BriefMessage& message) {
+    return message.more == 0 ? message.sentence
+                             : message.sentence + " (and " + std::to_string(message.more) +
+                                   " more like this; --verbose prints all)";
 }
 
 }  // namespace config

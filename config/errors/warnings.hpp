@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -7,21 +8,43 @@
 
 namespace config {
 
-/// What is only suspicious: the run goes on, and the results carry the sentence.
+/// What a warning may do to the answer; the largest effect is printed first.
+enum class Effect {
+    answer,  ///< the answer itself may be wrong: a wrong terrain, sources in the wrong place
+    part,    ///< a part of the input or of the result is affected
+    detail,  ///< a figure or a sentence beside the answer
+};
+
+/// What the user should know although the run goes on. A warning may change what the results mean and stands
+/// where the answer stands; a note says how an input was understood and stands behind the results.
 class Warnings {
 public:
-    /// What the user should look at; stands before all notes.
-    void add(std::string sentence) {
-        sentences_.insert(sentences_.begin() + static_cast<std::ptrdiff_t>(doubts_++), std::move(sentence));
+    /// What is suspicious. Warnings of the same effect keep their order.
+    void add(std::string sentence, Effect effect = Effect::part) {
+        const auto behind = std::upper_bound(effects_.begin(), effects_.end(), effect);
+        warnings_.insert(warnings_.begin() + (behind - effects_.begin()), std::move(sentence));
+        effects_.insert(behind, effect);
     }
-    /// What the program assumed or filled in: worth knowing, seldom wrong.
-    void add_note(std::string sentence) { sentences_.push_back(std::move(sentence)); }
-    /// Doubts first, then notes, each in the order they were added.
-    [[nodiscard]] const std::vector<std::string>& sentences() const { return sentences_; }
+    /// What was assumed, filled in or understood: seldom wrong.
+    void add_note(std::string sentence) { notes_.push_back(std::move(sentence)); }
+
+    /// The largest effect first.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+    /// The effect of each of `warnings()`.
+    [[nodiscard]] const std::vector<Effect>& effects() const { return effects_; }
+    /// In the order in which they were added.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+    /// Warnings, then notes.
+    [[nodiscard]] std::vector<std::string> all() const {
+        std::vector<std::string> all = warnings_;
+        all.insert(all.end(), notes_.begin(), notes_.end());
+        return all;
+    }
 
 private:
-    std::vector<std::string> sentences_;
-    std::size_t doubts_ = 0;
+    std::vector<std::string> warnings_;
+    std::vector<Effect> effects_;
+    std::vector<std::string> notes_;
 };
 
 }  // namespace config

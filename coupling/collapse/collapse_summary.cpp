@@ -79,7 +79,8 @@ void write_summary(std::ostream& out, const CollapseResults& results, const std:
     }
     summary["targets"] = targets;
     summary["map"] = json_map_frame(results.site.map_frame);
-    summary["warnings"] = results.warnings.sentences();
+    summary["warnings"] = results.warnings.warnings();
+    summary["notes"] = results.warnings.notes();
     write_json_summary(out, std::move(summary), results.site.inputs, scenario, files);
 }
 

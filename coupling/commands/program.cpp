@@ -255,14 +255,14 @@ int carry_out(const CommandLine& line, RankGroup& ranks) {
     return code(ExitCode::done);
 }
 
-/// Of many problems of a kind the first three and their number, all of them with --verbose.
+/// Of many problems of a kind the first and their number, all of them with --verbose.
 void print_problems(const config::InputError& error, const std::vector<std::string>& arguments) {
     const bool verbose = std::any_of(arguments.begin(), arguments.end(), [](const std::string& word) {
         return word == "-v" || word == "--verbose";
     });
     if (!verbose) {
-        for (const std::string& text : config::brief(error.problems())) {
-            std::cerr << "bannwald: " << text << '\n';
+        for (const config::BriefMessage& message : config::brief(error.problems())) {
+            std::cerr << "bannwald: " << config::to_string(message) << '\n';
         }
         return;
     }

@@ -70,7 +70,8 @@ void write_summary(std::ostream& out, const DecadeResults& results, const std::v
     for (const MemberYears& years : results.members) {
         summary["members"].push_back(member(results, years));
     }
-    summary["warnings"] = results.warnings.sentences();
+    summary["warnings"] = results.warnings.warnings();
+    summary["notes"] = results.warnings.notes();
     write_json_summary(out, std::move(summary), results.site.inputs, results.scenario, files);
 }
 

@@ -168,30 +168,56 @@ Matrix read_matrix(Reading& reading) {
     return file.empty() ? Matrix::shipped() : Matrix::read(reading.table("hazard.matrix", "matrix", file));
 }
 
-/// Warnings of several return periods, each sentence once with the periods that it came from.
-class SharedWarnings {
+/// Messages of several return periods, each sentence once with the periods that it came from.
+class SharedMessages {
 public:
-    void add(double years, const config::Warnings& warnings) {
-        for (const std::string& sentence : warnings.sentences()) {
-            const auto known = std::find_if(entries_.begin(), entries_.end(),
-                                            [&](const auto& entry) { return entry.first == sentence; });
-            if (known == entries_.end()) {
-                entries_.emplace_back(sentence, config::to_text(years));
-            } else {
-                known->second += joined(", ", config::to_text(years));
-            }
+    void add(double years, const std::string& sentence, config::Effect effect) {
+        const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                        [&](const Entry& entry) { return entry.sentence == sentence; });
+        if (known == entries_.end()) {
+            entries_.push_back({sentence, config::to_text(years), effect});
+        } else {
+            known->years += joined(", ", config::to_text(years));
         }
     }
-    [[nodiscard]] config::Warnings together() const {
-        config::Warnings warnings;
-        for (const auto& [sentence, years] : entries_) {
-            warnings.add(joined(sentence, " (return periods: ", years, ")"));
+    /// Calls `take` with each sentence and its effect.
+    template <class Take>
+    void hand_over(Take take) const {
+        for (const Entry& entry : entries_) {
+            take(joined(entry.sentence, " (return periods: ", entry.years, ")"), entry.effect);
         }
-        return warnings;
     }
 
 private:
-    std::vector<std::pair<std::string, std::string>> entries_;
+    struct Entry {
+        std::string sentence;
+        std::string years;
+        config::Effect effect;
+    };
+    std::vector<Entry> entries_;
+};
+
+/// Warnings and notes of several return periods.
+class SharedWarnings {
+public:
+    void add(double years, const config::Warnings& warnings) {
+        for (std::size_t i = 0; i < warnings.warnings().size(); ++i) {
+            warnings_.add(years, warnings.warnings()[i], warnings.effects()[i]);
+        }
+        for (const std::string& sentence : warnings.notes()) {
+            notes_.add(years, sentence, config::Effect::detail);
+        }
+    }
+    void add_to(config::Warnings& warnings) const {
+        warnings_.hand_over(
+            [&](std::string sentence, config::Effect effect) { warnings.add(std::move(sentence), effect); });
+        notes_.hand_over(
+            [&](std::string sentence, config::Effect) { warnings.add_note(std::move(sentence)); });
+    }
+
+private:
+    SharedMessages warnings_;
+    SharedMessages notes_;
 };
 
 /// Zones with the same start share a row of hazard.blocks.
@@ -355,10 +381,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     }
 
     config::Warnings all_warnings = of_map;
-    const config::Warnings of_periods = shared.together();
-    for (const std::string& sentence : of_periods.sentences()) {
-        all_warnings.add(sentence);
-    }
+    shared.add_to(all_warnings);
     HazardResults results{.scenario = scenario,
                           .site = longest->site,
                           .matrix = plan.matrix,

@@ -50,7 +50,8 @@ void write_summary(std::ostream& out, const HazardResults& results, const std::v
         }
         summary["targets"].push_back(std::move(target));
     }
-    summary["warnings"] = results.warnings.sentences();
+    summary["warnings"] = results.warnings.warnings();
+    summary["notes"] = results.warnings.notes();
     write_json_summary(out, std::move(summary), results.inputs, results.scenario, files);
 }
 

@@ -105,8 +105,8 @@ void doubt_columns(const config::Table& table, const std::vector<std::string>& k
         }
         const std::string meant = meant_column(column, known);
         if (!meant.empty() && !table.has(meant)) {
-            reading.doubt({table.file()}, "column " + config::in_quotes(column) + ", which is passed over",
-                          meant + ", if that is what is meant");
+            reading.warn({table.file()}, "column " + config::in_quotes(column) + ", which is passed over",
+                         meant + ", if that is what is meant");
         }
     }
 }

@@ -24,8 +24,8 @@ void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading
     const config::Place latitude = reading.scenario().options->place_of("forest.latitude_deg");
     const std::string given = joined("forest.latitude_deg ", config::to_text(latitude_deg));
     if (plausible::is_far_from_species(latitude_deg)) {
-        reading.doubt(latitude, given, "30 to 70 degrees: the species are trees of Europe",
-                      "write degrees with decimals, such as 46.8");
+        reading.warn(latitude, given, "30 to 70 degrees: the species are trees of Europe",
+                     "write degrees with decimals, such as 46.8");
     }
     for (const SiteClimate& named : site.climates) {
         const plausible::ClimateAt climate =
@@ -37,18 +37,18 @@ void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading
                            "correct the months");
         }
         if (plausible::is_of_another_place(climate)) {
-            reading.doubt({reading.shown(reading.scenario().forest.climate)},
-                          joined(one_decimal(climate.mean_degc), " degC as the mean of a year at ",
-                                 config::to_text(std::round(elevation_m)), " m"),
-                          joined("about ", one_decimal(plausible::usual_mean_degc(latitude_deg, elevation_m)),
-                                 " degC at that latitude and elevation"),
-                          "check the unit (degC), elev_m or climate.elevation_m (metres) and the place");
+            reading.warn({reading.shown(reading.scenario().forest.climate)},
+                         joined(one_decimal(climate.mean_degc), " degC as the mean of a year at ",
+                                config::to_text(std::round(elevation_m)), " m"),
+                         joined("about ", one_decimal(plausible::usual_mean_degc(latitude_deg, elevation_m)),
+                                " degC at that latitude and elevation"),
+                         "check the unit (degC), elev_m or climate.elevation_m (metres) and the place");
         }
         const double factor = plausible::mean_factor_on_rain(named.source.change);
         if (plausible::is_odd_factor_on_rain(factor)) {
-            reading.doubt(reading.scenario().options->place_of("climate.precipitation_change"),
-                          joined("rain times ", config::to_text(factor)),
-                          "a factor from 0.5 to 1.5, such as 0.8 for a fifth less; 1 is no change");
+            reading.warn(reading.scenario().options->place_of("climate.precipitation_change"),
+                         joined("rain times ", config::to_text(factor)),
+                         "a factor from 0.5 to 1.5, such as 0.8 for a fifth less; 1 is no change");
         }
     }
 }
@@ -61,11 +61,11 @@ void doubt_dense_list(const ForestSite& site, Reading& reading) {
     }
     const double basal_area_m2pha = sum_m2 / site.grid.area_ha();
     if (basal_area_m2pha > most_m2pha) {
-        reading.doubt({reading.shown(reading.scenario().trees)},
-                      joined("trees that make ", config::to_text(std::round(basal_area_m2pha)),
-                             " m2/ha of basal area in the forest"),
-                      "at most 100 m2/ha",
-                      "check dbh_cm: diameters and no girths, in cm; and the forest of stands.map");
+        reading.warn({reading.shown(reading.scenario().trees)},
+                     joined("trees that make ", config::to_text(std::round(basal_area_m2pha)),
+                            " m2/ha of basal area in the forest"),
+                     "at most 100 m2/ha",
+                     "check dbh_cm: diameters and no girths, in cm; and the forest of stands.map");
     }
 }
 

@@ -19,8 +19,8 @@ void doubt_guesses(Reading& reading) {
         }
     }
     if (!keys.empty()) {
-        reading.doubt({reading.scenario().file.string()}, joined("settings that are marked GUESS: ", keys),
-                      "values of this slope", "check them, then take the word out of their lines");
+        reading.warn({reading.scenario().file.string()}, joined("settings that are marked GUESS: ", keys),
+                     "values of this slope", "check them, then take the word out of their lines");
     }
 }
 

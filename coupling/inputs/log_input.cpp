@@ -118,10 +118,10 @@ void warn_of_doubled_ids(const std::vector<LogRecord>& logs, const std::string& 
         }
     }
     if (!doubled.empty()) {
-        reading.doubt({file},
-                      joined(counted(doubled.size(), "log_id"), " used more than once, such as ",
-                             config::in_quotes(*doubled.begin())),
-                      "one log_id for each log");
+        reading.warn({file},
+                     joined(counted(doubled.size(), "log_id"), " used more than once, such as ",
+                            config::in_quotes(*doubled.begin())),
+                     "one log_id for each log");
     }
 }
 
@@ -151,7 +151,7 @@ std::vector<LogRecord> read_log_table(Reading& reading) {
     add_first(shown, problems, table.file());
     shown.throw_if_any();
     if (logs.empty()) {
-        reading.doubt({table.file()}, "no logs", "at least one, or no trees.logs");
+        reading.warn({table.file()}, "no logs", "at least one, or no trees.logs");
     }
     warn_of_doubled_ids(logs, table.file(), reading);
     return logs;

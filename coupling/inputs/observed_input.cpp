@@ -160,11 +160,11 @@ void check_observed_stops(std::span<const ObservedStop> stops,
         plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
         return;
     }
-    reading.doubt(place,
-                  joined(std::to_string(off.size()), " of ", counted(stops.size(), "stop"),
-                         " off the terrain, such as ", in_words(*off.front()),
-                         "; they count, but no simulated rock can get there"),
-                  "stops on the terrain", "take a larger terrain, or correct their coordinates");
+    reading.warn(place,
+                 joined(std::to_string(off.size()), " of ", counted(stops.size(), "stop"),
+                        " off the terrain, such as ", in_words(*off.front()),
+                        "; they count, but no simulated rock can get there"),
+                 "stops on the terrain", "take a larger terrain, or correct their coordinates");
 }
 
 }  // namespace coupling

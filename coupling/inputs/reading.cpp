@@ -17,13 +17,14 @@ namespace coupling {
 
 using config::joined;
 
-void Reading::doubt(config::Place place, std::string found, std::string expected, std::string advice) {
+void Reading::warn(config::Place place, std::string found, std::string expected, std::string advice,
+                   config::Effect effect) {
     config::Problem problem{config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
                             std::move(advice)};
     if (scenario_.strict_inputs) {
         problems_.add(std::move(problem));
     } else {
-        warnings_.add(config::to_string(problem));
+        warnings_.add(config::to_string(problem), effect);
     }
 }
 
@@ -91,10 +92,9 @@ void Reading::take_names(config::Table& table, const std::string& role, bool has
     if (role == "trees" || role == "logs") {
         const std::size_t moved = formats::take_coordinates(table, role, has_own_shapes);
         if (moved > 0) {
-            doubt({table.file()},
-                  joined(counted(moved, "row"), " whose attributes name another place than the shape"),
-                  "one place for each: the shape counts",
-                  "delete the columns of coordinates if they are old");
+            warn({table.file()},
+                 joined(counted(moved, "row"), " whose attributes name another place than the shape"),
+                 "one place for each: the shape counts", "delete the columns of coordinates if they are old");
         }
     }
     const std::string id = role == "targets" ? "target_id" : role == "nets" ? "name" : "";
@@ -152,7 +152,7 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
         take_system(role, name, std::move(read.layer.projection));
     }
     for (const config::Problem& doubt_found : formula_doubts(table)) {
-        doubt(doubt_found.place, doubt_found.found, doubt_found.expected);
+        warn(doubt_found.place, doubt_found.found, doubt_found.expected);
     }
     return std::move(table);
 }
@@ -184,15 +184,15 @@ bool Reading::check_systems() {
             case plausible::Sameness::silent:
                 break;
             case plausible::Sameness::unknown:
-                doubt({system.file},
-                      joined("a coordinate system that cannot be compared with that of ", first->file),
-                      "one coordinate system in all files");
+                warn({system.file},
+                     joined("a coordinate system that cannot be compared with that of ", first->file),
+                     "one coordinate system in all files");
                 break;
             case plausible::Sameness::nearly:
-                doubt({system.file},
-                      joined("coordinates in ", plausible::name_of_system(system.text), " beside ",
-                             plausible::name_of_system(first->text), " of ", first->file),
-                      "one coordinate system: these two differ by less than a metre");
+                warn({system.file},
+                     joined("coordinates in ", plausible::name_of_system(system.text), " beside ",
+                            plausible::name_of_system(first->text), " of ", first->file),
+                     "one coordinate system: these two differ by less than a metre");
                 break;
             case plausible::Sameness::other:
                 is_one = false;

@@ -32,10 +32,13 @@ public:
         problems_.add(config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
                       std::move(advice));
     }
-    /// Only suspicious: a warning, or a problem with strict_inputs.
-    void doubt(config::Place place, std::string found, std::string expected = "", std::string advice = "");
-    /// What the user should look at, never an error: a limit of the run and no fault of a file.
-    void warn(std::string sentence) { warnings_.add(std::move(sentence)); }
+    /// Suspicious input: a warning, or an error with run.strict_inputs.
+    void warn(config::Place place, std::string found, std::string expected, std::string advice = "",
+              config::Effect effect = config::Effect::part);
+    /// A limit of the run and no fault of a file: a warning, never an error.
+    void warn(std::string sentence, config::Effect effect = config::Effect::part) {
+        warnings_.add(std::move(sentence), effect);
+    }
     /// Worth knowing, never an error.
     void note(std::string sentence) { warnings_.add_note(std::move(sentence)); }
 

@@ -173,10 +173,10 @@ Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, 
         }
     }
     if (points > 0 && placed.sources.size() < points) {
-        reading.doubt({input.file},
-                      std::to_string(points - placed.sources.size()) + " of " + counted(points, "source") +
-                          " off the terrain; left out",
-                      "sources on the terrain", "correct their coordinates, or remove them");
+        reading.warn({input.file},
+                     std::to_string(points - placed.sources.size()) + " of " + counted(points, "source") +
+                         " off the terrain; left out",
+                     "sources on the terrain", "correct their coordinates, or remove them");
     }
     return placed;
 }

@@ -101,16 +101,16 @@ void warn_of_cells(const CellCounts& counts, const config::GridFrame& frame, con
                        "take a terrain without gaps there, or take these cells out of the sources");
     }
     if (counts.in_ring > 0) {
-        reading.doubt({input.file},
-                      counted(counts.in_ring, "source cell") + " of " + std::to_string(counts.all) +
-                          " in the outer ring of " + heights.file + ", where the terrain ends; left out",
-                      "sources at least one cell inside", "take a larger terrain if rocks start there");
+        reading.warn({input.file},
+                     counted(counts.in_ring, "source cell") + " of " + std::to_string(counts.all) +
+                         " in the outer ring of " + heights.file + ", where the terrain ends; left out",
+                     "sources at least one cell inside", "take a larger terrain if rocks start there");
     }
     if (counts.off_terrain > 0) {
-        reading.doubt({input.file},
-                      counted(counts.off_terrain, "source cell") + " of " + std::to_string(counts.all) +
-                          " off the terrain; left out",
-                      "sources on the terrain", "take a larger terrain if rocks start there");
+        reading.warn({input.file},
+                     counted(counts.off_terrain, "source cell") + " of " + std::to_string(counts.all) +
+                         " off the terrain; left out",
+                     "sources on the terrain", "take a larger terrain if rocks start there");
     }
 }
 

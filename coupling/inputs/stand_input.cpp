@@ -260,12 +260,12 @@ private:
 void doubt_odd_means(const config::Table& table, Reading& reading) {
     const std::vector<std::size_t> lines = plausible::odd_mean_trees(table);
     if (!lines.empty()) {
-        reading.doubt({table.file(), lines.front()},
-                      joined(counted(lines.size(), "stand record"),
-                             " with a mean tree that is less than 15 or more than 100 (thin trees: 120) "
-                             "times as high as thick"),
-                      "mean trees 40 to 100 times as high as thick, thin ones up to 120",
-                      "check mean_dbh_cm (cm) and mean_height_m (m): are the columns swapped?");
+        reading.warn({table.file(), lines.front()},
+                     joined(counted(lines.size(), "stand record"),
+                            " with a mean tree that is less than 15 or more than 100 (thin trees: 120) "
+                            "times as high as thick"),
+                     "mean trees 40 to 100 times as high as thick, thin ones up to 120",
+                     "check mean_dbh_cm (cm) and mean_height_m (m): are the columns swapped?");
     }
 }
 
@@ -350,7 +350,7 @@ void warn_of_stands_without_patch(const StandCover& cover, const forest::PatchGr
         without.erase(patch.management_unit);
     }
     if (!without.empty()) {
-        reading.doubt(
+        reading.warn(
             {cover.file},
             joined(counted(without.size(), "stand"), " without a forest cell on the terrain, such as ",
                    std::to_string(*without.begin())),

@@ -219,12 +219,11 @@ void doubt_sizes_beyond(const std::map<std::string, StoppingCurves>& stopping,
     const auto [smallest_m, largest_m, mean_m] = rocks;
     for (const auto& [code, curves] : stopping) {
         if (smallest_m < curves.smallest_m || largest_m > curves.largest_m) {
-            reading.doubt({reading.shown(reading.scenario().stopping)},
-                          "diameters of " + config::to_text(curves.smallest_m) + " to " +
-                              config::to_text(curves.largest_m) + " m for code " + code,
-                          "those of the rocks, " + config::to_text(smallest_m) + " to " +
-                              config::to_text(largest_m) +
-                              " m: beyond its ends a table keeps its last value");
+            reading.warn({reading.shown(reading.scenario().stopping)},
+                         "diameters of " + config::to_text(curves.smallest_m) + " to " +
+                             config::to_text(curves.largest_m) + " m for code " + code,
+                         "those of the rocks, " + config::to_text(smallest_m) + " to " +
+                             config::to_text(largest_m) + " m: beyond its ends a table keeps its last value");
         }
     }
 }
@@ -287,8 +286,8 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     add_first(shown, problems, table.file());
     shown.throw_if_any();
     for (const std::string& code : reader.unused_stopping(types)) {
-        reading.doubt({reading.shown(reading.scenario().stopping)}, "code " + code,
-                      "codes of " + table.file());
+        reading.warn({reading.shown(reading.scenario().stopping)}, "code " + code,
+                     "codes of " + table.file());
     }
     doubt_sizes_beyond(stopping_kept, rocks, reading);
     return types;

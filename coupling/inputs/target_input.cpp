@@ -55,7 +55,7 @@ std::vector<rockfall::Target> read_target_table(Reading& reading) {
         }
     }
     if (table.rows() == 0) {
-        reading.doubt({table.file()}, "no targets", "at least one, or no targets.file");
+        reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
     }
     config::Problems shown;
     add_first(shown, problems, table.file());
@@ -86,11 +86,11 @@ void judge_target(const rockfall::Target& target, const rockfall::Terrain& terra
     const config::Place place{reading.shown(reading.scenario().targets)};
     const std::string name = joined("target ", config::in_quotes(target.id));
     if (found.share > 0.0) {
-        reading.doubt(place,
-                      joined(name, " with ", plausible::percent_in_words(1.0 - found.share),
-                             target.is_area ? " of its area" : " of its length", " off the terrain"),
-                      "targets where rocks can be followed to",
-                      "take a larger terrain if that part matters: no rock is counted there");
+        reading.warn(place,
+                     joined(name, " with ", plausible::percent_in_words(1.0 - found.share),
+                            target.is_area ? " of its area" : " of its length", " off the terrain"),
+                     "targets where rocks can be followed to",
+                     "take a larger terrain if that part matters: no rock is counted there");
         return;
     }
     std::vector<config::Point2> vertices;

@@ -99,10 +99,10 @@ void warn_of_doubled_ids(const std::vector<ListedRow>& trees, const std::string&
         }
     }
     if (!doubled.empty()) {
-        reading.doubt({file},
-                      counted(doubled.size(), "tree_id") + " used more than once, such as " +
-                          config::in_quotes(*doubled.begin()),
-                      "one tree_id for each tree");
+        reading.warn({file},
+                     counted(doubled.size(), "tree_id") + " used more than once, such as " +
+                         config::in_quotes(*doubled.begin()),
+                     "one tree_id for each tree");
     }
 }
 
@@ -183,16 +183,16 @@ void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, c
 void doubt_odd_trees(const config::Table& table, Reading& reading) {
     const plausible::OddTrees odd = plausible::odd_trees(table);
     if (!odd.lines.empty()) {
-        reading.doubt({table.file(), odd.lines.front()},
-                      counted(odd.lines.size(), "tree") +
-                          " thicker than 200 cm, or less than 15 times as high as thick",
-                      "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
+        reading.warn({table.file(), odd.lines.front()},
+                     counted(odd.lines.size(), "tree") +
+                         " thicker than 200 cm, or less than 15 times as high as thick",
+                     "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
     }
     if (odd.columns_look_swapped) {
-        reading.doubt({table.file()},
-                      "most trees of 20 cm or more that are more than 110 times as high as thick",
-                      "thick trees 40 to 100 times as high as thick",
-                      "check whether the columns dbh_cm and height_m are swapped");
+        reading.warn({table.file()},
+                     "most trees of 20 cm or more that are more than 110 times as high as thick",
+                     "thick trees 40 to 100 times as high as thick",
+                     "check whether the columns dbh_cm and height_m are swapped");
     }
 }
 
@@ -245,7 +245,7 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
     add_first(shown, problems, table.file());
     shown.throw_if_any();
     if (rows.empty()) {
-        reading.doubt({table.file()}, "no trees", "at least one, or no trees.file for a bare slope");
+        reading.warn({table.file()}, "no trees", "at least one, or no trees.file for a bare slope");
     }
     warn_of_doubled_ids(rows, table.file(), reading);
     return rows;

@@ -45,12 +45,12 @@ void doubt_falling_sizes(std::vector<ZoneBlocks> blocks, Reading& reading) {
         const double size_m = here.start.law->diameter.mean_m();
         const double size_before_m = before.start.law->diameter.mean_m();
         if (here.zone == before.zone && size_m < size_before_m) {
-            reading.doubt(here.place,
-                          name_of_zone(here.zone) + ": rocks of " + config::to_text(size_m) + " m with " +
-                              config::to_text(here.return_period_years) + " years, of " +
-                              config::to_text(size_before_m) + " m with " +
-                              config::to_text(before.return_period_years),
-                          "rocks that do not get smaller with longer return periods");
+            reading.warn(here.place,
+                         name_of_zone(here.zone) + ": rocks of " + config::to_text(size_m) + " m with " +
+                             config::to_text(here.return_period_years) + " years, of " +
+                             config::to_text(size_before_m) + " m with " +
+                             config::to_text(before.return_period_years),
+                         "rocks that do not get smaller with longer return periods");
         }
     }
 }
@@ -130,7 +130,7 @@ void warn_of_zones(const SourceInput& input, Reading& reading) {
         for (std::size_t i = 0; i < std::min(named, without.size()); ++i) {
             names += joined(i > 0 ? ", " : "", std::to_string(without[i]));
         }
-        reading.doubt(
+        reading.warn(
             {input.file},
             joined(counted(without.size(), "zone"), " (", names, without.size() > named ? ", ..." : "",
                    ") without rocks of ", years, " years in hazard.blocks; none fall from there"),
@@ -138,7 +138,7 @@ void warn_of_zones(const SourceInput& input, Reading& reading) {
     }
     for (const auto& [zone, start] : input.start_of_zone) {
         if (zone != all_other_zones && !zones.contains(zone)) {
-            reading.doubt(
+            reading.warn(
                 {reading.shown(reading.scenario().hazard.blocks)},
                 joined("zone ", std::to_string(zone), " with rocks of ", years, " years but no source"),
                 "zones of the sources");
@@ -249,11 +249,11 @@ void doubt_zones_without_rocks(const std::vector<rockfall::ReleaseSource>& sourc
         rocks_of_zone.begin(), rocks_of_zone.end(), [](const auto& entry) { return entry.second == 0; }));
     if (empty > 0) {
         const Scenario& scenario = reading.scenario();
-        reading.doubt(scenario.options->place_of("release.rocks"),
-                      joined("rocks of ", config::to_text(scenario.hazard.return_period_years), " years for ",
-                             std::to_string(rocks_of_zone.size() - empty), " of ",
-                             counted(rocks_of_zone.size(), "zone"), "; none fall from the others"),
-                      "more rocks, or blocks for each zone");
+        reading.warn(scenario.options->place_of("release.rocks"),
+                     joined("rocks of ", config::to_text(scenario.hazard.return_period_years), " years for ",
+                            std::to_string(rocks_of_zone.size() - empty), " of ",
+                            counted(rocks_of_zone.size(), "zone"), "; none fall from the others"),
+                     "more rocks, or blocks for each zone");
     }
 }
 

@@ -147,10 +147,10 @@ void doubt_start(const ProfileSite& site, const Scenario& scenario, Reading& rea
     const auto triangle = site.slope.terrain.locate(site.start_m, 0.0);
     const double rise = triangle ? site.slope.terrain.plane_of(*triangle).gradient.x() : 0.0;
     if (rise > 1e-9) {
-        reading.doubt(scenario.options->place_of("profile.start_m"),
-                      "ground that rises with distance at the start, " + name_of_distance(site.start_m) +
-                          ": rocks go down it, against the distance",
-                      "a start where the ground falls");
+        reading.warn(scenario.options->place_of("profile.start_m"),
+                     "ground that rises with distance at the start, " + name_of_distance(site.start_m) +
+                         ": rocks go down it, against the distance",
+                     "a start where the ground falls");
     }
 }
 

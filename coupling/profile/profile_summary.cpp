@@ -72,7 +72,8 @@ void write_summary(std::ostream& out, const ProfileResults& results, const std::
                       {"start_m", json_number(results.site.start_m)}};
     summary["slope"] = along_profile(tally);
     summary["stations"] = stations(results);
-    summary["warnings"] = results.warnings.sentences();
+    summary["warnings"] = results.warnings.warnings();
+    summary["notes"] = results.warnings.notes();
     write_json_summary(out, std::move(summary), results.site.inputs, results.scenario, files);
 }
 

@@ -25,22 +25,41 @@ constexpr std::array<std::string_view, 13> worth_opening{"report.html",
                                                          "rasters/forest/E_95.asc",
                                                          "summary.json"};
 
-}  // namespace
-
-void print_warnings(const config::Warnings& warnings, bool verbose) {
-    for (const std::string& sentence : verbose ? warnings.sentences() : config::brief(warnings.sentences())) {
-        std::fprintf(stderr, "bannwald: warning: %s\n", sentence.c_str());
+/// Of many of a kind the first and their number; all of them if `verbose`.
+void print_messages(const char* kind, const std::vector<std::string>& sentences, bool verbose) {
+    if (verbose) {
+        for (const std::string& sentence : sentences) {
+            std::fprintf(stderr, "bannwald: %s: %s\n", kind, sentence.c_str());
+        }
+        return;
+    }
+    for (const config::BriefMessage& message : config::brief(sentences)) {
+        std::fprintf(stderr, "bannwald: %s: %s\n", kind, config::to_string(message).c_str());
     }
 }
 
+}  // namespace
+
+void print_warnings(const config::Warnings& warnings, bool verbose) {
+    print_messages("warning", warnings.warnings(), verbose);
+    print_messages("note", warnings.notes(), verbose);
+}
+
 void repeat_warnings(const config::Warnings& warnings, bool verbose) {
-    const std::size_t count = warnings.sentences().size();
-    if (count == 0) {
+    const std::size_t count = warnings.warnings().size();
+    const std::size_t notes = warnings.notes().size();
+    if (count + notes == 0) {
         return;
     }
     std::fflush(stdout);
-    std::fprintf(stderr, "bannwald: done, with %zu %s:\n", count, count == 1 ? "warning" : "warnings");
-    print_warnings(warnings, verbose);
+    if (count > 0) {
+        std::fprintf(stderr, "bannwald: done, with %zu %s:\n", count, count == 1 ? "warning" : "warnings");
+        print_messages("warning", warnings.warnings(), verbose);
+    }
+    if (notes > 0) {
+        std::fprintf(stderr, "bannwald: %zu %s on how inputs were understood: report.html lists %s\n", notes,
+                     notes == 1 ? "note" : "notes", notes == 1 ? "it" : "them");
+    }
 }
 
 void print_files(const std::filesystem::path& folder, std::span<const WrittenFile> files, bool verbose) {

@@ -8,10 +8,11 @@
 
 namespace coupling {
 
-/// Warnings to stderr; of many of a kind the first three and their number, all of them if `verbose`.
+/// Warnings, the largest effect first, then notes to stderr; of many of a kind the first and their number,
+/// all of them if `verbose`.
 void print_warnings(const config::Warnings& warnings, bool verbose);
 
-/// The same as the closing lines of a run, which even a quiet one prints.
+/// The closing lines of a run, which even a quiet one prints: all warnings again, and the number of notes.
 void repeat_warnings(const config::Warnings& warnings, bool verbose);
 
 /// To stdout: where the results lie and which files are worth opening, or all of them if `verbose`.

@@ -117,7 +117,8 @@ void write_summary(std::ostream& out, const RunResults& results, const Figures& 
     if (!results.observed_events.empty()) {
         summary["observed_events"] = json_observed_events(results.observed_events);
     }
-    summary["warnings"] = results.warnings.sentences();
+    summary["warnings"] = results.warnings.warnings();
+    summary["notes"] = results.warnings.notes();
     write_json_summary(out, std::move(summary), results.site.inputs, results.scenario, files);
 }
 

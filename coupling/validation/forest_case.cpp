@@ -61,7 +61,7 @@ void read_forest(ValidationCase& out) {
     out.comparison = std::make_shared<const Comparison>(forest_cases::read(out.kind, out.files, settings));
     config::Warnings of_files;
     forest_cases::warn_of_unread_files(out.kind, out.files, of_files);
-    out.warnings = of_files.sentences();
+    out.warnings = of_files.all();
     out.warnings.insert(out.warnings.end(), out.comparison->warnings.begin(), out.comparison->warnings.end());
     out.notes.insert(out.notes.end(), out.comparison->notes.begin(), out.comparison->notes.end());
 }

@@ -159,8 +159,7 @@ TEST(Messages, HaveARowForEachTextOfAWarning) {
     for (const auto& row : rows_of_messages()) {
         table += row[0] + '\n';
     }
-    constexpr std::array calls{"doubt(",
-                               "warn(",
+    constexpr std::array calls{"warn(",
                                "note(",
                                "warnings.add(",
                                "warnings_.add(",

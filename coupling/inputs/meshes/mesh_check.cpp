@@ -92,7 +92,7 @@ double step_of_single_precision_m(const MeshFile& mesh) {
 void doubt_precision(const MeshFile& mesh, const std::string& file, Reading& reading) {
     constexpr double tolerable_m = 0.02;
     if (mesh.single_precision && step_of_single_precision_m(mesh) > tolerable_m) {
-        reading.doubt(
+        reading.warn(
             {file},
             joined("coordinates of 32 bits in steps of ", to_cm(step_of_single_precision_m(mesh)), " m"),
             "double precision (PLY: property double), or coordinates from a nearer origin");
@@ -158,7 +158,7 @@ rockfall::Tin checked_tin(const rockfall::Tin& tin, const std::string& file,
     for (const rockfall::TinFinding& finding : checked.findings) {
         const char* expected = words_of(finding.fault).expected;
         if (rockfall::is_doubt(finding.fault)) {
-            reading.doubt({file}, found_in_words(finding), expected);
+            reading.warn({file}, found_in_words(finding), expected);
         } else {
             const bool lies_over = finding.fault == TinFault::overhang || finding.fault == TinFault::overlap;
             faults.add(config::ExitCode::data, {file}, found_in_words(finding), expected,

@@ -232,7 +232,7 @@ GivenNets nets_of(const config::Table& table, Standing standing) {
 
 std::vector<config::Problem> doubts_about(const config::Table& table, const std::vector<NetRecord>& nets) {
     std::vector<config::Problem> doubts;
-    const auto doubt = [&](config::Place place, std::string found, std::string expected) {
+    const auto warn = [&](config::Place place, std::string found, std::string expected) {
         doubts.push_back({config::ExitCode::data, std::move(place), std::move(found), std::move(expected)});
     };
     for (const std::string& column : table.columns()) {
@@ -240,27 +240,27 @@ std::vector<config::Problem> doubts_about(const config::Table& table, const std:
             std::find(net_columns().begin(), net_columns().end(), column) != net_columns().end();
         const std::string like = known ? "" : meant_column(column, net_columns());
         if (!like.empty() && !table.has(like)) {
-            doubt({table.file()}, joined("column ", config::in_quotes(column), ", which is passed over"),
-                  joined(like, ", if that is what is meant"));
+            warn({table.file()}, joined("column ", config::in_quotes(column), ", which is passed over"),
+                 joined(like, ", if that is what is meant"));
         }
     }
     for (std::size_t row = 0; row < nets.size(); ++row) {
         const NetRecord& record = nets[row];
         const double capacity_kj = record.net.capacity_j / j_per_kj;
         if (record.net.height_m < low_net_m) {
-            doubt(table.place(row, "height_m"),
-                  joined("a net of ", config::to_text(record.net.height_m), " m"), "a height in metres");
+            warn(table.place(row, "height_m"),
+                 joined("a net of ", config::to_text(record.net.height_m), " m"), "a height in metres");
         }
         if (record.energy_class.empty() && capacity_kj < weak_net_kj) {
-            doubt(table.place(row, "capacity_kj"),
-                  joined("a net that takes ", config::to_text(capacity_kj), " kJ"), "kilojoules");
+            warn(table.place(row, "capacity_kj"),
+                 joined("a net that takes ", config::to_text(capacity_kj), " kJ"), "kilojoules");
         }
         for (std::size_t other = 0; other < row; ++other) {
             if (bare_name(nets[other].name) == bare_name(record.name)) {
-                doubt(table.place(row, "name"),
-                      joined("name ", config::in_quotes(record.name), " beside ",
-                             config::in_quotes(nets[other].name)),
-                      "names that differ by more than capitals and blanks");
+                warn(table.place(row, "name"),
+                     joined("name ", config::in_quotes(record.name), " beside ",
+                            config::in_quotes(nets[other].name)),
+                     "names that differ by more than capitals and blanks");
             }
         }
     }
@@ -276,7 +276,7 @@ std::optional<GivenNets> read_nets(Reading& reading) {
         const config::Table table = reading.table("nets.file", "nets", file);
         GivenNets given = nets_of(table);
         for (const config::Problem& doubt : doubts_about(table, given.nets)) {
-            reading.doubt(doubt.place, doubt.found, doubt.expected, doubt.advice);
+            reading.warn(doubt.place, doubt.found, doubt.expected, doubt.advice);
         }
         return given;
     });

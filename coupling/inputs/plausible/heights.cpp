@@ -44,11 +44,11 @@ void doubt_zeros(std::vector<double> heights, const std::string& file, Reading& 
     const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::nth_element(heights.begin(), middle, heights.end());
     if (zeros > 0 && *middle > 100.0) {
-        reading.doubt({file},
-                      joined(counted(zeros, "cell"), " of height 0 where half of them lie above ",
-                             config::to_text(*middle), " m"),
-                      "NODATA where the ground is not known",
-                      "declare 0 as NODATA_value if it stands for unknown ground");
+        reading.warn({file},
+                     joined(counted(zeros, "cell"), " of height 0 where half of them lie above ",
+                            config::to_text(*middle), " m"),
+                     "NODATA where the ground is not known",
+                     "declare 0 as NODATA_value if it stands for unknown ground");
     }
 }
 
@@ -96,12 +96,12 @@ void doubt_holes(const config::Raster<double>& grid, const std::string& file, Re
     const config::Hole& largest =
         *std::max_element(holes.begin(), holes.end(),
                           [](const config::Hole& a, const config::Hole& b) { return a.cells < b.cells; });
-    reading.doubt({file},
-                  counted(holes.size(), "hole") + " of NODATA, together " + counted(cells, "cell") +
-                      ", the largest of " + counted(largest.cells, "cell") + " from " +
-                      cell_in_words(grid.frame, largest.first_cell) +
-                      "; rocks that come there leave the terrain",
-                  "heights everywhere inside the rim", "fill the holes in a GIS program");
+    reading.warn({file},
+                 counted(holes.size(), "hole") + " of NODATA, together " + counted(cells, "cell") +
+                     ", the largest of " + counted(largest.cells, "cell") + " from " +
+                     cell_in_words(grid.frame, largest.first_cell) +
+                     "; rocks that come there leave the terrain",
+                 "heights everywhere inside the rim", "fill the holes in a GIS program");
 }
 
 }  // namespace coupling::plausible

@@ -168,9 +168,9 @@ void judge_off_terrain(const OffTerrain& things, const Extent& terrain, Reading&
                        joined("at least half of the ", names, " on the terrain"), cause.advice);
         return;
     }
-    reading.doubt(things.place, joined(count, ", such as ", things.example, "; left out"),
-                  joined(names, " on the terrain"),
-                  "correct their coordinates unless they stand beyond its border");
+    reading.warn(things.place, joined(count, ", such as ", things.example, "; left out"),
+                 joined(names, " on the terrain"),
+                 "correct their coordinates unless they stand beyond its border");
 }
 
 }  // namespace coupling::plausible

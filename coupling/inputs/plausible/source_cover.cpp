@@ -62,11 +62,11 @@ void judge_polygon(const SourceShape& shape, const OnTerrain& found, Reading& re
                        "remove the row, correct it or take a larger terrain");
         return;
     }
-    reading.doubt(shape.place,
-                  joined(zone, " with ", percent_in_words(1.0 - found.share), " of its area (",
-                         area_in_words((1.0 - found.share) * found.size), " of ", area_in_words(found.size),
-                         ") off the terrain; no rock starts there"),
-                  "sources on the terrain", "take a larger terrain if rocks start there too");
+    reading.warn(shape.place,
+                 joined(zone, " with ", percent_in_words(1.0 - found.share), " of its area (",
+                        area_in_words((1.0 - found.share) * found.size), " of ", area_in_words(found.size),
+                        ") off the terrain; no rock starts there"),
+                 "sources on the terrain", "take a larger terrain if rocks start there too");
 }
 
 }  // namespace
@@ -112,12 +112,12 @@ void doubt_polygons_without_cell(const SourceInput& input, const std::vector<std
     for (std::size_t i = 0; i < input.shapes.size(); ++i) {
         const SourceShape& shape = input.shapes[i];
         if (cells[i] == 0 && start_of(input, shape.zone, shape.start)) {
-            reading.doubt(shape.place,
-                          joined("a source polygon of zone ", std::to_string(shape.zone),
-                                 " that holds the centre of no cell, or only of cells of later rows; no rock "
-                                 "starts there"),
-                          "polygons of a cell at least, apart from each other",
-                          "draw a line or points instead, or a larger polygon");
+            reading.warn(shape.place,
+                         joined("a source polygon of zone ", std::to_string(shape.zone),
+                                " that holds the centre of no cell, or only of cells of later rows; no rock "
+                                "starts there"),
+                         "polygons of a cell at least, apart from each other",
+                         "draw a line or points instead, or a larger polygon");
         }
     }
 }

@@ -12,10 +12,15 @@ namespace {
 
 using config::joined;
 
-std::string items_of(const std::vector<std::string>& lines, std::size_t first, std::size_t last) {
+std::string items_of(const std::vector<config::BriefMessage>& lines, std::size_t first, std::size_t last,
+                     const std::string& where) {
     std::string items;
     for (std::size_t i = first; i < last; ++i) {
-        items += joined("<li>", message_html(lines[i]), "</li>");
+        const std::string more =
+            lines[i].more == 0 ? ""
+                               : page_text("first_warnings.more_like_this",
+                                           {{"number", std::to_string(lines[i].more)}, {"where", where}});
+        items += joined("<li>", message_html(lines[i].sentence), more.empty() ? "" : " ", more, "</li>");
     }
     return joined("<ul>", items, "</ul>");
 }
@@ -23,7 +28,7 @@ std::string items_of(const std::vector<std::string>& lines, std::size_t first, s
 }  // namespace
 
 std::string first_warnings(const config::Warnings& warnings) {
-    return first_warnings(warnings.sentences(), page_text("first_warnings.the_section_warnings_lists_all"));
+    return first_warnings(warnings.warnings(), page_text("first_warnings.the_section_warnings_lists_all"));
 }
 
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where) {
@@ -31,7 +36,7 @@ std::string first_warnings(const std::vector<std::string>& sentences, const std:
     if (sentences.empty()) {
         return "";
     }
-    const std::vector<std::string> lines = config::brief(sentences, where);
+    const std::vector<config::BriefMessage> lines = config::brief(sentences);
     const std::size_t open = lines.size() == most + 1 ? lines.size() : std::min(most, lines.size());
     std::string html =
         joined("<section class=\"alert\" aria-label=\"", page_text("common.warnings"), "\">",
@@ -39,12 +44,12 @@ std::string first_warnings(const std::vector<std::string>& sentences, const std:
                          {{"sentences", std::to_string(sentences.size())},
                           {"part", sentences.size() == 1 ? page_text("first_warnings.warning")
                                                          : page_text("first_warnings.warnings")},
-                          {"lines_open", items_of(lines, 0, open)}}));
+                          {"lines_open", items_of(lines, 0, open, where)}}));
     if (open < lines.size()) {
         html +=
             joined("<details><summary>",
                    page_text("first_warnings.more", {{"lines_open", std::to_string(lines.size() - open)}}),
-                   "</summary>", items_of(lines, open, lines.size()), "</details>");
+                   "</summary>", items_of(lines, open, lines.size(), where), "</details>");
     }
     return joined(html, "</section>\n");
 }

@@ -7,8 +7,9 @@
 
 namespace coupling::report {
 
-/// The warnings for the first screen of a page, above its heading: of many of a kind the first three and how
-/// many more there are; beyond the first five lines folded. "" without any.
+/// The warnings for the first screen of a page, above its heading, the largest effect first: of many of a
+/// kind the first one and how many more there are; beyond the first five lines folded. "" without any. Notes
+/// stand behind the results (`list_of_warnings`).
 std::string first_warnings(const config::Warnings& warnings);
 
 /// The same for the sentences of several sources, as they are. `where` says where all of them stand.

@@ -47,6 +47,14 @@ std::string settings_table(const Scenario& scenario, const std::string& caption,
     return joined("<section class=\"card\">", table.html(), "</section>\n");
 }
 
+std::string list_of_messages(const std::vector<std::string>& sentences) {
+    std::string html = "<ul class=\"notes\">";
+    for (const std::string& sentence : sentences) {
+        html += joined("<li>", message_html(sentence), "</li>");
+    }
+    return joined(html, "</ul>\n");
+}
+
 }  // namespace
 
 std::string fact(std::string_view name, const std::string& value) {
@@ -80,14 +88,13 @@ std::string motion_in_words(const Scenario& scenario) {
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {
-    if (warnings.sentences().empty()) {
-        return joined("<p>", page_text("listings.none"), "</p>\n");
+    std::string html = warnings.warnings().empty() ? joined("<p>", page_text("listings.none"), "</p>\n")
+                                                   : list_of_messages(warnings.warnings());
+    if (!warnings.notes().empty()) {
+        html += joined("<h3>", page_text("listings.notes"), "</h3>\n<p>", page_text("listings.notes_say"),
+                       "</p>\n", list_of_messages(warnings.notes()));
     }
-    std::string html = "<ul class=\"notes\">";
-    for (const std::string& sentence : warnings.sentences()) {
-        html += joined("<li>", message_html(sentence), "</li>");
-    }
-    return joined(html, "</ul>\n");
+    return html;
 }
 
 std::string table_of_settings(const Scenario& scenario,

@@ -21,7 +21,7 @@ std::string rock_size(const Scenario& scenario);
 
 /// The motion model, and what its energies are made of.
 std::string motion_in_words(const Scenario& scenario);
-/// All warnings, for the section of that name.
+/// All warnings and, under a heading of their own, all notes: for the section of that name.
 std::string list_of_warnings(const config::Warnings& warnings);
 /// Settings by section; those that `is_shown` refuses are left out.
 /// The settings that differ from their defaults under a heading, and all of them folded.

@@ -162,7 +162,7 @@ Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
     data->settings = settings;
     data->judged = judged_years(settings);
     Comparison comparison;
-    comparison.warnings = warnings.sentences();
+    comparison.warnings = warnings.all();
     add_figures(comparison, *data);
     comparison.extent =
         joined(counted(data->tables.sites.size(), "place"), ", ", counted(settings.replicates, "replicate"),

@@ -210,7 +210,7 @@ Comparison read_demography(const CaseFiles& files, const DemographySettings& set
     data->parameters = parameters;
     data->settings = settings;
     Comparison comparison;
-    comparison.warnings = warnings.sentences();
+    comparison.warnings = warnings.all();
     add_figures(comparison, *data);
     comparison.extent = joined(std::to_string(data->cells.size()), " sizes and competitions, ",
                                std::to_string(settings.seeds), " stands each over ",

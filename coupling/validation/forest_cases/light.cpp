@@ -235,7 +235,7 @@ Comparison read_light(const CaseFiles& files, const LightSettings& settings) {
         tables.radiation.file(), warnings);
     const LightMonths months = months_of(settings);
     Comparison comparison;
-    comparison.warnings = warnings.sentences();
+    comparison.warnings = warnings.all();
     comparison.extent = joined(
         std::to_string(stand->trees.size()), " trees on ", std::to_string(stand->slopes.size()),
         stand->slopes.size() == 1 ? " slope, in two widths of columns" : " slopes, in two widths of columns");

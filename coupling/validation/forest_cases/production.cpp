@@ -343,7 +343,7 @@ Comparison read_production(const CaseFiles& files) {
     config::Warnings warnings;
     const auto runs = std::make_shared<const std::vector<ReferenceRun>>(read_reference_runs(files, warnings));
     Comparison comparison;
-    comparison.warnings = warnings.sentences();
+    comparison.warnings = warnings.all();
     std::size_t months = 0;
     for (const ReferenceRun& run : *runs) {
         months += rows_of(run.inputs) / run.inputs.species.size();

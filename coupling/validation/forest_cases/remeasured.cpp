@@ -261,7 +261,7 @@ Comparison read_remeasured(const CaseFiles& files, const RemeasuredSettings& set
     data->settings = settings;
     data->kinds = kinds_of(data->stand);
     Comparison comparison;
-    comparison.warnings = warnings.sentences();
+    comparison.warnings = warnings.all();
     comparison.notes = remeasured::notes_on_start(data->stand, data->species);
     add_figures(comparison, *data);
     comparison.extent =

@@ -243,7 +243,7 @@ Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
     data->twins = settings.twins;
     check_drawn(data->drawn_ages_years, data->ages_years);
     Comparison comparison;
-    comparison.warnings = warnings.sentences();
+    comparison.warnings = warnings.all();
     for (const YieldSite& site : data->tables.sites) {
         add_figures(comparison, *data, site);
     }

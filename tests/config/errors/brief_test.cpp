@@ -13,17 +13,23 @@ std::vector<Problem> problems(std::size_t count, const std::string& file, const 
     return list;
 }
 
-TEST(Brief, TellsThreeOfAKindAndHowManyMore) {
-    const std::vector<std::string> lines = brief(problems(732, "climate.csv", "a number in [-60, 50]"));
-    ASSERT_EQ(lines.size(), 4U);
-    EXPECT_EQ(lines[0], "climate.csv:1: found tmax_c '41', expected a number in [-60, 50]");
-    EXPECT_EQ(lines[2], "climate.csv:3: found tmax_c '43', expected a number in [-60, 50]");
-    EXPECT_EQ(lines[3], "... and 729 more like this; --verbose prints all");
+TEST(Brief, PrintsThreeOfAKindOneByOneAndOfMoreTheFirstWithTheirNumber) {
+    EXPECT_EQ(brief(problems(3, "a.csv", "a number")).size(), 3U);
+    const std::vector<BriefMessage> lines = brief(problems(732, "climate.csv", "a number in [-60, 50]"));
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].sentence, "climate.csv:1: found tmax_c '41', expected a number in [-60, 50]");
+    EXPECT_EQ(lines[0].more, 731U);
+    EXPECT_EQ(to_string(lines[0]), lines[0].sentence + " (and 731 more like this; --verbose prints all)");
 }
 
-TEST(Brief, TellsFourInFull) {
-    EXPECT_EQ(brief(problems(4, "a.csv", "a number")).size(), 4U);
-    EXPECT_EQ(brief(problems(5, "a.csv", "a number")).size(), 4U);
+TEST(Brief, CountsEveryMessageOnce) {
+    for (const std::size_t count : {1U, 2U, 3U, 4U, 5U, 1000U}) {
+        std::size_t all = 0;
+        for (const BriefMessage& message : brief(problems(count, "a.csv", "a number"))) {
+            all += 1 + message.more;
+        }
+        EXPECT_EQ(all, count);
+    }
 }
 
 TEST(Brief, KeepsKindsApart) {
@@ -43,10 +49,10 @@ TEST(Brief, TakesSentencesThatDifferInNumbersForOneKind) {
         sentences.push_back("line " + std::to_string(i) + ": 7." + std::to_string(i) + " is much");
     }
     sentences.insert(sentences.begin() + 5, "something else");
-    const std::vector<std::string> lines = brief(sentences);
-    ASSERT_EQ(lines.size(), 5U);
-    EXPECT_EQ(lines[3], "... and 7 more like this; --verbose prints all");
-    EXPECT_EQ(lines[4], "something else");
+    const std::vector<BriefMessage> lines = brief(sentences);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0].more, 9U);
+    EXPECT_EQ(lines[1].sentence, "something else");
 }
 
 }  // namespace

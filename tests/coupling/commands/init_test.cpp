@@ -52,7 +52,7 @@ TEST(Example, IsAWholeProjectWithoutDoubts) {
     EXPECT_EQ(site.targets.size(), 2U);
     EXPECT_EQ(site.slope.types.size(), 4U);
     // Only the two species that borrow parameters are told.
-    EXPECT_EQ(warnings.sentences().size(), 2U);
+    EXPECT_EQ(warnings.all().size(), 2U);
 }
 
 TEST(Estimate, CountsTheMapsOfEveryThread) {

@@ -49,7 +49,7 @@ inline Opened open(const SampleProject& project, const std::vector<std::string>&
         opened.code = error.code();
         opened.errors = without_folder(error.what(), project.folder());
     }
-    for (const std::string& sentence : warnings.sentences()) {
+    for (const std::string& sentence : warnings.all()) {
         opened.warnings.push_back(without_folder(sentence, project.folder()));
     }
     expect_translated(opened.warnings);

@@ -29,7 +29,7 @@ TEST(OpenProfile, ReadsCornersTypesAndStations) {
     ASSERT_EQ(site.stations.size(), 2U);
     EXPECT_EQ(site.stations[0].name, "road");
     EXPECT_EQ(site.inputs.size(), 3U);
-    EXPECT_TRUE(opened.warnings.sentences().empty());
+    EXPECT_TRUE(opened.warnings.all().empty());
 }
 
 TEST(OpenProfile, MeasuresAlongTheSlope) {
@@ -94,10 +94,10 @@ TEST(OpenProfile, TellsOfStartsThatRiseAndOfTypesTooNarrowToSee) {
                   "distance_m,height_m,surface\n0,500,1\n50,510,1\n100,416,road\n100.01,410,3\n300,337.5,\n");
     const OpenedProfile opened = open_profile_of(project);
     ASSERT_TRUE(opened.site) << opened.errors;
-    ASSERT_EQ(opened.warnings.sentences().size(), 2U);
+    ASSERT_EQ(opened.warnings.all().size(), 2U);
     // What is doubtful comes before what is only noted.
-    EXPECT_NE(opened.warnings.sentences()[1].find("100 m reaches over 0.01 m only"), std::string::npos);
-    EXPECT_NE(opened.warnings.sentences()[0].find("rises with distance at the start"), std::string::npos);
+    EXPECT_NE(opened.warnings.all()[1].find("100 m reaches over 0.01 m only"), std::string::npos);
+    EXPECT_NE(opened.warnings.all()[0].find("rises with distance at the start"), std::string::npos);
 }
 
 TEST(ProfileSettings, RefuseEachKeyWithoutMeaning) {

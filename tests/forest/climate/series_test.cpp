@@ -21,7 +21,7 @@ Reading read(const std::string& text) {
     } catch (const config::InputError& error) {
         result.error = error.what();
     }
-    result.warnings = warnings.sentences();
+    result.warnings = warnings.all();
     return result;
 }
 
@@ -101,7 +101,7 @@ TEST(Climate, MakesWhatIsMissingFromTemperaturesAndSaysSo) {
     EXPECT_DOUBLE_EQ(april.vpd_kpa, vpd_from_temperatures_kpa(2.0, 12.0));
     EXPECT_NEAR(april.frost_days, 30.0 * 0.25249, 1e-3) << "a minimum below 0 lies 2/3 of a deviation away";
     EXPECT_FALSE(april.degree_days);
-    EXPECT_EQ(warnings.sentences().size(), 3U);
+    EXPECT_EQ(warnings.all().size(), 3U);
 }
 
 TEST(Climate, NamesMonthsThatAreMissing) {

@@ -155,8 +155,8 @@ TEST(TreesFromList, FillsHeightsFromTheSpeciesCurveAndSaysSo) {
     const StartingTrees start = trees_from_list(list, square_of_forest(1), table, 1300.0, warnings);
     ASSERT_EQ(start.trees.size(), 20U);
     EXPECT_NEAR(start.trees[4].height_m, curve.height_m(18.0), 1e-6);
-    ASSERT_EQ(warnings.sentences().size(), 1U);
-    EXPECT_EQ(warnings.sentences()[0],
+    ASSERT_EQ(warnings.all().size(), 1U);
+    EXPECT_EQ(warnings.all()[0],
               "Picea abies: 5 heights filled in from a height curve through 15 measured trees (standard "
               "error 0.0 m)");
 }
@@ -168,7 +168,7 @@ TEST(TreesFromList, KeepTheHeightOfATallTree) {
                                                 square_of_forest(1), table, 1300.0, warnings);
     ASSERT_EQ(start.trees.size(), 1U);
     EXPECT_EQ(start.trees[0].height_m, greatest_m + 5.0);
-    EXPECT_TRUE(warnings.sentences().empty());
+    EXPECT_TRUE(warnings.all().empty());
 }
 
 TEST(TreesFromList, CountsWhatItCannotTake) {
@@ -180,7 +180,7 @@ TEST(TreesFromList, CountsWhatItCannotTake) {
     EXPECT_EQ(start.trees.size(), 3U);
     EXPECT_EQ(start.outside, std::vector<std::size_t>{2});
     EXPECT_GT(start.trees[1].height_m, 5.0);
-    EXPECT_EQ(warnings.sentences().size(), 5U);
+    EXPECT_EQ(warnings.all().size(), 5U);
 }
 
 }  // namespace

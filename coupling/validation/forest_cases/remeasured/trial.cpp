@@ -138,7 +138,7 @@ Regrown end_of(const forest::Stand& stand, const MeasuredStand& of) {
 std::vector<std::string> notes_on_start(const MeasuredStand& stand, const forest::SpeciesTable& species) {
     config::Warnings warnings;
     static_cast<void>(starting_trees(stand, patches_of(stand), species, warnings));
-    return warnings.sentences();
+    return warnings.all();
 }
 
 Regrown regrow(const MeasuredStand& of, const forest::SpeciesTable& species,

@@ -9,13 +9,14 @@ TEST(FirstWarnings, AreNothingWithoutAny) {
     EXPECT_EQ(first_warnings(config::Warnings{}), "");
 }
 
-TEST(FirstWarnings, PutDoubtsBeforeNotesAndEscapeThem) {
+TEST(FirstWarnings, PutTheLargestEffectFirstEscapeThemAndLeaveNotesOut) {
     config::Warnings warnings;
     warnings.add_note("a height was filled in");
     warnings.add("3 trees off the terrain & left out");
+    warnings.add("the heights are in feet", config::Effect::answer);
     const std::string html = first_warnings(warnings);
-    EXPECT_NE(html.find("<b>2 warnings about this run</b><ul><li>3 trees off the terrain &amp; left out</li>"
-                        "<li>a height was filled in</li></ul>"),
+    EXPECT_NE(html.find("<b>2 warnings about this run</b><ul><li>the heights are in feet</li>"
+                        "<li>3 trees off the terrain &amp; left out</li></ul>"),
               std::string::npos)
         << html;
     EXPECT_EQ(html.find("<details>"), std::string::npos);
@@ -26,14 +27,17 @@ TEST(FirstWarnings, CountThoseOfAKindAndFoldWhatIsBeyondFive) {
     for (int i = 0; i < 40; ++i) {
         warnings.add("stand " + std::to_string(i) + " has no patch");
     }
-    for (const char* other : {"alpha", "beta", "gamma", "delta"}) {
+    for (const char* other : {"alpha", "beta", "gamma", "delta", "epsilon", "zeta"}) {
         warnings.add(other);
     }
     const std::string html = first_warnings(warnings);
-    EXPECT_NE(html.find("<b>44 warnings about this run</b>"), std::string::npos) << html;
-    EXPECT_NE(html.find("... and 37 more like this; the section Warnings lists all"), std::string::npos)
+    EXPECT_NE(html.find("<b>46 warnings about this run</b>"), std::string::npos) << html;
+    EXPECT_NE(html.find("<li>stand 0 has no patch (and 39 more like this; the section Warnings lists all)"),
+              std::string::npos)
         << html;
-    EXPECT_NE(html.find("<details><summary>3 more</summary><ul><li>beta</li>"), std::string::npos) << html;
+    EXPECT_NE(html.find("<details><summary>2 more</summary><ul><li>epsilon</li><li>zeta</li></ul>"),
+              std::string::npos)
+        << html;
 }
 
 }  // namespace

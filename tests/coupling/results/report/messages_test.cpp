@@ -70,12 +70,6 @@ TEST(Messages, OfSeveralRunsAndPeriodsKeepTheirNames) {
     EXPECT_EQ(
         in(config::Language::de, "trees.csv: 3 trees below 1 cm diameter left out (return periods: 30, 100)"),
         "trees.csv: 3 Bäume unter 1 cm Durchmesser weggelassen (Wiederkehrdauern: 30, 100)");
-    std::vector<std::string> many;
-    for (int i = 0; i < 9; ++i) {
-        many.push_back("source " + std::to_string(i));
-    }
-    EXPECT_EQ(in(config::Language::de, config::brief(many, "siehe unten").back()),
-              "… und 6 weitere dieser Art; siehe unten");
 }
 
 TEST(Messages, KeepYearsAndExponentsInOnePiece) {

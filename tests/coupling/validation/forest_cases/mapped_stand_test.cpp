@@ -276,14 +276,14 @@ TEST(MappedStand, WarnsOfColumnsThatNothingReads) {
                         table("ground.csv")};
     config::Warnings none;
     warn_of_unknown_columns(tables, none);
-    EXPECT_TRUE(none.sentences().empty()) << none.sentences().front();
+    EXPECT_TRUE(none.all().empty()) << none.all().front();
     tables.sensors =
         config::Table::read(std::string_view{"x_m,y_m,light_slop_6,remark\n1,1,0.5,\n"}, "sensors.csv");
     config::Warnings warnings;
     warn_of_unknown_columns(tables, warnings);
-    ASSERT_EQ(warnings.sentences().size(), 1U);
+    ASSERT_EQ(warnings.all().size(), 1U);
     EXPECT_EQ(
-        warnings.sentences()[0],
+        warnings.all()[0],
         "sensors.csv: column 'light_slop_6' is not read; if it is 'light_slope_6', give it that name, or "
         "leave it out");
 }

@@ -39,7 +39,7 @@ MeasuredStand stand_of(const Texts& texts) {
 std::vector<std::string> warnings_of(const Texts& texts) {
     config::Warnings warnings;
     static_cast<void>(stand_of(texts, warnings));
-    return warnings.sentences();
+    return warnings.all();
 }
 
 std::string problem_of(const Texts& texts) {
