@@ -19,6 +19,7 @@
 #include "coupling/inputs/files_beside.hpp"
 #include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/plausible/same_system.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/species_table.hpp"
@@ -124,6 +125,7 @@ private:
         formats::PlacedGrid grid = file.grid();
         system_ = std::move(grid.projection);
         heights_ = std::move(grid.raster);
+        plausible::refuse_wrong_heights(heights_, system_, file.name());
         remark(joined(file.name(), ": ground heights, ", to_string(heights_.frame), ", ",
                       system_.empty() ? "no coordinate system" : plausible::name_of_system(system_)));
         terrain_ = setting("dem", file, "ground heights in m");

@@ -14,6 +14,7 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/observed_events_input.hpp"
 #include "coupling/inputs/observed_input.hpp"
+#include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
@@ -165,6 +166,28 @@ std::shared_ptr<ForestSite> forest_on(const HeightInput& heights, const rockfall
     return open_forest(heights_on_map(cells, terrain), heights.file, reading);
 }
 
+/// The ground at the listed trees, in absolute coordinates, and the rules on heights for a terrain that is no
+/// grid; a grid was held against them when it was read.
+void check_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
+                  const std::vector<TreeRecord>& trees, Reading& reading) {
+    std::vector<plausible::terrain::ListedTree> listed;
+    for (const TreeRecord& tree : trees) {
+        listed.push_back({tree.stem.x_m, tree.stem.y_m, tree.stem.height_m});
+    }
+    if (terrain.triangles().empty()) {
+        return;
+    }
+    if (heights.grid) {
+        plausible::check_ground_at_trees(*heights.grid, listed, heights.file, reading);
+        return;
+    }
+    HeightInput cells;
+    cells.map_frame = frame_over(heights.points, 0.0);
+    const config::Raster<double> samples = heights_on_map(cells, terrain);
+    plausible::check_sampled_heights(samples, heights.file, reading);
+    plausible::check_ground_at_trees(samples, listed, heights.file, reading);
+}
+
 /// Takes the obstacles that rocks cannot meet out of the forest.
 void drop_off_terrain(ForestSite& forest, const rockfall::Terrain& terrain, Reading& reading) {
     forest.obstacles = on_terrain(std::move(forest.obstacles), terrain, reading, forest.listed.size());
@@ -229,6 +252,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     rockfall::Terrain terrain =
         build_terrain(*files.heights, scenario.rockfall.ground, diameters_of(files.sources, scenario).mean_m,
                       scenario.longest_edge_m);
+    check_ground(*files.heights, terrain, files.trees.value_or(std::vector<TreeRecord>{}), reading);
     std::optional<GroundMap> ground;
     if (files.cover && files.types) {
         ground = match_ground(*files.heights, terrain, *files.cover, std::move(*files.types), reading);

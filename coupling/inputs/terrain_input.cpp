@@ -68,6 +68,10 @@ std::string projection_beside(const std::string& name, const plausible::Extent& 
     return text;
 }
 
+double highest_m(const config::Raster<double>& grid) {
+    return plausible::terrain::values_of(plausible::terrain::field_of(grid)).high_m;
+}
+
 HeightInput read_dem(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     HeightInput input;
@@ -78,6 +82,7 @@ HeightInput read_dem(Reading& reading) {
     const bool is_beside = reading.has_input("projection");
     check_projection(input.projection, is_beside ? projection_name(scenario.dem) : scenario.dem,
                      plausible::extent_of(input.grid->frame), reading);
+    plausible::check_highest_of_system(highest_m(*input.grid), input.projection, input.file);
     if (input.projection.empty()) {
         reading.note(input.file + ": no " + projection_name(scenario.dem) +
                      " beside it, so the results name no projection");
