@@ -237,7 +237,7 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
     as_it_is.contact_support_m = 0.0;
     constexpr double no_rock_m = 0.0;  // so its mean diameter plays no part
     const rockfall::Terrain terrain =
-        build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.longest_edge_m);
+        build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.longest_edge_m, reading);
     CollapseSite site;
     site.origin_m = terrain.origin_m();
     site.map_frame = heights->map_frame;

@@ -9,6 +9,7 @@
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/inputs/terrain_check.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/rockyfor3d/project.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -121,6 +122,10 @@ std::vector<std::string> write_from_files(const fs::path& folder, const GivenFil
     // A scenario that cannot be run is no start for anybody.
     config::Warnings warnings;
     const auto scenario = read_scenario(folder / "scenario.ini", {});
+    if (project.no_sources) {
+        check_terrain(*scenario);  // heights that cannot be meant are the likelier cause
+        throw config::InputError{{*project.no_sources}};
+    }
     open_site(*scenario, warnings);
     draft.keep();
     return project.remarks;

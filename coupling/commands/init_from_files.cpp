@@ -246,9 +246,12 @@ private:
         }
         const std::string limit = config::to_text(std::round(10.0 * limit_deg) / 10.0);
         if (cells == 0) {
-            config::fail(config::ExitCode::data, {given_.dem},
-                         joined("no cell steeper than ", limit, " degrees to take as a source of rocks"),
-                         "a slope with cliffs, or --sources", "name a layer of sources with --sources");
+            project_.no_sources = config::Problem{
+                config::ExitCode::data,
+                {given_.dem},
+                joined("no cell steeper than ", limit, " degrees to take as a source of rocks"),
+                "a slope with cliffs, or --sources",
+                "name a layer of sources with --sources"};
         }
         std::ostringstream text;
         config::write_ascii_grid(text, sources);

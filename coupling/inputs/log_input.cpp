@@ -121,7 +121,7 @@ void warn_of_doubled_ids(const std::vector<LogRecord>& logs, const std::string& 
         reading.warn({file},
                      joined(counted(doubled.size(), "log_id"), " used more than once, such as ",
                             config::in_quotes(*doubled.begin())),
-                     "one log_id for each log");
+                     "one log_id for each log", "", config::Effect::detail);
     }
 }
 

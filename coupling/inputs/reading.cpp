@@ -152,7 +152,7 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
         take_system(role, name, std::move(read.layer.projection));
     }
     for (const config::Problem& doubt_found : formula_doubts(table)) {
-        warn(doubt_found.place, doubt_found.found, doubt_found.expected);
+        warn(doubt_found.place, doubt_found.found, doubt_found.expected, "", config::Effect::detail);
     }
     return std::move(table);
 }
@@ -192,7 +192,8 @@ bool Reading::check_systems() {
                 warn({system.file},
                      joined("coordinates in ", plausible::name_of_system(system.text), " beside ",
                             plausible::name_of_system(first->text), " of ", first->file),
-                     "one coordinate system: these two differ by less than a metre");
+                     "one coordinate system: these two differ by less than a metre", "",
+                     config::Effect::detail);
                 break;
             case plausible::Sameness::other:
                 is_one = false;

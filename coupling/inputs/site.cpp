@@ -14,6 +14,7 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/observed_events_input.hpp"
 #include "coupling/inputs/observed_input.hpp"
+#include "coupling/inputs/plausible/source_places.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
@@ -226,9 +227,14 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     if (files.heights->has_codes && files.types) {
         meshes::name_ground(*files.heights, *files.types, reading);
     }
-    rockfall::Terrain terrain =
-        build_terrain(*files.heights, scenario.rockfall.ground, diameters_of(files.sources, scenario).mean_m,
-                      scenario.longest_edge_m);
+    std::optional<rockfall::Terrain> built = reading.attempt([&] {
+        return build_terrain(*files.heights, scenario.rockfall.ground,
+                             diameters_of(files.sources, scenario).mean_m, scenario.longest_edge_m, reading);
+    });
+    if (!built) {
+        reading.problems().throw_if_any();  // nothing lies on a terrain that there is not
+    }
+    rockfall::Terrain& terrain = *built;
     std::optional<GroundMap> ground;
     if (files.cover && files.types) {
         ground = match_ground(*files.heights, terrain, *files.cover, std::move(*files.types), reading);
@@ -255,6 +261,11 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     std::vector<NetRecord> nets;
     if (files.nets) {
         nets = on_terrain(std::move(*files.nets), terrain, reading.problems());
+    }
+    if (sources && files.targets && files.nets) {
+        plausible::judge_source_places(
+            {terrain, plausible::spacing_of(*files.heights), *sources, *files.targets, nets},
+            files.sources->file, reading);
     }
     std::shared_ptr<ForestSite> forest;
     if (scenario.years > 0) {

@@ -12,6 +12,7 @@
 #include "coupling/inputs/meshes/mesh_input.hpp"
 #include "coupling/inputs/plausible/coordinate_systems.hpp"
 #include "coupling/inputs/plausible/extent.hpp"
+#include "coupling/inputs/plausible/ground_share.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
@@ -47,15 +48,26 @@ void check_grid(const config::Raster<double>& grid, const std::string& file, Rea
                      "at least 3 x 3 known cells");
     }
     plausible::check_grid_heights(grid, file, reading);
-    plausible::doubt_holes(grid, file, reading);
+}
+
+/// Heights that are said to be no metres become a problem. `file` says it.
+void check_height_unit(const std::optional<formats::HeightUnit>& unit, const std::string& file,
+                       Reading& reading) {
+    const auto wrong = unit ? plausible::contradiction_of_heights(*unit) : std::nullopt;
+    if (wrong) {
+        reading.refuse({reading.shown(file)}, wrong->found, wrong->expected, wrong->advice);
+    }
 }
 
 /// A projection that contradicts the coordinates of the heights becomes a problem. `file` says it.
 void check_projection(const std::string& text, const std::string& file, const plausible::Extent& extent,
                       Reading& reading) {
+    check_height_unit(plausible::height_unit_in(text), file, reading);
     if (const auto wrong = plausible::contradiction_of(text, extent, file)) {
         reading.refuse({reading.shown(file)}, wrong->found, wrong->expected, wrong->advice);
+        return;
     }
+    plausible::judge_scale(text, file, extent, reading);
 }
 
 /// The text of the .prj file beside the heights, "" without one. A projection that contradicts their
@@ -271,8 +283,10 @@ config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double 
     return with_cell_size(whole, cell_size_m);
 }
 
-rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
-                                double mean_diameter_m, double longest_edge_m) {
+namespace {
+
+rockfall::Terrain triangulated(const HeightInput& input, const rockfall::GroundLaw& law,
+                               double mean_diameter_m, double longest_edge_m) {
     const double support_m = law.support_m(mean_diameter_m);
     if (input.grid) {
         return rockfall::triangulate(rockfall::contact_zone(*input.grid, support_m, law.contact_shift_m),
@@ -286,6 +300,15 @@ rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::Ground
         rockfall::contact_zone(input.points, support_m, law.contact_shift_m);
     return input.lines.empty() ? rockfall::triangulate(felt, longest_edge_m)
                                : rockfall::triangulate(felt, input.lines, longest_edge_m);
+}
+
+}  // namespace
+
+rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
+                                double mean_diameter_m, double longest_edge_m, Reading& reading) {
+    rockfall::Terrain terrain = triangulated(input, law, mean_diameter_m, longest_edge_m);
+    plausible::judge_ground(input, longest_edge_m, terrain, reading);
+    return terrain;
 }
 
 config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain) {

@@ -44,9 +44,11 @@ config::GridFrame with_cell_size(const config::GridFrame& frame, double cell_siz
 /// Frame over scattered points; size 0 takes their mean spacing rounded up to 1, 2 or 5 times a power of ten.
 config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double cell_size_m);
 
-/// The terrain that rocks feel: heights through the contact zone, triangulated unless they have faces.
+/// The terrain that rocks feel: heights through the contact zone, triangulated unless they have faces. Throws
+/// InputError (data) for one without a face or without relief; ground that lacks inside the outline becomes a
+/// problem or a warning (plausible/ground_share.hpp).
 rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
-                                double mean_diameter_m, double longest_edge_m);
+                                double mean_diameter_m, double longest_edge_m, Reading& reading);
 
 /// Heights on the map frame for pictures: of the grid as read; for points of the terrain.
 config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain);

@@ -1,6 +1,7 @@
 #include "coupling/inputs/tree_input.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <set>
@@ -13,6 +14,7 @@
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/repeated_trees.hpp"
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/species_table.hpp"
 #include "forest/start/height_curve.hpp"
@@ -102,7 +104,7 @@ void warn_of_doubled_ids(const std::vector<ListedRow>& trees, const std::string&
         reading.warn({file},
                      counted(doubled.size(), "tree_id") + " used more than once, such as " +
                          config::in_quotes(*doubled.begin()),
-                     "one tree_id for each tree");
+                     "one tree_id for each tree", "", config::Effect::detail);
     }
 }
 
@@ -188,11 +190,23 @@ void doubt_odd_trees(const config::Table& table, Reading& reading) {
                          " thicker than 200 cm, or less than 15 times as high as thick",
                      "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
     }
+    const bool has_slenderness = odd.girth_slenderness > 0.0;
+    if (has_slenderness || odd.girth_median_cm > 0.0) {
+        const auto whole = [](double value) { return std::to_string(std::lround(value)); };
+        reading.warn({table.file()},
+                     has_slenderness ? joined("half of the trees less than ", whole(odd.girth_slenderness),
+                                              " times as high as thick: dbh_cm looks like girths")
+                                     : joined("half of the trees thicker than ", whole(odd.girth_median_cm),
+                                              " cm: dbh_cm looks like girths"),
+                     "diameters in cm: a girth is 3.14 times as much",
+                     "divide the column dbh_cm by 3.14159 if it holds girths", config::Effect::answer);
+    }
     if (odd.columns_look_swapped) {
         reading.warn({table.file()},
                      "most trees of 20 cm or more that are more than 110 times as high as thick",
                      "thick trees 40 to 100 times as high as thick",
-                     "check whether the columns dbh_cm and height_m are swapped");
+                     "check whether the columns dbh_cm and height_m are swapped, or dbh_cm in inches",
+                     config::Effect::answer);
     }
 }
 
@@ -227,6 +241,7 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
         problems.throw_if_any();
     }
     doubt_columns(table, {"tree_id", "x_m", "y_m", "species", "dbh_cm", "height_m", "state"}, reading);
+    plausible::judge_repeated_trees(table, reading);
     plausible::check_tree_units(table);
     doubt_odd_trees(table, reading);
     std::vector<ListedRow> rows;

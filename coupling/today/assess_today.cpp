@@ -27,6 +27,7 @@
 #include "coupling/today/observed_events.hpp"
 #include "coupling/today/observed_stops.hpp"
 #include "coupling/today/row_tables.hpp"
+#include "coupling/today/unreached.hpp"
 #include "coupling/today/write_results.hpp"
 #include "coupling/version.hpp"
 
@@ -250,6 +251,7 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         warnings_.add(std::to_string(state_.not_started) +
                       " rocks were not released: their place in the source lies outside the terrain");
     }
+    warn_of_unreached(site_, total_, state_.net_rows, warnings_);
     make_folder(folder.staging() / "tables");
     // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
     std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {

@@ -173,17 +173,17 @@ TEST(Formats, AreRefusedInAnotherCoordinateSystem) {
     const std::string dem_tif = scenario("dem.tif", "surface = surface.tif", "layers.gpkg|trees",
                                          "source = source.tif", "targets.geojson");
     project.write("scenario.ini", dem_tif);
-    project.replace("targets.geojson", "EPSG::3035", "EPSG::31254");
+    project.replace("targets.geojson", "EPSG::2443", "EPSG::31254");
     const Outcome other = call(project, "check scenario.ini");
     EXPECT_EQ(other.code, 4);
     EXPECT_EQ(other.err.find("outside the terrain"), std::string::npos)
         << other.err;  // one message, the cause
     EXPECT_NE(other.err.find("targets.geojson: found coordinates in 'MGI_Austria_GK_West' (EPSG 31254), "
-                             "expected those of dem.tif, 'ETRS_1989_LAEA'; transform one of them (QGIS: "
+                             "expected those of dem.tif, 'JGD_2000_Japan_Zone_1'; transform one of them (QGIS: "
                              "Reproject layer, Warp): nothing is reprojected here"),
               std::string::npos)
         << other.err;
-    project.replace("targets.geojson", "EPSG::31254", "EPSG::3035");
+    project.replace("targets.geojson", "EPSG::31254", "EPSG::2443");
     project.write("surface.prj", "PROJCS[\"Own\",PARAMETER[\"False_Easting\",5]]");
     const Outcome grids = call(project, "check scenario.ini");
     EXPECT_EQ(grids.code, 0) << grids.err;  // a GeoTIFF with keys needs no projection beside it

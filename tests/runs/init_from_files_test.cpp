@@ -22,7 +22,7 @@ TEST(InitFromFiles, MakesAProjectThatRuns) {
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_EQ(made.out, "own/scenario.ini\n");
     for (const std::string sentence :
-         {"- dem.tif: ground heights, 12 x 10 cells of 10 m, corner 1000, 2000, 'ETRS_1989_LAEA'\n",
+         {"- dem.tif: ground heights, 12 x 10 cells of 10 m, corner 1000, 2000, 'JGD_2000_Japan_Zone_1'\n",
           "- layers.gpkg|grounds: ground types, codes 1, 3; what they mean is a guess in surface_types.csv\n",
           "- trees.shp: 3 trees\n", "- layers.gpkg|cliff: 1 shape as sources\n",
           "- targets.geojson: column 'id' is taken as target_id\n", "- targets.geojson: 2 targets\n",
@@ -102,7 +102,7 @@ TEST(InitFromFiles, RefusesAndLeavesNothing) {
     refused("--dem dem.tif", 4, "no cell steeper than 46.3 degrees to take as a source of rocks");
     refused("--dem dem.tif --sources layers.gpkg", 4, "found 4 layers: ");
     refused("--dem dem.tif --sources source.tif --trees road.shp", 4, "road.shp: no column 'species'");
-    project.replace("targets.geojson", "EPSG::3035", "EPSG::31254");
+    project.replace("targets.geojson", "EPSG::2443", "EPSG::31254");
     refused("--dem dem.tif --sources source.tif --targets targets.geojson", 4,
             "targets.geojson: found coordinates in 'MGI_Austria_GK_West' (EPSG 31254), expected those of "
             "dem.tif");

@@ -150,7 +150,7 @@ TEST_P(NetsUnderModel, KeepEveryRockFromATargetOnTheirLine) {
     const SampleProject project;
     project.write(
         "nets.csv",
-        "name,height_m,capacity_kj,wkt\nwall,50,1000000,\"LINESTRING (1098 2005, 1098 2010, 1098 2090, "
+        "name,height_m,capacity_kj,wkt\nwall,50,30000,\"LINESTRING (1098 2005, 1098 2010, 1098 2090, "
         "1098 2095)\"\n");
     project.replace("targets.csv", "1105 2010, 1105 2090", "1098 2010, 1098 2090");
     project.replace("scenario.ini", "[targets]", "[nets]\nfile = nets.csv\n[targets]");

@@ -98,20 +98,23 @@ const Compression& compression_of(TIFF* tiff, const std::string& file) {
     return *known;
 }
 
+/// What GDAL says of the first band in a role; nothing where it does not.
+std::optional<std::string> said_of_band(TIFF* tiff, const std::string& role) {
+    const std::string metadata = text_tag(tiff, 42112);
+    const std::size_t at = metadata.find("role=\"" + role + "\"");
+    const std::size_t begin = at == std::string::npos ? at : metadata.find('>', at);
+    const std::size_t end = begin == std::string::npos ? begin : metadata.find('<', begin);
+    return end == std::string::npos ? std::nullopt
+                                    : std::optional{metadata.substr(begin + 1, end - begin - 1)};
+}
+
 /// Where GDAL keeps a number by which all cells are to be multiplied, or which is to be added.
 void refuse_packed_numbers(TIFF* tiff, const std::string& file) {
-    const std::string metadata = text_tag(tiff, 42112);
     for (const auto& [role, plain] :
          std::array<std::pair<std::string, double>, 2>{{{"scale", 1.0}, {"offset", 0.0}}}) {
-        const std::size_t at = metadata.find("role=\"" + role + "\"");
-        const std::size_t begin = at == std::string::npos ? at : metadata.find('>', at);
-        const std::size_t end = begin == std::string::npos ? begin : metadata.find('<', begin);
-        if (end == std::string::npos) {
-            continue;
-        }
-        const std::string value = metadata.substr(begin + 1, end - begin - 1);
-        if (config::parse_number(value) != plain) {
-            refuse(file, joined("cells with a ", role, " of ", config::in_quotes(value)),
+        const std::optional<std::string> value = said_of_band(tiff, role);
+        if (value && config::parse_number(*value) != plain) {
+            refuse(file, joined("cells with a ", role, " of ", config::in_quotes(*value)),
                    "cells that hold the values themselves",
                    "unpack them (gdal_translate -unscale -ot Float32)");
         }
@@ -429,6 +432,14 @@ PlacedGrid read_geotiff(std::string_view bytes, const std::string& file) {
     const GeoKeys keys = read_geo_keys(tiff.get());
     PlacedGrid grid;
     grid.projection = keys.projection;
+    std::optional<HeightUnit> heights = keys.heights;
+    const std::optional<std::string> unit = said_of_band(tiff.get(), "unittype");
+    if (unit && (!heights || heights->is_metres_upwards())) {
+        heights = height_unit_in_words(*unit);
+    }
+    if (heights && !heights->is_metres_upwards()) {
+        grid.projection += (grid.projection.empty() ? "" : ",") + vertical_text(*heights);
+    }
     grid.raster.frame = frame_of(tiff.get(), layout, keys, file);
     refuse_mask(tiff.get(), file);
     grid.raster.values = CellReader{tiff.get(), layout, file}.read();

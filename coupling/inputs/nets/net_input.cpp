@@ -21,7 +21,11 @@ using config::joined;
 
 constexpr config::NumberRange height_range_m{.low = 0.0, .high = 50.0, .low_excluded = true};
 constexpr config::NumberRange gap_range_m{.low = 0.0, .high = 50.0};
-constexpr config::NumberRange capacity_range_kj{.low = 0.0, .high = 1e6, .low_excluded = true};
+/// The strongest net that was tested held 10 000 kJ; classes of EAD 340059-00-0106 end with an open one above
+/// 4500 kJ. [choice] Joules begin far beyond: 35 kJ, the weakest net on offer, are 35 000 J.
+constexpr double strongest_net_kj = 10'000.0;
+constexpr double joules_from_kj = 35'000.0;
+constexpr config::NumberRange capacity_range_kj{.low = 0.0, .low_excluded = true};
 constexpr double shortest_net_m = 0.1;
 /// So far apart lie the places at which a net is looked at for ground below it.
 constexpr double ground_step_m = 1.0;
@@ -116,8 +120,16 @@ private:
             return;
         }
         if (by_number) {
-            record.net.capacity_j =
-                j_per_kj * table_.number(row, "capacity_kj", capacity_range_kj, problems_).value_or(0.0);
+            const double capacity_kj =
+                table_.number(row, "capacity_kj", capacity_range_kj, problems_).value_or(0.0);
+            if (capacity_kj >= joules_from_kj) {
+                problems_.add(config::ExitCode::data, table_.place(row, "capacity_kj"),
+                              joined("a net that takes ", table_.text(row, "capacity_kj"),
+                                     " kJ, which looks like joules"),
+                              "kilojoules: the strongest tested nets take 10 000 kJ",
+                              "divide the column capacity_kj by 1000");
+            }
+            record.net.capacity_j = j_per_kj * capacity_kj;
             return;
         }
         record.energy_class = table_.text(row, "class");
@@ -254,6 +266,11 @@ std::vector<config::Problem> doubts_about(const config::Table& table, const std:
         if (record.energy_class.empty() && capacity_kj < weak_net_kj) {
             warn(table.place(row, "capacity_kj"),
                  joined("a net that takes ", config::to_text(capacity_kj), " kJ"), "kilojoules");
+        }
+        if (capacity_kj > strongest_net_kj) {
+            warn(table.place(row, "capacity_kj"),
+                 joined("a net that takes ", config::to_text(capacity_kj), " kJ"),
+                 "kilojoules: the strongest tested nets take 10 000 kJ");
         }
         for (std::size_t other = 0; other < row; ++other) {
             if (bare_name(nets[other].name) == bare_name(record.name)) {

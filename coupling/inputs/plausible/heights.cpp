@@ -84,7 +84,8 @@ void check_grid_heights(const config::Raster<double>& grid, const std::string& f
     doubt_zeros(std::move(known), file, reading);
 }
 
-void doubt_holes(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
+void doubt_holes(const config::Raster<double>& grid, const std::string& file, config::Effect effect,
+                 Reading& reading) {
     const std::vector<config::Hole> holes = config::holes_of(grid);
     if (holes.empty()) {
         return;
@@ -101,7 +102,7 @@ void doubt_holes(const config::Raster<double>& grid, const std::string& file, Re
                      ", the largest of " + counted(largest.cells, "cell") + " from " +
                      cell_in_words(grid.frame, largest.first_cell) +
                      "; rocks that come there leave the terrain",
-                 "heights everywhere inside the rim", "fill the holes in a GIS program");
+                 "heights everywhere inside the rim", "fill the holes in a GIS program", effect);
 }
 
 }  // namespace coupling::plausible

@@ -17,6 +17,7 @@ void check_height_range(double low_m, double high_m, const std::string& file);
 void check_grid_heights(const config::Raster<double>& grid, const std::string& file, Reading& reading);
 
 /// Rocks that come to a hole are lost from the count behind it: warns of NODATA inside.
-void doubt_holes(const config::Raster<double>& grid, const std::string& file, Reading& reading);
+void doubt_holes(const config::Raster<double>& grid, const std::string& file, config::Effect effect,
+                 Reading& reading);
 
 }  // namespace coupling::plausible

@@ -53,8 +53,20 @@ TEST(ReadGeotiff, NamesTheCoordinateSystemOfItsKeys) {
     const auto projection =
         plausible::read_projection(read_geotiff(given_file("dem.tif"), "dem.tif").projection);
     ASSERT_TRUE(projection);
-    EXPECT_EQ(projection->name, "ETRS_1989_LAEA");
-    EXPECT_EQ(projection->false_easting, 4321000.0);
+    EXPECT_EQ(projection->name, "JGD_2000_Japan_Zone_1");
+    EXPECT_EQ(projection->central_meridian_deg, 129.5);
+}
+
+TEST(ReadGeotiff, NamesTheUnitOfItsHeights) {
+    const std::string system = read_geotiff(given_file("feet.tif"), "feet.tif").projection;
+    const auto plan = plausible::read_projection(system);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->metres_per_unit, 1.0) << "of the plan";
+    const auto heights = plausible::height_unit_in(system);
+    ASSERT_TRUE(heights) << system;
+    EXPECT_NEAR(heights->metres, 1200.0 / 3937.0, 1e-9);
+    EXPECT_EQ(heights->name, "NAVD88 height (ftUS)");
+    EXPECT_FALSE(plausible::height_unit_in(read_geotiff(given_file("dem.tif"), "dem.tif").projection));
 }
 
 TEST(ReadGeotiff, ReadsWhatTheProgramWrites) {
