@@ -255,7 +255,7 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
         slope = slope_of_blocks(std::move(of_blocks), *heights, terrain, reading);
     }
     reading.check_systems();
-    reading.problems().throw_if_any();
+    reading.finish();
     add_stems(terrain, site);
     if (slope) {
         site.handed_ground = std::make_shared<const HandedGround>(std::move(*slope), *floor, site.trees,

@@ -1,14 +1,15 @@
 #include "coupling/commands/init.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <system_error>
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/commands/check.hpp"
+#include "coupling/commands/command_line.hpp"
 #include "coupling/examples/embedded.hpp"
 #include "coupling/inputs/path_checks.hpp"
-#include "coupling/inputs/scenario.hpp"
-#include "coupling/inputs/site.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/rockyfor3d/project.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -85,6 +86,28 @@ private:
     std::vector<fs::path> written_;
 };
 
+/// A scenario that cannot be run is no start for anybody, and what `check` would say is said at once.
+config::Warnings checked(const fs::path& scenario) {
+    config::Warnings warnings;
+    CommandLine line;
+    line.argument = scenario;
+    std::ostringstream description;
+    check_scenario(line, warnings, description);
+    return warnings;
+}
+
+template <class Project>
+MadeProject write_project(const fs::path& folder, const Project& project) {
+    const InterruptGuard until_written;
+    Draft draft{folder};
+    for (const auto& file : project.files) {
+        draft.write(file.name, file.text);
+    }
+    MadeProject made{project.remarks, checked(folder / "scenario.ini")};
+    draft.keep();
+    return made;
+}
+
 }  // namespace
 
 void write_example(const fs::path& folder, const std::string& example) {
@@ -98,32 +121,14 @@ void write_example(const fs::path& folder, const std::string& example) {
     draft.keep();
 }
 
-std::vector<std::string> write_from_rockyfor3d(const fs::path& folder, const fs::path& source) {
+MadeProject write_from_rockyfor3d(const fs::path& folder, const fs::path& source) {
     check_folder(folder);
-    const rockyfor3d::Project project = rockyfor3d::project_of(source);
-    const InterruptGuard until_written;
-    Draft draft{folder};
-    for (const rockyfor3d::Project::File& file : project.files) {
-        draft.write(file.name, file.text);
-    }
-    draft.keep();
-    return project.remarks;
+    return write_project(folder, rockyfor3d::project_of(source));
 }
 
-std::vector<std::string> write_from_files(const fs::path& folder, const GivenFiles& given) {
+MadeProject write_from_files(const fs::path& folder, const GivenFiles& given) {
     check_folder(folder);
-    const GivenProject project = project_from_files(given, folder);
-    const InterruptGuard until_written;
-    Draft draft{folder};
-    for (const GivenProject::File& file : project.files) {
-        draft.write(file.name, file.text);
-    }
-    // A scenario that cannot be run is no start for anybody.
-    config::Warnings warnings;
-    const auto scenario = read_scenario(folder / "scenario.ini", {});
-    open_site(*scenario, warnings);
-    draft.keep();
-    return project.remarks;
+    return write_project(folder, project_from_files(given, folder));
 }
 
 }  // namespace coupling

@@ -17,11 +17,11 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/files_beside.hpp"
-#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/plausible/same_system.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/species_table.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
 namespace {
@@ -106,11 +106,7 @@ private:
         return joined(key, " = ", file.name_from(folder_), "    ; ", comment, "\n");
     }
 
-    /// Grids without a system lie on the cells of the terrain, so only layers are spoken of.
     void check_system(const GivenFile& file, const std::string& system) {
-        if (system.empty() && !file.is_grid()) {
-            remark(joined(file.name(), ": names no coordinate system; taken as that of the terrain"));
-        }
         if (plausible::compare_systems(system_, system) == plausible::Sameness::other) {
             config::fail(config::ExitCode::data, {file.name()},
                          joined("coordinates in ", plausible::name_of_system(system)),
@@ -150,7 +146,7 @@ private:
         } else {
             formats::ReadLayer read = file.layer();
             check_system(file, read.layer.projection);
-            name_columns_of(read.layer.table, "surface_polygons");
+            prepare(read, "surface_polygons");
             config::Problems problems;
             read.layer.table.require({"code", "wkt"}, problems);
             for (std::size_t row = 0; problems.empty() && row < read.layer.table.rows(); ++row) {
@@ -176,11 +172,14 @@ private:
                       "surface_types.csv"));
     }
 
-    void name_columns_of(config::Table& table, const std::string& role) {
-        for (const formats::NamedColumn& column : formats::name_columns(table, role)) {
-            remark(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
-                          column.taken_as));
+    /// As the reader of the project will have it; what there is to say is said when the project is checked.
+    static void prepare(formats::ReadLayer& read, const std::string& role) {
+        config::Problems problems;
+        for (const config::Problem& problem :
+             tables::prepare(read.layer.table, role, read.has_shapes_of_its_own).errors) {
+            problems.add(problem);
         }
+        problems.throw_if_any();
     }
 
     void take_trees() {
@@ -192,11 +191,10 @@ private:
         GivenFile file{given_.trees};
         formats::ReadLayer read = file.layer();
         config::Table& table = read.layer.table;
-        if (read.has_shapes_of_its_own && table.has("wkt")) {
+        if (read.has_shapes_of_its_own && table.find("wkt")) {
             check_system(file, read.layer.projection);
         }
-        name_columns_of(table, "trees");
-        formats::take_coordinates(table, "trees", read.has_shapes_of_its_own);
+        prepare(read, "trees");
         config::Problems problems;
         table.require({"x_m", "y_m", "species", "dbh_cm"}, problems);
         problems.throw_if_any();
@@ -219,7 +217,7 @@ private:
         } else {
             formats::ReadLayer read = file.layer();
             check_system(file, read.layer.projection);
-            name_columns_of(read.layer.table, "source_shapes");
+            prepare(read, "source_shapes");
             release_ = setting("source_shapes", file, "where rocks break off");
             remark(joined(file.name(), ": ", counted(read.layer.table.rows(), "shape"), " as sources"));
         }
@@ -273,7 +271,7 @@ private:
         if (read.has_shapes_of_its_own) {
             check_system(file, read.layer.projection);
         }
-        name_columns_of(read.layer.table, "targets");
+        prepare(read, "targets");
         config::Problems problems;
         read.layer.table.require({"wkt"}, problems);
         problems.throw_if_any();

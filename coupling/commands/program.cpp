@@ -42,20 +42,23 @@ int code(ExitCode exit_code) {
 }
 
 int init(const CommandLine& line) {
-    std::vector<std::string> remarks;
+    MadeProject made;
     if (!line.given.dem.empty()) {
-        remarks = write_from_files(line.argument, line.given);
+        made = write_from_files(line.argument, line.given);
     } else if (!line.rockyfor3d.empty()) {
-        remarks = write_from_rockyfor3d(line.argument, line.rockyfor3d);
+        made = write_from_rockyfor3d(line.argument, line.rockyfor3d);
     } else {
         write_example(line.argument, line.example);
     }
     const std::string scenario = (line.argument / "scenario.ini").string();
     std::cout << scenario << '\n';
     if (!line.quiet) {
-        for (const std::string& remark : remarks) {
+        for (const std::string& remark : made.remarks) {
             std::cerr << "- " << remark << '\n';
         }
+    }
+    print_warnings(made.warnings, line.verbose);
+    if (!line.quiet) {
         const bool is_collapse = line.example.starts_with("collapse");
         std::cerr << "next: bannwald " << (is_collapse ? "collapse " : "run ") << scenario << '\n';
     }

@@ -205,7 +205,7 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
                                       mean_block_m > 0.0 && known ? known->dbh_from_cm : 0.0, reading);
         management.target_profile = rows ? std::move(*rows) : std::vector<NaisRow>{};
     }
-    reading.problems().throw_if_any();
+    reading.finish();
     management.prices = std::move(*read);
     management.inputs = reading.inputs();
     return management;

@@ -323,7 +323,7 @@ HazardPlan read_plan(const Scenario& scenario) {
     config::Warnings ignored;  // the sites of the return periods print them
     Reading reading{scenario, ignored};
     HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}};
-    reading.problems().throw_if_any();
+    reading.finish();
     plan.inputs = reading.inputs();
     return plan;
 }

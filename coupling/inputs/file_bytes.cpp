@@ -12,6 +12,7 @@
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/gunzip.hpp"
+#include "coupling/inputs/path_checks.hpp"
 
 namespace coupling {
 
@@ -73,7 +74,7 @@ FileBytes open_file(const std::filesystem::path& path, const config::Place& aske
     const std::string reason = reason_against(path);
     if (!reason.empty()) {
         config::fail(config::ExitCode::file, asked_at, reason + " " + config::in_quotes(path.string()),
-                     std::string{expected});
+                     std::string{expected}, windows_path_advice(path));
     }
     FileBytes bytes;
     try {

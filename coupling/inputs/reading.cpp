@@ -8,10 +8,9 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/doubtful_columns.hpp"
-#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/plausible/same_system.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
 
@@ -84,37 +83,31 @@ void Reading::take_system(const std::string& role, const std::string& name, std:
     systems_.push_back({role, shown(name), std::move(text)});
 }
 
-void Reading::take_names(config::Table& table, const std::string& role, bool has_own_shapes) {
-    for (const formats::NamedColumn& column : formats::name_columns(table, role)) {
-        note(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
-                    column.taken_as));
+void Reading::take_findings(const tables::Findings& findings) {
+    for (const std::string& sentence : findings.notes) {
+        note(sentence);
     }
-    if (role == "trees" || role == "logs") {
-        const std::size_t moved = formats::take_coordinates(table, role, has_own_shapes);
-        if (moved > 0) {
-            warn({table.file()},
-                 joined(counted(moved, "row"), " whose attributes name another place than the shape"),
-                 "one place for each: the shape counts", "delete the columns of coordinates if they are old");
-        }
+    for (const config::Problem& warning : findings.warnings) {
+        warn(warning.place, warning.found, warning.expected, warning.advice, config::Effect::part);
     }
-    const std::string id = role == "targets" ? "target_id" : role == "nets" ? "name" : "";
-    if (has_own_shapes && !id.empty() && !table.has(id) && table.has("wkt")) {
-        std::vector<std::string> numbers;
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-            numbers.push_back(std::to_string(table.place(row, "wkt").line));
-        }
-        table.add_column(id, std::move(numbers), "wkt");
-        note(joined(table.file(), ": no column for ", id, ": numbers of the features are taken"));
+    for (const config::Problem& error : findings.errors) {
+        problems_.add(error);
     }
+}
+
+void Reading::finish() {
+    for (const auto& use : uses_) {
+        take_findings(tables::findings_of_use(*use));
+    }
+    uses_.clear();
+    problems_.throw_if_any();
 }
 
 namespace {
 
 /// Layers that a GIS wrote without shapes, where shapes are what is wanted.
 void refuse_layer_without_shapes(const config::Table& table, const std::string& role) {
-    constexpr std::array of_shapes{"targets",       "nets",      "stands",
-                                   "source_shapes", "tree_area", "surface_polygons"};
-    if (std::find(of_shapes.begin(), of_shapes.end(), role) == of_shapes.end()) {
+    if (!tables::is_of_shapes(role)) {
         return;
     }
     bool any = table.rows() == 0 && table.has("wkt");
@@ -144,15 +137,13 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
     if (read.has_shapes_of_its_own) {
         refuse_layer_without_shapes(table, role);
     }
-    take_names(table, role, read.has_shapes_of_its_own);
+    take_findings(tables::prepare(table, role, read.has_shapes_of_its_own));
+    uses_.push_back(table.use());
     if (read.has_shapes_of_its_own && table.has("wkt")) {
         if (read.layer.projection.empty()) {
             note(joined(table.file(), ": names no coordinate system; taken as that of the terrain"));
         }
         take_system(role, name, std::move(read.layer.projection));
-    }
-    for (const config::Problem& doubt_found : formula_doubts(table)) {
-        warn(doubt_found.place, doubt_found.found, doubt_found.expected);
     }
     return std::move(table);
 }

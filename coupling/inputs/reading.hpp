@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
 
@@ -27,6 +29,10 @@ public:
     [[nodiscard]] const Scenario& scenario() const { return scenario_; }
     [[nodiscard]] config::Problems& problems() { return problems_; }
     [[nodiscard]] const std::vector<InputFile>& inputs() const { return inputs_; }
+
+    /// When everything was read: notes the columns of tables that were read under another name and those that
+    /// nobody read, and throws all problems.
+    void finish();
 
     void refuse(config::Place place, std::string found, std::string expected = "", std::string advice = "") {
         problems_.add(config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
@@ -93,7 +99,7 @@ private:
     config::Warnings& warnings_;
 
     formats::BytesBeside beside(const std::string& role, const std::string& file);
-    void take_names(config::Table& table, const std::string& role, bool has_own_shapes);
+    void take_findings(const tables::Findings& findings);
 
     /// What a grid or layer says of its coordinates.
     struct NamedSystem {
@@ -104,6 +110,7 @@ private:
 
     config::Problems problems_;
     std::vector<InputFile> inputs_;
+    std::vector<std::shared_ptr<const config::ColumnUse>> uses_;  ///< of each table
     std::vector<NamedSystem> systems_;
     std::size_t systems_checked_ = 0;
     std::deque<FileBytes> open_;  ///< parts of Shapefiles while they are read

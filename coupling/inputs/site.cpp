@@ -264,7 +264,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
         }
     }
     reading.check_systems();
-    reading.problems().throw_if_any();
+    reading.finish();
 
     if (!has_rocks(scenario)) {
         ground = GroundMap{.types = {},

@@ -13,6 +13,7 @@
 #include "coupling/inputs/plausible/coordinate_systems.hpp"
 #include "coupling/inputs/plausible/extent.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
+#include "coupling/inputs/tables/point_file.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
 
@@ -126,7 +127,11 @@ HeightInput read_point_cloud(Reading& reading) {
     HeightInput input;
     input.file = reading.shown(scenario.points);
     const FileBytes bytes = reading.open("terrain.points", "points", scenario.points, "a text of x y z");
-    input.points = read_points(bytes.text(), input.file);
+    tables::PointFile read = tables::read_point_file(bytes.text(), input.file);
+    input.points = std::move(read.points);
+    for (std::string& sentence : read.notes) {
+        reading.note(std::move(sentence));
+    }
     if (input.points.size() < 3) {
         config::fail(config::ExitCode::data, {input.file}, counted(input.points.size(), "point"),
                      "at least three");
@@ -164,29 +169,6 @@ HeightInput read_given_mesh(Reading& reading) {
     return input;
 }
 
-/// The next number or word of a line of points; empty at its end.
-std::string_view next_field(std::string_view& line) {
-    constexpr std::string_view separators = " \t,;";
-    const std::size_t start = std::min(line.find_first_not_of(separators), line.size());
-    line.remove_prefix(start);
-    const std::size_t end = std::min(line.find_first_of(separators), line.size());
-    const std::string_view field = line.substr(0, end);
-    line.remove_prefix(end);
-    return field;
-}
-
-std::optional<Eigen::Vector3d> point_of(std::string_view line) {
-    std::array<double, 3> numbers{};
-    for (double& number : numbers) {
-        const auto value = config::parse_number(next_field(line));
-        if (!value) {
-            return std::nullopt;
-        }
-        number = *value;
-    }
-    return Eigen::Vector3d{numbers[0], numbers[1], numbers[2]};
-}
-
 /// Straight between the four cell centres around a point; where one is missing, the value of its own cell.
 double height_at(const config::Raster<double>& grid, double x_m, double y_m) {
     const config::GridFrame& frame = grid.frame;
@@ -220,28 +202,7 @@ std::optional<HeightInput> read_heights(Reading& reading) {
 }
 
 std::vector<Eigen::Vector3d> read_points(std::string_view text, const std::string& file) {
-    std::vector<Eigen::Vector3d> points;
-    config::Problems problems;
-    text = config::without_byte_order_mark(text);
-    for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view whole = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::string_view line = config::trimmed(whole.substr(0, whole.find('#')));
-        if (line.empty()) {
-            continue;
-        }
-        if (const auto point = point_of(line)) {
-            points.push_back(*point);
-        } else if (line_number > 1 || config::parse_number(line.substr(0, line.find_first_of(" \t,;")))) {
-            problems.add(config::ExitCode::data, {file, line_number, 1}, config::in_quotes(line),
-                         "three numbers: x y z in metres");
-        }
-    }
-    config::Problems shown;
-    add_first(shown, problems, file);
-    shown.throw_if_any();
-    return points;
+    return tables::read_point_file(text, file).points;
 }
 
 config::GridFrame with_cell_size(const config::GridFrame& frame, double cell_size_m) {

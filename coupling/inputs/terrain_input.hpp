@@ -34,8 +34,7 @@ struct HeightInput {
 /// Reads and checks the heights that the scenario names.
 std::optional<HeightInput> read_heights(Reading& reading);
 
-/// Points from text: x y z in each line, apart by blanks, commas or semicolons; `#` begins a comment; a first
-/// line of names is passed over. Throws InputError (data) for up to 20 lines that are none.
+/// The points of a text (tables/point_file.hpp).
 std::vector<Eigen::Vector3d> read_points(std::string_view text, const std::string& file);
 
 /// Cells of a size over the extent of a frame, from the same south-western corner; size 0 keeps the frame.

@@ -1,6 +1,7 @@
 #include "coupling/inputs/tree_input.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <set>
@@ -106,6 +107,42 @@ void warn_of_doubled_ids(const std::vector<ListedRow>& trees, const std::string&
     }
 }
 
+/// The curve through all measured heights. Where they do not rise with the diameter it is that through the
+/// mean tree, with a warning if any height is missing.
+forest::HeightFit fit_of_all(const std::vector<forest::MeasuredHeight>& all,
+                             const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
+    forest::HeightFit fit = forest::fit_heights(all);
+    const bool any_missing =
+        std::any_of(rows.begin(), rows.end(), [](const ListedRow& row) { return !row.height_m; });
+    if (fit.trees > 0 || all.size() < forest::fewest_fitted_trees || !any_missing) {
+        return fit;
+    }
+    const auto n = static_cast<double>(all.size());
+    double dbh_cm = 0.0;
+    double height_m = 0.0;
+    for (const forest::MeasuredHeight& tree : all) {
+        dbh_cm += tree.dbh_cm / n;
+        height_m += tree.height_m / n;
+    }
+    constexpr double lowest_m = 1.6;  // the curve needs a mean tree above 1.5 m
+    if (height_m < lowest_m) {
+        return fit;
+    }
+    fit.curve = forest::curve_through(dbh_cm, height_m);
+    fit.trees = all.size();
+    double squares = 0.0;
+    for (const forest::MeasuredHeight& tree : all) {
+        const double miss_m = tree.height_m - fit.curve.height_m(tree.dbh_cm);
+        squares += miss_m * miss_m;
+    }
+    fit.standard_error_m = std::sqrt(squares / (n - 1.0));
+    reading.warn({file},
+                 joined(counted(all.size(), "measured height"), " that do not rise with the diameter"),
+                 "taller trees where they are thicker",
+                 "check dbh_cm and height_m: missing heights are filled in from the mean tree");
+    return fit;
+}
+
 /// Fills heights from a curve through the measured ones of the species, else of all species, with a warning.
 std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const SpeciesTable& species,
                                      const config::Table& table, Reading& reading) {
@@ -117,7 +154,7 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
             all.push_back({row.dbh_cm, *row.height_m});
         }
     }
-    const forest::HeightFit of_all = forest::fit_heights(all);
+    const forest::HeightFit of_all = fit_of_all(all, rows, table.file(), reading);
     std::map<std::size_t, forest::HeightFit> fits;
     std::map<std::size_t, std::size_t> filled;
     std::vector<TreeRecord> trees;

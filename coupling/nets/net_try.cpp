@@ -7,12 +7,11 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/files_beside.hpp"
-#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/path_checks.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/nets/net_tables.hpp"
 #include "coupling/nets/net_words.hpp"
@@ -197,19 +196,15 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
     const formats::LayerName wanted = formats::split_layer_name(file.string());
     const FileBytes bytes = open_file(wanted.file, {file.string()}, "a table or layer of nets");
     FilesBeside beside{wanted.file};
-    config::Table table =
-        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes()).layer.table;
-    for (const formats::NamedColumn& column : formats::name_columns(table, "nets")) {
-        remarks.push_back(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
-                                 column.taken_as));
-    }
+    formats::ReadLayer read =
+        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes());
+    config::Table& table = read.layer.table;
+    tables::add_remarks(tables::prepare(table, "nets", read.has_shapes_of_its_own), remarks);
     GivenNets given = nets_of(table, standing);
     for (const config::Problem& doubt : doubts_about(table, given.nets)) {
         remarks.push_back(joined("warning: ", config::to_string(doubt)));
     }
-    for (const config::Problem& doubt : formula_doubts(table)) {
-        remarks.push_back(joined("warning: ", config::to_string(doubt)));
-    }
+    tables::add_remarks(tables::findings_of_use(*table.use()), remarks);
     config::Problems problems;
     std::vector<NetRecord> nets = on_terrain(std::move(given), terrain, problems);
     problems.throw_if_any();

@@ -252,7 +252,7 @@ ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
     add_logo(scenario, site.inputs);
     doubt_start(site, scenario, reading);
     warn_of_model_limits(site.slope, {}, reading);
-    reading.problems().throw_if_any();
+    reading.finish();
     return site;
 }
 

@@ -165,6 +165,8 @@ TEST(Messages, HaveARowForEachTextOfAWarning) {
                                "warnings_.add(",
                                "tell_count(",
                                "remarks.push_back(",
+                               "findings.notes.push_back(",
+                               "findings.warnings.push_back(",
                                "sentences.push_back("};
     std::size_t checked = 0;
     for (const MessageSource& source : sources_that_warn()) {

@@ -167,10 +167,10 @@ ReadLayer read_layer_file(std::string_view bytes, const std::string& layer, cons
     }
     refuse_other_files(bytes, file, layer_expected);
     if (is_utf16(bytes) || config::is_utf8(bytes)) {
-        return {{config::Table::read(bytes, file), ""}, false, ""};
+        return {{config::Table::read(bytes, file, config::FirstColumn::may_lack_name), ""}, false, ""};
     }
     const std::string text = config::to_utf8(bytes, config::Encoding::windows_1252);
-    return {{config::Table::read(std::string_view{text}, file), ""},
+    return {{config::Table::read(std::string_view{text}, file, config::FirstColumn::may_lack_name), ""},
             false,
             "no UTF-8: its letters are taken as Windows-1252"};
 }

@@ -235,13 +235,13 @@ std::vector<config::Problem> doubts_about(const config::Table& table, const std:
     const auto warn = [&](config::Place place, std::string found, std::string expected) {
         doubts.push_back({config::ExitCode::data, std::move(place), std::move(found), std::move(expected)});
     };
-    for (const std::string& column : table.columns()) {
-        const bool known =
-            std::find(net_columns().begin(), net_columns().end(), column) != net_columns().end();
-        const std::string like = known ? "" : meant_column(column, net_columns());
-        if (!like.empty() && !table.has(like)) {
+    for (const std::string& column : table.columns_beside(net_columns())) {
+        const std::string like = meant_column(column, net_columns());
+        if (!like.empty() && !table.has(like) &&
+            !config::is_other_unit(config::form_of(column), config::form_of(like))) {
             warn({table.file()}, joined("column ", config::in_quotes(column), ", which is passed over"),
                  joined(like, ", if that is what is meant"));
+            table.count_as_named(column);
         }
     }
     for (std::size_t row = 0; row < nets.size(); ++row) {

@@ -7,11 +7,11 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/files_beside.hpp"
-#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/shape_input.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/nets/net_try.hpp"
 
 namespace coupling::siting {
@@ -153,8 +153,9 @@ GivenLines read_lines(const std::filesystem::path& file, const rockfall::Terrain
     const formats::LayerName wanted = formats::split_layer_name(file.string());
     const FileBytes bytes = open_file(wanted.file, {file.string()}, "a table or layer of lines");
     FilesBeside beside{wanted.file};
-    config::Table table =
-        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes()).layer.table;
+    formats::ReadLayer read =
+        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes());
+    config::Table& table = read.layer.table;
     GivenLines given;
     if (table.has("height_m") || table.has("capacity_kj")) {
         given.nets = nets_on(file, terrain, Standing::each_alone, remarks);
@@ -163,11 +164,9 @@ GivenLines read_lines(const std::filesystem::path& file, const rockfall::Terrain
         }
         return given;
     }
-    for (const formats::NamedColumn& column : formats::name_columns(table, "targets")) {
-        remarks.push_back(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
-                                 column.taken_as));
-    }
+    tables::add_remarks(tables::prepare(table, "targets", read.has_shapes_of_its_own), remarks);
     given.lines = lines_of(table, remarks);
+    tables::add_remarks(tables::findings_of_use(*table.use()), remarks);
     config::Problems problems;
     for (ProtectedLine& line : given.lines) {
         for (Eigen::Vector2d& corner : line.line_m) {

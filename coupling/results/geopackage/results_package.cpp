@@ -236,8 +236,8 @@ void add_sources(GeoPackage& package, const Contents& contents) {
         return s.kind == Kind::cell ? Form::polygon : is_point(s) ? Form::point : Form::line;
     };
     const Form form = form_of(sources.front());
-    const bool same =
-        std::all_of(sources.begin(), sources.end(), [&](const auto& s) { return form_of(s) == form; });
+    const bool same = std::all_of(sources.begin(), sources.end(),
+                                  [&](const auto& s) { return form_of(s) == form && s.outline == nullptr; });
     Layer layer{package,
                 {"sources",
                  "Where rocks break off: cells, points or pieces of lines.",
@@ -251,7 +251,15 @@ void add_sources(GeoPackage& package, const Contents& contents) {
         const Eigen::Vector2d last = source.last_m + origin_m;
         const std::vector<Vertex> ends{{first.x(), first.y(), 0.0, 0.0}, {last.x(), last.y(), 0.0, 0.0}};
         Geometry geometry;
-        if (source.kind == Kind::cell) {
+        if (source.outline) {
+            std::vector<std::vector<config::Point2>> rings = source.outline->polygon.parts;
+            for (std::vector<config::Point2>& ring : rings) {
+                for (config::Point2& corner : ring) {
+                    corner = {corner.x_m + origin_m.x(), corner.y_m + origin_m.y()};
+                }
+            }
+            geometry = polygons(rings, package.srs_id());
+        } else if (source.kind == Kind::cell) {
             Extent cell;
             cell.add(first.x(), first.y());
             cell.add(last.x(), last.y());
