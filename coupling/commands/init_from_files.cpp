@@ -100,6 +100,19 @@ public:
 
 private:
     void remark(std::string sentence) { project_.remarks.push_back(std::move(sentence)); }
+    void take_remarks(const GivenFile& file, const std::vector<std::string>& remarks) {
+        for (const std::string& sentence : remarks) {
+            remark(joined(file.name(), ": ", sentence));
+        }
+    }
+    /// Reads a layer; how it was read becomes a remark.
+    formats::ReadLayer layer_of(GivenFile& file) {
+        formats::ReadLayer read = file.layer();
+        if (!read.remark.empty()) {
+            remark(joined(file.name(), ": ", read.remark));
+        }
+        return read;
+    }
 
     [[nodiscard]] std::string setting(const std::string& key, const GivenFile& file,
                                       const char* comment) const {
@@ -122,6 +135,7 @@ private:
     void take_heights() {
         GivenFile file{given_.dem};
         formats::PlacedGrid grid = file.grid();
+        take_remarks(file, grid.remarks);
         system_ = std::move(grid.projection);
         heights_ = std::move(grid.raster);
         remark(joined(file.name(), ": ground heights, ", to_string(heights_.frame), ", ",
@@ -140,6 +154,7 @@ private:
         std::set<long long> codes;
         if (file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
+            take_remarks(file, grid.remarks);
             check_system(file, grid.projection);
             for (const double code : grid.raster.values) {
                 if (!std::isnan(code) && codes.size() < 256) {
@@ -148,7 +163,7 @@ private:
             }
             terrain_ += setting("surface", file, "code of the ground type of each cell");
         } else {
-            formats::ReadLayer read = file.layer();
+            formats::ReadLayer read = layer_of(file);
             check_system(file, read.layer.projection);
             name_columns_of(read.layer.table, "surface_polygons");
             config::Problems problems;
@@ -190,7 +205,7 @@ private:
             return;
         }
         GivenFile file{given_.trees};
-        formats::ReadLayer read = file.layer();
+        formats::ReadLayer read = layer_of(file);
         config::Table& table = read.layer.table;
         if (read.has_shapes_of_its_own && table.has("wkt")) {
             check_system(file, read.layer.projection);
@@ -213,11 +228,13 @@ private:
         }
         GivenFile file{given_.sources};
         if (file.is_grid()) {
-            check_system(file, file.grid().projection);
+            const formats::PlacedGrid grid = file.grid();
+            take_remarks(file, grid.remarks);
+            check_system(file, grid.projection);
             release_ = setting("source", file, "0 no source, k > 0 release zone k");
             remark(joined(file.name(), ": sources as a grid of release zones"));
         } else {
-            formats::ReadLayer read = file.layer();
+            formats::ReadLayer read = layer_of(file);
             check_system(file, read.layer.projection);
             name_columns_of(read.layer.table, "source_shapes");
             release_ = setting("source_shapes", file, "where rocks break off");
@@ -269,7 +286,7 @@ private:
             return;
         }
         GivenFile file{given_.targets};
-        formats::ReadLayer read = file.layer();
+        formats::ReadLayer read = layer_of(file);
         if (read.has_shapes_of_its_own) {
             check_system(file, read.layer.projection);
         }

@@ -43,7 +43,7 @@ Figure with_interval(FigureKey key, const config::Table& table, std::size_t row,
 /// As on the page of the run: none from too few rocks.
 Figure protection_today(const config::Table& table, std::size_t row) {
     const FigureKey key{table.text(row, "target_id"), "", "protection_percent", "today"};
-    const auto bare = static_cast<std::uint64_t>(number(table, row, "reached_bare"));
+    const auto bare = static_cast<std::uint64_t>(number_from_zero(table, row, "reached_bare"));
     return too_few_for_protection(bare) ? Figure{.key = key, .why_none = too_few_in_words(bare)}
                                         : with_interval(key, table, row, "protection_percent",
                                                         "protection_low_percent", "protection_high_percent");

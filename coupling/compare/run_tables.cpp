@@ -1,5 +1,6 @@
 #include "coupling/compare/run_tables.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "config/errors/input_error.hpp"
@@ -23,6 +24,22 @@ config::Table read_table(const std::filesystem::path& folder, const std::string&
     return table;
 }
 
+namespace {
+
+/// No figure of a run is larger [choice]; one that is comes from damage and would break every axis.
+constexpr double largest_figure = 1e15;
+
+double checked_figure(double value, const config::Table& table, std::size_t row, const std::string& column) {
+    if (std::abs(value) > largest_figure) {
+        config::fail(config::ExitCode::data, table.place(row, column),
+                     config::in_quotes(table.text(row, column)), "a figure of a run, at most 1e15",
+                     "run the scenario again: the table is damaged");
+    }
+    return value;
+}
+
+}  // namespace
+
 bool has_table(const std::filesystem::path& folder, const std::string& name) {
     std::error_code error;
     return std::filesystem::exists(folder / "tables" / name, error);
@@ -38,7 +55,17 @@ double number(const config::Table& table, std::size_t row, const std::string& co
         config::fail(config::ExitCode::data, table.place(row, column), config::in_quotes(field),
                      "a number or nothing");
     }
-    return *value;
+    return checked_figure(*value, table, row, column);
+}
+
+double number_from_zero(const config::Table& table, std::size_t row, const std::string& column) {
+    const double value = number(table, row, column);
+    if (value < 0.0) {
+        config::fail(config::ExitCode::data, table.place(row, column),
+                     config::in_quotes(table.text(row, column)), "0 or more",
+                     "run the scenario again: the table is damaged");
+    }
+    return value;
 }
 
 std::string climate_of(const config::Table& table, std::size_t row) {

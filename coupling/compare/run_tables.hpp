@@ -14,8 +14,11 @@ namespace coupling::compare {
 config::Table read_table(const std::filesystem::path& folder, const std::string& name,
                          const std::vector<std::string>& wanted);
 bool has_table(const std::filesystem::path& folder, const std::string& name);
-/// NaN for an empty field: not known. Throws config::InputError (data) for a field that is no number.
+/// NaN for an empty field: not known. Throws config::InputError (data) for a field that is no number, or one
+/// beyond 1e15.
 double number(const config::Table& table, std::size_t row, const std::string& column);
+/// The same of a count, a length or a share: negative ones are refused too.
+double number_from_zero(const config::Table& table, std::size_t row, const std::string& column);
 /// The climate of a row of a run over years; runs of earlier versions had but one.
 std::string climate_of(const config::Table& table, std::size_t row);
 /// "pfm1", in a climate with a name of its own "pfm1, climate warm".

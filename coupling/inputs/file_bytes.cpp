@@ -12,10 +12,13 @@
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/gunzip.hpp"
+#include "coupling/inputs/formats/file_kinds.hpp"
 
 namespace coupling {
 
 namespace {
+
+constexpr const char* a_folder = "a folder,";
 
 /// Why a file cannot be opened for reading, "" if it can.
 std::string reason_against(const std::filesystem::path& path) {
@@ -28,7 +31,7 @@ std::string reason_against(const std::filesystem::path& path) {
         return error.message() + ":";
     }
     if (status.type() == std::filesystem::file_type::directory) {
-        return "a folder,";
+        return a_folder;
     }
     if (access(path.c_str(), R_OK) != 0) {
         return std::string{std::strerror(errno)} + ":";
@@ -71,6 +74,12 @@ std::string hash_text(std::string_view bytes) {
 FileBytes open_file(const std::filesystem::path& path, const config::Place& asked_at,
                     std::string_view expected) {
     const std::string reason = reason_against(path);
+    const formats::FileKind* kind = formats::folder_kind(path.string());
+    if (reason == a_folder && kind != nullptr) {
+        config::fail(config::ExitCode::file, asked_at,
+                     std::string{kind->name}.append(", ").append(config::in_quotes(path.string())),
+                     std::string{expected}, std::string{kind->way_out});
+    }
     if (!reason.empty()) {
         config::fail(config::ExitCode::file, asked_at, reason + " " + config::in_quotes(path.string()),
                      std::string{expected});

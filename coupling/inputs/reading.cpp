@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
+#include "coupling/inputs/files_beside.hpp"
 #include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/plausible/same_system.hpp"
@@ -53,26 +55,25 @@ config::Table Reading::table(const std::string& key, const std::string& role, co
 /// Files beside a file are opened as they are asked for, and recorded: what they say matters too.
 formats::BytesBeside Reading::beside(const std::string& role, const std::string& file) {
     return [this, role, file](const std::string& ending) -> std::string_view {
-        std::filesystem::path path{file};
-        if (path.extension() == ".gz") {
-            path.replace_extension();
-        }
-        std::string wanted = ending;
-        const std::string own = path.extension().string();
-        if (own.size() > 1 && std::isupper(static_cast<unsigned char>(own[1])) != 0) {
-            std::transform(wanted.begin(), wanted.end(), wanted.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-        }
-        const std::string name = path.replace_extension(wanted).string();
+        const std::string name = name_beside(file, ending);
         if (!path_exists(scenario_.resolve(name))) {
             return {};
         }
-        open_.push_back(open_file(scenario_.resolve(name), {shown(name)}, "a readable file"));
+        FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable file");
+        if (bytes.stored_bytes() == 0) {
+            return {};  // as SQLite leaves them behind
+        }
+        open_.push_back(std::move(bytes));
         // The projection of the terrain has had this name ever since.
         const std::string of = ending == ".prj" && role == "dem" ? "projection" : joined(role, " ", ending);
         inputs_.push_back({of, name, open_.back().hash(), open_.back().stored_bytes()});
         return open_.back().text();
     };
+}
+
+std::string Reading::name_beside(const std::string& file, const std::string& ending) const {
+    const std::filesystem::path found = path_beside(scenario_.resolve(file), ending);
+    return std::filesystem::path{file}.replace_filename(found.filename()).string();
 }
 
 bool Reading::has_input(const std::string& role) const {
@@ -162,6 +163,9 @@ config::Raster<double> Reading::grid(const std::string& key, const std::string& 
     const FileBytes bytes = open(key, role, name, "a grid (GeoTIFF or ESRI ASCII)");
     formats::PlacedGrid read = formats::read_grid_file(bytes.text(), shown(name), beside(role, name));
     open_.clear();
+    for (const std::string& remark : read.remarks) {
+        note(joined(shown(name), ": ", remark));
+    }
     take_system(role, name, std::move(read.projection));
     return std::move(read.raster);
 }
@@ -223,32 +227,24 @@ std::string Reading::text_beside(const std::string& role, const std::string& nam
     return std::string{bytes.text()};
 }
 
-namespace {
-
-/// A length or coordinate to the millimetre, without trailing zeros.
-std::string to_mm(double value_m) {
-    return config::to_text(std::round(1000.0 * value_m) / 1000.0);
-}
-
-}  // namespace
-
 bool has_value(const config::Table& table, std::size_t row, const std::string& column) {
     return table.has(column) && !table.text(row, column).empty();
 }
 
 std::string to_string(const config::GridFrame& frame) {
-    std::string size = to_mm(frame.cell_width_m);
+    std::string size = config::metres_in_words(frame.cell_width_m);
     if (frame.cell_width_m != frame.cell_height_m) {
-        size += " x " + to_mm(frame.cell_height_m);
+        size += " x " + config::metres_in_words(frame.cell_height_m);
     }
-    return std::to_string(frame.columns) + " x " + std::to_string(frame.rows) + " cells of " + size +
-           " m, corner " + to_mm(frame.x_west_m) + ", " + to_mm(frame.y_south_m);
+    return joined(std::to_string(frame.columns), " x ", std::to_string(frame.rows), " cells of ", size,
+                  " m, corner ", config::place_in_words(frame.x_west_m, frame.y_south_m));
 }
 
 std::string cell_in_words(const config::GridFrame& frame, std::size_t index) {
     const config::Cell cell = frame.cell_of(index);
-    return "row " + std::to_string(cell.row + 1) + ", column " + std::to_string(cell.column + 1) + " (x " +
-           to_mm(frame.x_centre_m(cell.column)) + ", y " + to_mm(frame.y_centre_m(cell.row)) + ")";
+    return joined("row ", std::to_string(cell.row + 1), ", column ", std::to_string(cell.column + 1), " (x ",
+                  config::metres_in_words(frame.x_centre_m(cell.column)), ", y ",
+                  config::metres_in_words(frame.y_centre_m(cell.row)), ")");
 }
 
 std::string counted(std::size_t count, std::string_view singular) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/ground_names.hpp"
 #include "coupling/inputs/shape_input.hpp"
@@ -154,10 +155,10 @@ bool covers_terrain(const config::GridFrame& frame, const std::string& file, con
         const double y_m = vertex.y_m + terrain.origin_m().y();
         if (x_m < frame.x_west_m || x_m > frame.x_east_m() || y_m < frame.y_south_m ||
             y_m > frame.y_north_m()) {
-            reading.refuse({file},
-                           to_string(frame) + ", while the terrain reaches to " + config::to_text(x_m) +
-                               ", " + config::to_text(y_m),
-                           "a grid over all of the terrain");
+            reading.refuse(
+                {file},
+                to_string(frame) + ", while the terrain reaches to " + config::place_in_words(x_m, y_m),
+                "a grid over all of the terrain");
             return false;
         }
     }

@@ -22,15 +22,6 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// The .prj file beside a grid: dem.asc and dem.asc.gz both have dem.prj.
-std::string projection_name(const std::string& grid_name) {
-    std::filesystem::path path{grid_name};
-    if (path.extension() == ".gz") {
-        path.replace_extension();
-    }
-    return path.replace_extension(".prj").string();
-}
-
 /// Throws InputError where no terrain can be made of the heights.
 void check_grid(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
     const config::GridFrame& frame = grid.frame;
@@ -61,7 +52,7 @@ void check_projection(const std::string& text, const std::string& file, const pl
 /// The text of the .prj file beside the heights, "" without one. A projection that contradicts their
 /// coordinates becomes a problem.
 std::string projection_beside(const std::string& name, const plausible::Extent& extent, Reading& reading) {
-    const std::string beside = projection_name(name);
+    const std::string beside = reading.name_beside(name, ".prj");
     std::string text = reading.text_beside("projection", beside);
     check_projection(text, beside, extent, reading);
     reading.take_system("terrain", beside, text);
@@ -76,10 +67,10 @@ HeightInput read_dem(Reading& reading) {
     check_grid(*input.grid, input.file, reading);
     input.projection = reading.system_of("dem");
     const bool is_beside = reading.has_input("projection");
-    check_projection(input.projection, is_beside ? projection_name(scenario.dem) : scenario.dem,
+    check_projection(input.projection, is_beside ? reading.name_beside(scenario.dem, ".prj") : scenario.dem,
                      plausible::extent_of(input.grid->frame), reading);
     if (input.projection.empty()) {
-        reading.note(input.file + ": no " + projection_name(scenario.dem) +
+        reading.note(input.file + ": no " + reading.name_beside(scenario.dem, ".prj") +
                      " beside it, so the results name no projection");
     }
     if (scenario.cell_size_m > 0.0) {
@@ -126,6 +117,7 @@ HeightInput read_point_cloud(Reading& reading) {
     HeightInput input;
     input.file = reading.shown(scenario.points);
     const FileBytes bytes = reading.open("terrain.points", "points", scenario.points, "a text of x y z");
+    formats::refuse_what_is_no_text_of_points(bytes.text(), input.file);
     input.points = read_points(bytes.text(), input.file);
     if (input.points.size() < 3) {
         config::fail(config::ExitCode::data, {input.file}, counted(input.points.size(), "point"),

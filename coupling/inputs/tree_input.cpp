@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
@@ -280,9 +281,9 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
         judged.singular = "tree";
         judged.all = trees.size() + others;
         judged.off = static_cast<std::size_t>(trees.end() - outside);
-        judged.example =
-            joined("tree ", config::in_quotes(outside->id), " (x ", config::to_text(outside->stem.x_m),
-                   ", y ", config::to_text(outside->stem.y_m), ")");
+        judged.example = joined("tree ", config::in_quotes(outside->id), " (x ",
+                                config::metres_in_words(outside->stem.x_m), ", y ",
+                                config::metres_in_words(outside->stem.y_m), ")");
         judged.places = places;
         judged.swap_advice = swap_tree_advice(reading.scenario());
         plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);

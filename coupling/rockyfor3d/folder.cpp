@@ -6,11 +6,12 @@
 #include <map>
 
 #include "config/errors/input_error.hpp"
-#include "config/grid/ascii_grid.hpp"
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/path_checks.hpp"
 
 namespace coupling::rockyfor3d {
@@ -27,8 +28,8 @@ constexpr std::size_t most_told = 20;  ///< faulty lines of a tree file
 
 std::string size_of(const config::GridFrame& frame) {
     return joined(std::to_string(frame.columns), " x ", std::to_string(frame.rows), " cells of ",
-                  config::to_text(frame.cell_width_m), " m from (", config::to_text(frame.x_west_m), ", ",
-                  config::to_text(frame.y_south_m), ")");
+                  config::to_text(frame.cell_width_m), " m from (",
+                  config::place_in_words(frame.x_west_m, frame.y_south_m), ")");
 }
 
 /// Reads the files of one folder and keeps what is wrong with them.
@@ -60,7 +61,12 @@ public:
             const fs::path path = path_of(name);
             const FileBytes bytes = open_file(path, {.file = path.string()}, "a raster of Rockyfor3D");
             read_.push_back(path.filename().string());
-            return config::read_ascii_grid(bytes.text(), path.string());
+            formats::PlacedGrid read = formats::read_grid_file(
+                bytes.text(), path.string(), [](const std::string&) { return std::string_view{}; });
+            for (const std::string& remark : read.remarks) {
+                remarks_.push_back(joined(path.filename().string(), ": ", remark, "."));
+            }
+            return std::move(read.raster);
         } catch (const config::InputError& error) {
             problems_.add(error);
             return std::nullopt;
@@ -86,6 +92,7 @@ public:
     std::vector<FileTree> tree_file(const std::string& name);
 
     [[nodiscard]] std::vector<std::string> files_read() const { return read_; }
+    [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
     [[nodiscard]] std::vector<std::string> others() const {
         std::vector<std::string> names;
         for (const auto& [small, name] : names_) {
@@ -120,6 +127,7 @@ private:
     fs::path folder_;
     std::map<std::string, std::string> names_;  ///< by name in small letters
     std::vector<std::string> read_;
+    std::vector<std::string> remarks_;
     config::Problems problems_;
 };
 
@@ -274,6 +282,7 @@ Folder read_folder(const fs::path& path) {
     check_cells(folder, reader);
     reader.problems().throw_if_any();
     folder.files = reader.files_read();
+    folder.remarks = reader.remarks();
     folder.not_read = reader.others();
     std::erase_if(folder.not_read, [&](const std::string& name) {
         return std::find(folder.behind_trees.begin(), folder.behind_trees.end(), name) !=

@@ -34,6 +34,7 @@ struct Folder {
 
     std::vector<std::string> files;         ///< names of the files that were read, as they are written there
     std::vector<std::string> not_read;      ///< the other files in the folder
+    std::vector<std::string> remarks;       ///< how files were read: whole sentences
     std::vector<std::string> behind_trees;  ///< rasters of a forest that the tree file goes before
 };
 

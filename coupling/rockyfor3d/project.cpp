@@ -237,6 +237,7 @@ Project project_of(const std::filesystem::path& path) {
     remark_blocks(blocks, project.remarks);
     remark_grounds(grounds, rock_radius_m, project.remarks);
     remark_forest(folder, forest, project.remarks);
+    project.remarks.insert(project.remarks.end(), folder.remarks.begin(), folder.remarks.end());
     remark_rest(folder, project.remarks);
     project.files = {
         {"scenario.ini", scenario(blocks, forest)}, {"dem.asc", text_of(folder.dem)},

@@ -11,6 +11,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
 #include "coupling/inputs/ground_names.hpp"
 #include "coupling/inputs/meshes/mesh_check.hpp"
 #include "coupling/inputs/terrain_input.hpp"
@@ -75,6 +76,7 @@ MeshFile read_mesh_file(std::string_view bytes, const std::string& file) {
         case MeshFormat::points:
             break;
     }
+    formats::refuse_what_is_no_text_of_points(bytes, file);
     MeshFile mesh;
     mesh.format = "points as text";
     mesh.points_m = read_points(bytes, file);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
@@ -157,7 +158,7 @@ private:
             }
         }
         if (length_m < shortest_net_m) {
-            refuse(row, "wkt", joined("a net of length ", config::to_text(length_m), " m"),
+            refuse(row, "wkt", joined("a net of length ", config::metres_in_words(length_m), " m"),
                    joined("at least ", config::to_text(shortest_net_m), " m"));
         } else if (meets_itself(line)) {
             refuse(row, "wkt", joined("net ", config::in_quotes(record.name), " crosses or touches itself"),
@@ -196,9 +197,10 @@ std::optional<Eigen::Vector2d> first_place_off_ground(const rockfall::Net& net,
                                                       const rockfall::Terrain& terrain) {
     for (std::size_t i = 0; i + 1 < net.line_m.size(); ++i) {
         const Eigen::Vector2d way_m = net.line_m[i + 1] - net.line_m[i];
-        const int steps = static_cast<int>(std::ceil(way_m.norm() / ground_step_m));
-        for (int k = 0; k <= steps; ++k) {
-            const Eigen::Vector2d place = net.line_m[i] + static_cast<double>(k) / steps * way_m;
+        // As far as coordinates reach, the steps outnumber an int; the first one off the ground ends them.
+        const double steps = std::ceil(way_m.norm() / ground_step_m);
+        for (double k = 0.0; k <= steps; ++k) {
+            const Eigen::Vector2d place = net.line_m[i] + k / steps * way_m;
             if (!terrain.locate(place.x(), place.y())) {
                 return place;
             }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
@@ -19,7 +20,10 @@ namespace {
 
 using config::joined;
 
+constexpr double m_per_km = 1000.0;
 constexpr double shortest_line_m = 1.0;
+/// Lines are cut into stretches of ten metres over their whole length; a longer one is a slip [choice].
+constexpr double longest_line_m = 100.0 * m_per_km;
 /// So far apart lie the places at which a line is looked at for ground below it.
 constexpr double look_step_m = 1.0;
 
@@ -133,8 +137,16 @@ std::vector<ProtectedLine> lines_of(const config::Table& table, std::vector<std:
             if (length_m(line.line_m) < shortest_line_m) {
                 problems.add(config::ExitCode::data, table.place(row, "wkt"),
                              joined("line ", config::in_quotes(line.name), " of length ",
-                                    config::to_text(length_m(line.line_m)), " m"),
+                                    config::metres_in_words(length_m(line.line_m)), " m"),
                              joined("at least ", config::to_text(shortest_line_m), " m"));
+                continue;
+            }
+            if (length_m(line.line_m) > longest_line_m) {
+                problems.add(config::ExitCode::data, table.place(row, "wkt"),
+                             joined("line ", config::in_quotes(line.name), " of length ",
+                                    config::to_text(std::round(length_m(line.line_m) / m_per_km)), " km"),
+                             "at most 100 km",
+                             "correct the coordinates, or cut the line at the edge of the terrain");
                 continue;
             }
             lines.push_back(std::move(line));
