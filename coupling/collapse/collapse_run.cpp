@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
+#include <memory>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -19,6 +20,7 @@
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
+#include "coupling/run/thread_team.hpp"
 #include "coupling/run/writing_progress.hpp"
 #include "coupling/version.hpp"
 
@@ -42,11 +44,9 @@ rockfall::rock_mass::ParallelFor on_threads(int threads) {
     if (threads <= 1) {
         return rockfall::rock_mass::one_by_one;
     }
-    return [threads](std::size_t count, const std::function<void(std::size_t)>& work) {
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-        for (std::size_t i = 0; i < count; ++i) {
-            work(i);
-        }
+    const auto team = std::make_shared<ThreadTeam>(threads);
+    return [team](std::size_t count, const std::function<void(std::size_t)>& work) {
+        team->for_each(count, work);
     };
 }
 

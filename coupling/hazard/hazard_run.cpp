@@ -129,11 +129,10 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
                          "another folder by --out, or --overwrite to simulate it again");
         }
         if (!request.overwrite && state == FolderState::incomplete) {
-            config::fail(
-                config::ExitCode::settings, {period.folder.string()},
-                joined("results of which ", OutputFolder::missing_result(period.folder), " is missing"),
-                "all files that its summary.json lists; put it back, or --overwrite to simulate this "
-                "return period again");
+            config::fail(config::ExitCode::settings, {period.folder.string()},
+                         joined("results of which ", OutputFolder::damage(period.folder)),
+                         "all files as the run wrote them; put it back, or --overwrite to simulate this "
+                         "return period again");
         }
     }
     const bool all_finished = finished_periods == plan.return_periods_years.size();

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/iostreams/device/mapped_file.hpp>
 #include <cerrno>
 #include <cstring>
-#include <exception>
 #include <system_error>
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/gunzip.hpp"
+#include "coupling/files/file_reader.hpp"
 
 namespace coupling {
 
@@ -75,18 +74,11 @@ FileBytes open_file(const std::filesystem::path& path, const config::Place& aske
         config::fail(config::ExitCode::file, asked_at, reason + " " + config::in_quotes(path.string()),
                      std::string{expected});
     }
+    FileReader in{path};
     FileBytes bytes;
-    try {
-        if (std::filesystem::file_size(path) > 0) {
-            const auto map = std::make_shared<const boost::iostreams::mapped_file_source>(path.string());
-            bytes.stored_ = {map->data(), map->size()};
-            bytes.map_ = map;
-        }
-    } catch (const std::exception& error) {
-        config::fail(config::ExitCode::file, asked_at,
-                     config::in_quotes(path.string()) + ", which cannot be read: " + error.what(),
-                     std::string{expected});
-    }
+    const auto stored = std::make_shared_for_overwrite<char[]>(static_cast<std::size_t>(in.bytes()));
+    bytes.stored_ = {stored.get(), in.read(stored.get(), static_cast<std::size_t>(in.bytes()))};
+    bytes.memory_ = stored;
     bytes.is_packed_ = config::is_gzip(bytes.stored_);
     if (bytes.is_packed_) {
         bytes.unpacked_ = config::gunzip(bytes.stored_, path.string(), unpacked_bound);

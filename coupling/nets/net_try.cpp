@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "config/text/joined.hpp"
@@ -21,6 +20,7 @@
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/read_summary.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "coupling/run/staged_folder.hpp"
 #include "coupling/version.hpp"
 #include "rockfall/obstacles/nets/net_passage.hpp"
 
@@ -217,6 +217,7 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
 }
 
 void refuse_full_folder(const fs::path& folder, bool overwrite) {
+    StagedFolder::tidy(folder);
     if (!overwrite && path_exists(folder) && !(is_folder(folder) && is_empty_folder(folder))) {
         config::fail(config::ExitCode::settings, {folder.string()}, "a folder with files in it",
                      "a new or empty folder, or --overwrite");
@@ -252,9 +253,9 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
                           [&](const NetOfRock& one) { return one.net == of.net && one.cover == of.cover; }));
     }
     const InterruptGuard until_written;
-    make_folder(folder);
+    StagedFolder staged{folder};
     const auto write_file = [&](const char* name, const auto& fill) {
-        OutFile table{folder / name};
+        OutFile table{staged.path() / name};
         fill(table.stream());
         table.close();
     };
@@ -264,6 +265,7 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
         write_net_crossings(table, nets, tried.rows, paths.terrain().origin_m());
     });
     write_file("net_inexact.csv", [&](std::ostream& table) { write_inexact(table, nets, tried.broken); });
+    staged.publish();
     if (!request.quiet) {
         for (const std::string& remark : remarks) {
             out << remark << '\n';

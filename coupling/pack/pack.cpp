@@ -16,6 +16,7 @@
 #include "coupling/results/disk.hpp"
 #include "coupling/results/json.hpp"
 #include "coupling/run/byte_archive.hpp"
+#include "coupling/run/leftovers.hpp"
 
 namespace coupling::pack {
 namespace {
@@ -199,6 +200,7 @@ void write_archive(const fs::path& out, const SummaryOfRun& run, const Citation&
     for (const auto& [name, text] : texts) {
         listed.push_back({name, config::sha256_of(text)});
     }
+    delete_leftovers_of(out);
     const fs::path temporary = temporary_beside(out);
     ZipWriter zip{temporary};
     for (const std::vector<Packed>* files : {&inputs, &results}) {

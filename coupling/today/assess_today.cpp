@@ -130,7 +130,7 @@ private:
     Ended keep_paths(const std::filesystem::path& file);
     [[nodiscard]] std::vector<rockfall::RockImpacts> kept_impacts() const;
     [[nodiscard]] std::vector<observed::EventComparison> observed_events(
-        const std::filesystem::path& rows) const;
+        const StreamedTables& streamed) const;
 
     const RunRequest& request_;
     const Scenario& scenario_;
@@ -228,13 +228,12 @@ std::vector<rockfall::RockImpacts> AssessmentRun::kept_impacts() const {
     return impacts_of(assessment_, rocks);
 }
 
-/// `rows` is the folder of the finished arrivals.csv.
-std::vector<observed::EventComparison> AssessmentRun::observed_events(
-    const std::filesystem::path& rows) const {
+std::vector<observed::EventComparison> AssessmentRun::observed_events(const StreamedTables& streamed) const {
     const rockfall::Cover cover = assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
     std::vector<observed::SimulatedPassage> passages;
     if (!site_.observed_events.passages.empty()) {
-        passages = simulated_passages(rows / "arrivals.csv", site_, cover);
+        OwnRows arrivals{streamed.folder / "arrivals.csv", streamed.end_of("arrivals.csv")};
+        passages = simulated_passages(arrivals, site_, cover);
     }
     std::vector<observed::SimulatedImpact> impacts;
     if (!site_.observed_events.impacts.empty()) {
@@ -262,6 +261,7 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         }
         streamed.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
     }
+    const StreamedTables tables{streamed, folder.parts()};
     const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
     const RunResults results{
         scenario_,
@@ -275,15 +275,15 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         !assessment_.only_bare(),
         version(),
         compare_stops(site_, assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest,
-                      folder.parts()),
-        observed_events(folder.parts()),
+                      tables),
+        observed_events(tables),
         kept_impacts(),
-        breakdown_of(folder.parts(), scenario_, site_)};
+        breakdown_of(tables, scenario_, site_)};
     std::vector<WrittenFile> written;
     try {
         WritingProgress progress{request_.quiet};
         const WriteWatch watch = progress.watch();
-        written = write_results(results, folder.staging(), {streamed, folder.parts()}, watch);
+        written = write_results(results, folder.staging(), tables, watch);
         watch("streamed tables");
     } catch (const WritingInterrupted&) {
         return Ended::interrupted;

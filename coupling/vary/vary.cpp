@@ -20,6 +20,7 @@
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/progress.hpp"
+#include "coupling/run/staged_folder.hpp"
 #include "coupling/vary/regime_study.hpp"
 #include "coupling/vary/report/page.hpp"
 #include "coupling/vary/write_table.hpp"
@@ -165,6 +166,7 @@ double TargetOutcome::answer(bool with_forest) const {
 int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     const std::filesystem::path table = request.out / "vary.csv";
     const std::filesystem::path page = request.out / "report.html";
+    StagedFolder::tidy(request.out);
     if (!request.overwrite && (path_exists(table) || path_exists(page))) {
         config::fail(config::ExitCode::settings, {request.out.string()}, "a folder that holds a study",
                      "a new folder", "name another one by --out, or add --overwrite");
@@ -189,13 +191,14 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     }
     progress.finish();
 
-    make_folder(request.out);
-    OutFile rows{table};
+    StagedFolder staged{request.out};
+    OutFile rows{staged.path() / table.filename()};
     write_table(rows.stream(), factors, outcomes);
     rows.close();
-    OutFile html{page};
+    OutFile html{staged.path() / page.filename()};
     report::write_page(html.stream(), *scenario_of(request, {}), factors, outcomes);
     html.close();
+    staged.publish();
     if (!request.quiet) {
         print_overview(factors, outcomes, screen);
         screen << "Results in " << request.out.string() << ": vary.csv, report.html\n";
