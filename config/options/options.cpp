@@ -96,6 +96,11 @@ void Options::text(std::string key, std::string& target, ParameterInfo info) {
     declare(std::move(parameter));
 }
 
+void Options::file(std::string key, std::string& target, ParameterInfo info) {
+    info.files = NamesFiles::one;
+    text(std::move(key), target, std::move(info));
+}
+
 void Options::numbers(std::string key, std::vector<double>& target, ParameterInfo info) {
     const NumberRange range{info.low, info.high};
     Parameter parameter{.key = std::move(key), .info = info, .kind = "list of numbers"};

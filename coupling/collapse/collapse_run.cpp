@@ -287,7 +287,7 @@ void move_and_write(const RunRequest& request, const CollapseScenario& scenario,
 }  // namespace
 
 int run_collapse(const RunRequest& request) {
-    const auto scenario = read_collapse(request.scenario, request.overrides);
+    const auto scenario = read_collapse(request.scenario, request.overrides, request.inputs_within);
     config::Warnings warnings;
     const CollapseSite site = open_collapse(*scenario, warnings);
     if (!request.quiet) {

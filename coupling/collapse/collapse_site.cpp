@@ -224,8 +224,9 @@ rockfall::Terrain cut_mass(const CollapseScenario& scenario, const rockfall::Ter
 
 }  // namespace
 
-CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& warnings) {
-    Reading reading{scenario.scenario, warnings};
+namespace {
+
+CollapseSite site_of(const CollapseScenario& scenario, Reading& reading) {
     std::optional<HeightInput> heights = read_heights(reading);
     reading.problems().throw_if_any();
     const bool hands_over = scenario.settings.hand_over != HandOverTo::none;
@@ -271,6 +272,13 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
                             "collapse.least_block_m keeps more of them"));
     }
     return site;
+}
+
+}  // namespace
+
+CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& warnings) {
+    Reading reading{scenario.scenario, warnings};
+    return scenario.scenario.with_paths([&] { return site_of(scenario, reading); });
 }
 
 }  // namespace coupling::collapse

@@ -85,6 +85,13 @@ private:
     std::vector<fs::path> written_;
 };
 
+/// A scenario that cannot be run is no start for anybody.
+void refuse_unrunnable(const fs::path& folder) {
+    config::Warnings warnings;
+    const auto scenario = read_scenario(folder / "scenario.ini", {});
+    open_site(*scenario, warnings);
+}
+
 }  // namespace
 
 void write_example(const fs::path& folder, const std::string& example) {
@@ -106,6 +113,7 @@ std::vector<std::string> write_from_rockyfor3d(const fs::path& folder, const fs:
     for (const rockyfor3d::Project::File& file : project.files) {
         draft.write(file.name, file.text);
     }
+    refuse_unrunnable(folder);
     draft.keep();
     return project.remarks;
 }
@@ -118,10 +126,7 @@ std::vector<std::string> write_from_files(const fs::path& folder, const GivenFil
     for (const GivenProject::File& file : project.files) {
         draft.write(file.name, file.text);
     }
-    // A scenario that cannot be run is no start for anybody.
-    config::Warnings warnings;
-    const auto scenario = read_scenario(folder / "scenario.ini", {});
-    open_site(*scenario, warnings);
+    refuse_unrunnable(folder);
     draft.keep();
     return project.remarks;
 }

@@ -24,6 +24,7 @@
 #include "coupling/nets/net_place.hpp"
 #include "coupling/nets/net_try.hpp"
 #include "coupling/pack/pack.hpp"
+#include "coupling/pack/run_folder.hpp"
 #include "coupling/pack/verify.hpp"
 #include "coupling/run/messages.hpp"
 #include "coupling/run/ranks.hpp"
@@ -125,14 +126,17 @@ int rerun(const CommandLine& line, const pack::VerifiedArchive& archive) {
     const std::filesystem::path folder =
         line.out.empty() ? std::filesystem::path{line.argument}.replace_extension().concat("-rerun")
                          : line.out;
+    const std::string_view command = pack::kind_of(archive.run.kind, line.argument.string()).command;
     pack::unpack_inputs(line.argument, archive, folder);
     RankGroup alone{RankGroup::Alone{}};
-    const int result = run_assessment({.scenario = folder / archive.run.scenario,
-                                       .overrides = archive.run.overrides,
-                                       .out = folder / "results",
-                                       .threads = line.threads,
-                                       .quiet = true},
-                                      alone);
+    const RunRequest request{.scenario = folder / archive.run.scenario,
+                             .overrides = archive.run.overrides,
+                             .out = folder / "results",
+                             .threads = line.threads,
+                             .quiet = true,
+                             .inputs_within = folder / "inputs"};
+    const int result =
+        command == "collapse" ? collapse::run_collapse(request) : run_assessment(request, alone);
     if (result != code(ExitCode::done)) {
         return result;
     }

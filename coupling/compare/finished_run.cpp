@@ -192,6 +192,11 @@ FinishedRun read_finished_run(const fs::path& folder) {
         config::fail(config::ExitCode::settings, {folder.string()}, "a hazard map of several return periods",
                      "the folder of one of them, return_period_… beside it");
     }
+    if (run.summary.kind == "collapse") {
+        config::fail(config::ExitCode::settings, {folder.string()}, "a run of `bannwald collapse`",
+                     "runs of `bannwald run`: a collapse has no figures of rocks at targets to compare",
+                     "compare their tables/energies.csv");
+    }
     if (run.summary.kind == "today") {
         add_today(folder, run.figures);
         add_nets(folder, run.figures);

@@ -49,7 +49,7 @@ std::string folder_of(double return_period_years) {
 }
 
 Period open_period(const RunRequest& request, double years, const fs::path& out, config::Warnings& warnings) {
-    auto scenario = scenario_of(request.scenario, request.overrides, years);
+    auto scenario = scenario_of(request.scenario, request.overrides, years, request.inputs_within);
     Site site = open_site(*scenario, warnings);
     return {years, std::move(scenario), std::move(site), out / folder_of(years)};
 }
@@ -322,16 +322,18 @@ void print_summary(const HazardResults& results) {
 HazardPlan read_plan(const Scenario& scenario) {
     config::Warnings ignored;  // the sites of the return periods print them
     Reading reading{scenario, ignored};
-    HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}};
-    reading.problems().throw_if_any();
-    plan.inputs = reading.inputs();
-    return plan;
+    return scenario.with_paths([&] {
+        HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}};
+        reading.problems().throw_if_any();
+        plan.inputs = reading.inputs();
+        return plan;
+    });
 }
 
 std::unique_ptr<Scenario> scenario_of(const fs::path& file, std::vector<std::string> overrides,
-                                      double return_period_years) {
+                                      double return_period_years, const fs::path& inputs_within) {
     overrides.push_back(joined("hazard.return_period_years=", config::to_text(return_period_years)));
-    return read_scenario(file, overrides);
+    return read_scenario(file, overrides, inputs_within);
 }
 
 int run_hazard(const RunRequest& request, const Scenario& scenario) {
@@ -345,7 +347,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     const bool all_anew = look_at_folders(request, plan, out);
     config::Warnings of_map;
     for (const std::string& folder : left_over(plan, out)) {
-        of_map.add(joined((out / folder).string(),
+        of_map.add(joined(folder,
                           ": a return period that hazard.blocks no longer has; it is "
                           "left as it is and not part of the map"));
     }

@@ -242,7 +242,7 @@ void declare_shapes(config::Options& options, ShapeSettings& settings) {
                     .high = 0.9,
                     .meaning = "each side is drawn within this share of itself, either way",
                     .source = "choice"});
-    options.text("release.shape_file", settings.file,
+    options.file("release.shape_file", settings.file,
                  {.meaning = "hull: CSV of points x_m, y_m, z_m, or a closed convex PLY or STL mesh"});
     options.flag(
         "release.shape_keeps_size", settings.keeps_size,

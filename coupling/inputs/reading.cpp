@@ -24,12 +24,14 @@ void Reading::warn(config::Place place, std::string found, std::string expected,
     if (scenario_.strict_inputs) {
         problems_.add(std::move(problem));
     } else {
+        problem.place = scenario_.shown(std::move(problem.place));
         warnings_.add(config::to_string(problem), effect);
     }
 }
 
 void Reading::note_renamed_settings() {
-    for (const config::Renaming& renaming : scenario_.options->renamings()) {
+    for (config::Renaming renaming : scenario_.options->renamings()) {
+        renaming.place = scenario_.shown(std::move(renaming.place));
         note(config::to_string(renaming));
     }
 }
@@ -37,7 +39,7 @@ void Reading::note_renamed_settings() {
 FileBytes Reading::open_at(const config::Place& place, const std::string& role, const std::string& name,
                            std::string_view expected) {
     FileBytes bytes = open_file(scenario_.resolve(name), place, expected);
-    inputs_.push_back({role, name, bytes.hash(), bytes.stored_bytes()});
+    inputs_.push_back({role, shown(name), bytes.hash(), bytes.stored_bytes()});
     return bytes;
 }
 
@@ -70,7 +72,7 @@ formats::BytesBeside Reading::beside(const std::string& role, const std::string&
         open_.push_back(open_file(scenario_.resolve(name), {shown(name)}, "a readable file"));
         // The projection of the terrain has had this name ever since.
         const std::string of = ending == ".prj" && role == "dem" ? "projection" : joined(role, " ", ending);
-        inputs_.push_back({of, name, open_.back().hash(), open_.back().stored_bytes()});
+        inputs_.push_back({of, shown(name), open_.back().hash(), open_.back().stored_bytes()});
         return open_.back().text();
     };
 }
@@ -219,7 +221,7 @@ std::string Reading::text_beside(const std::string& role, const std::string& nam
         return {};
     }
     const FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable text file");
-    inputs_.push_back({role, name, bytes.hash(), bytes.stored_bytes()});
+    inputs_.push_back({role, shown(name), bytes.hash(), bytes.stored_bytes()});
     return std::string{bytes.text()};
 }
 

@@ -56,10 +56,9 @@ public:
         }
     }
 
-    /// Name of a file in messages: as it is found from here.
-    [[nodiscard]] std::string shown(const std::string& name) const {
-        return scenario_.resolve(name).string();
-    }
+    /// Name of a file in results and messages, wherever the program was called: see InputNames. Errors are
+    /// shown with paths, by Scenario::with_paths around all that reads.
+    [[nodiscard]] std::string shown(const std::string& name) const { return scenario_.shown(name); }
 
     /// Whether a file was opened in a role.
     [[nodiscard]] bool has_input(const std::string& role) const;

@@ -206,13 +206,15 @@ std::vector<rockfall::Net> Site::standing_nets() const {
 void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs) {
     const ReportSettings& report = scenario.report;
     if (!report.logo.empty()) {
-        inputs.push_back({role_of_logo, report.logo, hash_text(report.picture.bytes),
+        inputs.push_back({role_of_logo, scenario.shown(report.logo), hash_text(report.picture.bytes),
                           static_cast<std::uint64_t>(report.picture.bytes.size())});
     }
 }
 
-Site open_site(const Scenario& scenario, config::Warnings& warnings) {
-    Reading reading{scenario, warnings};
+namespace {
+
+Site site_of(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
     reading.note_renamed_settings();
     doubt_guesses(reading);
     SiteFiles files = read_site_files(reading);
@@ -293,6 +295,13 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{}),
             .observed_events = std::move(files.events).value_or(ObservedEvents{}),
             .left_out_faces = std::move(files.heights->left_out)};
+}
+
+}  // namespace
+
+Site open_site(const Scenario& scenario, config::Warnings& warnings) {
+    Reading reading{scenario, warnings};
+    return scenario.with_paths([&] { return site_of(reading); });
 }
 
 }  // namespace coupling

@@ -54,17 +54,18 @@ void check_grid(const config::Raster<double>& grid, const std::string& file, Rea
 void check_projection(const std::string& text, const std::string& file, const plausible::Extent& extent,
                       Reading& reading) {
     if (const auto wrong = plausible::contradiction_of(text, extent, file)) {
-        reading.refuse({reading.shown(file)}, wrong->found, wrong->expected, wrong->advice);
+        reading.refuse({file}, wrong->found, wrong->expected, wrong->advice);
     }
 }
 
 /// The text of the .prj file beside the heights, "" without one. A projection that contradicts their
 /// coordinates becomes a problem.
 std::string projection_beside(const std::string& name, const plausible::Extent& extent, Reading& reading) {
-    const std::string beside = projection_name(name);
-    std::string text = reading.text_beside("projection", beside);
+    const std::string beside_name = projection_name(name);
+    const std::string beside = reading.shown(beside_name);
+    std::string text = reading.text_beside("projection", beside_name);
     check_projection(text, beside, extent, reading);
-    reading.take_system("terrain", beside, text);
+    reading.take_system("terrain", beside_name, text);
     return text;
 }
 
@@ -76,10 +77,11 @@ HeightInput read_dem(Reading& reading) {
     check_grid(*input.grid, input.file, reading);
     input.projection = reading.system_of("dem");
     const bool is_beside = reading.has_input("projection");
-    check_projection(input.projection, is_beside ? projection_name(scenario.dem) : scenario.dem,
+    check_projection(input.projection,
+                     reading.shown(is_beside ? projection_name(scenario.dem) : scenario.dem),
                      plausible::extent_of(input.grid->frame), reading);
     if (input.projection.empty()) {
-        reading.note(input.file + ": no " + projection_name(scenario.dem) +
+        reading.note(input.file + ": no " + reading.shown(projection_name(scenario.dem)) +
                      " beside it, so the results name no projection");
     }
     if (scenario.cell_size_m > 0.0) {

@@ -201,7 +201,7 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
 /// All rocks fall once more, past no nets.
 Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
     std::vector<std::pair<std::string, std::string>> settings;
-    for (const config::ParameterRow& row : scenario_.options->rows()) {
+    for (const config::ParameterRow& row : scenario_.shown_settings()) {
         settings.emplace_back(row.key, row.value_text);
     }
     const PathsHead head{.version = version(),

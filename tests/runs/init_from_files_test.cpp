@@ -111,6 +111,38 @@ TEST(InitFromFiles, RefusesAndLeavesNothing) {
     refused("--dem dem.tif --sources source.tif --targets far.csv", 4, "target 'road' outside the terrain");
 }
 
+/// What it writes, the program accepts: each role in each format, beside each format of the terrain.
+class AnyFormats : public testing::TestWithParam<unsigned> {};
+
+TEST_P(AnyFormats, BecomeAProjectThatIsCheckedAndRuns) {
+    const SampleProject project;
+    take_given_files(project);
+    project.write("cliff.csv", "wkt\n\"LINESTRING (1025 2035, 1025 2065)\"\n");
+    project.write("ground_polygons.csv",
+                  "code,wkt\n1,\"POLYGON ((1000 2000, 1030 2000, 1030 2100, 1000 2100, 1000 2000))\"\n");
+    // Every format of a role stands beside every format of the others in some of the calls: the steps have no
+    // common divisor with the numbers of formats.
+    unsigned number = GetParam();
+    std::string arguments;
+    const auto add = [&](const char* option, std::initializer_list<const char*> files, unsigned step) {
+        const std::string file = *(files.begin() + (number / step) % files.size());
+        arguments += file.empty() ? "" : std::string{" "} + option + " '" + file + "'";
+    };
+    add("--dem", {"dem.tif", "dem.asc"}, 1);
+    add("--sources", {"layers.gpkg|cliff", "source.tif", "source.asc", "cliff.csv"}, 1);
+    add("--targets", {"targets.geojson", "targets.csv", "road.shp", ""}, 3);
+    add("--trees", {"trees.shp", "trees.csv", ""}, 5);
+    add("--grounds", {"layers.gpkg|grounds", "surface.asc", "ground_polygons.csv", ""}, 7);
+    const Outcome made = call(project, "init own" + arguments);
+    ASSERT_EQ(made.code, 0) << arguments << '\n' << made.err;
+    const Outcome check = call(project, "check own/scenario.ini");
+    EXPECT_EQ(check.code, 0) << arguments << '\n' << check.err;
+    const Outcome run = call(project, "run own/scenario.ini --quiet --set release.rocks=20");
+    EXPECT_EQ(run.code, 0) << arguments << '\n' << run.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(InitFromFiles, AnyFormats, testing::Range(0U, 24U));
+
 TEST(InitFromFiles, LeavesAFolderWithFilesAlone) {
     const SampleProject project;
     std::filesystem::create_directory(project.file("own"));

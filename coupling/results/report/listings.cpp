@@ -29,7 +29,7 @@ std::string settings_table(const Scenario& scenario, const std::string& caption,
                      page_text("common.default"), page_text("listings.meaning")}};
     table.text_columns({2, 4});
     std::string section;
-    for (const config::ParameterRow& row : scenario.options->rows()) {
+    for (const config::ParameterRow& row : scenario.shown_settings()) {
         if (!is_shown(row)) {
             continue;
         }

@@ -32,8 +32,9 @@ std::string why_no_obstacles(const RunResults& results) {
         return page_text("today.opening.neither_trees_nor_logs_were");
     }
     const std::string files =
-        joined(scenario.trees, scenario.trees.empty() || scenario.logs.empty() ? "" : page_text("common.and"),
-               scenario.logs);
+        joined(scenario.shown(scenario.trees),
+               scenario.trees.empty() || scenario.logs.empty() ? "" : page_text("common.and"),
+               scenario.shown(scenario.logs));
     return page_text("today.opening.no_trees_or_logs_are_left_list", {{"files", escaped(files)}});
 }
 
