@@ -66,7 +66,7 @@ struct FallEnd {
     std::uint32_t crossings = 0;  ///< triangle stretches flown over, for benchmarks
     double dissipated_j = 0.0;    ///< of models that keep a ledger: energy lost, and what the ledger misses
     double residual_j = 0.0;
-    double corrected_j = 0.0;       ///< work done on the rock where overlaps with the ground are taken out
+    double corrected_j = 0.0;       ///< of a rock that lies still and is lowered to the ground; never above 0
     std::uint32_t unsolved = 0;     ///< percussions whose solver met its limit
     std::uint64_t percussions = 0;  ///< solved, for benchmarks
 };

@@ -172,10 +172,11 @@ void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, 
             rockfall::each_passage(nets, path.body, {piece.start_m, piece.other}, piece.first, piece.second,
                                    lines, ground_m, take);
         } else {
-            rockfall::each_passage(nets, path.body,
-                                   rockfall::StraightWay{piece.start_m, piece.other, piece.first,
-                                                         piece.second, piece.slides, piece.rotation_j},
-                                   lines, take);
+            rockfall::each_passage(
+                nets, path.body,
+                rockfall::StraightWay{piece.start_m, piece.other, piece.first, piece.second, piece.slides,
+                                      piece.rotation_start_j, piece.rotation_end_j},
+                lines, take);
         }
         ++number;
     }

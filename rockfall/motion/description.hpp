@@ -39,20 +39,24 @@ struct SidewaysTurn {
 /// What the program has to know about a motion model beside its laws: all that `check`, pages, tables and
 /// comparisons say about a model comes from here, so that none of them names one.
 struct ModelDescription {
-    std::string_view name;          ///< value of rockfall.motion, and the section of its settings
-    std::string_view title;         ///< on pages
-    std::string_view rocks;         ///< what its rocks do: "rocks jump, roll and spin"
-    std::string_view law;           ///< its law in a few words, for `--help-all`
-    std::string_view source;        ///< who published it
-    std::string_view energy;        ///< what kinetic energy counts: "translation alone"
+    std::string_view name;    ///< value of rockfall.motion, and the section of its settings
+    std::string_view title;   ///< on pages
+    std::string_view rocks;   ///< what its rocks do: "rocks jump, roll and spin"
+    std::string_view law;     ///< its law in a few words, for `--help-all`
+    std::string_view source;  ///< who published it
+    std::string_view energy;  ///< what kinetic energy counts: "translation alone"
     bool spins = false;             ///< rocks have a spin, and energies count it
     bool needs_soils = false;       ///< each ground type must have a soil
     double path_bytes_per_m = 0.0;  ///< a stored path grows by this for each metre of drop (measured)
-    double us_per_path_m = 0.0;     ///< a metre of path of a rock takes so long on one core (measured)
+    /// A metre of path of a rock takes so long on one core (measured). 0: it depends on shapes and ground, so
+    /// `check` simulates a few rocks and measures their time.
+    double us_per_path_m = 0.0;
     /// Settings outside its section that only some models use, this one among them.
     std::vector<std::string> shared_settings{};
     /// Settings that do nothing but turn rocks sideways: without effect where they stay in a plane.
     std::vector<std::string> sideways_settings{};
+    /// Which results of the model are not confirmed, and what to do: the first warning of each run with it.
+    std::string_view caution{};
 };
 
 }  // namespace rockfall

@@ -50,7 +50,7 @@ struct RockRecord {
     double log_energy_j = 0.0;   ///< taken by logs
     double dissipated_j = 0.0;   ///< of models that keep a ledger of energy
     double residual_j = 0.0;     ///< what that ledger misses
-    double corrected_j = 0.0;    ///< work done on the rock where overlaps with the ground are taken out
+    double corrected_j = 0.0;    ///< of a rock that lies still and is lowered to the ground; never above 0
     std::uint32_t unsolved = 0;  ///< percussions whose solver met its limit
 
     [[nodiscard]] double run_out_m() const { return (end_m - start_m).head<2>().norm(); }
