@@ -60,6 +60,7 @@ constexpr bool came_to_rest(StopReason reason) {
 struct FallEnd {
     StopReason reason = StopReason::at_rest;
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+    std::uint32_t triangle = no_triangle;  ///< the last one below the rock
     std::uint32_t ground_impacts = 0;
     std::uint32_t tree_hits = 0;
     std::uint32_t log_hits = 0;

@@ -11,6 +11,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/collapse/collapse_results.hpp"
+#include "coupling/collapse/handed_departures.hpp"
 #include "coupling/results/disk.hpp"
 #include "coupling/run/byte_archive.hpp"
 #include "coupling/run/checkpoint.hpp"
@@ -245,7 +246,9 @@ void print_summary(const CollapseResults& results, const OutputFolder& folder,
                 results.site.count.bonds - results.mass.bonds_intact(), results.site.count.bonds,
                 100.0 * figures.largest_residual);
     if (results.hands_over()) {
-        std::printf("  %zu blocks went on as single ones\n", results.hand_over.falls().size());
+        std::printf("  %zu blocks went on as single ones; %s\n", results.hand_over.falls().size(),
+                    in_words(departures_of_single_blocks(results.hand_over, results.site), "as single blocks")
+                        .c_str());
     }
     print_files(folder.path(), files, verbose);
 }
@@ -270,6 +273,7 @@ void move_and_write(const RunRequest& request, const CollapseScenario& scenario,
     run.begin(folder, request.quiet);
     run.go_on(folder, hash, request.quiet);
     warn_of_motion_at_end(run, site, warnings);
+    warn_of_departures(departures_of_single_blocks(run.hand_over(), site), warnings);
     make_folder(folder.staging());
     const CollapseResults results{scenario,        site,     run.record(), run.mass(),
                                   run.hand_over(), warnings, version()};

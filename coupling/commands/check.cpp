@@ -171,7 +171,7 @@ void describe_years(const CommandLine& line, const Scenario& scenario, Site site
     doubt_memory(estimate, warnings);
     if (!line.page.empty()) {
         OutFile page{line.page};
-        decades::write_plan_page(page.stream(), scenario, site, management);
+        decades::write_plan_page(page.stream(), scenario, site, management, warnings);
         page.close();
         say(out, "page", line.page.string());
     }

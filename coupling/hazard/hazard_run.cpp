@@ -13,6 +13,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_results.hpp"
+#include "coupling/hazard/period_results.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/reading.hpp"
@@ -304,6 +305,12 @@ std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path&
 
 void print_summary(const HazardResults& results) {
     std::printf("hazard map of %s\n", counted(results.periods.size(), "return period").c_str());
+    for (const SlopeHazard& slope : results.slopes) {
+        const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
+        const char* name = slope.cover == Cover::forest ? "with forest" : "over the bare slope";
+        std::printf("  return period of %s years: %s\n", config::to_text(most.return_period_years).c_str(),
+                    in_words(most.departures[index_of(slope.cover)], name).c_str());
+    }
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         std::printf("  %s:", results.site.targets[i].name.c_str());
         for (const SlopeHazard& slope : results.slopes) {
@@ -360,13 +367,16 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
         plausible::warn_of_rocks(*period.scenario, period.site, warnings);
+        config::Warnings of_inputs = warnings;
         if (InterruptGuard::requested()) {
             return report_interruption();
         }
         if (const int code = fall(request, period, all_anew, warnings); code != 0) {
             return code;
         }
-        shared.add(each, warnings);
+        const ResultsOfPeriod of_results = results_in(period.folder);
+        add_unknown(of_results.warnings, of_inputs);
+        shared.add(each, of_inputs);
         for (const InputFile& input : period.site.inputs) {
             const bool known = std::any_of(inputs.begin(), inputs.end(),
                                            [&](const InputFile& other) { return other.name == input.name; });
@@ -375,7 +385,8 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
             }
         }
         periods.push_back({each, period.folder, rocks_of(period.site),
-                           rockfall::diameter_range(start_law(*period.scenario), period.site.sources)});
+                           rockfall::diameter_range(start_law(*period.scenario), period.site.sources),
+                           of_results.departures});
         add_rocks(period, rocks);
         longest = std::move(period);
     }

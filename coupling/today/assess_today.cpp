@@ -13,6 +13,7 @@
 #include "config/text/language.hpp"
 #include "coupling/nets/net_paths.hpp"
 #include "coupling/observed/events_of_rocks.hpp"
+#include "coupling/results/departures.hpp"
 #include "coupling/results/excel_csv.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/fall_rocks.hpp"
@@ -27,6 +28,7 @@
 #include "coupling/today/observed_events.hpp"
 #include "coupling/today/observed_stops.hpp"
 #include "coupling/today/row_tables.hpp"
+#include "coupling/today/unreached_today.hpp"
 #include "coupling/today/write_results.hpp"
 #include "coupling/version.hpp"
 
@@ -127,6 +129,10 @@ public:
     Ended write(OutputFolder& folder);
 
 private:
+    [[nodiscard]] Departures departures_on(rockfall::Cover cover) const {
+        const rockfall::RunTally& run = total_.runs[static_cast<std::size_t>(cover)];
+        return departures_of(run.rocks, run.left_over, site_.slope.terrain);
+    }
     Ended keep_paths(const std::filesystem::path& file);
     [[nodiscard]] std::vector<rockfall::RockImpacts> kept_impacts() const;
     [[nodiscard]] std::vector<observed::EventComparison> observed_events(
@@ -250,6 +256,9 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         warnings_.add(std::to_string(state_.not_started) +
                       " rocks were not released: their place in the source lies outside the terrain");
     }
+    warn_of_departures(departures_on(rockfall::Cover::bare), departures_on(rockfall::Cover::forest),
+                       warnings_);
+    warn_of_unreached(site_, total_, state_.net_rows, warnings_);
     make_folder(folder.staging() / "tables");
     // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
     std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {

@@ -89,7 +89,9 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
     outcome.with_forest = !assessment.only_bare();
     const rockfall::RunTally& run = total.runs[index_of(outcome.with_forest ? Cover::forest : Cover::bare)];
     outcome.rocks = total.runs[index_of(Cover::bare)].rocks;
-    outcome.run_out_mean_m = 1e-3 * static_cast<double>(run.run_out_sum_mm) / static_cast<double>(run.rocks);
+    const SlopeFigures slope = figures_of(run);
+    outcome.run_out_mean_m = slope.run_out_m.mean;
+    outcome.left_terrain = slope.by_reason[static_cast<std::size_t>(rockfall::StopReason::left_terrain)];
     for (std::size_t i = 0; i < site.targets.size(); ++i) {
         const rockfall::TargetTally& tally = total.targets[i];
         TargetOutcome target;

@@ -109,6 +109,10 @@ void Footprint::begin(const RockStart& start, bool with_path) {
 void Footprint::finish(const FallEnd& end) {
     record_.reason = end.reason;
     record_.end_m = end.position_m;
+    if (end.reason == StopReason::left_terrain) {
+        record_.left_over = terrain_.rim().part_at(terrain_, end.triangle, end.position_m.head<2>(),
+                                                   record_.start_m.head<2>());
+    }
     record_.ground_impacts = end.ground_impacts;
     record_.tree_hits = end.tree_hits;
     record_.log_hits = end.log_hits;

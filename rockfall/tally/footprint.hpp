@@ -11,6 +11,7 @@
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/target.hpp"
 #include "rockfall/tally/target_index.hpp"
+#include "rockfall/terrain/rim.hpp"
 
 namespace rockfall {
 
@@ -25,6 +26,7 @@ struct RockRecord {
     std::uint64_t rock = 0;
     std::uint32_t source = 0;
     StopReason reason = StopReason::at_rest;
+    RimPart left_over = RimPart::north;  ///< where a rock left the terrain
     float diameter_m = 0.0F;
     Eigen::Vector3d start_m = Eigen::Vector3d::Zero();  ///< in coordinates of the terrain
     Eigen::Vector3d end_m = Eigen::Vector3d::Zero();

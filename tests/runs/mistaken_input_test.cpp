@@ -140,12 +140,14 @@ TEST(WarningsOfARun, AreItsClosingLines) {
     const Outcome both = shell(project, "\"$bannwald\" run scenario.ini --set release.rocks=200 2>&1");
     ASSERT_EQ(both.code, 0) << both.out;
     const std::size_t results = both.out.find("Results in ");
-    const std::size_t closing =
-        both.out.find("bannwald: done, with 1 warning:\nbannwald: warning: trees.csv");
+    // Rocks may leave the small slope, too: that warning speaks of the answer and stands before this one.
+    const std::size_t closing = both.out.find("bannwald: done, with ");
     ASSERT_NE(results, std::string::npos) << both.out;
     ASSERT_NE(closing, std::string::npos) << both.out;
     EXPECT_LT(results, closing);
-    EXPECT_EQ(both.out.find('\n', both.out.find("warning: ", closing + 30)), both.out.size() - 1) << both.out;
+    const std::size_t tree = both.out.find("bannwald: warning: trees.csv", closing);
+    ASSERT_NE(tree, std::string::npos) << both.out;
+    EXPECT_EQ(both.out.find("bannwald: done, with ", closing + 1), std::string::npos) << both.out;
 }
 
 TEST(WarningsOfARun, StandOnTheFirstScreenOfEveryKindOfPage) {

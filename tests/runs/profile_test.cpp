@@ -116,7 +116,7 @@ TEST(ProfileRun, IsAnExampleWithoutDoubts) {
                                   "\"$bannwald\" check steg/scenario.ini --set run.strict_inputs=yes && "
                                   "\"$bannwald\" run steg/scenario.ini --set release.rocks=300\n");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("300 rocks along a profile of 460 m"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("300 rocks along a profile of 500 m"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
     for (const std::string file : {"README.md", "profile.csv", "scenario.ini", "stations.csv"}) {
         const std::string text = project.read("steg/" + file);

@@ -43,10 +43,12 @@ Distributions read_distributions(const FinishedRun& run) {
     }
     const config::Table run_out =
         read_table(run.folder, "run_out.csv", {"cover", "run_out_low_m", "run_out_high_m", "rocks"});
+    // A rock that did not stop gets at least as far as it was seen: it counts in what exceeds a distance.
+    const bool has_open = run_out.has("not_stopped");
     for (std::size_t row = 0; row < run_out.rows(); ++row) {
         read.of[{"", run_out.text(row, "cover"), "run_out"}].bins.push_back(
             {number(run_out, row, "run_out_low_m"), number(run_out, row, "run_out_high_m"),
-             number(run_out, row, "rocks")});
+             number(run_out, row, "rocks") + (has_open ? number(run_out, row, "not_stopped") : 0.0)});
     }
     if (has_table(run.folder, "target_distributions.csv")) {
         const config::Table table =

@@ -44,6 +44,7 @@ public:
             }
         }
         end_.position_m = underside_m(block_.body().centre_m);
+        end_.triangle = under_;
         if (came_to_rest(end_.reason)) {
             end_.reason == StopReason::at_rest || end_.reason == StopReason::caught
                 ? block_.rest_on_ground()
