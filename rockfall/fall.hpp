@@ -60,13 +60,14 @@ constexpr bool came_to_rest(StopReason reason) {
 struct FallEnd {
     StopReason reason = StopReason::at_rest;
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+    std::uint32_t triangle = no_triangle;  ///< the last one below the rock
     std::uint32_t ground_impacts = 0;
     std::uint32_t tree_hits = 0;
     std::uint32_t log_hits = 0;
     std::uint32_t crossings = 0;  ///< triangle stretches flown over, for benchmarks
     double dissipated_j = 0.0;    ///< of models that keep a ledger: energy lost, and what the ledger misses
     double residual_j = 0.0;
-    double corrected_j = 0.0;       ///< work done on the rock where overlaps with the ground are taken out
+    double corrected_j = 0.0;       ///< of a rock that lies still and is lowered to the ground; never above 0
     std::uint32_t unsolved = 0;     ///< percussions whose solver met its limit
     std::uint64_t percussions = 0;  ///< solved, for benchmarks
 };

@@ -49,6 +49,7 @@ public:
             now_.rolling ? roll_on() : fly_on();
         }
         end_.position_m = now_.position_m;
+        end_.triangle = now_.triangle;
         return end_;
     }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,12 +22,19 @@ class Warnings {
 public:
     /// What is suspicious. Warnings of the same effect keep their order.
     void add(std::string sentence, Effect effect = Effect::part) {
+        if (!known_.insert(sentence).second) {
+            return;
+        }
         const auto behind = std::upper_bound(effects_.begin(), effects_.end(), effect);
         warnings_.insert(warnings_.begin() + (behind - effects_.begin()), std::move(sentence));
         effects_.insert(behind, effect);
     }
     /// What was assumed, filled in or understood: seldom wrong.
-    void add_note(std::string sentence) { notes_.push_back(std::move(sentence)); }
+    void add_note(std::string sentence) {
+        if (known_.insert(sentence).second) {
+            notes_.push_back(std::move(sentence));
+        }
+    }
 
     /// The largest effect first.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
@@ -45,6 +53,7 @@ private:
     std::vector<std::string> warnings_;
     std::vector<Effect> effects_;
     std::vector<std::string> notes_;
+    std::set<std::string> known_;
 };
 
 }  // namespace config

@@ -80,11 +80,11 @@ std::optional<std::string_view> value_of(const HeaderEntries& entries, std::stri
     return std::nullopt;
 }
 
-/// Whether a word belongs to the header: `nan` and `inf` are letters too, but stand for values.
+/// Whether a word belongs to the header: `nan`, `null` and `inf` are letters too, but stand for values.
 bool is_key(std::string_view token) {
     const std::string word = in_lower_case(token);
-    return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) != 0 && word != "nan" &&
-           word != "inf" && word != "infinity";
+    return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) != 0 &&
+           (word == "nodata" || !is_word_for_nodata(word)) && word != "inf" && word != "infinity";
 }
 
 std::string canonical_key(std::string_view token) {
@@ -183,7 +183,7 @@ public:
         if (!text) {
             return conventional_nodata;
         }
-        return in_lower_case(*text) == "nan" ? not_a_number : number("nodata_value");
+        return is_word_for_nodata(*text) ? not_a_number : number("nodata_value");
     }
 
     void refuse_both(std::string_view key, std::string_view other) {
@@ -233,9 +233,15 @@ GridFrame frame_of(Header& header) {
 }
 
 /// The value of a word that from_chars alone did not take; NaN with a problem noted where it is none.
-double careful_value(Reading& reading, std::string_view token, double nodata) {
+double careful_value(Reading& reading, std::string_view token, double nodata, GridWords& words) {
+    if (is_word_for_nodata(token)) {
+        if (!std::isnan(nodata) && words.cells++ == 0) {
+            words.first = token;
+        }
+        return not_a_number;
+    }
     const std::optional<double> value = parse_number(token);
-    if (!value && !(std::isnan(nodata) && in_lower_case(token) == "nan")) {
+    if (!value) {
         const bool decimal_comma = token.find(',') != std::string_view::npos;
         reading.refuse(token, in_quotes(token), decimal_comma ? "a number with a decimal point" : "a number");
     }
@@ -243,7 +249,7 @@ double careful_value(Reading& reading, std::string_view token, double nodata) {
 }
 
 /// Reads up to `expected` values; fewer come back where the text ends early.
-std::vector<double> read_values(Reading& reading, std::size_t expected, double nodata) {
+std::vector<double> read_values(Reading& reading, std::size_t expected, double nodata, GridWords& words) {
     const std::size_t most = (reading.text.size() - reading.at) / 2 + 1;  // a digit and a blank each
     std::vector<double> values(std::min(expected, most));
     const char* const end = reading.text.data() + reading.text.size();
@@ -262,7 +268,7 @@ std::vector<double> read_values(Reading& reading, std::size_t expected, double n
         if (token.empty()) {
             break;
         }
-        values[count++] = careful_value(reading, token, nodata);
+        values[count++] = careful_value(reading, token, nodata, words);
     }
     values.resize(count);
     return values;
@@ -325,21 +331,40 @@ void write(std::ostream& out, const Raster<Number>& raster) {
 
 }  // namespace
 
-Raster<double> read_ascii_grid(std::string_view text, const std::string& file) {
-    Reading reading{.text = without_byte_order_mark(text), .file = file};
-    Header header{read_header_entries(reading), reading};
+bool is_word_for_nodata(std::string_view word) {
+    constexpr std::array words{
+        "nan",    "-nan",    "+nan",    "nan(ind)", "-nan(ind)", "nan(snan)", "1.#qnan",  "-1.#qnan",
+        "1.#ind", "-1.#ind", "1.#snan", "-1.#snan", "1.#qnan0",  "-1.#qnan0", "1.#ind00", "-1.#ind00",
+        "null",   "(null)",  "<null>",  "na",       "<na>",      "n/a",       "#n/a",     "nd",
+        "none",   "nodata",  "no_data", "nil",      "*",         "-",         "--",       "---"};
+    return std::any_of(words.begin(), words.end(),
+                       [low = in_lower_case(word)](const char* known) { return low == known; });
+}
 
-    Raster<double> raster;
-    raster.frame = frame_of(header);
+AsciiGrid read_ascii_grid_with_words(std::string_view text, const std::string& file) {
+    Reading reading{.text = without_byte_order_mark(text), .file = file};
+    HeaderEntries entries = read_header_entries(reading);
+    if (entries.empty() && reading.problems.list().empty()) {
+        fail(ExitCode::data, {file}, "a text without the header of a grid",
+             "an ESRI ASCII grid, which begins with ncols", "export it again, as GeoTIFF or ESRI ASCII");
+    }
+    Header header{std::move(entries), reading};
+
+    AsciiGrid grid;
+    grid.raster.frame = frame_of(header);
     const double nodata = header.nodata();
     reading.problems.throw_if_any();
 
-    raster.values = read_values(reading, raster.frame.size(), nodata);
+    grid.raster.values = read_values(reading, grid.raster.frame.size(), nodata, grid.words);
     if (reading.problems.list().size() < most_bad_values) {
-        check_count(reading, raster.values.size(), raster.frame);
+        check_count(reading, grid.raster.values.size(), grid.raster.frame);
     }
     reading.problems.throw_if_any();
-    return raster;
+    return grid;
+}
+
+Raster<double> read_ascii_grid(std::string_view text, const std::string& file) {
+    return read_ascii_grid_with_words(text, file).raster;
 }
 
 std::optional<std::uint64_t> most_grid_bytes(std::string_view beginning) {

@@ -116,12 +116,13 @@ std::vector<ParameterRow> Options::rows() const {
         row.source = info.source;
         row.presets = info.presets;
         row.changed = row.value_text != row.default_text;
+        row.files = info.files;
         rows.push_back(std::move(row));
     }
     return rows;
 }
 
-void Options::write_ini(std::ostream& out, bool with_comments, const std::set<std::string>& without) const {
+void Options::write_ini(std::ostream& out, bool with_comments) const {
     const std::vector<ParameterRow> all = rows();
     std::vector<std::string> sections = section_names();
     // Keys of no section can only stand before the first section.
@@ -134,7 +135,7 @@ void Options::write_ini(std::ostream& out, bool with_comments, const std::set<st
         }
         gap = "\n";
         for (const ParameterRow& row : all) {
-            if (section_of(row) != section || without.contains(row.key)) {
+            if (section_of(row) != section) {
                 continue;
             }
             if (with_comments) {

@@ -24,6 +24,23 @@ std::string with_unit(std::string words, const ParameterInfo& info) {
     return words;
 }
 
+/// What a number is to be written like that is not accepted as it stands; empty where that is not clear.
+std::string advice_for(const std::string& value, const std::function<bool(std::string_view)>& accepts) {
+    if (const auto plain = without_separators(value); plain && accepts(*plain)) {
+        return "write " + *plain + " without separators of thousands";
+    }
+    std::string with_point = value;
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    if (std::count(value.begin(), value.end(), ',') == 1 && parse_number(with_point) && accepts(with_point)) {
+        return "write " + with_point + ", with a decimal point";
+    }
+    const std::size_t end = value.find(' ');
+    if (end != std::string::npos && parse_number(value.substr(0, end)) && accepts(value.substr(0, end))) {
+        return "write " + value.substr(0, end) + " without a unit";
+    }
+    return {};
+}
+
 std::string list_of_words(const std::vector<std::string>& words, const std::string& between) {
     std::string text;
     for (const std::string& word : words) {
@@ -94,6 +111,11 @@ void Options::text(std::string key, std::string& target, ParameterInfo info) {
     parameter.set = [&target](std::string_view text) { target = text; };
     parameter.get = [&target] { return target; };
     declare(std::move(parameter));
+}
+
+void Options::file(std::string key, std::string& target, ParameterInfo info) {
+    info.files = NamesFiles::one;
+    text(std::move(key), target, std::move(info));
 }
 
 void Options::numbers(std::string key, std::vector<double>& target, ParameterInfo info) {
@@ -215,10 +237,7 @@ void Options::check(const IniEntry& entry, Problems& problems) const {
         if (const std::string nearest = nearest_word(entry.value, parameter->words); !nearest.empty()) {
             expected.append(" (is ").append(in_quotes(nearest)).append(" meant?)");
         }
-        std::string advice;
-        if (const auto plain = without_separators(entry.value); plain && parameter->accepts(*plain)) {
-            advice.append("write ").append(*plain).append(" without separators of thousands");
-        }
+        const std::string advice = advice_for(entry.value, parameter->accepts);
         problems.add(ExitCode::settings, entry.value_place,
                      std::string{entry.key()}.append(" = ").append(
                          entry.value.empty() ? "nothing" : in_quotes(entry.value)),

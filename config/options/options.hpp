@@ -5,7 +5,6 @@
 #include <istream>
 #include <limits>
 #include <ostream>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +20,13 @@ struct Preset {
     std::string value;
 };
 
+/// What a setting of text names.
+enum class NamesFiles : std::uint8_t {
+    none,     ///< no file
+    one,      ///< a file, from the folder of the settings; perhaps `|` and a layer
+    several,  ///< a list split at commas, of which the entries with a dot are files
+};
+
 /// All that is said about a parameter, once: it feeds reader, check, help, example file and manual.
 struct ParameterInfo {
     std::string unit = "-";
@@ -30,6 +36,7 @@ struct ParameterInfo {
     std::string source{};           ///< paper and equation, or "choice"
     std::vector<Preset> presets{};  ///< values in named sets other than the default one
     std::string formerly{};         ///< earlier name of the key, still read; empty: none
+    NamesFiles files = NamesFiles::none;
 };
 
 /// A declared parameter as text, for listings.
@@ -44,6 +51,7 @@ struct ParameterRow {
     std::string source;
     std::vector<Preset> presets;
     bool changed = false;  ///< value differs from the default
+    NamesFiles files = NamesFiles::none;
 };
 
 /// An assignment in a section that is left free.
@@ -85,6 +93,7 @@ public:
     void count(std::string key, std::uint64_t& target, ParameterInfo info);
     void flag(std::string key, bool& target, ParameterInfo info);  ///< yes/no, true/false, on/off, 1/0
     void text(std::string key, std::string& target, ParameterInfo info);
+    void file(std::string key, std::string& target, ParameterInfo info);  ///< a text that names a file
     void numbers(std::string key, std::vector<double>& target, ParameterInfo info);        ///< "0.5, 1.0 1.5"
     void whole_numbers(std::string key, std::vector<double>& target, ParameterInfo info);  ///< "0,5 10"
 
@@ -140,9 +149,8 @@ public:
     /// Names of all presets that any parameter knows, in the order of declaration.
     [[nodiscard]] std::vector<std::string> preset_names() const;
 
-    /// The present values, those of free sections too, as a commented INI file that `read` takes back;
-    /// declared keys of `without` are left out.
-    void write_ini(std::ostream& out, bool with_comments, const std::set<std::string>& without = {}) const;
+    /// The present values, those of free sections too, as a commented INI file that `read` takes back.
+    void write_ini(std::ostream& out, bool with_comments) const;
     /// A table for people: key, default, unit, range, meaning, grouped by section; 100 columns wide.
     void write_help(std::ostream& out, const std::string& section_filter = "") const;
 

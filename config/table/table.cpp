@@ -11,9 +11,9 @@ namespace config {
 
 namespace {
 
-/// The first columns by name, for a message; long names cut off.
+/// The columns by name, for a message; long names cut off, and very many of them.
 std::string some_of(const std::vector<std::string>& columns) {
-    constexpr std::size_t most = 12;
+    constexpr std::size_t most = 40;
     std::string text;
     for (std::size_t i = 0; i < std::min(most, columns.size()); ++i) {
         const std::string quoted = in_quotes(columns[i]);  // one line, and no half letter at its end
@@ -22,9 +22,14 @@ std::string some_of(const std::vector<std::string>& columns) {
     return columns.size() > most ? text.append(", ...") : text;
 }
 
+/// A thing that is called `unit` has numbers or a shape behind its name, which no row of units has.
 bool is_unit_row(const Record& record) {
     const std::string first = in_lower_case(record.front().text);
-    return first == "unit" || first == "units";
+    return (first == "unit" || first == "units") &&
+           std::none_of(record.begin() + 1, record.end(), [](const Field& field) {
+               const bool is_number = parse_number(field.text).has_value() && field.text != "1";
+               return is_number || field.text.find('(') != std::string::npos;
+           });
 }
 
 std::vector<std::string> texts_of(Record record) {
@@ -36,12 +41,15 @@ std::vector<std::string> texts_of(Record record) {
     return texts;
 }
 
-void check_header(const Record& header, const Place& end, Problems& problems) {
+void check_header(const Record& header, FirstColumn first, const Place& end, Problems& problems) {
     if (header.empty()) {
         problems.add(ExitCode::data, end, "no header line", "a line of column names");
     }
     for (auto field = header.begin(); field != header.end(); ++field) {
         if (field->text.empty()) {
+            if (field == header.begin() && first == FirstColumn::may_lack_name && header.size() > 1) {
+                continue;
+            }
             problems.add(ExitCode::data, field->place, "a column without a name", "a name",
                          field == header.begin() ? "name it, or delete it: R's write.csv adds row names "
                                                    "unless row.names = FALSE"
@@ -118,6 +126,7 @@ Table Table::of(Features features) {
     Table table;
     table.file_ = std::move(features.file);
     table.columns_ = std::move(features.columns);
+    table.found_ = table.columns_;
     table.cells_ = std::move(features.cells);
     table.places_.reserve(table.cells_.size());
     for (std::size_t row = 0; row < table.cells_.size(); ++row) {
@@ -131,15 +140,15 @@ Table Table::of(Features features) {
     return table;
 }
 
-void Table::rename(std::string_view column, std::string name) {
-    assert(!has(name));
-    columns_[index_of(column)] = std::move(name);
-}
-
 void Table::add_column(std::string name, std::vector<std::string> values, std::string_view like) {
     assert(values.size() == rows());
     const std::size_t place = index_of(like);
     columns_.push_back(std::move(name));
+    found_.push_back(columns_.back());
+    by_form_.clear();
+    if (use_) {
+        use_->columns.push_back({columns_.back(), columns_.back(), true});
+    }
     if (!units_.empty()) {
         units_.emplace_back();
     }
@@ -154,7 +163,7 @@ Table Table::read(std::istream& in, std::string file) {
     return read(std::string_view{text}, std::move(file));
 }
 
-Table Table::read(std::string_view bytes, std::string file) {
+Table Table::read(std::string_view bytes, std::string file, FirstColumn first_column) {
     constexpr std::size_t most_uneven_rows = 100;
     const std::string_view text = checked_text(bytes, file);
     Problems problems;
@@ -166,8 +175,10 @@ Table Table::read(std::string_view bytes, std::string file) {
     while (!header.empty() && header.back().text.empty()) {
         header.pop_back();  // a separator at the end of the line names no column
     }
-    check_header(header, records.place(), problems);
+    check_header(header, first_column, records.place(), problems);
     table.columns_ = texts_of(std::move(header));
+    table.lacks_first_name_ = first_column == FirstColumn::may_lack_name && table.columns_.size() > 1 &&
+                              table.columns_.front().empty();
 
     bool first = true;
     for (Record record = records.next(); !record.empty(); record = records.next()) {
@@ -192,25 +203,41 @@ Table Table::read(std::string_view bytes, std::string file) {
         table.cells_.push_back(texts_of(std::move(record)));
     }
     problems.throw_if_any();
+    if (table.lacks_first_name_) {
+        table.columns_.erase(table.columns_.begin());
+        for (std::size_t row = 0; row < table.cells_.size(); ++row) {
+            table.cells_[row].erase(table.cells_[row].begin());
+            table.places_[row].erase(table.places_[row].begin());
+        }
+        if (!table.units_.empty()) {
+            table.units_.erase(table.units_.begin());
+        }
+    }
+    table.found_ = table.columns_;
     if (records.separator() != ',') {
         take_decimal_commas(table.cells_);
     }
     return table;
 }
 
-bool Table::has(std::string_view column) const {
-    return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
-}
-
-std::size_t Table::index_of(std::string_view column) const {
-    const auto found = std::find(columns_.begin(), columns_.end(), column);
-    assert(found != columns_.end());
-    return static_cast<std::size_t>(found - columns_.begin());
-}
-
 Place Table::place(std::size_t row, std::string_view column) const {
     const TextPlace& place = places_[row][index_of(column)];
     return {file_, place.line, place.column};
+}
+
+Problem other_unit_problem(const std::string& file, const std::string& found, const std::string& wanted) {
+    const ColumnForm from = form_of(found);
+    const ColumnForm to = form_of(wanted);
+    const double factor = unit_factor(from.unit, to.unit);
+    std::string advice = "name the column " + wanted + " and give its numbers in " + to.unit;
+    if (factor > 0.0) {
+        advice = "multiply its numbers by " + to_text(factor) + " and name the column " + wanted;
+    }
+    return {ExitCode::data,
+            {file},
+            "column " + in_quotes(found) + ", which is in " + from.unit,
+            wanted + ", in " + to.unit,
+            std::move(advice)};
 }
 
 bool Table::require(const std::vector<std::string>& wanted, Problems& problems) const {
@@ -220,10 +247,18 @@ bool Table::require(const std::vector<std::string>& wanted, Problems& problems) 
             continue;
         }
         complete = false;
-        const std::string nearest = nearest_word(name, columns_);
+        const ColumnForm form = form_of(name);
+        const auto in_other_unit = std::find_if(found_.begin(), found_.end(), [&](const std::string& column) {
+            return is_other_unit(form_of(column), form);
+        });
+        if (in_other_unit != found_.end()) {
+            problems.add(other_unit_problem(file_, *in_other_unit, name));
+            continue;
+        }
+        const std::string nearest = nearest_word(name, found_);
         if (nearest.empty()) {
             problems.add(ExitCode::data, {file_},
-                         "no column " + in_quotes(name) + " among " + some_of(columns_), "",
+                         "no column " + in_quotes(name) + " among " + some_of(found_), "",
                          name == "wkt" ? "give each row its shape as well-known text (QGIS: Export, CSV, "
                                          "GEOMETRY = AS_WKT), or name a layer"
                                        : "add it, or rename the column that holds it");
@@ -239,9 +274,14 @@ const std::string& Table::text(std::size_t row, std::string_view column) const {
     return cells_[row][index_of(column)];
 }
 
+const std::string& Table::seen_text(std::size_t row, std::string_view column) const {
+    return cells_[row][find(column).value()];
+}
+
 void Table::add_problem(std::size_t row, std::string_view column, std::string_view kind,
                         const NumberRange& range, Problems& problems) const {
-    const std::string& field = text(row, column);
+    const auto emptied = emptied_.find({row, index_of(column)});
+    const std::string& field = emptied == emptied_.end() ? text(row, column) : emptied->second;
     std::string expected = describe(kind, range);
     std::string advice;
     const auto plain = without_separators(field);

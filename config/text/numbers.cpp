@@ -23,10 +23,20 @@ std::optional<Number> parse_all(std::string_view text) {
     return value;
 }
 
+// Between these a number is written with all its digits, else with an exponent: whole numbers of doubles are
+// exact below 2^53, and a millionth is finer than any quantity that people read here [choice].
+constexpr double most_in_full = 0x1p53;
+constexpr double least_in_full = 1e-6;
+
 template <class Number>
 std::string shortest(Number value) {
-    std::array<char, 32> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    // A sign, 16 digits, a point and the zeros before a small number: at most 26 characters.
+    std::array<char, 40> buffer{};
+    char* const end = buffer.data() + buffer.size();
+    const auto size = std::abs(static_cast<double>(value));
+    const bool in_full = value == Number{0} || (size >= least_in_full && size < most_in_full);
+    const auto result = in_full ? std::to_chars(buffer.data(), end, value, std::chars_format::fixed)
+                                : std::to_chars(buffer.data(), end, value);
     return {buffer.data(), result.ptr};
 }
 

@@ -34,7 +34,7 @@ std::optional<long long> parse_whole(std::string_view text);
 /// other texts. Of "2.000" the same text may also be a number without separators: the caller decides.
 std::optional<std::string> without_separators(std::string_view text);
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that reads back the same; no exponent from a millionth to 2^53, so none in coordinates.
 std::string to_text(double value);
 std::string to_text(float value);
 

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
+#include <memory>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/collapse/collapse_results.hpp"
+#include "coupling/collapse/handed_departures.hpp"
 #include "coupling/results/disk.hpp"
 #include "coupling/run/byte_archive.hpp"
 #include "coupling/run/checkpoint.hpp"
@@ -19,6 +21,7 @@
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
+#include "coupling/run/thread_team.hpp"
 #include "coupling/run/writing_progress.hpp"
 #include "coupling/version.hpp"
 
@@ -42,11 +45,9 @@ rockfall::rock_mass::ParallelFor on_threads(int threads) {
     if (threads <= 1) {
         return rockfall::rock_mass::one_by_one;
     }
-    return [threads](std::size_t count, const std::function<void(std::size_t)>& work) {
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-        for (std::size_t i = 0; i < count; ++i) {
-            work(i);
-        }
+    const auto team = std::make_shared<ThreadTeam>(threads);
+    return [team](std::size_t count, const std::function<void(std::size_t)>& work) {
+        team->for_each(count, work);
     };
 }
 
@@ -245,7 +246,9 @@ void print_summary(const CollapseResults& results, const OutputFolder& folder,
                 results.site.count.bonds - results.mass.bonds_intact(), results.site.count.bonds,
                 100.0 * figures.largest_residual);
     if (results.hands_over()) {
-        std::printf("  %zu blocks went on as single ones\n", results.hand_over.falls().size());
+        std::printf("  %zu blocks went on as single ones; %s\n", results.hand_over.falls().size(),
+                    in_words(departures_of_single_blocks(results.hand_over, results.site), "as single blocks")
+                        .c_str());
     }
     print_files(folder.path(), files, verbose);
 }
@@ -270,6 +273,7 @@ void move_and_write(const RunRequest& request, const CollapseScenario& scenario,
     run.begin(folder, request.quiet);
     run.go_on(folder, hash, request.quiet);
     warn_of_motion_at_end(run, site, warnings);
+    warn_of_departures(departures_of_single_blocks(run.hand_over(), site), warnings);
     make_folder(folder.staging());
     const CollapseResults results{scenario,        site,     run.record(), run.mass(),
                                   run.hand_over(), warnings, version()};
@@ -287,7 +291,7 @@ void move_and_write(const RunRequest& request, const CollapseScenario& scenario,
 }  // namespace
 
 int run_collapse(const RunRequest& request) {
-    const auto scenario = read_collapse(request.scenario, request.overrides);
+    const auto scenario = read_collapse(request.scenario, request.overrides, request.inputs_within);
     config::Warnings warnings;
     const CollapseSite site = open_collapse(*scenario, warnings);
     if (!request.quiet) {

@@ -224,8 +224,9 @@ rockfall::Terrain cut_mass(const CollapseScenario& scenario, const rockfall::Ter
 
 }  // namespace
 
-CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& warnings) {
-    Reading reading{scenario.scenario, warnings};
+namespace {
+
+CollapseSite site_of(const CollapseScenario& scenario, Reading& reading) {
     std::optional<HeightInput> heights = read_heights(reading);
     reading.problems().throw_if_any();
     const bool hands_over = scenario.settings.hand_over != HandOverTo::none;
@@ -237,7 +238,7 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
     as_it_is.contact_support_m = 0.0;
     constexpr double no_rock_m = 0.0;  // so its mean diameter plays no part
     const rockfall::Terrain terrain =
-        build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.longest_edge_m);
+        build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.longest_edge_m, reading);
     CollapseSite site;
     site.origin_m = terrain.origin_m();
     site.map_frame = heights->map_frame;
@@ -255,7 +256,7 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
         slope = slope_of_blocks(std::move(of_blocks), *heights, terrain, reading);
     }
     reading.check_systems();
-    reading.problems().throw_if_any();
+    reading.finish();
     add_stems(terrain, site);
     if (slope) {
         site.handed_ground = std::make_shared<const HandedGround>(std::move(*slope), *floor, site.trees,
@@ -271,6 +272,13 @@ CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& w
                             "collapse.least_block_m keeps more of them"));
     }
     return site;
+}
+
+}  // namespace
+
+CollapseSite open_collapse(const CollapseScenario& scenario, config::Warnings& warnings) {
+    Reading reading{scenario.scenario, warnings};
+    return scenario.scenario.with_paths([&] { return site_of(scenario, reading); });
 }
 
 }  // namespace coupling::collapse

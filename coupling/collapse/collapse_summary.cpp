@@ -1,4 +1,5 @@
 #include "coupling/collapse/collapse_results.hpp"
+#include "coupling/collapse/handed_departures.hpp"
 #include "coupling/results/json.hpp"
 
 namespace coupling::collapse {
@@ -20,6 +21,7 @@ Json json_hand_over(const CollapseResults& results) {
     }
     const auto& ledger = results.record.rows.back().ledger;
     return {{"blocks", results.hand_over.falls().size()},
+            {"left_terrain", json_departures(departures_of_single_blocks(results.hand_over, results.site))},
             {"volume_m3", json_number(volume_m3)},
             {"motion_mj", json_number(ledger.handed_motion_j / 1e6)},
             {"gravity_mj", json_number(ledger.handed_gravity_j / 1e6)},

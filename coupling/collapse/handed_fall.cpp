@@ -27,7 +27,10 @@ public:
     }
     void rolled(const Rock& rock, const rockfall::RollingPiece& piece, std::uint32_t) {
         note(piece.duration_s, [&](double after_s) {
-            return moment(rock, piece.position_m(after_s), piece.velocity_at(after_s), piece.rotation_j);
+            HandedMoment made = moment(rock, piece.position_m(after_s), piece.velocity_at(after_s),
+                                       piece.own_at(after_s).rotation_j);
+            made.translation_j = 0.5 * rock.mass_kg * piece.own_at(after_s).squared_speed;
+            return made;
         });
     }
     /// Attitudes of the moments noted last.

@@ -55,6 +55,26 @@ std::string trees_in_words(const Site& site) {
     return text.str();
 }
 
+/// Cells of 20 m that hold a tree count as wooded [choice]: so a list that lost half of its rows, or lists
+/// each tree twice, shows in the numbers per hectare.
+std::string stand_in_words(const Site& site) {
+    constexpr double cell_m = 20.0;
+    constexpr double cell_ha = cell_m * cell_m * 1e-4;
+    std::set<std::pair<long, long>> wooded;
+    double basal_area_m2 = 0.0;
+    for (const TreeRecord& tree : site.trees) {
+        wooded.emplace(std::lround(std::floor(tree.stem.x_m / cell_m)),
+                       std::lround(std::floor(tree.stem.y_m / cell_m)));
+        basal_area_m2 += 0.25 * M_PI * tree.stem.dbh_cm * tree.stem.dbh_cm * 1e-4;
+    }
+    const double wooded_ha = cell_ha * static_cast<double>(wooded.size());
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << static_cast<double>(site.trees.size()) / wooded_ha
+         << " stems/ha, " << basal_area_m2 / wooded_ha << " m2/ha on " << std::setprecision(1) << wooded_ha
+         << " ha with trees (cells of 20 m)";
+    return text.str();
+}
+
 std::string ground_in_words(const Site& site) {
     std::string text;
     for (const rockfall::SurfaceType& type : site.slope.types) {
@@ -110,8 +130,9 @@ void doubt_memory(const Estimate& estimate, config::Warnings& warnings) {
     const std::uint64_t has_bytes = physical_memory_bytes();
     if (has_bytes > 0 && estimate.bytes() > has_bytes) {
         warnings.add("memory up to " + size_in_words(estimate.bytes()) + ", of which this machine has " +
-                     size_in_words(has_bytes) +
-                     ": larger output.cell_size_m, fewer --threads or output.percentiles = no take less");
+                         size_in_words(has_bytes) +
+                         ": larger output.cell_size_m, fewer --threads or output.percentiles = no take less",
+                     config::Effect::detail);
     }
 }
 
@@ -132,6 +153,9 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
                     std::ostream& out) {
     describe_site(scenario, site, out);
     say(out, "trees", trees_in_words(site));
+    if (!site.trees.empty()) {
+        say(out, "stand", stand_in_words(site));
+    }
     if (!site.logs.empty()) {
         say(out, "logs", counted(site.logs.size(), "log"));
     }
@@ -171,7 +195,7 @@ void describe_years(const CommandLine& line, const Scenario& scenario, Site site
     doubt_memory(estimate, warnings);
     if (!line.page.empty()) {
         OutFile page{line.page};
-        decades::write_plan_page(page.stream(), scenario, site, management);
+        decades::write_plan_page(page.stream(), scenario, site, management, warnings);
         page.close();
         say(out, "page", line.page.string());
     }

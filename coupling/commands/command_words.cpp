@@ -16,7 +16,7 @@ const std::map<std::string, std::vector<std::string>>& options_of_commands() {
         {"compare", {"out", "page", "language", "overwrite"}},
         {"vary", {"set", "seed", "threads", "out", "overwrite"}},
         {"collapse", {"set", "seed", "threads", "out", "overwrite"}},
-        {"pack", {"scenario", "title", "creator", "licence", "date", "out", "overwrite"}},
+        {"pack", {"set", "scenario", "title", "creator", "licence", "date", "out", "overwrite"}},
         {"verify", {"rerun", "out", "threads"}},
         {"net", {"nets", "distances", "azimuth", "out", "overwrite"}},
         {"info", {}},

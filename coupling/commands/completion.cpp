@@ -87,7 +87,7 @@ std::vector<std::string> settings() {
     return keys;
 }
 
-std::vector<std::string> tables() {
+std::vector<std::string> table_names() {
     std::vector<std::string> names;
     for (const std::string& table : config::shipped_table_names()) {
         names.push_back(table.substr(0, table.rfind('.')));
@@ -114,7 +114,7 @@ void write_completion(const std::string& shell, std::ostream& out) {
     write_words(out, "_bannwald_commands", command_names());
     write_words(out, "_bannwald_examples", example_names());
     write_words(out, "_bannwald_settings", settings());
-    write_words(out, "_bannwald_tables", tables());
+    write_words(out, "_bannwald_tables", table_names());
     write_words(out, "_bannwald_cases", cases());
     out << opening;
     for (const std::string& command : command_names()) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "coupling/commands/pilot.hpp"
 #include "coupling/decades/records.hpp"
 #include "coupling/inputs/forest_site.hpp"
 #include "coupling/today/assess_today.hpp"
@@ -46,6 +47,11 @@ double mean_drop_m(const Site& site) {
     return found == 0 ? 0.0 : sum_m / static_cast<double>(found);
 }
 
+/// Slopes over which each rock falls: the bare one, and one with what stands and lies on it.
+int covers_of(const Site& site) {
+    return site.trees.empty() && site.logs.empty() ? 1 : 2;
+}
+
 /// Of net_paths.bin: the terrain and a path of each rock on each slope.
 std::uint64_t path_bytes(const Scenario& scenario, const Site& site, std::uint64_t paths) {
     const double of_paths = static_cast<double>(paths) * mean_drop_m(site) *
@@ -65,12 +71,15 @@ std::uint64_t terrain_bytes(const Site& site) {
            site.sources.size() * sizeof(rockfall::ReleaseSource);
 }
 
-/// On one thread, with the flights, the ground and the entries in the maps.
-double seconds_of_rocks(const Scenario& scenario, const Site& site, std::uint64_t rocks) {
+/// Of a rock over one slope on one thread, with the flights, the ground and the entries in the maps. By a
+/// pilot where the time depends on more than the path.
+double seconds_of_rock(const Scenario& scenario, const Site& site) {
     constexpr double seconds_per_us = 1e-6;
-    const double path_m = mean_drop_m(site) / path_steepness;
-    return static_cast<double>(rocks) * path_m * seconds_per_us *
-           rockfall::description_of(scenario.rockfall.fall.motion.model).us_per_path_m;
+    const double us_per_path_m = rockfall::description_of(scenario.rockfall.fall.motion.model).us_per_path_m;
+    if (us_per_path_m > 0.0) {
+        return mean_drop_m(site) / path_steepness * seconds_per_us * us_per_path_m;
+    }
+    return pilot_seconds_per_rock(scenario, site) / covers_of(site);
 }
 
 /// A forest that lives through its years: trees as they are and as the year changes them.
@@ -101,7 +110,7 @@ std::uint64_t kept_bytes(const Scenario& scenario, const ForestSite& forest) {
 Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
     Estimate estimate;
     estimate.rocks = rocks_of(site);
-    estimate.covers = site.trees.empty() && site.logs.empty() ? 1 : 2;
+    estimate.covers = covers_of(site);
     const auto covers = static_cast<std::uint64_t>(estimate.covers);
     estimate.terrain_bytes = terrain_bytes(site);
     // Every worker has sums for both covers, and all of them are added up once more.
@@ -109,7 +118,8 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
                          (static_cast<std::uint64_t>(threads) + 1);
     estimate.percentile_bytes =
         scenario.percentiles ? covers * rockfall::CellHistograms::largest_bytes(site.map_frame) : 0;
-    estimate.seconds = seconds_of_rocks(scenario, site, estimate.rocks * covers) / threads;
+    estimate.seconds =
+        seconds_of_rock(scenario, site) * static_cast<double>(estimate.rocks * covers) / threads;
     if (scenario.nets.keep_paths) {
         estimate.seconds *= 2.0;  // all rocks fall once more
         estimate.path_bytes = path_bytes(scenario, site, estimate.rocks * covers);
@@ -138,8 +148,8 @@ Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size
         estimate.map_bytes = map_bytes * (at_once * (threads_each + 1) + members * maps);
     }
     // Over the bare slope once for each replicate, through the forest for each member.
-    const double rocks_s =
-        times_as_long_over_years * seconds_of_rocks(scenario, site, estimate.rocks * estimate.rock_years);
+    const double rocks_s = times_as_long_over_years * seconds_of_rock(scenario, site) *
+                           static_cast<double>(estimate.rocks * estimate.rock_years);
     estimate.seconds = rounds * (static_cast<double>(scenario.years * patches) * seconds_per_patch_year +
                                  rocks_s / static_cast<double>(threads_each)) +
                        static_cast<double>(settings.replicates) * rocks_s / threads;

@@ -17,7 +17,7 @@ struct Estimate {
     std::uint64_t percentile_bytes = 0;  ///< at most: if rocks reach every cell
     std::uint64_t forest_bytes = 0;      ///< living trees and what is kept of the years
     std::uint64_t path_bytes = 0;        ///< on disk: net_paths.bin
-    double seconds = 0.0;                ///< within a factor of about three
+    double seconds = 0.0;  ///< within a factor of about three; where the model has no known speed, by a pilot
 
     [[nodiscard]] std::uint64_t bytes() const {
         return terrain_bytes + map_bytes + percentile_bytes + forest_bytes;

@@ -170,9 +170,12 @@ constexpr std::string_view pack_help = R"(bannwald pack DIR [options]
 
 Puts a finished run into a zip file that can be cited and repeated: scenario, all inputs, all results, version and
 commit of the program, the command, SHA-256 of every file, descriptions by RO-Crate 1.1 and DataCite 4. Inputs and
-settings have to be those of the run still. The same folder gives the same bytes.
+settings have to be those of the run still. The same folder gives the same bytes. Inputs from outside of the folder
+of the scenario come into the folder `outside` of the archive, and the packed scenario names them there.
   --out FILE                the archive (default: DIR.zip)
   --scenario FILE           the scenario of the run (default: the file of its name beside DIR)
+  --set section.key=value   where the run got a file from outside of the project folder by --set: the same again,
+                            as results hold no paths
   --title TEXT              what the archive is called
   --creator NAME            who made it; again for more
   --licence NAME            of inputs and results, such as CC-BY-4.0
@@ -185,7 +188,7 @@ constexpr std::string_view verify_help = R"(bannwald verify FILE.zip [options]
 Reads every file of an archive of `bannwald pack` and compares its SHA-256 with the list in the archive. Ends with
 exit code 4 if anything is damaged, missing or added.
   --rerun                   repeats the run with this program and compares every file of its results; ends with exit
-                            code 5 if one differs
+                            code 5 if one differs, with 4 if the run would read a file outside of the archive
   --out DIR                 folder of the repeated run (default: FILE-rerun); stays
 )";
 

@@ -13,6 +13,7 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "config/table/table.hpp"
+#include "config/text/coordinates.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/commands/info_tables.hpp"
@@ -86,9 +87,10 @@ void write_grid(const formats::PlacedGrid& placed, const std::string& format, co
     const auto all = static_cast<double>(grid.values.size());
     out << format << '\n'
         << "frame         " << to_string(grid.frame) << '\n'
-        << "extent        x " << config::to_text(grid.frame.x_west_m) << " to "
-        << config::to_text(grid.frame.x_east_m()) << ", y " << config::to_text(grid.frame.y_south_m) << " to "
-        << config::to_text(grid.frame.y_north_m()) << '\n'
+        << "extent        x " << config::metres_in_words(grid.frame.x_west_m) << " to "
+        << config::metres_in_words(grid.frame.x_east_m()) << ", y "
+        << config::metres_in_words(grid.frame.y_south_m) << " to "
+        << config::metres_in_words(grid.frame.y_north_m()) << '\n'
         << "projection    "
         << (placed.projection.empty() ? "none (no " + prj + ")" : projection_in_words(placed.projection))
         << '\n'

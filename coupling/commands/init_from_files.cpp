@@ -17,11 +17,12 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/files_beside.hpp"
-#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/plausible/same_system.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/species_table.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
 namespace {
@@ -100,17 +101,26 @@ public:
 
 private:
     void remark(std::string sentence) { project_.remarks.push_back(std::move(sentence)); }
+    void take_remarks(const GivenFile& file, const std::vector<std::string>& remarks) {
+        for (const std::string& sentence : remarks) {
+            remark(joined(file.name(), ": ", sentence));
+        }
+    }
+    /// Reads a layer; how it was read becomes a remark.
+    formats::ReadLayer layer_of(GivenFile& file) {
+        formats::ReadLayer read = file.layer();
+        if (!read.remark.empty()) {
+            remark(joined(file.name(), ": ", read.remark));
+        }
+        return read;
+    }
 
     [[nodiscard]] std::string setting(const std::string& key, const GivenFile& file,
                                       const char* comment) const {
         return joined(key, " = ", file.name_from(folder_), "    ; ", comment, "\n");
     }
 
-    /// Grids without a system lie on the cells of the terrain, so only layers are spoken of.
     void check_system(const GivenFile& file, const std::string& system) {
-        if (system.empty() && !file.is_grid()) {
-            remark(joined(file.name(), ": names no coordinate system; taken as that of the terrain"));
-        }
         if (plausible::compare_systems(system_, system) == plausible::Sameness::other) {
             config::fail(config::ExitCode::data, {file.name()},
                          joined("coordinates in ", plausible::name_of_system(system)),
@@ -122,8 +132,10 @@ private:
     void take_heights() {
         GivenFile file{given_.dem};
         formats::PlacedGrid grid = file.grid();
+        take_remarks(file, grid.remarks);
         system_ = std::move(grid.projection);
         heights_ = std::move(grid.raster);
+        plausible::refuse_wrong_heights(heights_, system_, file.name());
         remark(joined(file.name(), ": ground heights, ", to_string(heights_.frame), ", ",
                       system_.empty() ? "no coordinate system" : plausible::name_of_system(system_)));
         terrain_ = setting("dem", file, "ground heights in m");
@@ -140,6 +152,7 @@ private:
         std::set<long long> codes;
         if (file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
+            take_remarks(file, grid.remarks);
             check_system(file, grid.projection);
             for (const double code : grid.raster.values) {
                 if (!std::isnan(code) && codes.size() < 256) {
@@ -148,9 +161,9 @@ private:
             }
             terrain_ += setting("surface", file, "code of the ground type of each cell");
         } else {
-            formats::ReadLayer read = file.layer();
+            formats::ReadLayer read = layer_of(file);
             check_system(file, read.layer.projection);
-            name_columns_of(read.layer.table, "surface_polygons");
+            prepare(read, "surface_polygons");
             config::Problems problems;
             read.layer.table.require({"code", "wkt"}, problems);
             for (std::size_t row = 0; problems.empty() && row < read.layer.table.rows(); ++row) {
@@ -176,11 +189,14 @@ private:
                       "surface_types.csv"));
     }
 
-    void name_columns_of(config::Table& table, const std::string& role) {
-        for (const formats::NamedColumn& column : formats::name_columns(table, role)) {
-            remark(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
-                          column.taken_as));
+    /// As the reader of the project will have it; what there is to say is said when the project is checked.
+    static void prepare(formats::ReadLayer& read, const std::string& role) {
+        config::Problems problems;
+        for (const config::Problem& problem :
+             tables::prepare(read.layer.table, role, read.has_shapes_of_its_own).errors) {
+            problems.add(problem);
         }
+        problems.throw_if_any();
     }
 
     void take_trees() {
@@ -190,13 +206,12 @@ private:
             return;
         }
         GivenFile file{given_.trees};
-        formats::ReadLayer read = file.layer();
+        formats::ReadLayer read = layer_of(file);
         config::Table& table = read.layer.table;
-        if (read.has_shapes_of_its_own && table.has("wkt")) {
+        if (read.has_shapes_of_its_own && table.find("wkt")) {
             check_system(file, read.layer.projection);
         }
-        name_columns_of(table, "trees");
-        formats::take_coordinates(table, "trees", read.has_shapes_of_its_own);
+        prepare(read, "trees");
         config::Problems problems;
         table.require({"x_m", "y_m", "species", "dbh_cm"}, problems);
         problems.throw_if_any();
@@ -213,13 +228,15 @@ private:
         }
         GivenFile file{given_.sources};
         if (file.is_grid()) {
-            check_system(file, file.grid().projection);
+            const formats::PlacedGrid grid = file.grid();
+            take_remarks(file, grid.remarks);
+            check_system(file, grid.projection);
             release_ = setting("source", file, "0 no source, k > 0 release zone k");
             remark(joined(file.name(), ": sources as a grid of release zones"));
         } else {
-            formats::ReadLayer read = file.layer();
+            formats::ReadLayer read = layer_of(file);
             check_system(file, read.layer.projection);
-            name_columns_of(read.layer.table, "source_shapes");
+            prepare(read, "source_shapes");
             release_ = setting("source_shapes", file, "where rocks break off");
             remark(joined(file.name(), ": ", counted(read.layer.table.rows(), "shape"), " as sources"));
         }
@@ -246,9 +263,12 @@ private:
         }
         const std::string limit = config::to_text(std::round(10.0 * limit_deg) / 10.0);
         if (cells == 0) {
-            config::fail(config::ExitCode::data, {given_.dem},
-                         joined("no cell steeper than ", limit, " degrees to take as a source of rocks"),
-                         "a slope with cliffs, or --sources", "name a layer of sources with --sources");
+            project_.no_sources = config::Problem{
+                config::ExitCode::data,
+                {given_.dem},
+                joined("no cell steeper than ", limit, " degrees to take as a source of rocks"),
+                "a slope with cliffs, or --sources",
+                "name a layer of sources with --sources"};
         }
         std::ostringstream text;
         config::write_ascii_grid(text, sources);
@@ -269,11 +289,11 @@ private:
             return;
         }
         GivenFile file{given_.targets};
-        formats::ReadLayer read = file.layer();
+        formats::ReadLayer read = layer_of(file);
         if (read.has_shapes_of_its_own) {
             check_system(file, read.layer.projection);
         }
-        name_columns_of(read.layer.table, "targets");
+        prepare(read, "targets");
         config::Problems problems;
         read.layer.table.require({"wkt"}, problems);
         problems.throw_if_any();

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "config/errors/input_error.hpp"
 
 namespace coupling {
 
@@ -23,6 +26,8 @@ struct GivenProject {
     };
     std::vector<File> files;           ///< of the new folder
     std::vector<std::string> remarks;  ///< what was taken for what and what is a guess, a sentence each
+    /// Why there are no sources, where none were given and no cell is steep enough.
+    std::optional<config::Problem> no_sources{};
 };
 
 /// Looks into the files and makes a project of them. Throws InputError for files that cannot be read.

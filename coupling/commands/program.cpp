@@ -24,6 +24,7 @@
 #include "coupling/nets/net_place.hpp"
 #include "coupling/nets/net_try.hpp"
 #include "coupling/pack/pack.hpp"
+#include "coupling/pack/run_folder.hpp"
 #include "coupling/pack/verify.hpp"
 #include "coupling/run/messages.hpp"
 #include "coupling/run/ranks.hpp"
@@ -42,20 +43,23 @@ int code(ExitCode exit_code) {
 }
 
 int init(const CommandLine& line) {
-    std::vector<std::string> remarks;
+    MadeProject made;
     if (!line.given.dem.empty()) {
-        remarks = write_from_files(line.argument, line.given);
+        made = write_from_files(line.argument, line.given);
     } else if (!line.rockyfor3d.empty()) {
-        remarks = write_from_rockyfor3d(line.argument, line.rockyfor3d);
+        made = write_from_rockyfor3d(line.argument, line.rockyfor3d);
     } else {
         write_example(line.argument, line.example);
     }
     const std::string scenario = (line.argument / "scenario.ini").string();
     std::cout << scenario << '\n';
     if (!line.quiet) {
-        for (const std::string& remark : remarks) {
+        for (const std::string& remark : made.remarks) {
             std::cerr << "- " << remark << '\n';
         }
+    }
+    print_warnings(made.warnings, line.verbose);
+    if (!line.quiet) {
         const bool is_collapse = line.example.starts_with("collapse");
         std::cerr << "next: bannwald " << (is_collapse ? "collapse " : "run ") << scenario << '\n';
     }
@@ -113,6 +117,7 @@ int pack_run(const CommandLine& line) {
     pack::pack_run({.run = line.argument,
                     .scenario = line.scenario,
                     .out = line.out,
+                    .settings = line.overrides,
                     .citation = {line.title, line.creators, line.licence, line.date},
                     .overwrite = line.overwrite,
                     .quiet = line.quiet},
@@ -125,14 +130,17 @@ int rerun(const CommandLine& line, const pack::VerifiedArchive& archive) {
     const std::filesystem::path folder =
         line.out.empty() ? std::filesystem::path{line.argument}.replace_extension().concat("-rerun")
                          : line.out;
+    const std::string_view command = pack::kind_of(archive.run.kind, line.argument.string()).command;
     pack::unpack_inputs(line.argument, archive, folder);
     RankGroup alone{RankGroup::Alone{}};
-    const int result = run_assessment({.scenario = folder / archive.run.scenario,
-                                       .overrides = archive.run.overrides,
-                                       .out = folder / "results",
-                                       .threads = line.threads,
-                                       .quiet = true},
-                                      alone);
+    const RunRequest request{.scenario = folder / archive.run.scenario,
+                             .overrides = archive.run.overrides,
+                             .out = folder / "results",
+                             .threads = line.threads,
+                             .quiet = true,
+                             .inputs_within = folder / "inputs"};
+    const int result =
+        command == "collapse" ? collapse::run_collapse(request) : run_assessment(request, alone);
     if (result != code(ExitCode::done)) {
         return result;
     }

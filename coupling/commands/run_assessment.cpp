@@ -17,7 +17,8 @@ namespace coupling {
 using config::joined;
 
 int run_assessment(const RunRequest& request, RankGroup& ranks) {
-    const std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, request.overrides);
+    const std::unique_ptr<Scenario> scenario =
+        read_scenario(request.scenario, request.overrides, request.inputs_within);
     if (scenario->years == 0 && (request.shard.count > 1 || !request.shards.empty())) {
         config::fail(config::ExitCode::settings, scenario->options->place_of("run.years"),
                      "shards of a run without years", "run.years above 0: its members are what shards share");

@@ -43,7 +43,7 @@ Figure with_interval(FigureKey key, const config::Table& table, std::size_t row,
 /// As on the page of the run: none from too few rocks.
 Figure protection_today(const config::Table& table, std::size_t row) {
     const FigureKey key{table.text(row, "target_id"), "", "protection_percent", "today"};
-    const auto bare = static_cast<std::uint64_t>(number(table, row, "reached_bare"));
+    const auto bare = static_cast<std::uint64_t>(count(table, row, "reached_bare"));
     return too_few_for_protection(bare) ? Figure{.key = key, .why_none = too_few_in_words(bare)}
                                         : with_interval(key, table, row, "protection_percent",
                                                         "protection_low_percent", "protection_high_percent");
@@ -191,6 +191,11 @@ FinishedRun read_finished_run(const fs::path& folder) {
     if (run.summary.kind == "hazard") {
         config::fail(config::ExitCode::settings, {folder.string()}, "a hazard map of several return periods",
                      "the folder of one of them, return_period_… beside it");
+    }
+    if (run.summary.kind == "collapse") {
+        config::fail(config::ExitCode::settings, {folder.string()}, "a run of `bannwald collapse`",
+                     "runs of `bannwald run`: a collapse has no figures of rocks at targets to compare",
+                     "compare their tables/energies.csv");
     }
     if (run.summary.kind == "today") {
         add_today(folder, run.figures);

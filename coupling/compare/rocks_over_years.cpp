@@ -31,7 +31,7 @@ void add_protection_over_years(const fs::path& folder, MeansOverYears& means) {
     };
     std::map<std::tuple<std::string, std::string, std::string, std::string>, std::uint64_t> bare;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        bare[place_of(row)] += static_cast<std::uint64_t>(number(table, row, "reached_bare"));
+        bare[place_of(row)] += static_cast<std::uint64_t>(count(table, row, "reached_bare"));
     }
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const bool too_few = too_few_for_protection(bare[place_of(row)]);

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/inputs/scenario.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::compare {
@@ -23,14 +25,19 @@ constexpr const char* none = "–";
 /// Inputs and settings that say what slope, rocks and targets a run speaks of: with others it answers another
 /// question.
 struct Question {
-    std::string_view begin;  ///< of a role or a key
-    const char* what;
+    std::string_view begin;    ///< of a role or a key
+    const char* if_different;  ///< what is said then
 };
-constexpr std::array question_inputs{
-    Question{"dem", "terrain"},           Question{"profile", "terrain"},
-    Question{"targets", "targets"},       Question{"stations", "stations"},
-    Question{"source", "release places"}, Question{"release", "release places"}};
-constexpr std::array question_settings{Question{"release.", "rocks"}};
+constexpr const char* terrains_differ = "the terrains differ";
+constexpr std::array question_inputs{Question{"dem", terrains_differ},
+                                     Question{"points", terrains_differ},
+                                     Question{"mesh", terrains_differ},
+                                     Question{"profile", terrains_differ},
+                                     Question{"targets", "the targets differ"},
+                                     Question{"stations", "the stations differ"},
+                                     Question{"source", "the release places differ"},
+                                     Question{"release", "the release places differ"}};
+constexpr std::array question_settings{Question{"release.", "the rocks differ"}};
 /// How many rocks fall changes how sure a figure is, not what it means.
 constexpr std::array counts{"release.rocks", "release.rocks_per_source"};
 
@@ -75,11 +82,31 @@ bool is_of_models(const std::string& key) {
     });
 }
 
-/// Rows of (name, value) lists that are not the same everywhere, in the order of the first run that has them.
+/// Keys of settings that name a file: the file is an input, and judged as that.
+const std::set<std::string>& keys_of_files() {
+    static const std::set<std::string> keys = [] {
+        Scenario scenario;
+        config::Options options;
+        declare(options, scenario);
+        std::set<std::string> of_files;
+        for (const config::ParameterRow& row : options.rows()) {
+            if (row.files == config::NamesFiles::one) {
+                of_files.insert(row.key);
+            }
+        }
+        return of_files;
+    }();
+    return keys;
+}
+
+/// By name of a row, its value in each run.
+using Values = std::vector<Disagreement>;
+
+/// Rows of (name, value) lists, in the order of the first run that has them.
 template <class Row, class Name, class Value>
-std::vector<Disagreement> disagreements(std::span<const FinishedRun> runs,
-                                        std::vector<Row> SummaryOfRun::*rows, Name name, Value value) {
-    std::vector<Disagreement> found;
+Values values_by_name(std::span<const FinishedRun> runs, std::vector<Row> SummaryOfRun::*rows, Name name,
+                      Value value) {
+    Values found;
     std::vector<std::string> seen;
     for (const FinishedRun& run : runs) {
         for (const Row& row : run.summary.*rows) {
@@ -94,35 +121,68 @@ std::vector<Disagreement> disagreements(std::span<const FinishedRun> runs,
                                                [&](const Row& r) { return name(r) == name(row); });
                 d.values.push_back(same == list.end() ? std::string{none} : value(*same));
             }
-            if (std::adjacent_find(d.values.begin(), d.values.end(), std::not_equal_to<>{}) !=
-                d.values.end()) {
-                found.push_back(std::move(d));
-            }
+            found.push_back(std::move(d));
         }
     }
     return found;
+}
+
+bool is_same_everywhere(const Disagreement& d) {
+    return std::adjacent_find(d.values.begin(), d.values.end(), std::not_equal_to<>{}) == d.values.end();
+}
+
+void take_settings(std::span<const FinishedRun> runs, SideBySide& comparison) {
+    Values settings = values_by_name(
+        runs, &SummaryOfRun::settings, [](const SummaryOfRun::Setting& row) { return row.key; },
+        [](const SummaryOfRun::Setting& row) { return row.value; });
+    std::erase_if(settings, [](const Disagreement& d) {
+        return is_same_everywhere(d) || keys_of_files().contains(d.what);
+    });
+    comparison.settings = std::move(settings);
+}
+
+/// Inputs are judged by their hash and named by their file.
+void take_inputs(std::span<const FinishedRun> runs, SideBySide& comparison) {
+    const auto role = [](const SummaryOfRun::Input& row) { return row.role; };
+    const Values hashes = values_by_name(runs, &SummaryOfRun::inputs, role,
+                                         [](const SummaryOfRun::Input& row) { return row.hash; });
+    Values files = values_by_name(runs, &SummaryOfRun::inputs, role,
+                                  [](const SummaryOfRun::Input& row) { return row.file; });
+    constexpr std::size_t shown_digits = 8;
+    for (std::size_t i = 0; i < hashes.size(); ++i) {
+        if (is_same_everywhere(hashes[i])) {
+            comparison.same_inputs.push_back(hashes[i].what);
+            continue;
+        }
+        std::vector<std::string>& names = files[i].values;
+        const bool are_distinct = std::set<std::string>{names.begin(), names.end()}.size() == names.size();
+        for (std::size_t run = 0; run < names.size() && !are_distinct; ++run) {
+            names[run] += hashes[i].values[run] == none
+                              ? ""
+                              : joined(" (", hashes[i].values[run].substr(0, shown_digits), ")");
+        }
+        comparison.inputs.push_back(std::move(files[i]));
+    }
 }
 
 template <std::size_t n>
 const char* question_of(const std::array<Question, n>& questions, const std::string& name) {
     const auto found = std::find_if(questions.begin(), questions.end(),
                                     [&](const Question& q) { return name.starts_with(q.begin); });
-    return found == questions.end() ? nullptr : found->what;
+    return found == questions.end() ? nullptr : found->if_different;
 }
 
 void judge(SideBySide& comparison, std::span<const FinishedRun> runs) {
     for (const Disagreement& d : comparison.inputs) {
         if (const char* what = question_of(question_inputs, d.what)) {
-            comparison.not_comparable.push_back(
-                joined("the ", what, " differ (", d.what, ": ", pair(comparison, d), ")"));
+            comparison.not_comparable.push_back(joined(what, " (", d.what, ": ", pair(comparison, d), ")"));
         }
     }
     for (const Disagreement& d : comparison.settings) {
         const char* what = question_of(question_settings, d.what);
         const bool is_count = std::find(counts.begin(), counts.end(), d.what) != counts.end();
         if (what != nullptr && !is_count && !is_of_models(d.what)) {
-            comparison.not_comparable.push_back(
-                joined("the ", what, " differ (", d.what, ": ", pair(comparison, d), ")"));
+            comparison.not_comparable.push_back(joined(what, " (", d.what, ": ", pair(comparison, d), ")"));
         }
         if (d.what == "run.years" || d.what == "run.rockfall_every") {
             comparison.not_comparable.push_back(joined(
@@ -278,12 +338,8 @@ SideBySide side_by_side(std::span<const FinishedRun> runs) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
         comparison.letters.emplace_back(1, static_cast<char>('A' + i));
     }
-    comparison.inputs = disagreements(
-        runs, &SummaryOfRun::inputs, [](const SummaryOfRun::Input& row) { return row.role; },
-        [](const SummaryOfRun::Input& row) { return joined(row.file, " ", row.hash.substr(0, 8)); });
-    comparison.settings = disagreements(
-        runs, &SummaryOfRun::settings, [](const SummaryOfRun::Setting& row) { return row.key; },
-        [](const SummaryOfRun::Setting& row) { return row.value; });
+    take_inputs(runs, comparison);
+    take_settings(runs, comparison);
     comparison.names = comparison.letters;
     for (const std::string_view key : {"rockfall.motion", "release.shape"}) {
         for (const Disagreement& d : comparison.settings) {

@@ -36,7 +36,8 @@ struct Line {
 /// A part that is 0 in all runs, such as timber where nobody works: tables for people leave it out.
 bool is_nothing_everywhere(const Line& line);
 
-/// A setting or input that is not the same in all runs; by run, "–" where a run has none.
+/// A setting or input that is not the same in all runs; by run, "–" where a run has none. Of an input the
+/// name of its file, with the beginning of its hash where the names alone do not tell them apart.
 struct Disagreement {
     std::string what;
     std::vector<std::string> values;
@@ -48,8 +49,9 @@ struct SideBySide {
     std::vector<std::string> names;           ///< the letters; with the motion model where models differ
     std::vector<std::string> not_comparable;  ///< why, one sentence each; empty: the runs can be compared
     std::vector<std::string> notes;           ///< what to keep in mind
-    std::vector<Disagreement> inputs;
-    std::vector<Disagreement> settings;
+    std::vector<Disagreement> inputs;         ///< by their content, whatever the files are called
+    std::vector<std::string> same_inputs;     ///< roles of inputs with the same content in all runs
+    std::vector<Disagreement> settings;       ///< without those that name files: these are inputs
     std::vector<Line> lines;
 };
 

@@ -162,6 +162,13 @@ void write_screen(std::ostream& out, std::span<const FinishedRun> runs, const Si
     for (const std::string& note : comparison.notes) {
         out << "note: " << note << '\n';
     }
+    if (!comparison.same_inputs.empty()) {
+        out << "\nInputs with the same content: ";
+        for (std::size_t i = 0; i < comparison.same_inputs.size(); ++i) {
+            out << (i == 0 ? "" : ", ") << comparison.same_inputs[i];
+        }
+        out << '\n';
+    }
     write_disagreements(out, "Inputs that differ", comparison.inputs, comparison);
     write_disagreements(out, "Settings that differ", comparison.settings, comparison);
     if (comparison.inputs.empty() && comparison.settings.empty()) {

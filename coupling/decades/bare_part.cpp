@@ -9,7 +9,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t bare_part_magic = 0x32304552'41424E42ULL;  // "BNBARE02", least byte first
+constexpr std::uint64_t bare_part_magic = 0x33304552'41424E42ULL;  // "BNBARE03", least byte first
 
 std::string in_words(const BarePlace& place) {
     return joined("replicate ", std::to_string(place.replicate + 1), ", block of years ",

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/decades/arrivals.hpp"
 #include "coupling/decades/comparison.hpp"
+#include "coupling/decades/departures_over_years.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -79,6 +80,13 @@ void print_summary(const DecadeResults& results, const fs::path& folder,
         }
     }
     if (results.rocks > 0) {
+        for (const Cover cover : {Cover::bare, Cover::forest}) {
+            const Departures departures =
+                departures_over_years(results.members, cover, results.site.slope.terrain);
+            std::printf(
+                "  %s\n",
+                in_words(departures, cover == Cover::bare ? "over the bare slope" : "with forest").c_str());
+        }
         const std::vector<Series> series =
             series_of(results.names, results.site, results.members, std::nullopt);
         for (std::uint32_t target = 0; target < results.site.targets.size(); ++target) {

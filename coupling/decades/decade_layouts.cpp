@@ -13,7 +13,8 @@ namespace coupling::decades {
 namespace {
 
 constexpr const char* simulated = "simulated";
-constexpr const char* prices = "simulated work, prices of regimes.timber_prices and regimes.work_costs";
+constexpr const char* from_work_and_prices =
+    "simulated work, prices of regimes.timber_prices and regimes.work_costs";
 
 Column climate_column() {
     return {"climate", "text", "name of the climate; as_given: the only one, that of the settings",
@@ -232,10 +233,12 @@ TableLayout timber() {
 
 TableLayout margins() {
     const std::vector<Column> rest{
-        {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", prices},
-        {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", prices},
-        {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting, tending and fencing", prices},
-        {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead", prices}};
+        {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", from_work_and_prices},
+        {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", from_work_and_prices},
+        {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting, tending and fencing",
+         from_work_and_prices},
+        {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead",
+         from_work_and_prices}};
     return {"margins.csv", "a year with work", together(member_columns(), rest)};
 }
 
@@ -247,10 +250,12 @@ TableLayout work_by_year() {
         {"removed_m3pha", "m3/ha", "stem wood that left the forest; felled + salvaged = removed + left",
          simulated},
         {"left_m3pha", "m3/ha", "felled or salvaged stem wood that stayed as logs and stumps", simulated},
-        {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", prices},
-        {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", prices},
-        {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting, tending and fencing", prices},
-        {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead", prices},
+        {"revenue_eur_pha", "EUR/ha", "revenue of the wood sold", from_work_and_prices},
+        {"harvest_cost_eur_pha", "EUR/ha", "cost of felling and hauling", from_work_and_prices},
+        {"young_growth_cost_eur_pha", "EUR/ha", "cost of planting, tending and fencing",
+         from_work_and_prices},
+        {"contribution_margin_eur_pha", "EUR/ha", "revenue less these costs, without overhead",
+         from_work_and_prices},
         {"machine_hours_pha", "h/ha", "to bring the removed wood out", "input regimes.machine_m3_per_hour"},
         {"cable_setups", "-", "corridors in the whole forest from which timber was taken", simulated}};
     return {"work_by_year.csv", "a year, also one without work; per hectare of the whole forest",

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/decades/closing_summary.hpp"
 #include "coupling/decades/decade_results.hpp"
+#include "coupling/decades/departures_over_years.hpp"
 #include "coupling/decades/idle_interventions.hpp"
 #include "coupling/decades/parts.hpp"
 #include "coupling/decades/share_out.hpp"
@@ -270,6 +271,11 @@ private:
             scenario_,           site_, names_, years, rocks_ ? rocks_->rocks() : 0, warnings_, version(),
             &decades_.management};
         warn_of_rocks_not_started(years, results.rocks, warnings_);
+        const auto departures = [&](Cover cover) {
+            return departures_over_years(years, cover, site_.slope.terrain);
+        };
+        warn_of_departures(departures(Cover::bare), departures(Cover::forest), warnings_);
+        warn_of_unreached_targets(site_, years, departures(Cover::bare), warnings_);
         if (auto sentence = missing_dead_wood(names_, series_of(names_, site_, years, std::nullopt), years)) {
             warnings_.add(std::move(*sentence));
         }

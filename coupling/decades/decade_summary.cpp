@@ -1,5 +1,6 @@
 #include "config/units/constants.hpp"
 #include "coupling/decades/decade_results.hpp"
+#include "coupling/decades/departures_over_years.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/json.hpp"
 
@@ -65,6 +66,12 @@ void write_summary(std::ostream& out, const DecadeResults& results, const std::v
                       {"area_ha", json_number(grid.area_ha())},
                       {"map", json_map_frame(results.site.map_frame)},
                       {"patch_map", json_map_frame(grid.frame())}};
+    if (results.rocks > 0) {
+        for (const Cover cover : all_covers) {
+            summary["left_terrain"][name_of(cover)] =
+                json_departures(departures_over_years(results.members, cover, results.site.slope.terrain));
+        }
+    }
     summary["verdict"] = verdict_of(results);
     summary["members"] = Json::array();
     for (const MemberYears& years : results.members) {

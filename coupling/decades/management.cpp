@@ -87,7 +87,7 @@ void check_listed_trees(const Regime& regime, const ForestSite& forest, Reading&
         }
         if (missing > 0) {
             reading.problems().add(
-                config::ExitCode::data, {row.trees},
+                config::ExitCode::data, {reading.shown(row.trees)},
                 joined(counted(missing, "tree"), " that the forest does not start with, such as ", first),
                 "tree_id of trees in the list (trees.file) that stand in the forest of stands.map",
                 "correct tree_id, or leave the rows out");
@@ -103,7 +103,8 @@ void warn_of_cuts_after_the_run(const Regime& regime, const ForestSite& forest, 
         const auto late = std::count_if(row.listed.begin(), row.listed.end(),
                                         [&](const ListedTree& tree) { return tree.year > last_year; });
         if (late > 0) {
-            reading.warn(joined(row.trees, ": ", counted(static_cast<std::size_t>(late), "tree"),
+            reading.warn(joined(reading.shown(row.trees), ": ",
+                                counted(static_cast<std::size_t>(late), "tree"),
                                 " to be felled after the last year of the run, ", std::to_string(last_year),
                                 " (", std::to_string(forest.first_year() - 1 + last_year),
                                 "); extend the run (run.years) to fell all"));
@@ -145,9 +146,10 @@ double mean_block_m(const Scenario& scenario, const Site& site) {
     return site.sources.empty() ? 0.0 : rockfall::diameter_range(start_law(scenario), site.sources).mean_m;
 }
 
-Management read_management(const Scenario& scenario, const ForestSite& forest, config::Warnings& warnings,
-                           double mean_block_m) {
-    Reading reading{scenario, warnings};
+namespace {
+
+Management management_of(const ForestSite& forest, double mean_block_m, Reading& reading) {
+    const Scenario& scenario = reading.scenario();
     Management management;
     std::set<std::string> names{"bare"};  // a folder of the rasters has this name
     for (const std::string& entry : entries_of(scenario.forest.regimes)) {
@@ -205,10 +207,18 @@ Management read_management(const Scenario& scenario, const ForestSite& forest, c
                                       mean_block_m > 0.0 && known ? known->dbh_from_cm : 0.0, reading);
         management.target_profile = rows ? std::move(*rows) : std::vector<NaisRow>{};
     }
-    reading.problems().throw_if_any();
+    reading.finish();
     management.prices = std::move(*read);
     management.inputs = reading.inputs();
     return management;
+}
+
+}  // namespace
+
+Management read_management(const Scenario& scenario, const ForestSite& forest, config::Warnings& warnings,
+                           double mean_block_m) {
+    Reading reading{scenario, warnings};
+    return scenario.with_paths([&] { return management_of(forest, mean_block_m, reading); });
 }
 
 }  // namespace coupling::decades

@@ -8,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t member_part_magic = 0x39304D45'4D4E4142ULL;  // "BANMEM09", least byte first
+constexpr std::uint64_t member_part_magic = 0x30314D45'4D4E4142ULL;  // "BANMEM10", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
@@ -28,6 +28,7 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.timber);
     visit(years.margins);
     visit(years.slopes);
+    visit(years.departures);
     visit(years.targets);
     visit(years.living);
     visit(years.energies);

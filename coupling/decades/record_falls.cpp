@@ -38,6 +38,9 @@ void record_falls(const exchange::YearFalls& falls, std::int32_t year, MemberYea
     const std::size_t forest = falls.with_forest ? static_cast<std::size_t>(Cover::forest) : bare;
     for (const auto& [cover, counted] : {std::pair{Cover::forest, forest}, std::pair{Cover::bare, bare}}) {
         kept.slopes.push_back({year, cover, figures_of(falls.tally.runs[counted])});
+        for (const auto& [part, rocks] : falls.tally.runs[counted].left_over) {
+            kept.departures.push_back({year, cover, part, rocks});
+        }
     }
     const std::uint64_t rocks = falls.tally.runs[bare].rocks;
     for (std::uint32_t t = 0; t < falls.tally.targets.size(); ++t) {

@@ -194,6 +194,14 @@ struct SlopeRow {
     SlopeFigures figures;
 };
 
+/// The rocks of a year that left the terrain over one part of its rim, on one slope.
+struct DepartureRow {
+    std::int32_t year = 0;
+    Cover cover = Cover::forest;
+    rockfall::RimPart part = rockfall::RimPart::north;
+    std::uint64_t rocks = 0;
+};
+
 /// The rocks of a year at one target, over the same rocks with forest and without.
 struct TargetRow {
     std::int32_t year = 0;
@@ -257,6 +265,7 @@ struct MemberYears {
     std::vector<TimberRow> timber;
     std::vector<MarginRow> margins;
     std::vector<SlopeRow> slopes;  ///< of years with rockfall
+    std::vector<DepartureRow> departures;
     std::vector<TargetRow> targets;
     std::vector<LivingRow> living;  ///< of years with rockfall, with run.living_trees_alone
     std::vector<EnergyRow> energies;

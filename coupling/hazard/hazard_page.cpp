@@ -10,6 +10,7 @@
 #include "coupling/hazard/matrix_drawing.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/report/deciding.hpp"
+#include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
@@ -121,6 +122,23 @@ std::string sizes_of_rocks(const HazardResults& results) {
         {"hazard.blocks"});
 }
 
+/// Of each slope the return period whose rocks leave most.
+std::string leaving(const HazardResults& results) {
+    std::vector<report::DeparturesOfSlope> slopes;
+    for (const SlopeHazard& slope : results.slopes) {
+        const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
+        const std::string name = joined(
+            report::page_text(slope.cover == Cover::bare ? "common.bare_slope_in_text"
+                                                         : "common.with_forest_in_text"),
+            " (",
+            report::page_text("hazard_page.years_3", {{"years", report::exact(most.return_period_years)}}),
+            ")");
+        slopes.insert(slope.cover == Cover::bare ? slopes.begin() : slopes.end(),
+                      {name, most.departures[index_of(slope.cover)]});
+    }
+    return report::departures_line(slopes);
+}
+
 std::string opening(const HazardResults& results) {
     const std::string name = escaped(results.scenario.file.stem().string());
     std::string periods;
@@ -132,7 +150,7 @@ std::string opening(const HazardResults& results) {
     std::string html = joined(
         report::page_head(results.scenario.report,
                           report::page_text("hazard_page.rockfall_hazard_map", {{"name", name}})),
-        "<dl class=\"facts\">",
+        leaving(results), "<dl class=\"facts\">",
         report::fact(report::page_text("hazard_page.return_periods_of_the_release"),
                      report::page_text("hazard_page.years_2", {{"periods", periods}})),
         report::fact(report::page_text("hazard_page.levels_shown"),

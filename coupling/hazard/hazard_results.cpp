@@ -227,6 +227,13 @@ std::string stem_of(HazardEnergy energy) {
     return "E_max";
 }
 
+const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Cover cover) {
+    return *std::max_element(
+        periods.begin(), periods.end(), [&](const FinishedPeriod& a, const FinishedPeriod& b) {
+            return a.departures[index_of(cover)].share() < b.departures[index_of(cover)].share();
+        });
+}
+
 double level_area_ha(const config::Raster<float>& map, const Site& site, Level level) {
     std::size_t cells = 0;
     for (std::size_t i = 0; i < map.values.size(); ++i) {

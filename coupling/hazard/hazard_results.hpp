@@ -13,6 +13,7 @@
 #include "coupling/hazard/hazard_matrix.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/results/departures.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/table_layout.hpp"
@@ -26,6 +27,7 @@ struct FinishedPeriod {
     std::filesystem::path folder;  ///< of its results
     std::uint64_t rocks = 0;
     rockfall::DiameterRange diameters;
+    std::array<Departures, rockfall::covers> departures;  ///< by cover; no rocks where there is no forest
 };
 
 /// The rocks of a release zone, or of several that share them, with a return period.
@@ -81,6 +83,9 @@ struct HazardResults {
     const config::Warnings& warnings;
     std::string version;
 };
+
+/// The return period whose rocks leave the terrain most on a slope.
+const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Cover cover);
 
 /// Plan area with a level of a raster of levels; none: all other ground.
 double level_area_ha(const config::Raster<float>& map, const Site& site, Level level);

@@ -13,6 +13,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/hazard/hazard_results.hpp"
+#include "coupling/hazard/period_results.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/reading.hpp"
@@ -49,7 +50,7 @@ std::string folder_of(double return_period_years) {
 }
 
 Period open_period(const RunRequest& request, double years, const fs::path& out, config::Warnings& warnings) {
-    auto scenario = scenario_of(request.scenario, request.overrides, years);
+    auto scenario = scenario_of(request.scenario, request.overrides, years, request.inputs_within);
     Site site = open_site(*scenario, warnings);
     return {years, std::move(scenario), std::move(site), out / folder_of(years)};
 }
@@ -129,11 +130,10 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
                          "another folder by --out, or --overwrite to simulate it again");
         }
         if (!request.overwrite && state == FolderState::incomplete) {
-            config::fail(
-                config::ExitCode::settings, {period.folder.string()},
-                joined("results of which ", OutputFolder::missing_result(period.folder), " is missing"),
-                "all files that its summary.json lists; put it back, or --overwrite to simulate this "
-                "return period again");
+            config::fail(config::ExitCode::settings, {period.folder.string()},
+                         joined("results of which ", OutputFolder::damage(period.folder)),
+                         "all files as the run wrote them; put it back, or --overwrite to simulate this "
+                         "return period again");
         }
     }
     const bool all_finished = finished_periods == plan.return_periods_years.size();
@@ -304,6 +304,12 @@ std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path&
 
 void print_summary(const HazardResults& results) {
     std::printf("hazard map of %s\n", counted(results.periods.size(), "return period").c_str());
+    for (const SlopeHazard& slope : results.slopes) {
+        const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
+        const char* name = slope.cover == Cover::forest ? "with forest" : "over the bare slope";
+        std::printf("  return period of %s years: %s\n", config::to_text(most.return_period_years).c_str(),
+                    in_words(most.departures[index_of(slope.cover)], name).c_str());
+    }
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         std::printf("  %s:", results.site.targets[i].name.c_str());
         for (const SlopeHazard& slope : results.slopes) {
@@ -322,16 +328,18 @@ void print_summary(const HazardResults& results) {
 HazardPlan read_plan(const Scenario& scenario) {
     config::Warnings ignored;  // the sites of the return periods print them
     Reading reading{scenario, ignored};
-    HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}};
-    reading.problems().throw_if_any();
-    plan.inputs = reading.inputs();
-    return plan;
+    return scenario.with_paths([&] {
+        HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}};
+        reading.finish();
+        plan.inputs = reading.inputs();
+        return plan;
+    });
 }
 
 std::unique_ptr<Scenario> scenario_of(const fs::path& file, std::vector<std::string> overrides,
-                                      double return_period_years) {
+                                      double return_period_years, const fs::path& inputs_within) {
     overrides.push_back(joined("hazard.return_period_years=", config::to_text(return_period_years)));
-    return read_scenario(file, overrides);
+    return read_scenario(file, overrides, inputs_within);
 }
 
 int run_hazard(const RunRequest& request, const Scenario& scenario) {
@@ -345,7 +353,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     const bool all_anew = look_at_folders(request, plan, out);
     config::Warnings of_map;
     for (const std::string& folder : left_over(plan, out)) {
-        of_map.add(joined((out / folder).string(),
+        of_map.add(joined(folder,
                           ": a return period that hazard.blocks no longer has; it is "
                           "left as it is and not part of the map"));
     }
@@ -360,13 +368,16 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
         plausible::warn_of_rocks(*period.scenario, period.site, warnings);
+        config::Warnings of_inputs = warnings;
         if (InterruptGuard::requested()) {
             return report_interruption();
         }
         if (const int code = fall(request, period, all_anew, warnings); code != 0) {
             return code;
         }
-        shared.add(each, warnings);
+        const ResultsOfPeriod of_results = results_in(period.folder);
+        add_unknown(of_results.warnings, of_inputs);
+        shared.add(each, of_inputs);
         for (const InputFile& input : period.site.inputs) {
             const bool known = std::any_of(inputs.begin(), inputs.end(),
                                            [&](const InputFile& other) { return other.name == input.name; });
@@ -375,7 +386,8 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
             }
         }
         periods.push_back({each, period.folder, rocks_of(period.site),
-                           rockfall::diameter_range(start_law(*period.scenario), period.site.sources)});
+                           rockfall::diameter_range(start_law(*period.scenario), period.site.sources),
+                           of_results.departures});
         add_rocks(period, rocks);
         longest = std::move(period);
     }

@@ -23,7 +23,8 @@ HazardPlan read_plan(const Scenario& scenario);
 
 /// The scenario of one of the return periods alone.
 std::unique_ptr<Scenario> scenario_of(const std::filesystem::path& file, std::vector<std::string> overrides,
-                                      double return_period_years);
+                                      double return_period_years,
+                                      const std::filesystem::path& inputs_within = {});
 
 /// Lets the rocks of each return period of hazard.blocks fall, each into a folder return_period_N of its own,
 /// and makes the hazard map of them in the folder hazard. Return periods that are finished already stay as

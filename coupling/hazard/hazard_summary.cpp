@@ -29,11 +29,16 @@ void write_summary(std::ostream& out, const HazardResults& results, const std::v
     Json periods = Json::array();
     for (const FinishedPeriod& period : results.periods) {
         rocks += period.rocks;
+        Json left;
+        for (const SlopeHazard& slope : results.slopes) {
+            left[name_of(slope.cover)] = json_departures(period.departures[index_of(slope.cover)]);
+        }
         periods.push_back({{"return_period_years", period.return_period_years},
                            {"folder", "../" + period.folder.filename().string()},
                            {"rocks", period.rocks},
                            {"smallest_diameter_m", json_number(period.diameters.smallest_m)},
-                           {"largest_diameter_m", json_number(period.diameters.largest_m)}});
+                           {"largest_diameter_m", json_number(period.diameters.largest_m)},
+                           {"left_terrain", std::move(left)}});
     }
     summary["run"] = {{"scenario", results.scenario.file.filename().string()},
                       {"kind", "hazard"},

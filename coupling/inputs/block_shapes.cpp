@@ -14,6 +14,7 @@
 #include "config/text/words_of_list.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/meshes/mesh_file.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 #include "rockfall/solids/shapes.hpp"
 
 namespace coupling {
@@ -51,8 +52,9 @@ std::vector<Vector3d> shared_points(const meshes::MeshFile& mesh,
 }
 
 std::vector<Vector3d> points_of_table(std::string_view bytes, const std::string& file) {
-    std::istringstream in{std::string{bytes}};
-    const config::Table table = config::Table::read(in, file);
+    config::Table table = config::Table::read(bytes, file, config::FirstColumn::may_lack_name);
+    std::vector<std::string> notes;  // a hull has its three columns and nothing to fill in
+    tables::add_remarks(tables::prepare(table, "points", false), notes);
     config::Problems problems;
     table.require({"x_m", "y_m", "z_m"}, problems);
     problems.throw_if_any();
@@ -242,7 +244,7 @@ void declare_shapes(config::Options& options, ShapeSettings& settings) {
                     .high = 0.9,
                     .meaning = "each side is drawn within this share of itself, either way",
                     .source = "choice"});
-    options.text("release.shape_file", settings.file,
+    options.file("release.shape_file", settings.file,
                  {.meaning = "hull: CSV of points x_m, y_m, z_m, or a closed convex PLY or STL mesh"});
     options.flag(
         "release.shape_keeps_size", settings.keeps_size,

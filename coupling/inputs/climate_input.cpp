@@ -138,9 +138,7 @@ forest::ClimateSeries read_file(const ClimateAsked& asked, Reading& reading) {
         asked.place_of("climate.file"), asked.role("climate.file", "climate"), asked.settings.climate);
     config::Warnings found;
     forest::ClimateSeries series = forest::read_climate_of_one_place(table, found);
-    for (const std::string& sentence : found.all()) {
-        reading.note(sentence);
-    }
+    reading.take(found);
     return series;
 }
 

@@ -53,15 +53,13 @@ private:
                                                     "change_years",
                                                     "co2_ppm"};
         table_.require({"name"}, problems_);
-        for (const std::string& column : table_.columns()) {
-            if (std::find(known.begin(), known.end(), column) == known.end()) {
-                std::string list;
-                for (const std::string& name : known) {
-                    list += joined(list.empty() ? "" : ", ", name);
-                }
-                problems_.add(ExitCode::data, {table_.file(), 1}, joined("column '", column, "'"),
-                              joined("columns of ", list));
+        for (const std::string& column : table_.columns_beside(known)) {
+            std::string list;
+            for (const std::string& name : known) {
+                list += joined(list.empty() ? "" : ", ", name);
             }
+            problems_.add(ExitCode::data, {table_.file(), 1}, joined("column '", column, "'"),
+                          joined("columns of ", list));
         }
     }
 

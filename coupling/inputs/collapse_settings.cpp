@@ -20,11 +20,11 @@ using rockfall::rock_mass::SpacingLaw;
 constexpr const char* choice = "choice";
 
 void declare_body(config::Options& options, CollapseSettings& s) {
-    options.text(
+    options.file(
         "collapse.source", s.source,
         {.meaning =
              "table or layer with wkt (POLYGON): the rock below them, to collapse.depth_m, breaks up"});
-    options.text("collapse.mesh", s.mesh,
+    options.file("collapse.mesh", s.mesh,
                  {.meaning = "instead: closed surface of the rock that breaks up, PLY or STL"});
     options.number("collapse.depth_m", s.depth_m,
                    {.unit = "m",
@@ -35,7 +35,7 @@ void declare_body(config::Options& options, CollapseSettings& s) {
     options.choice("collapse.blocks", s.blocks,
                    {{"joints", BlockKind::joints}, {"voronoi", BlockKind::voronoi}},
                    {.meaning = "blocks between joints, or Voronoi cells", .source = choice});
-    options.text(
+    options.file(
         "collapse.joint_sets", s.joint_sets,
         {.meaning = "table of joint sets: name, dip_deg, dip_direction_deg, spacing_m; perhaps spacing_law, "
                     "spacing_deviation_m, persistence, tensile_mpa, shear_mpa"});
@@ -278,16 +278,19 @@ bool is_collapse(const std::filesystem::path& file) {
 }
 
 std::unique_ptr<CollapseScenario> read_collapse(const std::filesystem::path& file,
-                                                const std::vector<std::string>& overrides) {
+                                                const std::vector<std::string>& overrides,
+                                                const std::filesystem::path& inputs_within) {
     auto all = std::make_unique<CollapseScenario>();
     Scenario& scenario = all->scenario;
     scenario.file = file;
+    scenario.inputs_within = inputs_within;
     scenario.options = std::make_shared<config::Options>();
     declare(*scenario.options, scenario);
     declare(*scenario.options, all->settings);
     const FileBytes bytes = open_file(file, {file.string()}, "a scenario file");
     std::istringstream in{std::string{bytes.text()}};
     scenario.options->read(in, file.string(), overrides, "rockfall.preset");
+    name_inputs(scenario);
     check_collapse(*all);
     rockfall::take_over(scenario.rockfall, *scenario.options);
     return all;

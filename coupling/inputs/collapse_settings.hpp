@@ -58,9 +58,10 @@ void declare(config::Options& options, CollapseSettings& settings);
 /// Whether a scenario file has a section [collapse]; false for a file that cannot be read.
 bool is_collapse(const std::filesystem::path& file);
 
-/// Reads a scenario file and `section.key=value` overrides. Throws InputError with every problem found.
+/// Reads a scenario file and `section.key=value` overrides. Throws InputError as read_scenario does.
 std::unique_ptr<CollapseScenario> read_collapse(const std::filesystem::path& file,
-                                                const std::vector<std::string>& overrides);
+                                                const std::vector<std::string>& overrides,
+                                                const std::filesystem::path& inputs_within = {});
 
 /// Joint sets of a table. Throws InputError (data) with up to 20 problems: sets without name or spacing,
 /// angles, shares and strengths that cannot be.

@@ -1,6 +1,5 @@
 #include "coupling/inputs/doubtful_columns.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <string_view>
@@ -50,10 +49,6 @@ std::string letters_of(const std::string& name) {
     return letters;
 }
 
-bool names_things(std::string_view column) {
-    return column == "name" || column == "label" || column == "code" || column.ends_with("_id");
-}
-
 /// Whether a spreadsheet computes a text: `=1+1`, `+A1`, `@SUM(A1)`, but not `-3.5` and not a lone dash.
 bool is_formula(std::string_view text) {
     constexpr std::string_view beginnings = "=+-@";
@@ -62,6 +57,10 @@ bool is_formula(std::string_view text) {
 }
 
 }  // namespace
+
+bool names_things(std::string_view column) {
+    return column == "name" || column == "label" || column == "code" || column.ends_with("_id");
+}
 
 std::vector<config::Problem> formula_doubts(const config::Table& table) {
     std::vector<config::Problem> doubts;
@@ -99,14 +98,14 @@ std::string meant_column(const std::string& name, const std::vector<std::string>
 }
 
 void doubt_columns(const config::Table& table, const std::vector<std::string>& known, Reading& reading) {
-    for (const std::string& column : table.columns()) {
-        if (std::find(known.begin(), known.end(), column) != known.end()) {
-            continue;
-        }
+    for (const std::string& column : table.columns_beside(known)) {
         const std::string meant = meant_column(column, known);
-        if (!meant.empty() && !table.has(meant)) {
+        // A column in another unit is an error, which comes when all has been read.
+        if (!meant.empty() && !table.has(meant) &&
+            !config::is_other_unit(config::form_of(column), config::form_of(meant))) {
             reading.warn({table.file()}, "column " + config::in_quotes(column) + ", which is passed over",
                          meant + ", if that is what is meant");
+            table.count_as_named(column);
         }
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/table/table.hpp"
@@ -12,6 +13,9 @@ namespace coupling {
 /// the same letters but for `_` (`rt`), or the same quantity without unit or in another one (`speed`,
 /// `mass_tonnes`, `velocity_mps`). Requires a name that is not itself known.
 std::string meant_column(const std::string& name, const std::vector<std::string>& known);
+
+/// Whether a column holds names or ids: `name`, `label`, `code` and `..._id`.
+bool names_things(std::string_view column);
 
 /// What a spreadsheet would take for a formula when it opens results: ids and names (columns `name`, `label`,
 /// `code` and `..._id`) that begin with =, +, - or @ and are no numbers. They go unchanged into the results,

@@ -4,18 +4,21 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/iostreams/device/mapped_file.hpp>
 #include <cerrno>
 #include <cstring>
-#include <exception>
 #include <system_error>
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/gunzip.hpp"
+#include "coupling/files/file_reader.hpp"
+#include "coupling/inputs/formats/file_kinds.hpp"
+#include "coupling/inputs/path_checks.hpp"
 
 namespace coupling {
 
 namespace {
+
+constexpr const char* a_folder = "a folder,";
 
 /// Why a file cannot be opened for reading, "" if it can.
 std::string reason_against(const std::filesystem::path& path) {
@@ -28,7 +31,7 @@ std::string reason_against(const std::filesystem::path& path) {
         return error.message() + ":";
     }
     if (status.type() == std::filesystem::file_type::directory) {
-        return "a folder,";
+        return a_folder;
     }
     if (access(path.c_str(), R_OK) != 0) {
         return std::string{std::strerror(errno)} + ":";
@@ -71,22 +74,21 @@ std::string hash_text(std::string_view bytes) {
 FileBytes open_file(const std::filesystem::path& path, const config::Place& asked_at,
                     std::string_view expected) {
     const std::string reason = reason_against(path);
+    const formats::FileKind* kind = formats::folder_kind(path.string());
+    if (reason == a_folder && kind != nullptr) {
+        config::fail(config::ExitCode::file, asked_at,
+                     std::string{kind->name}.append(", ").append(config::in_quotes(path.string())),
+                     std::string{expected}, std::string{kind->way_out});
+    }
     if (!reason.empty()) {
         config::fail(config::ExitCode::file, asked_at, reason + " " + config::in_quotes(path.string()),
-                     std::string{expected});
+                     std::string{expected}, windows_path_advice(path));
     }
+    FileReader in{path};
     FileBytes bytes;
-    try {
-        if (std::filesystem::file_size(path) > 0) {
-            const auto map = std::make_shared<const boost::iostreams::mapped_file_source>(path.string());
-            bytes.stored_ = {map->data(), map->size()};
-            bytes.map_ = map;
-        }
-    } catch (const std::exception& error) {
-        config::fail(config::ExitCode::file, asked_at,
-                     config::in_quotes(path.string()) + ", which cannot be read: " + error.what(),
-                     std::string{expected});
-    }
+    const auto stored = std::make_shared_for_overwrite<char[]>(static_cast<std::size_t>(in.bytes()));
+    bytes.stored_ = {stored.get(), in.read(stored.get(), static_cast<std::size_t>(in.bytes()))};
+    bytes.memory_ = stored;
     bytes.is_packed_ = config::is_gzip(bytes.stored_);
     if (bytes.is_packed_) {
         bytes.unpacked_ = config::gunzip(bytes.stored_, path.string(), unpacked_bound);

@@ -11,7 +11,7 @@
 
 namespace coupling {
 
-/// The bytes of a file: mapped into memory as they lie on disk, unpacked where they are gzip.
+/// The bytes of a file in memory, read by plain reads (FileReader), unpacked where they are gzip.
 class FileBytes {
 public:
     /// The content, unpacked. Lives as long as this object.
@@ -24,13 +24,13 @@ public:
 private:
     friend FileBytes open_file(const std::filesystem::path&, const config::Place&, std::string_view);
 
-    std::shared_ptr<const void> map_;  ///< keeps `stored_` in memory; none for an empty file
+    std::shared_ptr<const void> memory_;  ///< of `stored_`
     std::string_view stored_;
     std::string unpacked_;
     bool is_packed_ = false;
 };
 
-/// Opens a file; the only place in the program that reads one. `asked_at` is where the user named it and
+/// Opens a file; the way of every input into the program. `asked_at` is where the user named it and
 /// `expected` what it ought to be. Throws InputError: (file) for a file that is missing, a folder or
 /// unreadable, (data) for a packed one that holds more than a grid of its header's size, a text of 512 MiB or
 /// a grid of 2 GiB.

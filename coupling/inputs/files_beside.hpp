@@ -8,32 +8,26 @@
 
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
-#include "coupling/inputs/path_checks.hpp"
 
 namespace coupling {
 
+/// The name of the file beside a file: with another ending (".prj"; a ".gz" at the end of the name does not
+/// count), or with more behind the whole name where `ending` begins with a hyphen ("-wal").
+///
+/// Capitals do not count, as on the systems whose programs write ROAD.SHP with Road.dbf: where the very name
+/// is missing, the first file in the order of names that differs from it by capitals only is taken. Without
+/// any, the name as it would be written beside this one.
+std::filesystem::path path_beside(const std::filesystem::path& file, const std::string& ending);
+
 /// The files of the same name as a file with other endings, such as `.prj`; they stay open as long as this
-/// object lives. A `.gz` at the end of the name does not count.
+/// object lives.
 class FilesBeside {
 public:
-    explicit FilesBeside(std::filesystem::path file) : file_{std::move(file)} {
-        if (file_.extension() == ".gz") {
-            file_.replace_extension();
-        }
-    }
+    explicit FilesBeside(std::filesystem::path file) : file_{std::move(file)} {}
     /// Refers to this object.
-    formats::BytesBeside bytes() {
-        return [this](const std::string& ending) -> std::string_view {
-            const std::filesystem::path wanted = path(ending);
-            if (!path_exists(wanted)) {
-                return {};
-            }
-            open_.push_back(open_file(wanted, {}, "a readable file"));
-            return open_.back().text();
-        };
-    }
+    formats::BytesBeside bytes();
     [[nodiscard]] std::filesystem::path path(const std::string& ending) const {
-        return std::filesystem::path{file_}.replace_extension(ending);
+        return path_beside(file_, ending);
     }
 
 private:

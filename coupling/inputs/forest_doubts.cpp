@@ -42,7 +42,8 @@ void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading
                                 config::to_text(std::round(elevation_m)), " m"),
                          joined("about ", one_decimal(plausible::usual_mean_degc(latitude_deg, elevation_m)),
                                 " degC at that latitude and elevation"),
-                         "check the unit (degC), elev_m or climate.elevation_m (metres) and the place");
+                         "check the unit (degC), elev_m or climate.elevation_m (metres) and the place",
+                         config::Effect::answer);
         }
         const double factor = plausible::mean_factor_on_rain(named.source.change);
         if (plausible::is_odd_factor_on_rain(factor)) {
@@ -65,7 +66,8 @@ void doubt_dense_list(const ForestSite& site, Reading& reading) {
                      joined("trees that make ", config::to_text(std::round(basal_area_m2pha)),
                             " m2/ha of basal area in the forest"),
                      "at most 100 m2/ha",
-                     "check dbh_cm: diameters and no girths, in cm; and the forest of stands.map");
+                     "check dbh_cm: diameters and no girths, in cm; and the forest of stands.map",
+                     config::Effect::answer);
     }
 }
 

@@ -38,7 +38,7 @@ void declare_forest(config::Options& options, ForestSettings& s) {
                     .low = 0.0,
                     .high = 75.0,
                     .meaning = "latitude of the slope, north; needed for run.years > 0"});
-    options.text("forest.species", s.species,
+    options.file("forest.species", s.species,
                  {.meaning = "CSV with the columns of the shipped species table, instead of it"});
     options.text(
         "forest.region_species", s.region_species,
@@ -51,27 +51,27 @@ void declare_forest(config::Options& options, ForestSettings& s) {
 }
 
 void declare_stands(config::Options& options, ForestSettings& s) {
-    options.text("stands.map", s.stand_map,
+    options.file("stands.map", s.stand_map,
                  {.meaning = "grid of stand numbers, any cell size; 0 or NODATA: no forest"});
-    options.text("stands.polygons", s.stand_polygons,
+    options.file("stands.polygons", s.stand_polygons,
                  {.meaning = "instead: CSV with stand, wkt (POLYGON); neither: all the terrain is stand 1"});
-    options.text(
+    options.file(
         "stands.records", s.stand_records,
         {.meaning = "CSV with stand, species, stems_pha, basal_area_m2pha, mean_dbh_cm, mean_height_m, "
                     "age_years, structure; instead of trees.file, or beside it with stands.tree_area"});
-    options.text(
+    options.file(
         "stands.tree_area", s.tree_area,
         {.meaning = "CSV with wkt (POLYGON): inside, trees are those of trees.file, elsewhere those of "
                     "stands.records"});
-    options.text(
+    options.file(
         "stands.dead_wood", s.dead_wood,
         {.meaning = "CSV with stand, species, kind (snag, stump, log), volume_m3pha, dbh_cm, length_m, "
                     "decay_class, log_angle_deg, anchored: dead wood at the start"});
-    options.text(
+    options.file(
         "stands.dbh_classes", s.dbh_classes,
         {.meaning = "CSV with stand, species, dbh_from_cm, dbh_to_cm, stems_pha, height_m, age_years: stems "
                     "by diameter class, for stands that stands.records does not have"});
-    options.text(
+    options.file(
         "stands.target_profile", s.target_profile,
         {.meaning = "CSV with stand, site_type, hazard, criterion, minimal, ideal: the target profile (NaiS) "
                     "of each stand for nais.csv; empty: the shipped one for the size of the rocks"});
@@ -83,15 +83,15 @@ void declare_stands(config::Options& options, ForestSettings& s) {
          .meaning =
              "years that the forest grows before the start, only to make the dead wood and the saplings "
              "that no file gives; the trees of the start stay those of the inventory"});
-    options.text(
+    options.file(
         "stands.saplings", s.saplings,
         {.meaning = "CSV with stand, species, height_m, stems_pha, age_years: trees below 1 cm at the "
                     "start"});
 }
 
 void declare_soil(config::Options& options, ForestSettings& s) {
-    options.text("soil.map", s.soil_map, {.meaning = "grid of soil codes, any cell size"});
-    options.text(
+    options.file("soil.map", s.soil_map, {.meaning = "grid of soil codes, any cell size"});
+    options.file(
         "soil.types", s.soil_types,
         {.meaning =
              "CSV with code, water_capacity_mm, texture_class, fertility, nitrogen_kg_per_ha_year, ph"});
@@ -102,11 +102,12 @@ void declare_soil(config::Options& options, ForestSettings& s) {
 void declare_regimes(config::Options& options, ForestSettings& s) {
     options.text("regimes.list", s.regimes,
                  {.meaning = "regimes to compare, such as none, pfm1, my_regime.csv: shipped names or files",
-                  .source = "choice"});
-    options.text(
+                  .source = "choice",
+                  .files = config::NamesFiles::several});
+    options.file(
         "regimes.timber_prices", s.timber_prices,
         {.meaning = "CSV of prices by species and diameter, with regimes.work_costs; none: shipped"});
-    options.text("regimes.work_costs", s.work_costs,
+    options.file("regimes.work_costs", s.work_costs,
                  {.meaning = "CSV of the costs of planting, tending and fencing"});
     options.number(
         "regimes.machine_m3_per_hour", s.machine_m3ph,
@@ -152,7 +153,7 @@ void declare_feedback(config::Options& options, ForestSettings& s) {
 }
 
 void declare_climate(config::Options& options, ForestSettings& s) {
-    options.text(
+    options.file(
         "climate.file", s.climate,
         {.meaning = "CSV with year, month, tmin_c, tmax_c, prec_mm, rad_mj_m2_d; needed for run.years > 0"});
     options.number("climate.elevation_m", s.climate_elevation_m,
@@ -175,7 +176,7 @@ void declare_climate(config::Options& options, ForestSettings& s) {
         {.unit = "K", .low = -15.0, .high = 15.0, .meaning = "added to the temperatures of all months"});
     options.number("climate.precipitation_change", s.precipitation_change,
                    {.low = 0.0, .high = 5.0, .meaning = "factor on the precipitation of all months"});
-    options.text("climate.change", s.climate_change,
+    options.file("climate.change", s.climate_change,
                  {.meaning = "instead of the two: CSV with month, temperature_k, precipitation (factor)"});
     options.count(
         "climate.change_years", s.change_years,
@@ -191,7 +192,7 @@ void declare_climate(config::Options& options, ForestSettings& s) {
          .high = 2000.0,
          .meaning = "CO2 of the air in all years; 0: the record, after its end as in the last year",
          .source = "choice"});
-    options.text(
+    options.file(
         "climate.variants", s.climate_variants,
         {.meaning = "CSV of climates to compare: name and, of the settings above, what differs (file, "
                     "temperature_change_k, ...); none: one climate"});

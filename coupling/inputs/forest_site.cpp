@@ -229,9 +229,7 @@ void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& readin
         site.climates.front().source.degree_days(mean_elevation_m(site.grid, all_patches(site.grid)));
     config::Warnings found;
     forest::StartingTrees start = forest::trees_from_list(list, site.grid, table, degree_days, found);
-    for (const std::string& sentence : found.all()) {
-        reading.note(joined(file, ": ", sentence));
-    }
+    reading.take(found, joined(file, ": "));
     site.listed = std::move(start.trees);
     std::size_t filled = 0;
     for (const std::size_t i : start.outside) {

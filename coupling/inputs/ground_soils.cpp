@@ -112,15 +112,13 @@ void refuse_unknown_columns(const config::Table& table, config::Problems& proble
     for (const OwnColumn& column : own_columns) {
         known.emplace_back(column.name);
     }
-    for (const std::string& column : table.columns()) {
-        if (std::find(known.begin(), known.end(), column) == known.end()) {
-            const std::string meant = meant_column(column, known);
-            problems.add(config::ExitCode::data, {table.file()},
-                         "column " + config::in_quotes(column) + ", which has no meaning",
-                         "columns of `bannwald info pir3d_soils`, or widths and limits of one parameter" +
-                             (meant.empty() ? "" : " (" + meant + "?)"),
-                         "correct its name, or remove it; coupling/inputs/README.md lists all");
-        }
+    for (const std::string& column : table.columns_beside(known)) {
+        const std::string meant = meant_column(column, known);
+        problems.add(config::ExitCode::data, {table.file()},
+                     "column " + config::in_quotes(column) + ", which has no meaning",
+                     "columns of `bannwald info pir3d_soils`, or widths and limits of one parameter" +
+                         (meant.empty() ? "" : " (" + meant + "?)"),
+                     "correct its name, or remove it; coupling/inputs/README.md lists all");
     }
 }
 

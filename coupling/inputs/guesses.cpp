@@ -20,7 +20,8 @@ void doubt_guesses(Reading& reading) {
     }
     if (!keys.empty()) {
         reading.warn({reading.scenario().file.string()}, joined("settings that are marked GUESS: ", keys),
-                     "values of this slope", "check them, then take the word out of their lines");
+                     "values of this slope", "check them, then take the word out of their lines",
+                     config::Effect::answer);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "config/options/values.hpp"
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
@@ -121,7 +122,7 @@ void warn_of_doubled_ids(const std::vector<LogRecord>& logs, const std::string& 
         reading.warn({file},
                      joined(counted(doubled.size(), "log_id"), " used more than once, such as ",
                             config::in_quotes(*doubled.begin())),
-                     "one log_id for each log");
+                     "one log_id for each log", "", config::Effect::detail);
     }
 }
 
@@ -186,8 +187,8 @@ std::vector<LogRecord> on_terrain(std::vector<LogRecord> logs, const rockfall::T
         judged.all = logs.size();
         judged.off = static_cast<std::size_t>(logs.end() - outside);
         judged.example =
-            joined("log ", config::in_quotes(outside->id), " (x ", config::to_text(outside->log.x1_m), ", y ",
-                   config::to_text(outside->log.y1_m), ")");
+            joined("log ", config::in_quotes(outside->id), " (x ", config::metres_in_words(outside->log.x1_m),
+                   ", y ", config::metres_in_words(outside->log.y1_m), ")");
         judged.places = places;
         judged.swap_advice = reading.scenario().swap_log_axes
                                  ? "set trees.swap_logs_xy = no: the columns are right as they are"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace coupling {
 namespace {
@@ -27,6 +29,9 @@ double drop_m_of(const rockfall::Slope& slope, std::span<const rockfall::Release
 void warn_of_model_limits(const rockfall::Slope& slope, std::span<const rockfall::ReleaseSource> sources,
                           Reading& reading) {
     const rockfall::MotionLaws& motion = reading.scenario().rockfall.fall.motion;
+    if (const std::string_view caution = rockfall::description_of(motion.model).caution; !caution.empty()) {
+        reading.warn(std::string{caution}, config::Effect::answer);
+    }
     for (std::string& sentence : rockfall::doubts_of(motion, slope, drop_m_of(slope, sources))) {
         reading.warn(std::move(sentence));
     }

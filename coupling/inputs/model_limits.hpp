@@ -8,8 +8,9 @@
 
 namespace coupling {
 
-/// Warns of what the chosen motion model does badly on this slope (rockfall::doubts_of). Without sources
-/// rocks may start at the highest point.
+/// Warns of results for which the chosen motion model is not confirmed (`caution` of its description) and of
+/// what it does badly on this slope (rockfall::doubts_of). Without sources rocks may start at the highest
+/// point.
 void warn_of_model_limits(const rockfall::Slope& slope, std::span<const rockfall::ReleaseSource> sources,
                           Reading& reading);
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
@@ -100,7 +101,8 @@ std::vector<ObservedStop> read_stop_table(Reading& reading) {
 }
 
 std::string in_words(const ObservedStop& stop) {
-    return joined("a stop at x ", config::to_text(stop.end_m.x()), ", y ", config::to_text(stop.end_m.y()));
+    return joined("a stop at x ", config::metres_in_words(stop.end_m.x()), ", y ",
+                  config::metres_in_words(stop.end_m.y()));
 }
 
 void check_zones(std::span<const ObservedStop> stops, std::span<const rockfall::ReleaseSource> sources,

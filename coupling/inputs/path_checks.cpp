@@ -1,6 +1,7 @@
 #include "coupling/inputs/path_checks.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <system_error>
 
@@ -100,6 +101,28 @@ void cut_file(const fs::path& file, std::uintmax_t bytes) {
         config::fail(config::ExitCode::file, {.file = file.string()}, "cannot be cut: " + error.message(),
                      "a file that can be written");
     }
+}
+
+std::string windows_path_advice(const std::filesystem::path& path) {
+    std::string text = path.string();
+    const auto is_letter = [&](std::size_t place) {
+        return std::isalpha(static_cast<unsigned char>(text[place])) != 0;
+    };
+    for (std::size_t colon = text.find(':'); colon != std::string::npos; colon = text.find(':', colon + 1)) {
+        const bool is_drive = colon > 0 && is_letter(colon - 1) && (colon == 1 || text[colon - 2] == '/') &&
+                              colon + 1 < text.size() && (text[colon + 1] == '\\' || text[colon + 1] == '/');
+        if (is_drive) {
+            std::string here = text.substr(colon - 1);
+            std::replace(here.begin(), here.end(), '\\', '/');
+            here[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(here[0])));
+            return "this is a path of Windows: write it as this system has it, under WSL /mnt/" +
+                   here.substr(0, 1) + here.substr(2);
+        }
+    }
+    if (text.find('\\') == std::string::npos) {
+        return "";
+    }
+    return "this is a path of Windows: write / instead of \\";
 }
 
 }  // namespace coupling

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace coupling {
@@ -31,6 +32,9 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folde
 
 /// Length of a file.
 std::uintmax_t bytes_of_file(const std::filesystem::path& file);
+
+/// What to do about a path that is written as on Windows, for a file that is not there; "" for other paths.
+std::string windows_path_advice(const std::filesystem::path& path);
 
 /// Cuts a file to a length.
 void cut_file(const std::filesystem::path& file, std::uintmax_t bytes);

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <utility>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/doubtful_columns.hpp"
-#include "coupling/inputs/formats/column_names.hpp"
+#include "coupling/inputs/files_beside.hpp"
 #include "coupling/inputs/path_checks.hpp"
 #include "coupling/inputs/plausible/same_system.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
 
@@ -24,12 +25,23 @@ void Reading::warn(config::Place place, std::string found, std::string expected,
     if (scenario_.strict_inputs) {
         problems_.add(std::move(problem));
     } else {
+        problem.place = scenario_.shown(std::move(problem.place));
         warnings_.add(config::to_string(problem), effect);
     }
 }
 
+void Reading::take(const config::Warnings& found, const std::string& opening) {
+    for (std::size_t i = 0; i < found.warnings().size(); ++i) {
+        warn(joined(opening, found.warnings()[i]), found.effects()[i]);
+    }
+    for (const std::string& sentence : found.notes()) {
+        note(joined(opening, sentence));
+    }
+}
+
 void Reading::note_renamed_settings() {
-    for (const config::Renaming& renaming : scenario_.options->renamings()) {
+    for (config::Renaming renaming : scenario_.options->renamings()) {
+        renaming.place = scenario_.shown(std::move(renaming.place));
         note(config::to_string(renaming));
     }
 }
@@ -37,7 +49,7 @@ void Reading::note_renamed_settings() {
 FileBytes Reading::open_at(const config::Place& place, const std::string& role, const std::string& name,
                            std::string_view expected) {
     FileBytes bytes = open_file(scenario_.resolve(name), place, expected);
-    inputs_.push_back({role, name, bytes.hash(), bytes.stored_bytes()});
+    inputs_.push_back({role, shown(name), bytes.hash(), bytes.stored_bytes()});
     return bytes;
 }
 
@@ -53,26 +65,25 @@ config::Table Reading::table(const std::string& key, const std::string& role, co
 /// Files beside a file are opened as they are asked for, and recorded: what they say matters too.
 formats::BytesBeside Reading::beside(const std::string& role, const std::string& file) {
     return [this, role, file](const std::string& ending) -> std::string_view {
-        std::filesystem::path path{file};
-        if (path.extension() == ".gz") {
-            path.replace_extension();
-        }
-        std::string wanted = ending;
-        const std::string own = path.extension().string();
-        if (own.size() > 1 && std::isupper(static_cast<unsigned char>(own[1])) != 0) {
-            std::transform(wanted.begin(), wanted.end(), wanted.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-        }
-        const std::string name = path.replace_extension(wanted).string();
+        const std::string name = name_beside(file, ending);
         if (!path_exists(scenario_.resolve(name))) {
             return {};
         }
-        open_.push_back(open_file(scenario_.resolve(name), {shown(name)}, "a readable file"));
+        FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable file");
+        if (bytes.stored_bytes() == 0) {
+            return {};  // as SQLite leaves them behind
+        }
+        open_.push_back(std::move(bytes));
         // The projection of the terrain has had this name ever since.
         const std::string of = ending == ".prj" && role == "dem" ? "projection" : joined(role, " ", ending);
-        inputs_.push_back({of, name, open_.back().hash(), open_.back().stored_bytes()});
+        inputs_.push_back({of, shown(name), open_.back().hash(), open_.back().stored_bytes()});
         return open_.back().text();
     };
+}
+
+std::string Reading::name_beside(const std::string& file, const std::string& ending) const {
+    const std::filesystem::path found = path_beside(scenario_.resolve(file), ending);
+    return std::filesystem::path{file}.replace_filename(found.filename()).string();
 }
 
 bool Reading::has_input(const std::string& role) const {
@@ -84,37 +95,52 @@ void Reading::take_system(const std::string& role, const std::string& name, std:
     systems_.push_back({role, shown(name), std::move(text)});
 }
 
-void Reading::take_names(config::Table& table, const std::string& role, bool has_own_shapes) {
-    for (const formats::NamedColumn& column : formats::name_columns(table, role)) {
-        note(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
-                    column.taken_as));
+void Reading::take_findings(const tables::Findings& findings) {
+    for (const std::string& sentence : findings.notes) {
+        note(sentence);
     }
-    if (role == "trees" || role == "logs") {
-        const std::size_t moved = formats::take_coordinates(table, role, has_own_shapes);
-        if (moved > 0) {
-            warn({table.file()},
-                 joined(counted(moved, "row"), " whose attributes name another place than the shape"),
-                 "one place for each: the shape counts", "delete the columns of coordinates if they are old");
+    for (const config::Problem& warning : findings.warnings) {
+        warn(warning.place, warning.found, warning.expected, warning.advice, config::Effect::part);
+    }
+    for (const config::Problem& error : findings.errors) {
+        problems_.add(error);
+    }
+}
+
+void Reading::check_files_of_settings() {
+    for (const config::ParameterRow& row : scenario_.options->rows()) {
+        for (const std::string& name : files_in(row.value_text, row.files)) {
+            const config::Place place = scenario_.options->place_of(row.key);
+            const auto& known = problems_.list();
+            const bool is_known =
+                std::any_of(known.begin(), known.end(), [&](const config::Problem& problem) {
+                    return problem.place.line == place.line && problem.place.column == place.column &&
+                           problem.code == config::ExitCode::file;
+                });
+            if (!is_known && !path_exists(scenario_.resolve(formats::split_layer_name(name).file))) {
+                problems_.add(config::ExitCode::file, place,
+                              joined(row.key, ", which names no file: ", config::in_quotes(name)),
+                              "a file that is there, as this setting names it",
+                              "correct the name, or remove the line");
+            }
         }
     }
-    const std::string id = role == "targets" ? "target_id" : role == "nets" ? "name" : "";
-    if (has_own_shapes && !id.empty() && !table.has(id) && table.has("wkt")) {
-        std::vector<std::string> numbers;
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-            numbers.push_back(std::to_string(table.place(row, "wkt").line));
-        }
-        table.add_column(id, std::move(numbers), "wkt");
-        note(joined(table.file(), ": no column for ", id, ": numbers of the features are taken"));
+}
+
+void Reading::finish() {
+    check_files_of_settings();
+    for (const auto& use : uses_) {
+        take_findings(tables::findings_of_use(*use));
     }
+    uses_.clear();
+    problems_.throw_if_any();
 }
 
 namespace {
 
 /// Layers that a GIS wrote without shapes, where shapes are what is wanted.
 void refuse_layer_without_shapes(const config::Table& table, const std::string& role) {
-    constexpr std::array of_shapes{"targets",       "nets",      "stands",
-                                   "source_shapes", "tree_area", "surface_polygons"};
-    if (std::find(of_shapes.begin(), of_shapes.end(), role) == of_shapes.end()) {
+    if (!tables::is_of_shapes(role)) {
         return;
     }
     bool any = table.rows() == 0 && table.has("wkt");
@@ -144,15 +170,13 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
     if (read.has_shapes_of_its_own) {
         refuse_layer_without_shapes(table, role);
     }
-    take_names(table, role, read.has_shapes_of_its_own);
+    take_findings(tables::prepare(table, role, read.has_shapes_of_its_own));
+    uses_.push_back(table.use());
     if (read.has_shapes_of_its_own && table.has("wkt")) {
         if (read.layer.projection.empty()) {
             note(joined(table.file(), ": names no coordinate system; taken as that of the terrain"));
         }
         take_system(role, name, std::move(read.layer.projection));
-    }
-    for (const config::Problem& doubt_found : formula_doubts(table)) {
-        warn(doubt_found.place, doubt_found.found, doubt_found.expected);
     }
     return std::move(table);
 }
@@ -162,6 +186,9 @@ config::Raster<double> Reading::grid(const std::string& key, const std::string& 
     const FileBytes bytes = open(key, role, name, "a grid (GeoTIFF or ESRI ASCII)");
     formats::PlacedGrid read = formats::read_grid_file(bytes.text(), shown(name), beside(role, name));
     open_.clear();
+    for (const std::string& remark : read.remarks) {
+        note(joined(shown(name), ": ", remark));
+    }
     take_system(role, name, std::move(read.projection));
     return std::move(read.raster);
 }
@@ -192,7 +219,8 @@ bool Reading::check_systems() {
                 warn({system.file},
                      joined("coordinates in ", plausible::name_of_system(system.text), " beside ",
                             plausible::name_of_system(first->text), " of ", first->file),
-                     "one coordinate system: these two differ by less than a metre");
+                     "one coordinate system: these two differ by less than a metre", "",
+                     config::Effect::detail);
                 break;
             case plausible::Sameness::other:
                 is_one = false;
@@ -219,36 +247,28 @@ std::string Reading::text_beside(const std::string& role, const std::string& nam
         return {};
     }
     const FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable text file");
-    inputs_.push_back({role, name, bytes.hash(), bytes.stored_bytes()});
+    inputs_.push_back({role, shown(name), bytes.hash(), bytes.stored_bytes()});
     return std::string{bytes.text()};
 }
-
-namespace {
-
-/// A length or coordinate to the millimetre, without trailing zeros.
-std::string to_mm(double value_m) {
-    return config::to_text(std::round(1000.0 * value_m) / 1000.0);
-}
-
-}  // namespace
 
 bool has_value(const config::Table& table, std::size_t row, const std::string& column) {
     return table.has(column) && !table.text(row, column).empty();
 }
 
 std::string to_string(const config::GridFrame& frame) {
-    std::string size = to_mm(frame.cell_width_m);
+    std::string size = config::metres_in_words(frame.cell_width_m);
     if (frame.cell_width_m != frame.cell_height_m) {
-        size += " x " + to_mm(frame.cell_height_m);
+        size += " x " + config::metres_in_words(frame.cell_height_m);
     }
-    return std::to_string(frame.columns) + " x " + std::to_string(frame.rows) + " cells of " + size +
-           " m, corner " + to_mm(frame.x_west_m) + ", " + to_mm(frame.y_south_m);
+    return joined(std::to_string(frame.columns), " x ", std::to_string(frame.rows), " cells of ", size,
+                  " m, corner ", config::place_in_words(frame.x_west_m, frame.y_south_m));
 }
 
 std::string cell_in_words(const config::GridFrame& frame, std::size_t index) {
     const config::Cell cell = frame.cell_of(index);
-    return "row " + std::to_string(cell.row + 1) + ", column " + std::to_string(cell.column + 1) + " (x " +
-           to_mm(frame.x_centre_m(cell.column)) + ", y " + to_mm(frame.y_centre_m(cell.row)) + ")";
+    return joined("row ", std::to_string(cell.row + 1), ", column ", std::to_string(cell.column + 1), " (x ",
+                  config::metres_in_words(frame.x_centre_m(cell.column)), ", y ",
+                  config::metres_in_words(frame.y_centre_m(cell.row)), ")");
 }
 
 std::string counted(std::size_t count, std::string_view singular) {

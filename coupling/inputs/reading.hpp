@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
 
@@ -28,6 +30,10 @@ public:
     [[nodiscard]] config::Problems& problems() { return problems_; }
     [[nodiscard]] const std::vector<InputFile>& inputs() const { return inputs_; }
 
+    /// When everything was read: notes the columns of tables that were read under another name and those that
+    /// nobody read, and throws all problems.
+    void finish();
+
     void refuse(config::Place place, std::string found, std::string expected = "", std::string advice = "") {
         problems_.add(config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
                       std::move(advice));
@@ -39,6 +45,8 @@ public:
     void warn(std::string sentence, config::Effect effect = config::Effect::part) {
         warnings_.add(std::move(sentence), effect);
     }
+    /// What a room below found, each sentence behind `opening`.
+    void take(const config::Warnings& found, const std::string& opening = "");
     /// Worth knowing, never an error.
     void note(std::string sentence) { warnings_.add_note(std::move(sentence)); }
 
@@ -56,10 +64,9 @@ public:
         }
     }
 
-    /// Name of a file in messages: as it is found from here.
-    [[nodiscard]] std::string shown(const std::string& name) const {
-        return scenario_.resolve(name).string();
-    }
+    /// Name of a file in results and messages, wherever the program was called: see InputNames. Errors are
+    /// shown with paths, by Scenario::with_paths around all that reads.
+    [[nodiscard]] std::string shown(const std::string& name) const { return scenario_.shown(name); }
 
     /// Whether a file was opened in a role.
     [[nodiscard]] bool has_input(const std::string& role) const;
@@ -85,6 +92,8 @@ public:
     /// Names the part of a recorded file that the run uses and the hash of that part: what else stands in
     /// the file may change without making the run another one.
     void heed_part(const std::string& role, const std::string& part, const std::string& hash);
+    /// The name of the file beside a file, as `path_beside` finds it.
+    [[nodiscard]] std::string name_beside(const std::string& file, const std::string& ending) const;
     /// A file that may be missing: its text, or "".
     std::string text_beside(const std::string& role, const std::string& name);
 
@@ -93,7 +102,9 @@ private:
     config::Warnings& warnings_;
 
     formats::BytesBeside beside(const std::string& role, const std::string& file);
-    void take_names(config::Table& table, const std::string& role, bool has_own_shapes);
+    void take_findings(const tables::Findings& findings);
+    /// Refuses settings that name a file which is not there, whether this run reads it or not.
+    void check_files_of_settings();
 
     /// What a grid or layer says of its coordinates.
     struct NamedSystem {
@@ -104,6 +115,7 @@ private:
 
     config::Problems problems_;
     std::vector<InputFile> inputs_;
+    std::vector<std::shared_ptr<const config::ColumnUse>> uses_;  ///< of each table
     std::vector<NamedSystem> systems_;
     std::size_t systems_checked_ = 0;
     std::deque<FileBytes> open_;  ///< parts of Shapefiles while they are read

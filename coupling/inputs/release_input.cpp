@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -22,6 +23,19 @@ using Sources = std::vector<ReleaseSource>;
 
 constexpr double most_zones = 4e9;  // zones are counted in 32 bits
 
+/// The hulls that single rows name are inputs of the run too: each file is recorded once.
+void record_hulls(const config::Table& table, Reading& reading) {
+    std::set<std::string> recorded{reading.scenario().shapes.file, ""};
+    for (std::size_t row = 0; table.has("shape_file") && row < table.rows(); ++row) {
+        const std::string& name = table.text(row, "shape_file");
+        if (recorded.insert(name).second) {
+            reading.open_at(table.place(row, "shape_file"),
+                            joined("block_shape ", std::to_string(recorded.size() - 2)), name,
+                            "a hull: points as CSV, PLY or STL");
+        }
+    }
+}
+
 SourceInput read_shapes(Reading& reading) {
     const std::string& name = reading.scenario().source_shapes;
     const config::Table table = reading.table("release.source_shapes", "source_shapes", name);
@@ -31,6 +45,7 @@ SourceInput read_shapes(Reading& reading) {
     std::vector<std::string> known = start_columns();
     known.emplace_back("wkt");
     doubt_columns(table, known, reading);
+    record_hulls(table, reading);
     SourceInput input{
         .grid = {}, .shapes = {}, .starts = {}, .file = table.file(), .has_zones = table.has("zone")};
     for (std::size_t row = 0; row < table.rows(); ++row) {

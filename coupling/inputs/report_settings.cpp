@@ -22,7 +22,7 @@ void declare(config::Options& options, ReportSettings& report) {
     options.text("report.place", report.place, {.meaning = "the place it is about"});
     options.text("report.date", report.date,
                  {.meaning = "date of the page, as 2026-11-24 or 24.11.2026; none: no date"});
-    options.text("report.logo", report.logo,
+    options.file("report.logo", report.logo,
                  {.meaning = "PNG, JPEG or SVG file, which becomes part of the page"});
     options.choice(
         "report.language", report.language,

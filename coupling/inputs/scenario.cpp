@@ -39,12 +39,12 @@ void declare_run(config::Options& options, Scenario& s) {
 }
 
 void declare_terrain(config::Options& options, Scenario& s) {
-    options.text("terrain.dem", s.dem,
+    options.file("terrain.dem", s.dem,
                  {.meaning = "ground heights in m: GeoTIFF, or ESRI ASCII grid, plain or .gz"});
-    options.text("terrain.points", s.points, {.meaning = "instead: text of x y z in m, one point a line"});
-    options.text("terrain.mesh", s.mesh,
+    options.file("terrain.points", s.points, {.meaning = "instead: text of x y z in m, one point a line"});
+    options.file("terrain.mesh", s.mesh,
                  {.meaning = "instead: a mesh whose faces stay as they are (PLY, STL), contours (DXF, CSV)"});
-    options.text("terrain.meshes", s.meshes,
+    options.file("terrain.meshes", s.meshes,
                  {.meaning = "instead: CSV with file, surface: several meshes with a ground type each"});
     options.choice(
         "terrain.mesh_up", s.mesh_up, {{"z", MeshUp::z}, {"y", MeshUp::y}},
@@ -60,24 +60,24 @@ void declare_terrain(config::Options& options, Scenario& s) {
                     .high = 10'000.0,
                     .meaning = "for points: longer triangle edges are no terrain; 0 keeps all",
                     .source = "choice"});
-    options.text("terrain.surface", s.surface,
+    options.file("terrain.surface", s.surface,
                  {.meaning = "ground types: grid of codes on the frame of the DEM"});
-    options.text("terrain.surface_polygons", s.surface_polygons,
+    options.file("terrain.surface_polygons", s.surface_polygons,
                  {.meaning = "instead: CSV with code, wkt (POLYGON); later rows lie on top"});
-    options.text("terrain.surface_types", s.surface_types,
+    options.file("terrain.surface_types", s.surface_types,
                  {.meaning = "CSV with code, label, r_n, r_t, p_stop; or code, name of a shipped type"});
-    options.text("terrain.soils", s.soils,
+    options.file("terrain.soils", s.soils,
                  {.meaning = "CSV of soils of your own, as `bannwald info pir3d_soils` shows them; for "
                              "models that use soils"});
-    options.text("terrain.stopping", s.stopping,
+    options.file("terrain.stopping", s.stopping,
                  {.meaning = "CSV with code, diameter_m, p_stop; without it p_stop is scaled by size"});
     options.text(
         "terrain.ground", s.ground,
         {.meaning = "shipped ground type (see `bannwald info surfaces`) where no grid or polygon says"});
-    options.text(
+    options.file(
         "terrain.slope_grounds", s.slope_grounds,
         {.meaning = "CSV with from_deg, surface: ground types by slope where no grid or polygon says"});
-    options.text(
+    options.file(
         "terrain.profile", s.profile,
         {.meaning = "instead of all maps: CSV with distance_m, height_m, surface; a run in two dimensions"});
 }
@@ -93,7 +93,7 @@ void declare_profile(config::Options& options, Scenario& s) {
                      .low = -1e5,
                      .high = 1e5,
                      .meaning = "distances at which passing rocks are counted, such as 240, 340"});
-    options.text("profile.stations", s.profile_stations, {.meaning = "instead: CSV with name, distance_m"});
+    options.file("profile.stations", s.profile_stations, {.meaning = "instead: CSV with name, distance_m"});
     options.number("profile.segment_m", s.profile_segment_m,
                    {.unit = "m",
                     .low = 0.5,
@@ -103,9 +103,9 @@ void declare_profile(config::Options& options, Scenario& s) {
 }
 
 void declare_release(config::Options& options, Scenario& s) {
-    options.text("release.source", s.source,
+    options.file("release.source", s.source,
                  {.meaning = "grid on the frame of the DEM: 0 no source, k > 0 release zone k"});
-    options.text("release.source_shapes", s.source_shapes,
+    options.file("release.source_shapes", s.source_shapes,
                  {.meaning = "instead: CSV with wkt (points, lines or polygons) and perhaps zone"});
     options.number(
         "release.steeper_than_deg", s.steeper_than_deg,
@@ -183,7 +183,7 @@ void declare_starts(config::Options& options, Scenario& s) {
 }
 
 void declare_nets(config::Options& options, NetSettings& nets) {
-    options.text("nets.file", nets.file,
+    options.file("nets.file", nets.file,
                  {.meaning = "CSV with name, height_m, capacity_kj or class, gap_m, wkt (LINESTRING)"});
     options.number("nets.wanted_share", nets.wanted_share,
                    {.low = 0.5,
@@ -196,7 +196,7 @@ void declare_nets(config::Options& options, NetSettings& nets) {
 }
 
 void declare_hazard(config::Options& options, HazardSettings& hazard) {
-    options.text("hazard.blocks", hazard.blocks,
+    options.file("hazard.blocks", hazard.blocks,
                  {.meaning = "CSV with return_period_years, zone (none: all others), diameter_m or mass_t or "
                              "volume_m3: a hazard map"});
     options.number("hazard.return_period_years", hazard.return_period_years,
@@ -228,7 +228,7 @@ void declare_hazard(config::Options& options, HazardSettings& hazard) {
                     .meaning = "zones of the hazard map (layer hazard_zones) below this area take the level "
                                "around them; rasters keep them",
                     .source = "choice"});
-    options.text(
+    options.file(
         "hazard.matrix", hazard.matrix,
         {.meaning = "CSV of hazard levels, as `bannwald info hazard_matrix` shows it; none: that one"});
 }
@@ -289,26 +289,14 @@ void declare_output(config::Options& options, Scenario& s) {
 
 }  // namespace
 
-std::filesystem::path Scenario::resolve(const std::string& name) const {
-    const std::filesystem::path path{name};
-    const std::filesystem::path from_here = path.is_absolute() ? path : file.parent_path() / path;
-    const std::filesystem::path plain = from_here.lexically_normal();
-    // "a/../b" is "b" only where a is no link to another folder.
-    std::error_code one;
-    std::error_code other;
-    const bool is_same =
-        std::filesystem::weakly_canonical(from_here, one) == std::filesystem::weakly_canonical(plain, other);
-    return is_same && !one && !other ? plain : from_here;
-}
-
 void declare(config::Options& options, Scenario& scenario) {
     declare_run(options, scenario);
     declare_terrain(options, scenario);
     GroundChanges::declare(options);
     declare_profile(options, scenario);
-    options.text("trees.file", scenario.trees,
+    options.file("trees.file", scenario.trees,
                  {.meaning = "CSV with tree_id, x_m, y_m, species, dbh_cm, height_m; none: bare slope only"});
-    options.text(
+    options.file(
         "trees.logs", scenario.logs,
         {.meaning = "CSV of lying logs: x1_m, y1_m, x2_m, y2_m, species, dbh_cm, clearance_m, strength"});
     options.flag("trees.swap_xy", scenario.swap_tree_axes,
@@ -319,16 +307,16 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_diameter(options, scenario);
     declare_starts(options, scenario);
     declare_shapes(options, scenario.shapes);
-    options.text("targets.file", scenario.targets,
+    options.file("targets.file", scenario.targets,
                  {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});
-    options.text("observed.stops", scenario.observed_stops,
+    options.file("observed.stops", scenario.observed_stops,
                  {.meaning = "where rocks of an event came to rest, to compare: x_m, y_m or wkt; perhaps "
                              "zone, group, x_release_m, y_release_m"});
-    options.text(
+    options.file(
         "observed.passages", scenario.observed_passages,
         {.meaning = "rocks of an event seen at targets: target_id, and of speed_mps, height_m, energy_kj, "
                     "translational_kj what is known; perhaps group"});
-    options.text("observed.impacts", scenario.observed_impacts,
+    options.file("observed.impacts", scenario.observed_impacts,
                  {.meaning = "single impacts on the ground: of speed_in_mps, speed_out_mps, angle_in_deg, "
                              "angle_out_deg what is known; perhaps ground (code), group"});
     options.count(
@@ -369,15 +357,18 @@ void take_block_shapes(Scenario& scenario) {
 }  // namespace
 
 std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
-                                        const std::vector<std::string>& overrides) {
+                                        const std::vector<std::string>& overrides,
+                                        const std::filesystem::path& inputs_within) {
     auto scenario = std::make_unique<Scenario>();
     scenario->file = file;
+    scenario->inputs_within = inputs_within;
     scenario->options = std::make_shared<config::Options>();
     declare(*scenario->options, *scenario);
 
     const FileBytes bytes = open_file(file, {file.string()}, "a scenario file");
     std::istringstream in{std::string{bytes.text()}};
     scenario->options->read(in, file.string(), overrides, "rockfall.preset");
+    name_inputs(*scenario);
     check(*scenario);
     if (const std::string& logo = scenario->report.logo; !logo.empty()) {
         const config::Place place = scenario->options->place_of("report.logo");

@@ -14,6 +14,8 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/observed_events_input.hpp"
 #include "coupling/inputs/observed_input.hpp"
+#include "coupling/inputs/plausible/heights.hpp"
+#include "coupling/inputs/plausible/source_places.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
 #include "coupling/inputs/surface_input.hpp"
@@ -165,6 +167,28 @@ std::shared_ptr<ForestSite> forest_on(const HeightInput& heights, const rockfall
     return open_forest(heights_on_map(cells, terrain), heights.file, reading);
 }
 
+/// The ground at the listed trees, in absolute coordinates, and the rules on heights for a terrain that is no
+/// grid; a grid was held against them when it was read.
+void check_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
+                  const std::vector<TreeRecord>& trees, Reading& reading) {
+    std::vector<plausible::terrain::ListedTree> listed;
+    for (const TreeRecord& tree : trees) {
+        listed.push_back({tree.stem.x_m, tree.stem.y_m, tree.stem.height_m});
+    }
+    if (terrain.triangles().empty()) {
+        return;
+    }
+    if (heights.grid) {
+        plausible::check_ground_at_trees(*heights.grid, listed, heights.file, reading);
+        return;
+    }
+    HeightInput cells;
+    cells.map_frame = frame_over(heights.points, 0.0);
+    const config::Raster<double> samples = heights_on_map(cells, terrain);
+    plausible::check_sampled_heights(samples, heights.file, reading);
+    plausible::check_ground_at_trees(samples, listed, heights.file, reading);
+}
+
 /// Takes the obstacles that rocks cannot meet out of the forest.
 void drop_off_terrain(ForestSite& forest, const rockfall::Terrain& terrain, Reading& reading) {
     forest.obstacles = on_terrain(std::move(forest.obstacles), terrain, reading, forest.listed.size());
@@ -206,13 +230,15 @@ std::vector<rockfall::Net> Site::standing_nets() const {
 void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs) {
     const ReportSettings& report = scenario.report;
     if (!report.logo.empty()) {
-        inputs.push_back({role_of_logo, report.logo, hash_text(report.picture.bytes),
+        inputs.push_back({role_of_logo, scenario.shown(report.logo), hash_text(report.picture.bytes),
                           static_cast<std::uint64_t>(report.picture.bytes.size())});
     }
 }
 
-Site open_site(const Scenario& scenario, config::Warnings& warnings) {
-    Reading reading{scenario, warnings};
+namespace {
+
+Site site_of(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
     reading.note_renamed_settings();
     doubt_guesses(reading);
     SiteFiles files = read_site_files(reading);
@@ -226,9 +252,15 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     if (files.heights->has_codes && files.types) {
         meshes::name_ground(*files.heights, *files.types, reading);
     }
-    rockfall::Terrain terrain =
-        build_terrain(*files.heights, scenario.rockfall.ground, diameters_of(files.sources, scenario).mean_m,
-                      scenario.longest_edge_m);
+    std::optional<rockfall::Terrain> built = reading.attempt([&] {
+        return build_terrain(*files.heights, scenario.rockfall.ground,
+                             diameters_of(files.sources, scenario).mean_m, scenario.longest_edge_m, reading);
+    });
+    if (!built) {
+        reading.problems().throw_if_any();  // nothing lies on a terrain that there is not
+    }
+    rockfall::Terrain& terrain = *built;
+    check_ground(*files.heights, terrain, files.trees.value_or(std::vector<TreeRecord>{}), reading);
     std::optional<GroundMap> ground;
     if (files.cover && files.types) {
         ground = match_ground(*files.heights, terrain, *files.cover, std::move(*files.types), reading);
@@ -256,6 +288,11 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
     if (files.nets) {
         nets = on_terrain(std::move(*files.nets), terrain, reading.problems());
     }
+    if (sources && files.targets && files.nets) {
+        plausible::judge_source_places(
+            {terrain, plausible::spacing_of(*files.heights), *sources, *files.targets, nets},
+            files.sources->file, reading);
+    }
     std::shared_ptr<ForestSite> forest;
     if (scenario.years > 0) {
         forest = forest_on(*files.heights, terrain, reading);
@@ -264,7 +301,7 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
         }
     }
     reading.check_systems();
-    reading.problems().throw_if_any();
+    reading.finish();
 
     if (!has_rocks(scenario)) {
         ground = GroundMap{.types = {},
@@ -293,6 +330,13 @@ Site open_site(const Scenario& scenario, config::Warnings& warnings) {
             .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{}),
             .observed_events = std::move(files.events).value_or(ObservedEvents{}),
             .left_out_faces = std::move(files.heights->left_out)};
+}
+
+}  // namespace
+
+Site open_site(const Scenario& scenario, config::Warnings& warnings) {
+    Reading reading{scenario, warnings};
+    return scenario.with_paths([&] { return site_of(reading); });
 }
 
 }  // namespace coupling

@@ -47,7 +47,7 @@ struct LeftOutFace {
 /// A file that a run read, with a hash of its bytes.
 struct InputFile {
     std::string role;  ///< dem, surface, trees, ...
-    std::string name;  ///< as the scenario names it
+    std::string name;  ///< as results name it: see InputNames
     std::string hash;  ///< 16 hexadecimal digits
     std::uint64_t bytes = 0;
 };

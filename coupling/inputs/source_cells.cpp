@@ -1,9 +1,14 @@
 #include "coupling/inputs/source_cells.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/extent.hpp"
 #include "coupling/inputs/plausible/source_cover.hpp"
 #include "coupling/inputs/slope_tangent.hpp"
 #include "coupling/inputs/zone_blocks.hpp"
@@ -11,7 +16,16 @@
 namespace coupling {
 namespace {
 
+using config::joined;
 using rockfall::ReleaseSource;
+
+std::vector<config::Point2> vertices_of(const config::Shape& shape) {
+    std::vector<config::Point2> vertices;
+    for (const auto& part : shape.parts) {
+        vertices.insert(vertices.end(), part.begin(), part.end());
+    }
+    return vertices;
+}
 
 /// By cell the release zone of a grid, or the number of the shape from 1: 0 or NaN none.
 config::Raster<double> sources_on(const config::GridFrame& frame, const SourceInput& input) {
@@ -114,11 +128,120 @@ void warn_of_cells(const CellCounts& counts, const config::GridFrame& frame, con
     }
 }
 
+/// Whether any centre of a cell lies in a polygon.
+bool holds_a_centre(const config::GridFrame& frame, const config::Shape& polygon) {
+    const plausible::Extent extent = plausible::extent_of(vertices_of(polygon));
+    const config::Cell from = frame.cell_at(extent.west_m, extent.north_m);
+    const config::Cell to = frame.cell_at(extent.east_m, extent.south_m);
+    for (int row = std::max(0, from.row); row <= std::min(frame.rows - 1, to.row); ++row) {
+        for (int column = std::max(0, from.column); column <= std::min(frame.columns - 1, to.column);
+             ++column) {
+            if (config::point_in_polygon(polygon, {frame.x_centre_m(column), frame.y_centre_m(row)})) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// A polygon between the centres of the cells: a source of its own, whose rocks start inside it. Weight 0
+/// where none of its ground is on the terrain.
+ReleaseSource polygon_source(const SourceShape& shape, const rockfall::Terrain& terrain) {
+    constexpr int side = 64;  // samples along each side of the rectangle about it [choice]
+    auto outline = std::make_shared<rockfall::SourceOutline>();
+    outline->polygon = shape.shape;
+    for (auto& ring : outline->polygon.parts) {
+        for (config::Point2& corner : ring) {
+            corner = {corner.x_m - terrain.origin_m().x(), corner.y_m - terrain.origin_m().y()};
+        }
+    }
+    const plausible::Extent extent = plausible::extent_of(vertices_of(outline->polygon));
+    ReleaseSource source;
+    source.kind = ReleaseSource::Kind::cell;
+    source.first_m = {extent.west_m, extent.south_m};
+    source.last_m = {extent.east_m, extent.north_m};
+    source.zone = shape.zone;
+    source.weight = 0.0;
+    const Eigen::Vector2d step_m = (source.last_m - source.first_m) / side;
+    const Eigen::Vector2d middle_m = 0.5 * (source.first_m + source.last_m);
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            const Eigen::Vector2d place =
+                source.first_m + Eigen::Vector2d{(column + 0.5) * step_m.x(), (row + 0.5) * step_m.y()};
+            if (!config::point_in_polygon(outline->polygon, {place.x(), place.y()})) {
+                continue;
+            }
+            if (const auto triangle = terrain.locate(place.x(), place.y())) {
+                const auto normal_z = static_cast<double>(terrain.triangles()[*triangle].normal_z);
+                source.weight += step_m.x() * step_m.y() / normal_z;
+                if (const double away_m = (place - middle_m).norm(); away_m < nearest_m) {
+                    nearest_m = away_m;
+                    outline->inner_m = place;
+                }
+            }
+        }
+    }
+    source.outline = std::move(outline);
+    return source;
+}
+
+/// The slope of the cell in which a source has its inner place.
+bool is_steep(const ReleaseSource& source, const HeightInput& heights, const config::GridFrame& frame,
+              const rockfall::Terrain& terrain, double steeper_than_deg) {
+    const Eigen::Vector2d place = source.outline->inner_m + terrain.origin_m();
+    const config::Cell cell = frame.cell_at(place.x(), place.y());
+    return frame.contains(cell) && slope_tangent(heights, frame, terrain, frame.index(cell)).value_or(0.0) >
+                                       tangent_of_deg(steeper_than_deg);
+}
+
+/// Gives polygons that hold no centre of a cell a source of their own, and says which lie under later rows.
+void place_small_polygons(const SourceInput& input, const HeightInput& heights,
+                          const config::GridFrame& frame, const rockfall::Terrain& terrain,
+                          const std::vector<bool>& has_cell, Reading& reading, Placed& placed) {
+    const double steeper_deg = reading.scenario().steeper_than_deg;
+    std::size_t small = 0;
+    for (std::size_t i = 0; i < input.shapes.size(); ++i) {
+        const SourceShape& shape = input.shapes[i];
+        const auto start = start_of(input, shape.zone, shape.start);
+        if (has_cell[i] || !start) {
+            continue;
+        }
+        if (plausible::later_twin(input, i) || holds_a_centre(frame, shape.shape)) {
+            plausible::warn_of_covered_polygon(input, i, reading);
+            continue;
+        }
+        ReleaseSource source = polygon_source(shape, terrain);
+        if (!(source.weight > 0.0)) {
+            reading.refuse(shape.place,
+                           joined("a source polygon of zone ", std::to_string(shape.zone), " without area"),
+                           "polygons with an area", "draw a line instead");
+            continue;
+        }
+        if (steeper_deg > 0.0 && !is_steep(source, heights, frame, terrain, steeper_deg)) {
+            continue;
+        }
+        ++small;
+        placed.add(std::move(source), *start, input);
+    }
+    if (small > 0) {
+        reading.note(joined(input.file, ": ", counted(small, "source polygon"), " of ",
+                            std::to_string(input.shapes.size()),
+                            " between the centres of the cells: rocks start at random inside"));
+    }
+}
+
 }  // namespace
 
 Placed place_cells(const SourceInput& input, const HeightInput& heights, const rockfall::Terrain& terrain,
                    Reading& reading) {
     config::Raster<double> cells = sources_on(heights.frame(), input);
+    std::vector<bool> has_cell(input.shapes.size(), false);  // before flat cells are taken out
+    for (const double number : cells.values) {
+        if (!input.shapes.empty() && number > 0.0) {
+            has_cell[static_cast<std::size_t>(number) - 1] = true;
+        }
+    }
     if (const double steeper_deg = reading.scenario().steeper_than_deg; steeper_deg > 0.0) {
         keep_steep(cells, input, heights, terrain, steeper_deg);
     }
@@ -126,16 +249,12 @@ Placed place_cells(const SourceInput& input, const HeightInput& heights, const r
     const bool has_zones = input.grid.has_value() || input.everywhere;
     Placed placed;
     CellCounts counts;
-    std::vector<std::size_t> cells_of_shape(input.shapes.size(), 0);
     for (std::size_t index = 0; index < cells.values.size(); ++index) {
         const double number = cells.values[index];
         if (std::isnan(number) || number == 0.0) {
             continue;
         }
         ++counts.all;
-        if (!has_zones) {
-            ++cells_of_shape[static_cast<std::size_t>(number) - 1];
-        }
         const SourceShape* shape = has_zones ? nullptr : &input.shapes[static_cast<std::size_t>(number) - 1];
         const auto zone = shape == nullptr ? static_cast<std::uint32_t>(number) : shape->zone;
         const auto start = start_of(input, zone, shape == nullptr ? 0 : shape->start);
@@ -154,7 +273,9 @@ Placed place_cells(const SourceInput& input, const HeightInput& heights, const r
         }
     }
     warn_of_cells(counts, frame, input, heights, reading);
-    plausible::doubt_polygons_without_cell(input, cells_of_shape, reading);
+    if (!has_zones) {
+        place_small_polygons(input, heights, frame, terrain, has_cell, reading, placed);
+    }
     return placed;
 }
 

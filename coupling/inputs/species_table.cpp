@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/table/table.hpp"
+#include "config/text/plain_letters.hpp"
+#include "config/text/reading.hpp"
 
 namespace coupling {
 
@@ -22,37 +25,28 @@ bool same_word(std::string_view a, std::string_view b) {
                       [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
+/// Without the words by which botanists leave a name open: "Quercus sp." is "Quercus".
+std::string without_open_names(std::string_view name) {
+    constexpr std::array<std::string_view, 6> open{"sp", "spp", "cf", "aff", "spec", "indet"};
+    std::istringstream words{std::string{name}};
+    std::string kept;
+    for (std::string word; words >> word;) {
+        std::string plain = config::in_lower_case(word);
+        std::erase(plain, '.');
+        if (kept.empty() || std::find(open.begin(), open.end(), plain) == open.end()) {
+            kept += (kept.empty() ? "" : " ") + word;
+        }
+    }
+    return kept;
+}
+
 }  // namespace
 
 std::string letters_of_name(std::string_view name) {
-    struct Letter {
-        std::string_view written;
-        std::string_view plain;
-    };
-    constexpr std::array letters{Letter{"ä", "ae"}, Letter{"Ä", "ae"}, Letter{"ö", "oe"}, Letter{"Ö", "oe"},
-                                 Letter{"ü", "ue"}, Letter{"Ü", "ue"}, Letter{"ß", "ss"}, Letter{"é", "e"},
-                                 Letter{"É", "e"},  Letter{"è", "e"},  Letter{"È", "e"},  Letter{"ê", "e"},
-                                 Letter{"Ê", "e"},  Letter{"à", "a"},  Letter{"â", "a"},  Letter{"ç", "c"},
-                                 Letter{"î", "i"},  Letter{"ï", "i"},  Letter{"ô", "o"},  Letter{"ò", "o"},
-                                 Letter{"ù", "u"},  Letter{"û", "u"},  Letter{"œ", "oe"}, Letter{"’", ""}};
-    std::string result;
-    while (!name.empty()) {
-        const auto found = std::find_if(letters.begin(), letters.end(), [&](const Letter& letter) {
-            return name.starts_with(letter.written);
-        });
-        if (found != letters.end()) {
-            result += found->plain;
-            name.remove_prefix(found->written.size());
-            continue;
-        }
-        const auto byte = static_cast<unsigned char>(name.front());
-        constexpr std::string_view passed_over = " \t.-_'";
-        if (passed_over.find(name.front()) == std::string_view::npos) {
-            result += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
-        }
-        name.remove_prefix(1);
-    }
-    return result;
+    static constexpr std::string_view passed_over = " \t.-_'";
+    std::string letters = config::plain_letters(name);
+    std::erase_if(letters, [](char c) { return passed_over.find(c) != std::string_view::npos; });
+    return letters;
 }
 
 SpeciesTable SpeciesTable::shipped() {
@@ -75,6 +69,7 @@ SpeciesTable SpeciesTable::shipped() {
                 std::istringstream words{names.text(row, column)};
                 for (std::string word; std::getline(words, word, '/');) {
                     species.names.push_back(letters_of_name(word));
+                    species.written_names.push_back(word);
                 }
             }
         }
@@ -92,6 +87,14 @@ SpeciesTable SpeciesTable::shipped() {
 }
 
 const Species* SpeciesTable::find(std::string_view code_or_name) const {
+    if (const Species* species = find_as_written(code_or_name)) {
+        return species;
+    }
+    const std::string plain = without_open_names(code_or_name);
+    return plain == code_or_name ? nullptr : find_as_written(plain);
+}
+
+const Species* SpeciesTable::find_as_written(std::string_view code_or_name) const {
     const auto first = [&](auto is_meant) {
         const auto found = std::find_if(species_.begin(), species_.end(), is_meant);
         return found == species_.end() ? nullptr : &*found;
@@ -118,13 +121,23 @@ const Species* SpeciesTable::find(std::string_view code_or_name) const {
     });
 }
 
-std::string SpeciesTable::nearest(std::string_view code_or_latin_name) const {
+std::string SpeciesTable::nearest(std::string_view code_or_name) const {
+    constexpr std::size_t shortest_name = 4;  // short forms are near to anything
     std::vector<std::string> words;
     for (const Species& species : species_) {
         words.push_back(species.code);
         words.push_back(species.latin_name);
+        std::copy_if(species.written_names.begin(), species.written_names.end(), std::back_inserter(words),
+                     [](const std::string& name) { return name.size() >= shortest_name; });
     }
-    return config::nearest_word(code_or_latin_name, words);
+    const std::string plain = without_open_names(code_or_name);
+    if (std::string near = config::nearest_word(plain, words); !near.empty()) {
+        return near;
+    }
+    // Without the author: "Pseudtsuga menziesii (Mirb.) Franco".
+    const std::size_t genus_end = plain.find(' ');
+    const std::size_t end = genus_end == std::string::npos ? genus_end : plain.find(' ', genus_end + 1);
+    return end == std::string::npos ? "" : config::nearest_word(plain.substr(0, end), words);
 }
 
 }  // namespace coupling

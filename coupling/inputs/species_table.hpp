@@ -13,6 +13,7 @@ struct Species {
     double fracture_energy = 0;      ///< relative to Abies alba [-]
     std::string stand_in;            ///< code of the species whose other parameters it takes, "" with its own
     std::vector<std::string> names;  ///< in other languages and short forms, as `letters_of_name` has them
+    std::vector<std::string> written_names{};  ///< the same as people write them
 };
 
 /// The letters by which names of species are compared: lower case, umlauts and accents written out or left
@@ -21,7 +22,7 @@ struct Species {
 std::string letters_of_name(std::string_view name);
 
 /// Finds species by code, Latin name (perhaps with its author), German, French, Italian or English name or a
-/// common short form, upper or lower case alike.
+/// common short form, upper or lower case alike; `sp.`, `spp.` and `cf.` do not count.
 class SpeciesTable {
 public:
     /// From config/data/tree_resistance.csv, species_names.csv and species_aliases.csv.
@@ -30,10 +31,12 @@ public:
     /// Null for a species that no table knows.
     [[nodiscard]] const Species* find(std::string_view code_or_name) const;
     /// The code or name that comes nearest to what the user wrote, "" if none is near.
-    [[nodiscard]] std::string nearest(std::string_view code_or_latin_name) const;
+    [[nodiscard]] std::string nearest(std::string_view code_or_name) const;
     [[nodiscard]] const std::vector<Species>& all() const { return species_; }
 
 private:
+    [[nodiscard]] const Species* find_as_written(std::string_view code_or_name) const;
+
     std::vector<Species> species_;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/ground_names.hpp"
 #include "coupling/inputs/shape_input.hpp"
@@ -113,13 +114,13 @@ private:
 };
 
 /// Cells with the same fault: how many, and the first.
-struct Faults {
+struct PolygonFaults {
     std::size_t count = 0;
     std::size_t first = 0;
     void add(std::size_t cell) { first = count++ == 0 ? cell : first; }
 };
 
-std::string in_words(const Faults& faults, const config::GridFrame& frame) {
+std::string in_words(const PolygonFaults& faults, const config::GridFrame& frame) {
     return counted(faults.count, "cell") + ", the first in " + cell_in_words(frame, faults.first);
 }
 
@@ -154,10 +155,10 @@ bool covers_terrain(const config::GridFrame& frame, const std::string& file, con
         const double y_m = vertex.y_m + terrain.origin_m().y();
         if (x_m < frame.x_west_m || x_m > frame.x_east_m() || y_m < frame.y_south_m ||
             y_m > frame.y_north_m()) {
-            reading.refuse({file},
-                           to_string(frame) + ", while the terrain reaches to " + config::to_text(x_m) +
-                               ", " + config::to_text(y_m),
-                           "a grid over all of the terrain");
+            reading.refuse(
+                {file},
+                to_string(frame) + ", while the terrain reaches to " + config::place_in_words(x_m, y_m),
+                "a grid over all of the terrain");
             return false;
         }
     }
@@ -239,8 +240,8 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
     };
 
     GroundMap map{.types = {}, .ids = config::Raster<std::uint8_t>{codes.frame, GroundMap::none}};
-    std::map<double, Faults> unknown;
-    Faults without;
+    std::map<double, PolygonFaults> unknown;
+    PolygonFaults without;
     for (std::size_t cell = 0; cell < codes.values.size(); ++cell) {
         const double code = codes.values[cell];
         const auto id = std::isnan(code) ? id_without_code(cell) : id_of(code, types);

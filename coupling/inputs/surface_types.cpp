@@ -11,6 +11,7 @@
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/ground_changes.hpp"
 #include "coupling/inputs/ground_soils.hpp"
+#include "coupling/inputs/plausible/odd_grounds.hpp"
 #include "coupling/inputs/stopping_input.hpp"
 
 namespace coupling {
@@ -286,10 +287,11 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     add_first(shown, problems, table.file());
     shown.throw_if_any();
     for (const std::string& code : reader.unused_stopping(types)) {
-        reading.warn({reading.shown(reading.scenario().stopping)}, "code " + code,
-                     "codes of " + table.file());
+        reading.warn({reading.shown(reading.scenario().stopping)}, "code " + code, "codes of " + table.file(),
+                     "", config::Effect::detail);
     }
     doubt_sizes_beyond(stopping_kept, rocks, reading);
+    plausible::judge_restitutions(types, table.file(), reading);
     return types;
 }
 

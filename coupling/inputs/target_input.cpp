@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "config/text/joined.hpp"
+#include "coupling/inputs/plausible/odd_targets.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/shape_input.hpp"
@@ -45,6 +46,7 @@ std::vector<rockfall::Target> read_target_table(Reading& reading) {
     table.require({"target_id", "wkt"}, problems);
     problems.throw_if_any();
     std::vector<rockfall::Target> targets;
+    std::vector<config::Place> places;
     std::unordered_set<std::string> ids;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         check_id(table, row, ids, problems);
@@ -52,6 +54,7 @@ std::vector<rockfall::Target> read_target_table(Reading& reading) {
             shape_of(table, row, {config::Shape::Kind::line, config::Shape::Kind::polygon}, problems);
         if (shape) {
             targets.push_back(target_of(table, row, *shape));
+            places.push_back(table.place(row, "wkt"));
         }
     }
     if (table.rows() == 0) {
@@ -60,6 +63,7 @@ std::vector<rockfall::Target> read_target_table(Reading& reading) {
     config::Problems shown;
     add_first(shown, problems, table.file());
     shown.throw_if_any();
+    plausible::judge_shapes_of_targets(targets, places, reading);
     return targets;
 }
 

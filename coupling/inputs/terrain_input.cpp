@@ -12,7 +12,9 @@
 #include "coupling/inputs/meshes/mesh_input.hpp"
 #include "coupling/inputs/plausible/coordinate_systems.hpp"
 #include "coupling/inputs/plausible/extent.hpp"
+#include "coupling/inputs/plausible/ground_share.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
+#include "coupling/inputs/tables/point_file.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
 
@@ -21,15 +23,6 @@ namespace coupling {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-/// The .prj file beside a grid: dem.asc and dem.asc.gz both have dem.prj.
-std::string projection_name(const std::string& grid_name) {
-    std::filesystem::path path{grid_name};
-    if (path.extension() == ".gz") {
-        path.replace_extension();
-    }
-    return path.replace_extension(".prj").string();
-}
 
 /// Throws InputError where no terrain can be made of the heights.
 void check_grid(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
@@ -47,25 +40,41 @@ void check_grid(const config::Raster<double>& grid, const std::string& file, Rea
                      "at least 3 x 3 known cells");
     }
     plausible::check_grid_heights(grid, file, reading);
-    plausible::doubt_holes(grid, file, reading);
+}
+
+/// Heights that are said to be no metres become a problem. `file` says it.
+void check_height_unit(const std::optional<formats::HeightUnit>& unit, const std::string& file,
+                       Reading& reading) {
+    const auto wrong = unit ? plausible::contradiction_of_heights(*unit) : std::nullopt;
+    if (wrong) {
+        reading.refuse({file}, wrong->found, wrong->expected, wrong->advice);
+    }
 }
 
 /// A projection that contradicts the coordinates of the heights becomes a problem. `file` says it.
 void check_projection(const std::string& text, const std::string& file, const plausible::Extent& extent,
                       Reading& reading) {
+    check_height_unit(plausible::height_unit_in(text), file, reading);
     if (const auto wrong = plausible::contradiction_of(text, extent, file)) {
-        reading.refuse({reading.shown(file)}, wrong->found, wrong->expected, wrong->advice);
+        reading.refuse({file}, wrong->found, wrong->expected, wrong->advice);
+        return;
     }
+    plausible::judge_scale(text, file, extent, reading);
 }
 
 /// The text of the .prj file beside the heights, "" without one. A projection that contradicts their
 /// coordinates becomes a problem.
 std::string projection_beside(const std::string& name, const plausible::Extent& extent, Reading& reading) {
-    const std::string beside = projection_name(name);
-    std::string text = reading.text_beside("projection", beside);
+    const std::string beside_name = reading.name_beside(name, ".prj");
+    const std::string beside = reading.shown(beside_name);
+    std::string text = reading.text_beside("projection", beside_name);
     check_projection(text, beside, extent, reading);
-    reading.take_system("terrain", beside, text);
+    reading.take_system("terrain", beside_name, text);
     return text;
+}
+
+double highest_m(const config::Raster<double>& grid) {
+    return plausible::terrain::values_of(plausible::terrain::field_of(grid)).high_m;
 }
 
 HeightInput read_dem(Reading& reading) {
@@ -76,10 +85,12 @@ HeightInput read_dem(Reading& reading) {
     check_grid(*input.grid, input.file, reading);
     input.projection = reading.system_of("dem");
     const bool is_beside = reading.has_input("projection");
-    check_projection(input.projection, is_beside ? projection_name(scenario.dem) : scenario.dem,
+    const std::string beside = reading.name_beside(scenario.dem, ".prj");
+    check_projection(input.projection, reading.shown(is_beside ? beside : scenario.dem),
                      plausible::extent_of(input.grid->frame), reading);
+    plausible::check_highest_of_system(highest_m(*input.grid), input.projection, input.file);
     if (input.projection.empty()) {
-        reading.note(input.file + ": no " + projection_name(scenario.dem) +
+        reading.note(input.file + ": no " + reading.shown(beside) +
                      " beside it, so the results name no projection");
     }
     if (scenario.cell_size_m > 0.0) {
@@ -126,7 +137,12 @@ HeightInput read_point_cloud(Reading& reading) {
     HeightInput input;
     input.file = reading.shown(scenario.points);
     const FileBytes bytes = reading.open("terrain.points", "points", scenario.points, "a text of x y z");
-    input.points = read_points(bytes.text(), input.file);
+    formats::refuse_what_is_no_text_of_points(bytes.text(), input.file);
+    tables::PointFile read = tables::read_point_file(bytes.text(), input.file);
+    input.points = std::move(read.points);
+    for (std::string& sentence : read.notes) {
+        reading.note(std::move(sentence));
+    }
     if (input.points.size() < 3) {
         config::fail(config::ExitCode::data, {input.file}, counted(input.points.size(), "point"),
                      "at least three");
@@ -164,29 +180,6 @@ HeightInput read_given_mesh(Reading& reading) {
     return input;
 }
 
-/// The next number or word of a line of points; empty at its end.
-std::string_view next_field(std::string_view& line) {
-    constexpr std::string_view separators = " \t,;";
-    const std::size_t start = std::min(line.find_first_not_of(separators), line.size());
-    line.remove_prefix(start);
-    const std::size_t end = std::min(line.find_first_of(separators), line.size());
-    const std::string_view field = line.substr(0, end);
-    line.remove_prefix(end);
-    return field;
-}
-
-std::optional<Eigen::Vector3d> point_of(std::string_view line) {
-    std::array<double, 3> numbers{};
-    for (double& number : numbers) {
-        const auto value = config::parse_number(next_field(line));
-        if (!value) {
-            return std::nullopt;
-        }
-        number = *value;
-    }
-    return Eigen::Vector3d{numbers[0], numbers[1], numbers[2]};
-}
-
 /// Straight between the four cell centres around a point; where one is missing, the value of its own cell.
 double height_at(const config::Raster<double>& grid, double x_m, double y_m) {
     const config::GridFrame& frame = grid.frame;
@@ -220,28 +213,7 @@ std::optional<HeightInput> read_heights(Reading& reading) {
 }
 
 std::vector<Eigen::Vector3d> read_points(std::string_view text, const std::string& file) {
-    std::vector<Eigen::Vector3d> points;
-    config::Problems problems;
-    text = config::without_byte_order_mark(text);
-    for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view whole = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::string_view line = config::trimmed(whole.substr(0, whole.find('#')));
-        if (line.empty()) {
-            continue;
-        }
-        if (const auto point = point_of(line)) {
-            points.push_back(*point);
-        } else if (line_number > 1 || config::parse_number(line.substr(0, line.find_first_of(" \t,;")))) {
-            problems.add(config::ExitCode::data, {file, line_number, 1}, config::in_quotes(line),
-                         "three numbers: x y z in metres");
-        }
-    }
-    config::Problems shown;
-    add_first(shown, problems, file);
-    shown.throw_if_any();
-    return points;
+    return tables::read_point_file(text, file).points;
 }
 
 config::GridFrame with_cell_size(const config::GridFrame& frame, double cell_size_m) {
@@ -271,8 +243,10 @@ config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double 
     return with_cell_size(whole, cell_size_m);
 }
 
-rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
-                                double mean_diameter_m, double longest_edge_m) {
+namespace {
+
+rockfall::Terrain triangulated(const HeightInput& input, const rockfall::GroundLaw& law,
+                               double mean_diameter_m, double longest_edge_m) {
     const double support_m = law.support_m(mean_diameter_m);
     if (input.grid) {
         return rockfall::triangulate(rockfall::contact_zone(*input.grid, support_m, law.contact_shift_m),
@@ -286,6 +260,15 @@ rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::Ground
         rockfall::contact_zone(input.points, support_m, law.contact_shift_m);
     return input.lines.empty() ? rockfall::triangulate(felt, longest_edge_m)
                                : rockfall::triangulate(felt, input.lines, longest_edge_m);
+}
+
+}  // namespace
+
+rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
+                                double mean_diameter_m, double longest_edge_m, Reading& reading) {
+    rockfall::Terrain terrain = triangulated(input, law, mean_diameter_m, longest_edge_m);
+    plausible::judge_ground(input, longest_edge_m, terrain, reading);
+    return terrain;
 }
 
 config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain) {

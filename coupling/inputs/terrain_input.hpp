@@ -34,8 +34,7 @@ struct HeightInput {
 /// Reads and checks the heights that the scenario names.
 std::optional<HeightInput> read_heights(Reading& reading);
 
-/// Points from text: x y z in each line, apart by blanks, commas or semicolons; `#` begins a comment; a first
-/// line of names is passed over. Throws InputError (data) for up to 20 lines that are none.
+/// The points of a text (tables/point_file.hpp).
 std::vector<Eigen::Vector3d> read_points(std::string_view text, const std::string& file);
 
 /// Cells of a size over the extent of a frame, from the same south-western corner; size 0 keeps the frame.
@@ -44,9 +43,11 @@ config::GridFrame with_cell_size(const config::GridFrame& frame, double cell_siz
 /// Frame over scattered points; size 0 takes their mean spacing rounded up to 1, 2 or 5 times a power of ten.
 config::GridFrame frame_over(const std::vector<Eigen::Vector3d>& points, double cell_size_m);
 
-/// The terrain that rocks feel: heights through the contact zone, triangulated unless they have faces.
+/// The terrain that rocks feel: heights through the contact zone, triangulated unless they have faces. Throws
+/// InputError (data) for one without a face or without relief; ground that lacks inside the outline becomes a
+/// problem or a warning (plausible/ground_share.hpp).
 rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
-                                double mean_diameter_m, double longest_edge_m);
+                                double mean_diameter_m, double longest_edge_m, Reading& reading);
 
 /// Heights on the map frame for pictures: of the grid as read; for points of the terrain.
 config::Raster<double> heights_on_map(const HeightInput& input, const rockfall::Terrain& terrain);

@@ -1,6 +1,7 @@
 #include "coupling/inputs/tree_input.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <set>
@@ -8,11 +9,13 @@
 #include <string>
 #include <utility>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/repeated_trees.hpp"
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/species_table.hpp"
 #include "forest/start/height_curve.hpp"
@@ -102,8 +105,44 @@ void warn_of_doubled_ids(const std::vector<ListedRow>& trees, const std::string&
         reading.warn({file},
                      counted(doubled.size(), "tree_id") + " used more than once, such as " +
                          config::in_quotes(*doubled.begin()),
-                     "one tree_id for each tree");
+                     "one tree_id for each tree", "", config::Effect::detail);
     }
+}
+
+/// The curve through all measured heights. Where they do not rise with the diameter it is that through the
+/// mean tree, with a warning if any height is missing.
+forest::HeightFit fit_of_all(const std::vector<forest::MeasuredHeight>& all,
+                             const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
+    forest::HeightFit fit = forest::fit_heights(all);
+    const bool any_missing =
+        std::any_of(rows.begin(), rows.end(), [](const ListedRow& row) { return !row.height_m; });
+    if (fit.trees > 0 || all.size() < forest::fewest_fitted_trees || !any_missing) {
+        return fit;
+    }
+    const auto n = static_cast<double>(all.size());
+    double dbh_cm = 0.0;
+    double height_m = 0.0;
+    for (const forest::MeasuredHeight& tree : all) {
+        dbh_cm += tree.dbh_cm / n;
+        height_m += tree.height_m / n;
+    }
+    constexpr double lowest_m = 1.6;  // the curve needs a mean tree above 1.5 m
+    if (height_m < lowest_m) {
+        return fit;
+    }
+    fit.curve = forest::curve_through(dbh_cm, height_m);
+    fit.trees = all.size();
+    double squares = 0.0;
+    for (const forest::MeasuredHeight& tree : all) {
+        const double miss_m = tree.height_m - fit.curve.height_m(tree.dbh_cm);
+        squares += miss_m * miss_m;
+    }
+    fit.standard_error_m = std::sqrt(squares / (n - 1.0));
+    reading.warn({file},
+                 joined(counted(all.size(), "measured height"), " that do not rise with the diameter"),
+                 "taller trees where they are thicker",
+                 "check dbh_cm and height_m: missing heights are filled in from the mean tree");
+    return fit;
 }
 
 /// Fills heights from a curve through the measured ones of the species, else of all species, with a warning.
@@ -117,7 +156,7 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
             all.push_back({row.dbh_cm, *row.height_m});
         }
     }
-    const forest::HeightFit of_all = forest::fit_heights(all);
+    const forest::HeightFit of_all = fit_of_all(all, rows, table.file(), reading);
     std::map<std::size_t, forest::HeightFit> fits;
     std::map<std::size_t, std::size_t> filled;
     std::vector<TreeRecord> trees;
@@ -188,11 +227,23 @@ void doubt_odd_trees(const config::Table& table, Reading& reading) {
                          " thicker than 200 cm, or less than 15 times as high as thick",
                      "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
     }
+    const bool has_slenderness = odd.girth_slenderness > 0.0;
+    if (has_slenderness || odd.girth_median_cm > 0.0) {
+        const auto whole = [](double value) { return std::to_string(std::lround(value)); };
+        reading.warn({table.file()},
+                     has_slenderness ? joined("half of the trees less than ", whole(odd.girth_slenderness),
+                                              " times as high as thick: dbh_cm looks like girths")
+                                     : joined("half of the trees thicker than ", whole(odd.girth_median_cm),
+                                              " cm: dbh_cm looks like girths"),
+                     "diameters in cm: a girth is 3.14 times as much",
+                     "divide the column dbh_cm by 3.14159 if it holds girths", config::Effect::answer);
+    }
     if (odd.columns_look_swapped) {
         reading.warn({table.file()},
                      "most trees of 20 cm or more that are more than 110 times as high as thick",
                      "thick trees 40 to 100 times as high as thick",
-                     "check whether the columns dbh_cm and height_m are swapped");
+                     "check whether the columns dbh_cm and height_m are swapped, or dbh_cm in inches",
+                     config::Effect::answer);
     }
 }
 
@@ -227,6 +278,7 @@ std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColum
         problems.throw_if_any();
     }
     doubt_columns(table, {"tree_id", "x_m", "y_m", "species", "dbh_cm", "height_m", "state"}, reading);
+    plausible::judge_repeated_trees(table, reading);
     plausible::check_tree_units(table);
     doubt_odd_trees(table, reading);
     std::vector<ListedRow> rows;
@@ -280,9 +332,9 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
         judged.singular = "tree";
         judged.all = trees.size() + others;
         judged.off = static_cast<std::size_t>(trees.end() - outside);
-        judged.example =
-            joined("tree ", config::in_quotes(outside->id), " (x ", config::to_text(outside->stem.x_m),
-                   ", y ", config::to_text(outside->stem.y_m), ")");
+        judged.example = joined("tree ", config::in_quotes(outside->id), " (x ",
+                                config::metres_in_words(outside->stem.x_m), ", y ",
+                                config::metres_in_words(outside->stem.y_m), ")");
         judged.places = places;
         judged.swap_advice = swap_tree_advice(reading.scenario());
         plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);

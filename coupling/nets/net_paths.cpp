@@ -8,7 +8,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x33305054'454E4E42ULL;  // "BNNETP03", least byte first
+constexpr std::uint64_t magic = 0x34305054'454E4E42ULL;  // "BNNETP04", least byte first
 enum class Mark : std::uint8_t { end, path };
 
 /// Keeps what a rock does, piece by piece.
@@ -25,7 +25,7 @@ struct PathKeeper {
     void rolled(const rockfall::Rock&, const rockfall::RollingPiece& piece, std::uint32_t triangle) {
         const rockfall::StraightWay way = rockfall::StraightWay::of(piece);
         pieces.push_back({triangle, false, way.slides, way.start_m, way.end_m, way.squared_speed_start,
-                          way.squared_speed_end, way.rotation_j});
+                          way.squared_speed_end, way.rotation_start_j, way.rotation_end_j});
     }
     void impacted(const Eigen::Vector3d&, int) {}
     void met_stem(const Eigen::Vector3d&, const rockfall::StemHit&, const rockfall::TreeImpact&, double) {}
@@ -58,7 +58,7 @@ void write(ByteWriter& out, const StoredPath& path) {
     out.value(static_cast<std::uint64_t>(path.pieces.size()));
     for (const StoredPiece& piece : path.pieces) {
         out.value(piece.triangle);
-        const bool has_own = piece.rotation_j >= 0.0;
+        const bool has_own = piece.rotation_end_j >= 0.0;
         out.value(
             static_cast<std::uint8_t>((piece.flies ? 1 : 0) + (piece.slides ? 2 : 0) + (has_own ? 4 : 0)));
         write(out, piece.start_m);
@@ -66,7 +66,8 @@ void write(ByteWriter& out, const StoredPath& path) {
         out.value(piece.first);
         out.value(piece.second);
         if (has_own) {
-            out.value(piece.rotation_j);
+            out.value(piece.rotation_start_j);
+            out.value(piece.rotation_end_j);
         }
     }
 }
@@ -89,7 +90,10 @@ StoredPath read_path(ByteReader& in) {
         piece.other = read_place(in);
         piece.first = in.value<double>();
         piece.second = in.value<double>();
-        piece.rotation_j = (kind & 4U) != 0 ? in.value<double>() : piece.rotation_j;
+        if ((kind & 4U) != 0) {
+            piece.rotation_start_j = in.value<double>();
+            piece.rotation_end_j = in.value<double>();
+        }
     }
     return path;
 }

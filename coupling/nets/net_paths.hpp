@@ -27,9 +27,10 @@ struct StoredPiece {
     bool slides = false;  ///< on the ground: without spin
     Eigen::Vector3d start_m = Eigen::Vector3d::Zero();
     Eigen::Vector3d other = Eigen::Vector3d::Zero();  ///< flight: velocity [m/s]; ground: end [m]
-    double first = 0.0;        ///< flight: duration [s]; ground: square of the speed at the start [m2/s2]
-    double second = 0.0;       ///< flight: spin [rad/s]; ground: square of the speed at the end
-    double rotation_j = -1.0;  ///< ground: energy of rotation where a block has its own; else below 0
+    double first = 0.0;   ///< flight: duration [s]; ground: square of the speed at the start [m2/s2]
+    double second = 0.0;  ///< flight: spin [rad/s]; ground: square of the speed at the end
+    double rotation_start_j = -1.0;  ///< ground: energy of rotation where a block has its own; else below 0
+    double rotation_end_j = -1.0;
 };
 
 /// The path of a rock over a slope without nets.

@@ -51,7 +51,7 @@ bool is_whole_path(const StoredPath& path, std::size_t triangles) {
            std::all_of(path.pieces.begin(), path.pieces.end(), [&](const StoredPiece& piece) {
                return piece.triangle < triangles && piece.start_m.allFinite() && piece.other.allFinite() &&
                       std::isfinite(piece.first) && std::isfinite(piece.second) &&
-                      std::isfinite(piece.rotation_j);
+                      std::isfinite(piece.rotation_start_j) && std::isfinite(piece.rotation_end_j);
            });
 }
 

@@ -21,6 +21,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/text_layout.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "coupling/run/staged_folder.hpp"
 
 namespace coupling {
 namespace {
@@ -306,16 +307,17 @@ void place_nets(const NetPlaceRequest& request, std::ostream& out) {
     sited.remarks.insert(sited.remarks.begin(), remarks.begin(), remarks.end());
 
     const InterruptGuard until_written;
-    make_folder(folder);
+    StagedFolder staged{folder};
     if (of_given) {
-        OutFile table{folder / "net_places.csv"};
+        OutFile table{staged.path() / "net_places.csv"};
         write_places(table.stream(), given.nets, *of_given, paths.head());
         table.close();
-        OutFile nets{folder / "nets.csv"};
+        OutFile nets{staged.path() / "nets.csv"};
         write_best(nets.stream(), given.nets, *of_given, paths.terrain().origin_m());
         nets.close();
     }
-    siting::write_siting(sited, paths.terrain(), folder, !of_given);
+    siting::write_siting(sited, paths.terrain(), staged.path(), !of_given);
+    staged.publish();
     if (!request.quiet) {
         for (const std::string& remark : sited.remarks) {
             out << remark << '\n';

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/files_beside.hpp"
-#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/path_checks.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/nets/net_layouts.hpp"
 #include "coupling/nets/net_tables.hpp"
 #include "coupling/nets/net_words.hpp"
@@ -21,6 +19,7 @@
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/read_summary.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "coupling/run/staged_folder.hpp"
 #include "coupling/version.hpp"
 #include "rockfall/obstacles/nets/net_passage.hpp"
 
@@ -172,10 +171,11 @@ void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, 
             rockfall::each_passage(nets, path.body, {piece.start_m, piece.other}, piece.first, piece.second,
                                    lines, ground_m, take);
         } else {
-            rockfall::each_passage(nets, path.body,
-                                   rockfall::StraightWay{piece.start_m, piece.other, piece.first,
-                                                         piece.second, piece.slides, piece.rotation_j},
-                                   lines, take);
+            rockfall::each_passage(
+                nets, path.body,
+                rockfall::StraightWay{piece.start_m, piece.other, piece.first, piece.second, piece.slides,
+                                      piece.rotation_start_j, piece.rotation_end_j},
+                lines, take);
         }
         ++number;
     }
@@ -197,19 +197,15 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
     const formats::LayerName wanted = formats::split_layer_name(file.string());
     const FileBytes bytes = open_file(wanted.file, {file.string()}, "a table or layer of nets");
     FilesBeside beside{wanted.file};
-    config::Table table =
-        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes()).layer.table;
-    for (const formats::NamedColumn& column : formats::name_columns(table, "nets")) {
-        remarks.push_back(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
-                                 column.taken_as));
-    }
+    formats::ReadLayer read =
+        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes());
+    config::Table& table = read.layer.table;
+    tables::add_remarks(tables::prepare(table, "nets", read.has_shapes_of_its_own), remarks);
     GivenNets given = nets_of(table, standing);
     for (const config::Problem& doubt : doubts_about(table, given.nets)) {
         remarks.push_back(joined("warning: ", config::to_string(doubt)));
     }
-    for (const config::Problem& doubt : formula_doubts(table)) {
-        remarks.push_back(joined("warning: ", config::to_string(doubt)));
-    }
+    tables::add_remarks(tables::findings_of_use(*table.use()), remarks);
     config::Problems problems;
     std::vector<NetRecord> nets = on_terrain(std::move(given), terrain, problems);
     problems.throw_if_any();
@@ -217,6 +213,7 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
 }
 
 void refuse_full_folder(const fs::path& folder, bool overwrite) {
+    StagedFolder::tidy(folder);
     if (!overwrite && path_exists(folder) && !(is_folder(folder) && is_empty_folder(folder))) {
         config::fail(config::ExitCode::settings, {folder.string()}, "a folder with files in it",
                      "a new or empty folder, or --overwrite");
@@ -252,9 +249,9 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
                           [&](const NetOfRock& one) { return one.net == of.net && one.cover == of.cover; }));
     }
     const InterruptGuard until_written;
-    make_folder(folder);
+    StagedFolder staged{folder};
     const auto write_file = [&](const char* name, const auto& fill) {
-        OutFile table{folder / name};
+        OutFile table{staged.path() / name};
         fill(table.stream());
         table.close();
     };
@@ -264,6 +261,7 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
         write_net_crossings(table, nets, tried.rows, paths.terrain().origin_m());
     });
     write_file("net_inexact.csv", [&](std::ostream& table) { write_inexact(table, nets, tried.broken); });
+    staged.publish();
     if (!request.quiet) {
         for (const std::string& remark : remarks) {
             out << remark << '\n';

@@ -3,6 +3,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/formats/json_library.hpp"
+#include "coupling/pack/program_citation.hpp"
 
 namespace coupling::pack {
 namespace {
@@ -10,7 +11,6 @@ namespace {
 using config::joined;
 
 constexpr const char* program_id = "#bannwald";
-constexpr const char* program_licence = "https://spdx.org/licenses/GPL-3.0-or-later";
 
 std::string title_of(const SummaryOfRun& run, const Citation& citation) {
     return citation.title.empty() ? joined("Rockfall and forest: run of ", run.scenario) : citation.title;
@@ -67,6 +67,34 @@ void add_files(Json& graph, const std::vector<DescribedFile>& files) {
     }
 }
 
+/// The program that made the results, its authors behind it: what a reader of the archive cites, and where
+/// its source is.
+void add_program(const SummaryOfRun& run, Json& graph) {
+    const ProgramCitation& program = program_citation();
+    Json authors = Json::array();
+    Json persons = Json::array();
+    for (std::size_t i = 0; i < program.authors.size(); ++i) {
+        const std::string id = joined("#program-author-", std::to_string(i + 1));
+        persons.push_back({{"@id", id}, {"@type", "Organization"}, {"name", program.authors[i]}});
+        authors.push_back(reference(id));
+    }
+    Json entry{{"@id", program_id},
+               {"@type", "SoftwareApplication"},
+               {"name", "Bannwald"},
+               {"description", program.title},
+               {"softwareVersion", run.version},
+               {"identifier", run.commit},
+               {"author", std::move(authors)},
+               {"license", reference(licence_url(program.licence))}};
+    if (!program.repository.empty()) {
+        entry["codeRepository"] = program.repository;
+    }
+    graph.push_back(std::move(entry));
+    for (Json& person : persons) {
+        graph.push_back(std::move(person));
+    }
+}
+
 Json people(const Citation& citation, Json& graph) {
     Json authors = Json::array();
     for (std::size_t i = 0; i < citation.creators.size(); ++i) {
@@ -78,6 +106,17 @@ Json people(const Citation& citation, Json& graph) {
 }
 
 }  // namespace
+
+std::string program_in_words(const SummaryOfRun& run) {
+    const ProgramCitation& program = program_citation();
+    std::string text =
+        joined("Bannwald ", run.version, run.commit.empty() ? "" : ", commit ", run.commit, ", by ");
+    for (std::size_t i = 0; i < program.authors.size(); ++i) {
+        text += joined(i == 0 ? "" : "; ", program.authors[i]);
+    }
+    text += joined(", licence ", program.licence);
+    return program.repository.empty() ? text : joined(text, ", source ", program.repository);
+}
 
 std::string ro_crate(const SummaryOfRun& run, const Citation& citation, const Repetition& repetition,
                      const std::vector<DescribedFile>& inputs, const std::vector<DescribedFile>& results) {
@@ -107,12 +146,7 @@ std::string ro_crate(const SummaryOfRun& run, const Citation& citation, const Re
     for (Json& person : persons) {
         graph.push_back(std::move(person));
     }
-    graph.push_back({{"@id", program_id},
-                     {"@type", "SoftwareApplication"},
-                     {"name", "Bannwald"},
-                     {"softwareVersion", run.version},
-                     {"identifier", run.commit},
-                     {"license", reference(program_licence)}});
+    add_program(run, graph);
     graph.push_back({{"@id", "#run"},
                      {"@type", "CreateAction"},
                      {"name", repetition.command},
@@ -146,9 +180,7 @@ std::string datacite(const SummaryOfRun& run, const Citation& citation, std::uin
               {"formats", {"application/zip"}},
               {"descriptions",
                {{{"description", description_of(run)}, {"descriptionType", "Abstract"}},
-                {{"description", joined("Bannwald ", run.version, run.commit.empty() ? "" : ", commit ",
-                                        run.commit, ", GPL-3.0-or-later")},
-                 {"descriptionType", "TechnicalInfo"}}}}};
+                {{"description", program_in_words(run)}, {"descriptionType", "TechnicalInfo"}}}}};
     if (!citation.licence.empty()) {
         json["rightsList"] = {{{"rights", citation.licence}, {"rightsUri", licence_url(citation.licence)}}};
     }
@@ -156,10 +188,21 @@ std::string datacite(const SummaryOfRun& run, const Citation& citation, std::uin
 }
 
 std::string run_json(const SummaryOfRun& run, const Repetition& repetition) {
-    const Json json{{"program", "Bannwald"},      {"version", run.version},
-                    {"commit", run.commit},       {"scenario", repetition.scenario},
-                    {"overrides", run.overrides}, {"command", repetition.command},
-                    {"results", "results"},       {"checksums", manifest_name}};
+    const ProgramCitation& program = program_citation();
+    Json json{{"program", "Bannwald"},
+              {"version", run.version},
+              {"commit", run.commit},
+              {"authors", program.authors},
+              {"licence", program.licence},
+              {"kind", run.kind},
+              {"scenario", repetition.scenario},
+              {"overrides", run.overrides},
+              {"command", repetition.command},
+              {"results", "results"},
+              {"checksums", manifest_name}};
+    if (!program.repository.empty()) {
+        json["source"] = program.repository;
+    }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
@@ -167,7 +210,8 @@ PackedRun read_run_json(const std::string& text, const std::string& file) {
     try {
         const Json json = Json::parse(text);
         return {json.at("version").get<std::string>(), json.at("commit").get<std::string>(),
-                json.at("scenario").get<std::string>(), json.at("overrides").get<std::vector<std::string>>()};
+                json.value("kind", "today"), json.at("scenario").get<std::string>(),
+                json.at("overrides").get<std::vector<std::string>>()};
     } catch (const Json::exception&) {
         config::fail(config::ExitCode::data, {joined(file, ", run.json")}, "no description of a run",
                      "run.json as bannwald pack writes it");

@@ -30,8 +30,13 @@ struct Repetition {
     std::string command;
 };
 
+/// "Bannwald 0.2.0, commit ..., by ..., licence ...", with the address of its source where CITATION.cff has
+/// it.
+std::string program_in_words(const SummaryOfRun& run);
+
 /// ro-crate-metadata.json by RO-Crate 1.1: the archive as a dataset, its files with SHA-256, the program as
-/// instrument of the action that made the results from the inputs.
+/// instrument of the action that made the results from the inputs. The program stands there with version,
+/// commit, authors, licence and source.
 std::string ro_crate(const SummaryOfRun& run, const Citation& citation, const Repetition& repetition,
                      const std::vector<DescribedFile>& inputs, const std::vector<DescribedFile>& results);
 
@@ -47,6 +52,7 @@ std::string run_json(const SummaryOfRun& run, const Repetition& repetition);
 struct PackedRun {
     std::string version;
     std::string commit;
+    std::string kind;  ///< of run, as in summary.json; "today" where an archive of earlier versions has none
     std::string scenario;
     std::vector<std::string> overrides;
 };

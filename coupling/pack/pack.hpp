@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "coupling/pack/crate.hpp"
 
@@ -9,10 +11,11 @@ namespace coupling::pack {
 
 /// What `bannwald pack` is asked for.
 struct PackRequest {
-    std::filesystem::path run;       ///< folder of a finished run
-    std::filesystem::path scenario;  ///< empty: the file of that name beside the folder
-    std::filesystem::path out;       ///< empty: the folder's name with .zip
-    Citation citation;               ///< no date: the day on which the run ended (UTC)
+    std::filesystem::path run;          ///< folder of a finished run
+    std::filesystem::path scenario;     ///< empty: the file of that name beside the folder
+    std::filesystem::path out;          ///< empty: the folder's name with .zip
+    std::vector<std::string> settings;  ///< section.key=value: paths that the command line of the run gave
+    Citation citation;                  ///< no date: the day on which the run ended (UTC)
     bool overwrite = false;
     bool quiet = false;
 };

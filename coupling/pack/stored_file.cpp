@@ -1,29 +1,20 @@
 #include "coupling/pack/stored_file.hpp"
 
 #include <array>
-#include <cstdio>
 
-#include "config/errors/input_error.hpp"
 #include "config/text/sha256.hpp"
-#include "coupling/inputs/path_checks.hpp"
+#include "coupling/files/file_reader.hpp"
 
 namespace coupling::pack {
 
 StoredFile stored_file(const std::filesystem::path& file) {
+    FileReader in{file};
     config::Sha256 sum;
-    std::uint64_t bytes = 0;
-    if (std::FILE* in = std::fopen(file.c_str(), "rb")) {
-        std::array<char, 1U << 16U> piece{};
-        for (std::size_t got = 0; (got = std::fread(piece.data(), 1, piece.size(), in)) > 0;) {
-            sum.add({piece.data(), got});
-            bytes += got;
-        }
-        std::fclose(in);
+    std::array<char, 1U << 16U> piece{};
+    for (std::size_t got = 0; (got = in.read(piece.data(), piece.size())) > 0;) {
+        sum.add({piece.data(), got});
     }
-    if (bytes != bytes_of_file(file)) {
-        config::fail(config::ExitCode::file, {file.string()}, "a file that cannot be read", "a readable one");
-    }
-    return {sum.digits(), bytes};
+    return {sum.digits(), in.bytes()};
 }
 
 }  // namespace coupling::pack

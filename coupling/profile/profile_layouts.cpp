@@ -68,7 +68,9 @@ TableLayout run_out() {
     return {"run_out.csv",
             "a distance along the profile",
             {{"distance_m", "m", "plan distance along the profile", "input terrain.profile"},
-             {"rocks_beyond", "-", "rocks whose fall ended beyond it", counted_rocks},
+             {"rocks_beyond", "-",
+              "rocks whose fall ended beyond it; those that left over the lower end are beyond all",
+              counted_rocks},
              {"beyond_percent", "%", "their share of all rocks", counted_rocks},
              {"beyond_low_percent", "%", "lower end of its 95 % interval", exact_interval},
              {"beyond_high_percent", "%", "upper end of its 95 % interval", exact_interval}}};

@@ -11,6 +11,7 @@
 #include "coupling/inputs/plausible/rock_count.hpp"
 #include "coupling/inputs/profile_settings.hpp"
 #include "coupling/inputs/reading.hpp"
+#include "coupling/profile/profile_departures.hpp"
 #include "coupling/profile/profile_results.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -101,17 +102,16 @@ private:
 void print_summary(const ProfileResults& results, const std::filesystem::path& folder,
                    const std::vector<WrittenFile>& written, bool verbose) {
     const ProfileTally& tally = results.tally;
-    std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m",
+    std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m of the %.1f %% that stop on it",
                 static_cast<unsigned long long>(tally.rocks), results.site.last_m() - results.site.first_m(),
-                tally.run_out_m.mean());
-    if (tally.rocks > 1) {
+                tally.run_out_m.mean(), 100.0 * share_of(tally.run_out_m.count(), tally.rocks).value);
+    if (tally.run_out_m.count() > 1) {
         std::printf(", standard deviation %.1f m", tally.run_out_m.deviation());
     }
     std::printf("\n");
-    const auto left = tally.by_reason[static_cast<std::size_t>(rockfall::StopReason::left_terrain)];
-    if (left > 0) {
-        std::printf("  %.2f %% left the profile over an end: their run-out is counted to there\n",
-                    100.0 * share_of(left, tally.rocks).value);
+    std::printf("  %s\n", departures_in_words(tally).c_str());
+    if (tally.run_out_m.count() < tally.rocks) {
+        std::printf("  run-out of all rocks: at least %.1f m on average\n", tally.run_out_at_least_m.mean());
     }
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const Moments& energy = tally.stations[i].energy_j.moments;
@@ -129,7 +129,7 @@ void print_summary(const ProfileResults& results, const std::filesystem::path& f
 }
 
 void fall_and_write(const RunRequest& request, const Scenario& scenario, const ProfileSite& site,
-                    const config::Warnings& warnings, OutputFolder& folder) {
+                    config::Warnings& warnings, OutputFolder& folder) {
     make_folder(folder.staging() / "tables");
     ProfileRun run{scenario, site};
     Progress progress{"falling", rocks_of(scenario), 0, request.quiet};
@@ -146,6 +146,7 @@ void fall_and_write(const RunRequest& request, const Scenario& scenario, const P
         run.fall(threads, progress, nullptr);
     }
     progress.finish();
+    warn_of_departures(run.tally(), warnings);
     const ProfileResults results{scenario, site, run.tally(), warnings, version()};
     const std::vector<WrittenFile> written = write_results(results, folder.staging(), streamed);
     if (InterruptGuard::requested()) {

@@ -213,8 +213,10 @@ double ProfileSite::distance_at_m(double slope_length_m) const {
     return last_m();
 }
 
-ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
-    Reading reading{scenario, warnings};
+namespace {
+
+ProfileSite profile_of(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
     reading.note_renamed_settings();
     doubt_guesses(reading);
     std::optional<Files> files = read_files(reading);
@@ -252,8 +254,15 @@ ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
     add_logo(scenario, site.inputs);
     doubt_start(site, scenario, reading);
     warn_of_model_limits(site.slope, {}, reading);
-    reading.problems().throw_if_any();
+    reading.finish();
     return site;
+}
+
+}  // namespace
+
+ProfileSite open_profile(const Scenario& scenario, config::Warnings& warnings) {
+    Reading reading{scenario, warnings};
+    return scenario.with_paths([&] { return profile_of(reading); });
 }
 
 }  // namespace coupling::profile

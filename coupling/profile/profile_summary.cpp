@@ -1,4 +1,5 @@
 #include "config/units/constants.hpp"
+#include "coupling/profile/profile_departures.hpp"
 #include "coupling/profile/profile_results.hpp"
 #include "coupling/results/json.hpp"
 
@@ -31,7 +32,10 @@ Json along_profile(const ProfileTally& tally) {
             json_share(share_of(tally.by_reason[reason], tally.rocks));
     }
     return {{"stop_reasons", stops},
+            {"stopped", json_share(share_of(tally.run_out_m.count(), tally.rocks))},
+            {"left_terrain", json_departures(tally)},
             {"run_out_m", moments(tally.run_out_m, 1.0)},
+            {"run_out_at_least_m", moments(tally.run_out_at_least_m, 1.0)},
             {"max_speed_mps", spread(tally.max_speed_mps, fine_speed_bins, 1.0)},
             {"max_energy_kj", spread(tally.max_energy_j, fine_energy_bins, j_per_kj)},
             {"max_height_m", spread(tally.max_height_m, fine_height_bins, 1.0)},

@@ -90,7 +90,10 @@ void ProfileTally::add(const ProfileSite& site, const WatchedFall& fall, bool re
     const RockRecord& record = fall.record;
     ++rocks;
     ++by_reason[static_cast<std::size_t>(record.reason)];
-    run_out_m.add(record.run_out_m());
+    if (came_to_rest(record.reason)) {
+        run_out_m.add(record.run_out_m());
+    }
+    run_out_at_least_m.add(record.run_out_m());
     max_speed_mps.add(fine_speed_bins, record.max_speed_mps);
     max_energy_j.add(fine_energy_bins, record.max_energy_j);
     max_height_m.add(fine_height_bins, record.max_height_m);
@@ -99,6 +102,9 @@ void ProfileTally::add(const ProfileSite& site, const WatchedFall& fall, bool re
 
     const double middle_m = 0.5 * (site.first_m() + site.last_m());
     const bool over_lower_end = record.reason == StopReason::left_terrain && record.end_m.x() > middle_m;
+    if (record.reason == StopReason::left_terrain) {
+        ++(over_lower_end ? left_lower : left_upper);
+    }
     ++ends[over_lower_end ? stretches.size()
                           : piece_of(record.end_m.x() - site.first_m(), stretch_m, stretches.size())];
 

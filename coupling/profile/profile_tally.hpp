@@ -84,7 +84,10 @@ struct ProfileTally {
     double stretch_m;  ///< plan length of a stretch, and the step of the run-out curve
     std::uint64_t rocks = 0;
     std::array<std::uint64_t, rockfall::stop_reasons> by_reason{};
-    Moments run_out_m;  ///< in plan from the release to the end
+    std::uint64_t left_upper = 0;  ///< of those that left: over the upper end of the profile
+    std::uint64_t left_lower = 0;
+    Moments run_out_m;           ///< of those that came to rest, in plan from the release to the end
+    Moments run_out_at_least_m;  ///< of all: one that did not come to rest counts to where it was seen last
     Spread max_speed_mps;
     Spread max_energy_j;
     Spread max_height_m;

@@ -1,6 +1,5 @@
 #include "coupling/regimes/known_columns.hpp"
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,14 +23,13 @@ void refuse_unknown_columns(const config::Table& table, config::Problems& proble
     for (const RegimeColumn& column : regime_columns()) {
         known.emplace_back(column.name);
     }
-    for (const std::string& column : table.columns()) {
-        if (std::find(known.begin(), known.end(), column) == known.end()) {
-            const std::string nearest = config::nearest_word(column, known);
-            problems.add(config::ExitCode::data, {table.file(), 0, 0},
-                         joined("column ", config::in_quotes(column)),
-                         nearest.empty() ? "a column of a regime (coupling/regimes/README.md)"
-                                         : config::in_quotes(nearest));
-        }
+    static_cast<void>(table.has(comment_column));  // read by people
+    for (const std::string& column : table.columns_beside(known)) {
+        const std::string nearest = config::nearest_word(column, known);
+        problems.add(config::ExitCode::data, {table.file(), 0, 0},
+                     joined("column ", config::in_quotes(column)),
+                     nearest.empty() ? "a column of a regime (coupling/regimes/README.md)"
+                                     : config::in_quotes(nearest));
     }
 }
 

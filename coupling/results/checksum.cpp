@@ -1,8 +1,10 @@
 #include "coupling/results/checksum.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
+#include <vector>
 
 namespace coupling {
 namespace {
@@ -62,6 +64,19 @@ void Checksum::add(const char* bytes, std::size_t count) {
         state = (state >> 8U) ^ crc_tables[0][(state ^ static_cast<unsigned char>(*bytes)) & 0xFFU];
     }
     state_ = state;
+}
+
+Checksum checksum_of(FileReader& file, std::uint64_t bytes) {
+    Checksum sum;
+    std::vector<char> block(
+        static_cast<std::size_t>(std::min<std::uint64_t>(bytes, std::uint64_t{1} << 20U)));
+    while (bytes > 0) {
+        const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(bytes, block.size()));
+        const std::size_t got = file.read(block.data(), wanted);
+        sum.add(block.data(), got);
+        bytes -= got;
+    }
+    return sum;
 }
 
 }  // namespace coupling

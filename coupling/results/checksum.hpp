@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "coupling/files/file_reader.hpp"
+
 namespace coupling {
 
 /// Running checksum of bytes: CRC-64/NVME (polynomial 0xAD93D23594C93659, bits reflected).
@@ -21,5 +23,8 @@ public:
 private:
     std::uint64_t state_ = ~std::uint64_t{0};
 };
+
+/// Of the next bytes of a file. Requires as many; throws as FileReader.
+Checksum checksum_of(FileReader& file, std::uint64_t bytes);
 
 }  // namespace coupling

@@ -29,9 +29,7 @@ public:
 
     CsvRow& text(std::string_view value) {
         separate();
-        put(value.find_first_of(",\"\n\r") == std::string_view::npos
-                ? value
-                : std::string_view{config::csv_field(value)});
+        needs_quotes(value) ? put(config::csv_field(value)) : put(value);
         return *this;
     }
     CsvRow& whole(std::unsigned_integral auto value) {
@@ -73,6 +71,13 @@ public:
 private:
     static constexpr std::ptrdiff_t longest_number = 400;  // 1e308 with decimals
 
+    /// As csv_field: what its readers would cut or take for something else.
+    static bool needs_quotes(std::string_view value) {
+        constexpr std::string_view blanks = " \t";
+        return value.find_first_of(",;\"\n\r") != std::string_view::npos ||
+               (!value.empty() && (value.front() == '#' || blanks.find(value.front()) != blanks.npos ||
+                                   blanks.find(value.back()) != blanks.npos));
+    }
     void separate() {
         if (fields_++ > 0) {
             make_room();

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/files/system_calls.hpp"
 
 namespace coupling {
 namespace {
@@ -24,14 +25,14 @@ std::error_code last_error() {
 }
 
 void sync_entry(const fs::path& entry, int kind) {
-    const int descriptor = ::open(entry.c_str(), O_RDONLY | O_CLOEXEC | kind);
+    const int descriptor = repeated([&] { return ::open(entry.c_str(), O_RDONLY | O_CLOEXEC | kind); });
     if (descriptor < 0 && errno == EACCES && kind == O_DIRECTORY) {
         return;
     }
     if (descriptor < 0) {
         fail_at(entry, "cannot be opened", last_error());
     }
-    const bool failed = ::fsync(descriptor) != 0;
+    const bool failed = repeated([&] { return ::fsync(descriptor); }) != 0;
     const std::error_code error = last_error();
     ::close(descriptor);
     // Some file systems cannot do it for folders, and say so by EINVAL.

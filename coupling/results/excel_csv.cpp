@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "config/errors/input_error.hpp"
-#include "coupling/inputs/file_bytes.hpp"
-#include "coupling/results/geopackage/csv_rows.hpp"
+#include "coupling/files/own_rows.hpp"
+#include "coupling/results/geopackage/column_types.hpp"
 #include "coupling/results/geopackage/plain_number.hpp"
 #include "coupling/results/out_file.hpp"
 
@@ -34,8 +34,7 @@ std::string excel_field(std::string_view field) {
 
 }  // namespace
 
-void write_excel_csv(std::ostream& out, std::string_view table, char decimal_sign) {
-    geopackage::CsvRows rows{table};
+void write_excel_csv(std::ostream& out, OwnRows& rows, char decimal_sign) {
     std::vector<bool> is_key;
     out << byte_order_mark;
     for (const geopackage::Column& column : geopackage::ColumnTypes{rows.columns()}.columns()) {
@@ -66,10 +65,10 @@ void turn_into_excel_csv(const fs::path& folder, char decimal_sign) {
     }
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files) {
-        const FileBytes bytes = open_file(file, {.file = file.string()}, "a table of this run");
+        OwnRows rows{file};
         const fs::path fresh = fs::path{file}.replace_extension(".excel");
         OutFile out{fresh};
-        write_excel_csv(out.stream(), bytes.text(), decimal_sign);
+        write_excel_csv(out.stream(), rows, decimal_sign);
         out.close();
         fs::rename(fresh, file, error);
         if (error) {

@@ -178,7 +178,11 @@ void add_protection(CsvRow& row, std::uint64_t rocks, const PairedCounts& paired
 
 std::vector<Column> slope_columns() {
     constexpr const char* bins_10_m = "simulated; straight inside bins of 10 m";
-    constexpr const char* distance = "of the run-out, the plan distance from release to end";
+    constexpr const char* distance =
+        "of the run-out (plan distance from release to end) of the rocks that stopped on the terrain";
+    constexpr const char* bound =
+        "of the run-out of all rocks is at least this: one that left the terrain or was given up counts with "
+        "the distance to where it was seen last";
     const std::vector<Column> stops{
         {"rocks", "-", "rocks that fell", counted},
         {"at_rest", "-", "rocks whose energy was used up", counted},
@@ -188,13 +192,16 @@ std::vector<Column> slope_columns() {
         {"stopped_by_net", "-", "rocks held by a net", counted},
         {"left_terrain", "-", "rocks that left the terrain; they do not count as stopped", counted},
         {"gave_up", "-", "rocks that the simulation gave up; they do not count as stopped", counted}};
-    const std::vector<Column> run_out{{"run_out_mean_m", "m", joined("mean ", distance), simulated},
-                                      {"run_out_50_m", "m", joined("median ", distance), bins_10_m},
-                                      {"run_out_90_m", "m", joined("90th percentile ", distance), bins_10_m},
-                                      {"run_out_95_m", "m", joined("95th percentile ", distance), bins_10_m},
-                                      {"run_out_98_m", "m", joined("98th percentile ", distance), bins_10_m},
-                                      {"run_out_99_m", "m", joined("99th percentile ", distance), bins_10_m},
-                                      {"run_out_max_m", "m", joined("largest value ", distance), simulated}};
+    const std::vector<Column> run_out{
+        {"run_out_mean_m", "m", joined("mean ", distance), simulated},
+        {"run_out_50_m", "m", joined("median ", distance), bins_10_m},
+        {"run_out_90_m", "m", joined("90th percentile ", distance), bins_10_m},
+        {"run_out_95_m", "m", joined("95th percentile ", distance), bins_10_m},
+        {"run_out_98_m", "m", joined("98th percentile ", distance), bins_10_m},
+        {"run_out_99_m", "m", joined("99th percentile ", distance), bins_10_m},
+        {"run_out_max_m", "m", joined("largest value ", distance), simulated},
+        {"run_out_at_least_mean_m", "m", joined("the mean ", bound), simulated},
+        {"run_out_at_least_95_m", "m", joined("the 95th percentile ", bound), bins_10_m}};
     const std::vector<Column> means{
         {"mean_speed_mps", "m/s", "mean over rocks of path divided by time", simulated},
         {"jump_height_mean_m", "m", "mean over all jumps of their largest heights", simulated},
@@ -220,6 +227,7 @@ void add_slope(CsvRow& row, const SlopeFigures& slope) {
     const Distribution& run_out = slope.run_out_m;
     row.number<2>(run_out.mean).number<2>(run_out.p50).number<2>(run_out.p90).number<2>(run_out.p95);
     row.number<2>(run_out.p98).number<2>(run_out.p99).number<2>(run_out.max);
+    row.number<2>(slope.run_out_at_least_m.mean).number<2>(slope.run_out_at_least_m.p95);
     add_distribution(row, slope.max_speed_mps);
     add_distribution(row, slope.max_energy_kj);
     add_distribution(row, slope.max_height_m);

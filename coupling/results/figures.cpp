@@ -74,30 +74,38 @@ TargetFigures target_figures(const RunResults& results, std::size_t number) {
     return figures;
 }
 
+/// Rocks by run-out in bins of 10 m.
+struct RunOuts {
+    std::array<std::uint64_t, rockfall::RunTally::run_out_bins> bins{};
+    std::uint64_t sum_mm = 0;
+    double max_m = 0.0;
+};
+
 /// Quantile of the run-out, straight inside its bin of 10 m.
-double run_out_quantile(const rockfall::RunTally& tally, double share) {
-    const double wanted = share * static_cast<double>(tally.rocks);
+double run_out_quantile(const RunOuts& of, std::uint64_t rocks, double share) {
+    constexpr double bin_m = rockfall::RunTally::run_out_bin_m;
+    const double wanted = share * static_cast<double>(rocks);
     double below = 0.0;
-    for (std::size_t bin = 0; bin < tally.run_out.size(); ++bin) {
-        const auto here = static_cast<double>(tally.run_out[bin]);
+    for (std::size_t bin = 0; bin < of.bins.size(); ++bin) {
+        const auto here = static_cast<double>(of.bins[bin]);
         if (here > 0.0 && below + here >= wanted) {
-            const double place_m = (static_cast<double>(bin) + (wanted - below) / here) * tally.run_out_bin_m;
-            return std::min(place_m, tally.max_run_out_m);
+            return std::min((static_cast<double>(bin) + (wanted - below) / here) * bin_m, of.max_m);
         }
         below += here;
     }
     return no_number;
 }
 
-Distribution run_out(const rockfall::RunTally& tally) {
+Distribution distribution_of(const RunOuts& of) {
     Distribution found;
-    if (tally.rocks == 0) {
+    const std::uint64_t rocks = std::accumulate(of.bins.begin(), of.bins.end(), std::uint64_t{0});
+    if (rocks == 0) {
         return found;
     }
-    found.mean = mean_of(tally.run_out_sum_mm, tally.rocks, per_milli);
+    found.mean = mean_of(of.sum_mm, rocks, per_milli);
     const auto quantile = [&](std::uint64_t percentile) {
-        return percentile_is_known(tally.rocks, percentile)
-                   ? run_out_quantile(tally, 0.01 * static_cast<double>(percentile))
+        return percentile_is_known(rocks, percentile)
+                   ? run_out_quantile(of, rocks, 0.01 * static_cast<double>(percentile))
                    : no_number;
     };
     found.p50 = quantile(50);
@@ -105,8 +113,23 @@ Distribution run_out(const rockfall::RunTally& tally) {
     found.p95 = quantile(95);
     found.p98 = quantile(98);
     found.p99 = quantile(99);
-    found.max = tally.max_run_out_m;
+    found.max = of.max_m;
     return found;
+}
+
+/// Of the rocks that came to rest.
+Distribution run_out(const rockfall::RunTally& tally) {
+    return distribution_of({tally.run_out, tally.run_out_sum_mm, tally.max_run_out_m});
+}
+
+/// Of all rocks: the run-out of one that did not come to rest is at least the distance to where it was seen.
+Distribution run_out_at_least(const rockfall::RunTally& tally) {
+    RunOuts all{tally.run_out, tally.run_out_sum_mm + tally.open_run_out_sum_mm,
+                std::max(tally.max_run_out_m, tally.max_open_run_out_m)};
+    for (std::size_t bin = 0; bin < all.bins.size(); ++bin) {
+        all.bins[bin] += tally.open_run_out[bin];
+    }
+    return distribution_of(all);
 }
 
 }  // namespace
@@ -179,7 +202,9 @@ SlopeFigures figures_of(const rockfall::RunTally& tally) {
     for (std::size_t reason = 0; reason < rockfall::stop_reasons; ++reason) {
         figures.by_reason[reason] = share_of(tally.by_reason[reason], rocks);
     }
+    figures.stopped = share_of(tally.stopped(), rocks);
     figures.run_out_m = run_out(tally);
+    figures.run_out_at_least_m = run_out_at_least(tally);
     figures.max_speed_mps =
         distribution(rockfall::fine_speed_bins, tally.max_speed,
                      mean_of(tally.max_speed_sum_mmps, rocks, per_milli), tally.max_speed_mps, 1.0);

@@ -65,7 +65,10 @@ struct TargetFigures {
 struct SlopeFigures {
     std::uint64_t rocks = 0;
     std::array<Share, rockfall::stop_reasons> by_reason;
-    Distribution run_out_m;  ///< percentiles straight inside bins of 10 m
+    Share stopped;           ///< of all rocks: came to rest on the terrain
+    Distribution run_out_m;  ///< of those that stopped; percentiles straight inside bins of 10 m
+    /// Lower bounds for all rocks: one that did not stop counts with the distance to where it was seen last.
+    Distribution run_out_at_least_m;
     Distribution max_speed_mps;
     Distribution max_energy_kj;
     Distribution max_height_m;

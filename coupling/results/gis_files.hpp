@@ -12,12 +12,6 @@
 
 namespace coupling {
 
-/// Tables that were written elsewhere and move to the results when these are whole.
-struct StreamedTables {
-    std::span<const WrittenFile> files;
-    std::filesystem::path folder;  ///< where they lie now
-};
-
 /// Adds what GIS programs take to a folder of results, as far as wanted: results.gpkg,
 /// results.qlr, a GeoTIFF beside each grid, trajectories.vtp, and results.xlsx. `files`: all tables and
 /// rasters, the streamed ones among them; `paths`: the sampled ones. Returns what was added. Throws

@@ -95,10 +95,7 @@ Json json_map_frame(const config::GridFrame& frame) {
 
 Json json_settings(const Scenario& scenario) {
     Json list = Json::array();
-    if (scenario.options == nullptr) {
-        return list;
-    }
-    for (const config::ParameterRow& row : scenario.options->rows()) {
+    for (const config::ParameterRow& row : scenario.shown_settings()) {
         list.push_back({{"key", row.key},
                         {"value", value_of(row)},
                         {"unit", row.unit},
@@ -108,32 +105,10 @@ Json json_settings(const Scenario& scenario) {
     return list;
 }
 
-std::vector<std::string> overrides_of(const Scenario& scenario) {
-    std::vector<std::string> overrides;
-    if (scenario.options == nullptr) {
-        return overrides;
-    }
-    const auto add = [&](const config::Place& place) {
-        constexpr std::string_view option = "--set ";  // as the settings name where an override stands
-        if (place.file.starts_with(option)) {
-            overrides.push_back(place.file.substr(option.size()));
-        }
-    };
-    for (const config::ParameterRow& row : scenario.options->rows()) {
-        if (scenario.options->was_set(row.key)) {
-            add(scenario.options->place_of(row.key));
-        }
-    }
-    for (const config::FreeEntry& entry : scenario.options->free_entries()) {
-        add(entry.place);
-    }
-    return overrides;
-}
-
 void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
                         const Scenario& scenario, const std::vector<WrittenFile>& files) {
     summary["commit"] = commit();
-    summary["overrides"] = overrides_of(scenario);
+    summary["overrides"] = scenario.shown_overrides();
     summary["inputs"] = inputs(input_files);
     summary["settings"] = json_settings(scenario);
     summary["files"] = Json::array();

@@ -26,8 +26,6 @@ Json json_map_frame(const config::GridFrame& frame);
 
 /// Every setting of a scenario: key, value, unit, default, whether it was changed.
 Json json_settings(const Scenario& scenario);
-/// Settings that were given with --set, as "section.key=value" in the order of the list of settings.
-std::vector<std::string> overrides_of(const Scenario& scenario);
 
 /// Adds the commit of the program, inputs, settings and files to a summary of any kind of run and writes it.
 void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,

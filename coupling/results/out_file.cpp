@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/files/system_calls.hpp"
 
 namespace coupling {
 namespace {
@@ -25,7 +27,7 @@ public:
     Buffer(const std::filesystem::path& file, Begin begin)
         : waiting_{std::make_unique_for_overwrite<char[]>(out_buffer_bytes)} {
         const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (begin == Begin::empty ? O_TRUNC : O_APPEND);
-        descriptor_ = ::open(file.c_str(), flags, 0666);
+        descriptor_ = repeated([&] { return ::open(file.c_str(), flags, 0666); });
         remember_error(descriptor_);
         setp(waiting_.get(), waiting_.get() + out_buffer_bytes);
     }
@@ -42,20 +44,23 @@ public:
     [[nodiscard]] int error() const { return error_; }
     [[nodiscard]] const std::optional<Checksum>& kept_sum() const { return sum_; }
     void keep_sum(const Checksum& so_far) { sum_ = so_far; }
+    [[nodiscard]] const std::optional<TableCount>& table() const { return table_; }
+    void count_table(const TableCount& so_far) { table_ = so_far; }
 
     bool write_waiting() {
         const char* from = pbase();
         while (error_ == 0 && from < pptr()) {
-            const ssize_t count = ::write(descriptor_, from, static_cast<std::size_t>(pptr() - from));
-            if (count < 0 && errno == EINTR) {
-                continue;
-            }
+            const ssize_t count =
+                repeated([&] { return ::write(descriptor_, from, static_cast<std::size_t>(pptr() - from)); });
             if (count <= 0) {
                 error_ = count < 0 ? errno : EIO;  // a write that takes nothing would never end
                 break;
             }
             if (sum_) {
                 sum_->add(from, static_cast<std::size_t>(count));
+            }
+            if (table_) {
+                table_->add(from, static_cast<std::size_t>(count));
             }
             from += count;
         }
@@ -64,14 +69,16 @@ public:
     }
     bool sync_to_disk() {
         if (write_waiting()) {
-            remember_error(::fsync(descriptor_));
+            remember_error(repeated([&] { return ::fsync(descriptor_); }));
         }
         return error_ == 0;
     }
     bool close() {
         write_waiting();
         if (descriptor_ >= 0) {
-            remember_error(::close(std::exchange(descriptor_, -1)));
+            const int result = ::close(std::exchange(descriptor_, -1));
+            // Interrupted, yet closed: what is published is synchronised once more, and says what was lost.
+            remember_error(result < 0 && errno == EINTR ? 0 : result);
         }
         return error_ == 0;
     }
@@ -97,6 +104,7 @@ private:
     /// Not filled with zeros: a run writes hundreds of small files.
     std::unique_ptr<char[]> waiting_;
     std::optional<Checksum> sum_;
+    std::optional<TableCount> table_;
     int descriptor_ = -1;
     int error_ = 0;
 };
@@ -109,6 +117,16 @@ OutFile::OutFile(std::filesystem::path file, Begin begin)
 }
 
 OutFile::~OutFile() = default;
+
+void OutFile::count_table() {
+    flush();
+    buffer_->count_table(TableCount{});
+}
+
+void OutFile::count_table(const TableEnd& so_far) {
+    flush();
+    buffer_->count_table(TableCount{so_far});
+}
 
 void OutFile::keep_sum(const Checksum& so_far) {
     flush();
@@ -128,6 +146,10 @@ void OutFile::flush() {
 
 std::uint64_t OutFile::sum() const {
     return buffer_->kept_sum().value_or(Checksum{}).value();
+}
+
+std::optional<TableEnd> OutFile::end() const {
+    return buffer_->table() ? std::optional{buffer_->table()->end()} : std::nullopt;
 }
 
 void OutFile::sync() {
@@ -150,12 +172,20 @@ void OutFile::fail(const std::string& what) const {
     config::fail(config::ExitCode::file, {.file = file_.string()}, what + because);
 }
 
+std::optional<TableEnd> StreamedTables::end_of(std::string_view name) const {
+    const auto found = std::find_if(files.begin(), files.end(), [&](const WrittenFile& file) {
+        return std::filesystem::path{file.path}.filename() == name;
+    });
+    return found == files.end() ? std::nullopt : found->end;
+}
+
 WrittenFile write_table(const std::filesystem::path& folder, const std::string& name, std::string sentence,
                         const std::function<void(std::ostream&)>& fill) {
     OutFile file{folder / "tables" / name};
+    file.count_table();
     fill(file.stream());
     file.close();
-    return {"tables/" + name, std::move(sentence)};
+    return {"tables/" + name, std::move(sentence), file.end()};
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -4,9 +4,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
+#include <span>
 #include <string>
+#include <string_view>
 
+#include "coupling/files/table_count.hpp"
 #include "coupling/results/checksum.hpp"
 
 namespace coupling {
@@ -15,6 +19,16 @@ namespace coupling {
 struct WrittenFile {
     std::string path;  ///< relative to the folder of the results, with slashes
     std::string sentence;
+    std::optional<TableEnd> end{};  ///< of a table, as its writer counted
+};
+
+/// Tables that were written elsewhere and move to the results when these are whole.
+struct StreamedTables {
+    std::span<const WrittenFile> files;
+    std::filesystem::path folder;  ///< where they lie now
+
+    /// Of a table by the name of its file; nothing if it is none of these.
+    [[nodiscard]] std::optional<TableEnd> end_of(std::string_view name) const;
 };
 
 /// A file being written: opened, filled, closed and checked.
@@ -33,14 +47,20 @@ public:
     [[nodiscard]] std::ostream& stream() { return stream_; }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
+    /// From now on bytes and rows of a table are counted, going on from those that the file holds.
+    void count_table(const TableEnd& so_far);
+    void count_table();
     /// From now on a checksum of all bytes is kept, going on from the sum of those that the file holds.
     void keep_sum(const Checksum& so_far);
 
     /// Throws if anything written so far was lost: to stop a long run early.
     void check();
-    /// Hands everything written so far to the system. Afterwards `sum` is that of the whole file.
+    /// Hands everything written so far to the system. Afterwards, and after `close`,
+    /// `sum` and `end` are those of the whole file.
     void flush();
     [[nodiscard]] std::uint64_t sum() const;
+    /// Nothing unless the table is counted.
+    [[nodiscard]] std::optional<TableEnd> end() const;
     /// Flushes and returns once everything written so far is on the disk.
     void sync();
     void close();

@@ -19,8 +19,10 @@ SummaryOfRun read_summary(std::string_view text, const std::string& file) {
         read.overrides = summary.value("overrides", std::vector<std::string>{});
         read.kind = run.value("kind", "today");
         read.seed = run.at("seed").get<std::uint64_t>();
-        read.rocks = run.contains("rocks") ? run["rocks"].get<std::uint64_t>()
-                                           : run.at("rocks_a_year").get<std::uint64_t>();
+        if (read.kind != "collapse") {  // a rock mass has blocks and no number of rocks
+            read.rocks = run.contains("rocks") ? run["rocks"].get<std::uint64_t>()
+                                               : run.at("rocks_a_year").get<std::uint64_t>();
+        }
         read.years = run.value("years", 0U);
         read.replicates = run.value("replicates", 1U);
         for (const Json& setting : summary.at("settings")) {

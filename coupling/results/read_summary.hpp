@@ -23,9 +23,9 @@ struct SummaryOfRun {
     std::string commit;                  ///< of the program; empty where it is not known
     std::string scenario;                ///< name of the file, without its folder
     std::vector<std::string> overrides;  ///< settings given with --set
-    std::string kind;                    ///< "today", "years" or "profile"
+    std::string kind;                    ///< "today", "years", "profile", "hazard" or "collapse"
     std::uint64_t seed = 0;
-    std::uint64_t rocks = 0;  ///< of a year where there are years
+    std::uint64_t rocks = 0;  ///< of a year where there are years; 0 for a collapse
     std::uint32_t years = 0;
     std::uint32_t replicates = 1;
     std::vector<Setting> settings;

@@ -1,9 +1,12 @@
 #include "coupling/results/workbook.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <xlsxwriter.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <set>
 #include <string>
@@ -12,9 +15,11 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/inputs/file_bytes.hpp"
-#include "coupling/results/geopackage/csv_rows.hpp"
+#include "coupling/files/own_rows.hpp"
+#include "coupling/files/system_calls.hpp"
+#include "coupling/results/geopackage/column_types.hpp"
 #include "coupling/results/geopackage/plain_number.hpp"
+#include "coupling/results/out_file.hpp"
 
 namespace coupling {
 namespace {
@@ -28,13 +33,41 @@ constexpr std::size_t longest_cell = 32'767;  // characters that a cell takes; b
 /// 1 January 2000, noon UTC: a date of the day would change the bytes.
 constexpr std::time_t fixed_date = 946'728'000;
 
-/// A workbook of the library, closed once.
+/// The library prints some errors itself, beside the message of this program: not while this object lives.
+class NoLinesOfTheLibrary {
+public:
+    NoLinesOfTheLibrary() : kept_{::dup(STDERR_FILENO)} {
+        const int nowhere = repeated([] { return ::open("/dev/null", O_WRONLY | O_CLOEXEC); });
+        if (kept_ >= 0 && nowhere >= 0) {
+            std::fflush(stderr);
+            ::dup2(nowhere, STDERR_FILENO);
+        }
+        ::close(nowhere);
+    }
+    ~NoLinesOfTheLibrary() {
+        if (kept_ >= 0) {
+            std::fflush(stderr);
+            ::dup2(kept_, STDERR_FILENO);
+            ::close(kept_);
+        }
+    }
+    NoLinesOfTheLibrary(const NoLinesOfTheLibrary&) = delete;
+    NoLinesOfTheLibrary& operator=(const NoLinesOfTheLibrary&) = delete;
+
+private:
+    int kept_;
+};
+
+/// A workbook of the library, closed once. Its temporary files lie in a folder of their own: one that the
+/// library cannot delete must not come to the results.
 class Workbook {
 public:
-    explicit Workbook(const fs::path& file) : file_{file.string()}, folder_{file.parent_path().string()} {
+    explicit Workbook(const fs::path& file)
+        : file_{file.string()}, scratch_{(file.parent_path() / ".workbook").string()} {
+        make_folder(scratch_);
         lxw_workbook_options options{};
         options.constant_memory = LXW_TRUE;  // row by row: tables may have a million
-        options.tmpdir = folder_.empty() ? nullptr : folder_.data();
+        options.tmpdir = scratch_.data();
         book_ = workbook_new_opt(file_.c_str(), &options);
         if (book_ == nullptr) {
             fail("cannot be written");
@@ -47,6 +80,7 @@ public:
     }
     ~Workbook() {
         if (book_ != nullptr) {
+            const NoLinesOfTheLibrary quiet;
             workbook_close(book_);
         }
     }
@@ -54,6 +88,7 @@ public:
     Workbook& operator=(const Workbook&) = delete;
 
     lxw_worksheet* sheet(const std::string& name) {
+        const NoLinesOfTheLibrary quiet;
         lxw_worksheet* added = workbook_add_worksheet(book_, name.c_str());
         if (added == nullptr) {
             fail("cannot be written: no sheet can be added");
@@ -62,19 +97,24 @@ public:
     }
     [[nodiscard]] lxw_format* bold() const { return bold_; }
     void close() {
-        const lxw_error error = workbook_close(std::exchange(book_, nullptr));
+        const lxw_error error = close_quietly();
         if (error != LXW_NO_ERROR) {
             fail(joined("cannot be written: ", lxw_strerror(error)));
         }
+        delete_entry(scratch_);
     }
 
 private:
+    lxw_error close_quietly() {
+        const NoLinesOfTheLibrary quiet;
+        return workbook_close(std::exchange(book_, nullptr));
+    }
     [[noreturn]] void fail(const std::string& what) const {
         config::fail(config::ExitCode::file, {.file = file_}, what,
                      "a folder with room for a workbook; or output.xlsx = no");
     }
     std::string file_;
-    std::string folder_;
+    std::string scratch_;
     lxw_workbook* book_ = nullptr;
     lxw_format* bold_ = nullptr;
 };
@@ -114,13 +154,13 @@ void write_header(lxw_worksheet* sheet, const std::vector<std::string>& columns,
 struct Table {
     std::string sheet;
     const WrittenFile& file;
-    FileBytes bytes;
+    fs::path place;
     std::vector<geopackage::Column> columns;
     std::uint64_t rows = 0;
 };
 
 void look_at(Table& table) {
-    geopackage::CsvRows rows{table.bytes.text()};
+    OwnRows rows{table.place, table.file.end};
     geopackage::ColumnTypes types{rows.columns()};
     while (rows.next()) {
         types.see(rows.fields());
@@ -130,7 +170,7 @@ void look_at(Table& table) {
 }
 
 void write_rows(lxw_worksheet* sheet, const Table& table, lxw_format* bold) {
-    geopackage::CsvRows rows{table.bytes.text()};
+    OwnRows rows{table.place, table.file.end};
     write_header(sheet, rows.columns(), bold);
     for (std::size_t row = 1; rows.next(); ++row) {
         for (std::size_t i = 0; i < rows.fields().size(); ++i) {
@@ -158,11 +198,7 @@ void write_workbook(const fs::path& file, std::span<const std::pair<WrittenFile,
     std::set<std::string> taken{"contents"};
     std::vector<Table> found;
     for (const auto& [written, place] : tables) {
-        found.push_back({sheet_name(written.path, taken),
-                         written,
-                         open_file(place, {.file = place.string()}, "a table of this run"),
-                         {},
-                         0});
+        found.push_back({sheet_name(written.path, taken), written, place, {}, 0});
         look_at(found.back());
     }
     Workbook book{file};

@@ -6,11 +6,12 @@
 #include <map>
 
 #include "config/errors/input_error.hpp"
-#include "config/grid/ascii_grid.hpp"
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/path_checks.hpp"
 
 namespace coupling::rockyfor3d {
@@ -27,8 +28,8 @@ constexpr std::size_t most_told = 20;  ///< faulty lines of a tree file
 
 std::string size_of(const config::GridFrame& frame) {
     return joined(std::to_string(frame.columns), " x ", std::to_string(frame.rows), " cells of ",
-                  config::to_text(frame.cell_width_m), " m from (", config::to_text(frame.x_west_m), ", ",
-                  config::to_text(frame.y_south_m), ")");
+                  config::to_text(frame.cell_width_m), " m from (",
+                  config::place_in_words(frame.x_west_m, frame.y_south_m), ")");
 }
 
 /// Reads the files of one folder and keeps what is wrong with them.
@@ -60,7 +61,12 @@ public:
             const fs::path path = path_of(name);
             const FileBytes bytes = open_file(path, {.file = path.string()}, "a raster of Rockyfor3D");
             read_.push_back(path.filename().string());
-            return config::read_ascii_grid(bytes.text(), path.string());
+            formats::PlacedGrid read = formats::read_grid_file(
+                bytes.text(), path.string(), [](const std::string&) { return std::string_view{}; });
+            for (const std::string& remark : read.remarks) {
+                remarks_.push_back(joined(path.filename().string(), ": ", remark, "."));
+            }
+            return std::move(read.raster);
         } catch (const config::InputError& error) {
             problems_.add(error);
             return std::nullopt;
@@ -86,6 +92,7 @@ public:
     std::vector<FileTree> tree_file(const std::string& name);
 
     [[nodiscard]] std::vector<std::string> files_read() const { return read_; }
+    [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
     [[nodiscard]] std::vector<std::string> others() const {
         std::vector<std::string> names;
         for (const auto& [small, name] : names_) {
@@ -120,6 +127,7 @@ private:
     fs::path folder_;
     std::map<std::string, std::string> names_;  ///< by name in small letters
     std::vector<std::string> read_;
+    std::vector<std::string> remarks_;
     config::Problems problems_;
 };
 
@@ -171,10 +179,16 @@ std::vector<FileTree> Reader::tree_file(const std::string& name) {
     return trees;
 }
 
+/// What the sources of a run take (coupling/inputs/source_start): other blocks would be refused later, in
+/// words of another file.
+constexpr NumberRange axis_range_m{.low = 0.01, .high = 20.0};
+constexpr NumberRange density_range_kgpm3{.low = 1000.0, .high = 5000.0};
+
 /// Each source cell has a block, each cell of the DEM a ground.
 void check_cells(const Folder& folder, Reader& reader) {
     std::size_t sources = 0;
     std::size_t without_block = 0;
+    std::size_t too_light = 0;
     std::size_t without_ground = 0;
     for (std::size_t i = 0; i < folder.dem.values.size(); ++i) {
         const bool has_ground = folder.soil_type.values[i] >= 0.0 && folder.rg70.values[i] >= 0.0 &&
@@ -182,9 +196,11 @@ void check_cells(const Folder& folder, Reader& reader) {
         without_ground += !std::isnan(folder.dem.values[i]) && !has_ground ? 1 : 0;
         if (folder.rock_density.values[i] > 0.0) {
             ++sources;
-            const bool has_block = folder.d1.values[i] > 0.0 && folder.d2.values[i] > 0.0 &&
-                                   folder.d3.values[i] > 0.0 && folder.shape.values[i] >= 1.0;
+            const bool has_block =
+                axis_range_m.contains(folder.d1.values[i]) && axis_range_m.contains(folder.d2.values[i]) &&
+                axis_range_m.contains(folder.d3.values[i]) && folder.shape.values[i] >= 1.0;
             without_block += has_block ? 0 : 1;
+            too_light += density_range_kgpm3.contains(folder.rock_density.values[i]) ? 0 : 1;
         }
     }
     const auto file = [&](const char* name) { return config::Place{.file = reader.path_of(name).string()}; };
@@ -192,9 +208,16 @@ void check_cells(const Folder& folder, Reader& reader) {
         reader.problems().add(ExitCode::data, file("rockdensity.asc"), "no cell above 0", "a source");
     }
     if (without_block > 0) {
-        reader.problems().add(ExitCode::data, file("blshape.asc"),
-                              joined(std::to_string(without_block), " source cells without a block"),
-                              "d1, d2, d3 above 0 and blshape 1 to 4 wherever rockdensity is above 0");
+        reader.problems().add(
+            ExitCode::data, file("blshape.asc"),
+            joined(std::to_string(without_block), " source cells without a block"),
+            "d1, d2, d3 from 0.01 to 20 m and blshape 1 to 4 wherever rockdensity is above 0");
+    }
+    if (too_light > 0) {
+        reader.problems().add(ExitCode::data, file("rockdensity.asc"),
+                              joined(std::to_string(too_light), " source cells of less than 1000 kg/m3"),
+                              "densities of rock in kg/m3, 1000 to 5000",
+                              "multiply by 1000 if they are t/m3");
     }
     if (without_ground > 0) {
         reader.problems().add(ExitCode::data, file("soiltype.asc"),
@@ -245,6 +268,26 @@ void read_forest(Folder& folder, Reader& reader) {
     }
 }
 
+/// Nets stand where net_number is above 0, each cell with the energy and height that it holds.
+void read_rocky_nets(Folder& folder, Reader& reader) {
+    if (!reader.has("net_number.asc")) {
+        return;
+    }
+    folder.net_number = reader.on(folder.dem, "net_number.asc", {.low = 0.0, .high = 1e6}, true);
+    folder.net_energy = reader.on(folder.dem, "net_energy.asc", {.low = 0.0, .high = 1e5});
+    folder.net_height = reader.on(folder.dem, "net_height.asc", {.low = 0.0, .high = 50.0});
+    std::size_t unknown = 0;
+    for (std::size_t i = 0; i < folder.net_number->values.size(); ++i) {
+        const bool is_whole = folder.net_energy->values[i] > 0.0 && folder.net_height->values[i] > 0.0;
+        unknown += folder.net_number->values[i] > 0.0 && !is_whole ? 1 : 0;
+    }
+    if (unknown > 0 && reader.problems().empty()) {
+        reader.problems().add(ExitCode::data, {.file = reader.path_of("net_energy.asc").string()},
+                              joined(std::to_string(unknown), " cells of nets without energy or height"),
+                              "net_energy in kJ and net_height in m above 0 wherever net_number is above 0");
+    }
+}
+
 }  // namespace
 
 Folder read_folder(const fs::path& path) {
@@ -270,10 +313,12 @@ Folder read_folder(const fs::path& path) {
     folder.rg20 = reader.on(folder.dem, "rg20.asc", roughness);
     folder.rg10 = reader.on(folder.dem, "rg10.asc", roughness);
     read_forest(folder, reader);
+    read_rocky_nets(folder, reader);
     reader.problems().throw_if_any();
     check_cells(folder, reader);
     reader.problems().throw_if_any();
     folder.files = reader.files_read();
+    folder.remarks = reader.remarks();
     folder.not_read = reader.others();
     std::erase_if(folder.not_read, [&](const std::string& name) {
         return std::find(folder.behind_trees.begin(), folder.behind_trees.end(), name) !=

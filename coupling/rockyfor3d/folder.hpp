@@ -32,8 +32,14 @@ struct Folder {
     std::optional<config::Raster<double>> stems_pha, mean_dbh_cm, dbh_deviation_cm;
     std::optional<config::Raster<double>> conifer_percent;
 
+    // Nets: all three or none.
+    std::optional<config::Raster<double>> net_number;  ///< above 0: which net
+    std::optional<config::Raster<double>> net_energy;  ///< kJ
+    std::optional<config::Raster<double>> net_height;  ///< m
+
     std::vector<std::string> files;         ///< names of the files that were read, as they are written there
     std::vector<std::string> not_read;      ///< the other files in the folder
+    std::vector<std::string> remarks;       ///< how files were read: whole sentences
     std::vector<std::string> behind_trees;  ///< rasters of a forest that the tree file goes before
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "rockfall/motion/restitution.hpp"
+
 namespace coupling::rockyfor3d {
 namespace {
 
@@ -101,7 +103,8 @@ Grounds grounds_of(const Folder& folder, double rock_radius_m, std::size_t most_
         ground.rg20_m = metres(kind[2] * step_cm);
         ground.rg10_m = metres(kind[3] * step_cm);
         ground.r_n = soil_types.at(static_cast<std::size_t>(ground.soil_type)).r_n;
-        ground.r_t = tangential_share(ground.rg70_m, ground.rg20_m, ground.rg10_m, rock_radius_m);
+        ground.r_t = std::min(tangential_share(ground.rg70_m, ground.rg20_m, ground.rg10_m, rock_radius_m),
+                              rockfall::largest_restitution);
         const bool stops_all = ground.rg70_m >= stops_all_m;
         ground.like = stops_all ? "" : like_ground(ground.soil_type, mean_roughness_m(ground));
         ground.cells = cells.size();

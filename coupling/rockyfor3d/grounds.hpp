@@ -13,7 +13,7 @@ struct Ground {
     int soil_type = 0;
     double rg70_m = 0.0, rg20_m = 0.0, rg10_m = 0.0;
     double r_n = 0.0;  ///< [-]
-    double r_t = 0.0;  ///< [-]
+    double r_t = 0.0;  ///< [-]; at most the largest that ground types may have, 0.99
     std::string like;  ///< shipped ground type that lends the stopping probabilities; empty: stops every rock
     std::size_t cells = 0;
 };

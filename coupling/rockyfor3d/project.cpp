@@ -10,9 +10,23 @@
 #include "coupling/rockyfor3d/blocks.hpp"
 #include "coupling/rockyfor3d/forest.hpp"
 #include "coupling/rockyfor3d/grounds.hpp"
+#include "coupling/rockyfor3d/nets.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::rockyfor3d {
 namespace {
+
+/// The motion model whose rocks have the shapes of the blocks.
+std::string_view model_with_shapes() {
+    for (const rockfall::MotionModel model : rockfall::all_models()) {
+        const rockfall::ModelDescription& description = rockfall::description_of(model);
+        const auto& settings = description.shared_settings;
+        if (std::find(settings.begin(), settings.end(), "release.shape") != settings.end()) {
+            return description.name;
+        }
+    }
+    return {};
+}
 
 using config::joined;
 using config::to_text;
@@ -72,17 +86,33 @@ std::string trees_csv(const Forest& forest) {
     return out.str();
 }
 
-std::string scenario(const Blocks& blocks, const Forest& forest) {
-    std::vector<std::string> sizes;
-    std::vector<std::string> shares;
-    for (const BlockClass& block : blocks.classes) {
-        sizes.push_back(to_text(block.diameter_m));
-        shares.push_back(std::to_string(block.cells));
+std::string nets_csv(const Nets& nets) {
+    std::ostringstream out;
+    out << "# From net_number, net_energy and net_height of Rockyfor3D.\nname,height_m,capacity_kj,wkt\n";
+    CsvRow row{out};
+    for (const Net& net : nets.nets) {
+        std::string line;
+        for (const config::Point2& corner : net.line) {
+            line += joined(line.empty() ? "" : ", ", two_digits(corner.x_m), " ", two_digits(corner.y_m));
+        }
+        row.text(net.name).number<2>(net.height_m).number<1>(net.capacity_kj);
+        row.text(joined("LINESTRING (", line, ")"));
+        row.end();
     }
-    const std::string diameter =
-        sizes.size() == 1 ? joined("diameter_kind = fixed\ndiameter_m = ", sizes.front(), "\n")
-                          : joined("diameter_kind = classes\ndiameter_classes_m = ", list(sizes),
-                                   "\ndiameter_shares = ", list(shares), "   ; source cells of each size\n");
+    return out.str();
+}
+
+/// The sources of [release]: a grid where all blocks are alike, else a row of polygons for each kind.
+std::string release(const Blocks& blocks) {
+    if (blocks.are_equal_spheres()) {
+        return joined("source = source.asc\nrocks_per_source = 10\ndiameter_kind = fixed\ndiameter_m = ",
+                      to_text(blocks.classes.front().diameter_m), "\n");
+    }
+    return "source_shapes = sources.csv  ; a row for each kind of block: its cells, size, density and shape\n"
+           "rocks_per_source = 10        ; on average, of each cell\n";
+}
+
+std::string scenario(const Blocks& blocks, const Forest& forest, const Nets& nets) {
     return joined(
         "# Made from a Rockyfor3D folder by `bannwald init --from-rockyfor3d`; README.md says what became "
         "of each file.\n"
@@ -91,12 +121,12 @@ std::string scenario(const Blocks& blocks, const Forest& forest) {
         "# `bannwald --help-all` lists every setting with unit, range and source.\n\n"
         "[run]\nseed = 1\n\n"
         "[terrain]\ndem = dem.asc\nsurface = surface.asc\nsurface_types = surface_types.csv\n\n",
-        forest.trees.empty() ? "" : "[trees]\nfile = trees.csv\n\n",
-        "[release]\nsource = source.asc         ; zone k: cells with blocks of the k-th size of README.md\n"
-        "rocks_per_source = 10\n",
-        diameter, "density_kgpm3 = ", to_text(std::round(blocks.density_kgpm3)),
+        forest.trees.empty() ? "" : "[trees]\nfile = trees.csv\n\n", "[release]\n", release(blocks),
+        "density_kgpm3 = ", to_text(std::round(blocks.density_kgpm3)),
         "\n;fall_height_m = 2          ; the initial fall height of Rockyfor3D, a setting there and in no "
-        "file\n\n"
+        "file\n\n",
+        nets.nets.empty() ? "" : "[nets]\nfile = nets.csv\n\n", "[rockfall]\n;motion = ", model_with_shapes(),
+        "             ; the shapes themselves; without it spheres of the same volume\n\n"
         ";[targets]\n;file = targets.csv        ; what is to be protected: target_id, name, wkt\n");
 }
 
@@ -120,19 +150,22 @@ void remark_blocks(const Blocks& blocks, std::vector<std::string>& remarks) {
                    : joined("; ", std::to_string(blocks.left_out),
                             " more in the two outer rows and columns are left out, as Rockyfor3D does"),
                "."));
-    remarks.push_back(joined("Block shapes (blshape, d1, d2, d3) became spheres of the same volume: ",
-                             sizes_in_words(blocks), ". The shape itself has no counterpart."));
-    if (blocks.classes.size() > 1) {
-        remarks.emplace_back(
-            "Block sizes by source cell have no counterpart: sizes are drawn for all sources, each as often "
-            "as it has cells. "
-            "To let one size fall from its own cells only, set release.diameter_kind = fixed and keep that "
-            "zone in source.asc.");
+    if (blocks.are_equal_spheres()) {
+        remarks.push_back(joined("Blocks: spheres of ", sizes_in_words(blocks), "."));
+        return;
     }
+    remarks.push_back(joined("Blocks (blshape, d1, d2, d3, rockdensity): ", sizes_in_words(blocks),
+                             " as spheres of the same volume, ", std::to_string(blocks.classes.size()),
+                             blocks.classes.size() == 1 ? " kind" : " kinds",
+                             " in sources.csv, each from its own cells."));
+    remarks.push_back(joined(
+        "Shapes stand in sources.csv: box, ellipsoid, sphere, and hulls for discs. `--set rockfall.motion=",
+        model_with_shapes(),
+        "` simulates them; other models take spheres of the same volume, as Rockyfor3D does at contacts."));
     if (blocks.largest_density_kgpm3 > blocks.least_density_kgpm3) {
         remarks.push_back(joined("rockdensity varies from ", to_text(blocks.least_density_kgpm3), " to ",
                                  to_text(blocks.largest_density_kgpm3),
-                                 " kg/m3; a run knows one density, the mean of the sources."));
+                                 " kg/m3: each kind of block has the mean of its cells."));
     }
 }
 
@@ -191,6 +224,33 @@ void remark_forest(const Folder& folder, const Forest& forest, std::vector<std::
         "mountain stand.");
 }
 
+void remark_nets(const Nets& nets, std::vector<std::string>& remarks) {
+    if (nets.nets.empty() && nets.left_out == 0) {
+        return;
+    }
+    remarks.push_back(
+        joined("Nets: ", std::to_string(nets.nets.size()),
+               " in nets.csv, lines along the middle of the cells of net_number, with their "
+               "net_height and net_energy. A rock that flies higher passes, a weaker one is held, "
+               "a stronger one loses net_energy, as in Rockyfor3D."));
+    if (nets.left_out > 0) {
+        remarks.push_back(
+            joined(std::to_string(nets.left_out),
+                   " cells of nets at the border of the terrain or beside NODATA are left out."));
+    }
+    for (const Net& net : nets.nets) {
+        if (net.varies) {
+            remarks.push_back(
+                joined(net.name, ": net_height or net_energy varies along it; the smallest are taken, ",
+                       two_digits(net.height_m), " m and ", two_digits(net.capacity_kj), " kJ."));
+        }
+        if (net.off_line > 0) {
+            remarks.push_back(joined(net.name, ": ", std::to_string(net.off_line),
+                                     " of its cells lie beside the line; draw it in nets.csv as it stands."));
+        }
+    }
+}
+
 void remark_rest(const Folder& folder, std::vector<std::string>& remarks) {
     if (!folder.not_read.empty()) {
         remarks.push_back(joined("Not read, no counterpart: ", list(folder.not_read), "."));
@@ -212,16 +272,36 @@ std::string readme(const Folder& folder, const Blocks& blocks, const std::vector
     for (const std::string& remark : remarks) {
         text += joined("- ", remark, "\n");
     }
-    text += "\n## Release zones\n\n| zone | diameter, m | source cells |\n|---|---|---|\n";
+    text +=
+        "\n## Release zones\n\n| zone | shape | diameter, m | sides, m | source cells "
+        "|\n|---|---|---|---|---|\n";
     for (std::size_t k = 0; k < blocks.classes.size(); ++k) {
-        text += joined("| ", std::to_string(k + 1), " | ", two_digits(blocks.classes[k].diameter_m), " | ",
-                       std::to_string(blocks.classes[k].cells), " |\n");
+        const BlockClass& block = blocks.classes[k];
+        text += joined("| ", std::to_string(k + 1), " | ",
+                       block.form == BlockForm::disc ? "disc" : name_of(block.form), " | ",
+                       two_digits(block.diameter_m), " | ", two_digits(block.sides_m[0]), " x ",
+                       two_digits(block.sides_m[1]), " x ", two_digits(block.sides_m[2]), " | ",
+                       std::to_string(block.cells), " |\n");
     }
     text +=
         "\nBannwald and Rockyfor3D are different models: rebound, stopping and tree impacts follow other "
         "laws, so maps of the same "
         "names will differ. Calibrate against traces before you decide on anything.\n";
     return text;
+}
+
+void add_sources(const Blocks& blocks, std::vector<Project::File>& files) {
+    if (blocks.are_equal_spheres()) {
+        files.push_back({"source.asc", text_of(blocks.zones)});
+        return;
+    }
+    files.push_back({"sources.csv", sources_csv(blocks)});
+    for (std::size_t k = 0; k < blocks.classes.size(); ++k) {
+        if (blocks.classes[k].form == BlockForm::disc) {
+            files.push_back(
+                {joined("disc_", std::to_string(k + 1), ".csv"), disc_hull(blocks.classes[k].sides_m)});
+        }
+    }
 }
 
 }  // namespace
@@ -232,16 +312,24 @@ Project project_of(const std::filesystem::path& path) {
     const double rock_radius_m = 0.5 * blocks.mean_diameter_m();
     const Grounds grounds = grounds_of(folder, rock_radius_m);
     const Forest forest = forest_of(folder);
+    const Nets nets = nets_of(folder);
 
     Project project;
     remark_blocks(blocks, project.remarks);
     remark_grounds(grounds, rock_radius_m, project.remarks);
     remark_forest(folder, forest, project.remarks);
+    remark_nets(nets, project.remarks);
+    project.remarks.insert(project.remarks.end(), folder.remarks.begin(), folder.remarks.end());
     remark_rest(folder, project.remarks);
-    project.files = {
-        {"scenario.ini", scenario(blocks, forest)}, {"dem.asc", text_of(folder.dem)},
-        {"surface.asc", text_of(grounds.codes)},    {"surface_types.csv", surface_types(grounds)},
-        {"source.asc", text_of(blocks.zones)},      {"README.md", readme(folder, blocks, project.remarks)}};
+    project.files = {{"scenario.ini", scenario(blocks, forest, nets)},
+                     {"dem.asc", text_of(folder.dem)},
+                     {"surface.asc", text_of(grounds.codes)},
+                     {"surface_types.csv", surface_types(grounds)},
+                     {"README.md", readme(folder, blocks, project.remarks)}};
+    add_sources(blocks, project.files);
+    if (!nets.nets.empty()) {
+        project.files.push_back({"nets.csv", nets_csv(nets)});
+    }
     if (!folder.projection.empty()) {
         project.files.push_back({"dem.prj", folder.projection});
     }

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 
 #include "coupling/results/disk.hpp"
@@ -32,28 +31,19 @@ void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
 }
 
 void ByteReader::check_whole() {
-    const std::streamoff place = in_.tellg();
-    const std::uintmax_t size = static_cast<std::uintmax_t>(place) + left_;
-    constexpr std::uintmax_t sum_bytes = sizeof(std::uint64_t);
-    if (size < sum_bytes) {
+    const std::uint64_t place = in_.place();
+    constexpr std::uint64_t sum_bytes = sizeof(std::uint64_t);
+    if (in_.bytes() < sum_bytes) {
         damaged();
     }
-    in_.seekg(0);
-    Checksum sum;
-    std::vector<char> block(std::size_t{1} << 20);
-    for (std::uintmax_t left = size - sum_bytes; left > 0;) {
-        const std::size_t count = static_cast<std::size_t>(std::min<std::uintmax_t>(left, block.size()));
-        if (!in_.read(block.data(), static_cast<std::streamsize>(count))) {
-            damaged();
-        }
-        sum.add(block.data(), count);
-        left -= count;
-    }
+    in_.seek(0);
+    const Checksum sum = checksum_of(in_, in_.bytes() - sum_bytes);
     std::uint64_t stored = 0;
-    if (!in_.read(reinterpret_cast<char*>(&stored), sizeof stored) || stored != sum.value()) {
+    in_.read(reinterpret_cast<char*>(&stored), sizeof stored);
+    if (stored != sum.value()) {
         damaged();
     }
-    in_.seekg(place);
+    in_.seek(place);
 }
 
 }  // namespace coupling

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/files/file_reader.hpp"
 #include "coupling/results/checksum.hpp"
 #include "coupling/results/out_file.hpp"
 
@@ -65,18 +65,12 @@ void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
 inline constexpr const char* own_part_remedy =
     "delete it, or run with --overwrite to start from the beginning";
 
-/// Reads back what ByteWriter wrote. Anything missing or changed throws config::InputError (file); its
-/// message ends with `remedy`: what the user may do about this file.
+/// Reads back what ByteWriter wrote. Anything missing or changed, and a read error, throws config::InputError
+/// (file); its message ends with `remedy`: what the user may do about this file.
 class ByteReader {
 public:
     explicit ByteReader(const std::filesystem::path& file, std::string remedy = own_part_remedy)
-        : file_{file.string()}, remedy_{std::move(remedy)}, in_{file, std::ios::binary} {
-        if (!in_) {
-            config::fail(config::ExitCode::file, {file_}, "the part file cannot be opened");
-        }
-        std::error_code ignored;
-        left_ = std::filesystem::file_size(file, ignored);
-    }
+        : file_{file.string()}, remedy_{std::move(remedy)}, in_{file}, left_{in_.bytes()} {}
     [[nodiscard]] const std::string& remedy() const { return remedy_; }
     /// Reads the whole file once for its checksum, before anything in it is used, and goes on where it was.
     void check_whole();
@@ -118,16 +112,17 @@ private:
                      "a whole part file; " + remedy_);
     }
     void bytes(char* to, std::size_t count) {
-        if (count > left_ || !in_.read(to, static_cast<std::streamsize>(count))) {
+        if (count > left_) {
             damaged();
         }
+        in_.read(to, count);
         left_ -= count;
         sum_.add(to, count);
     }
     std::string file_;
     std::string remedy_;
-    std::ifstream in_;
-    std::uintmax_t left_ = 0;
+    FileReader in_;
+    std::uint64_t left_ = 0;
     Checksum sum_;
 };
 

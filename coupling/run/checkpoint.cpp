@@ -6,7 +6,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x37305452'41504E42ULL;  // "BNPART07", least byte first
+constexpr std::uint64_t magic = 0x38305452'41504E42ULL;  // "BNPART08", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));

@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "coupling/files/table_count.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {
 
-/// A streamed table at the end of a part: its first bytes and their checksum.
+/// A streamed table at the end of a part: its first bytes and rows, and the checksum of these bytes.
 struct KeptTable {
-    std::uint64_t bytes = 0;
+    TableEnd end;
     std::uint64_t sum = 0;
 };
 

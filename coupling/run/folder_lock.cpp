@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/files/system_calls.hpp"
 
 namespace coupling {
 namespace {
@@ -20,6 +21,10 @@ namespace {
 /// How long those who share wait for one that prepares the folder alone.
 constexpr std::chrono::seconds longest_preparation{30};
 constexpr std::chrono::milliseconds between_looks{20};
+
+int open_plain(const std::filesystem::path& file, int making) {
+    return repeated([&] { return ::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | making, 0666); });
+}
 
 }  // namespace
 
@@ -55,12 +60,12 @@ FolderLock::~FolderLock() {
 }
 
 void FolderLock::open() {
-    descriptor_ = ::open(file_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+    descriptor_ = open_plain(file_, 0);
     if (descriptor_ < 0 && errno == ENOENT) {
-        descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        descriptor_ = open_plain(file_, O_CREAT | O_EXCL);
         made_file_ = descriptor_ >= 0;
         if (descriptor_ < 0 && errno == EEXIST) {  // another one has made it in the meantime
-            descriptor_ = ::open(file_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+            descriptor_ = open_plain(file_, 0);
         }
     }
     if (descriptor_ < 0 && errno == ELOOP) {
@@ -74,7 +79,7 @@ void FolderLock::open() {
 }
 
 FolderLock::Answer FolderLock::ask(int operation) const {
-    while (::flock(descriptor_, operation | LOCK_NB) != 0) {
+    while (repeated([&] { return ::flock(descriptor_, operation | LOCK_NB); }) != 0) {
         if (errno == EWOULDBLOCK) {
             return Answer::in_use;
         }
@@ -82,9 +87,7 @@ FolderLock::Answer FolderLock::ask(int operation) const {
         if (errno == ENOLCK || errno == ENOSYS || errno == ENOTSUP) {
             return Answer::granted;
         }
-        if (errno != EINTR) {
-            fail_for("cannot be locked", errno);
-        }
+        fail_for("cannot be locked", errno);
     }
     return Answer::granted;
 }
@@ -113,7 +116,7 @@ void FolderLock::share() {
 
 bool FolderLock::try_alone() noexcept {
     if (!is_alone_) {
-        is_alone_ = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+        is_alone_ = repeated([&] { return ::flock(descriptor_, LOCK_EX | LOCK_NB); }) == 0;
     }
     return is_alone_;
 }
@@ -122,11 +125,9 @@ std::string FolderLock::text() const {
     std::string text;
     std::array<char, 4096> block{};
     while (true) {
-        const ssize_t count =
-            ::pread(descriptor_, block.data(), block.size(), static_cast<off_t>(text.size()));
-        if (count < 0 && errno == EINTR) {
-            continue;
-        }
+        const ssize_t count = repeated([&] {
+            return ::pread(descriptor_, block.data(), block.size(), static_cast<off_t>(text.size()));
+        });
         if (count < 0) {
             fail_for("cannot be read", errno);
         }
@@ -140,17 +141,16 @@ std::string FolderLock::text() const {
 void FolderLock::write_text(const std::string& text) {
     std::size_t done = 0;
     while (done < text.size()) {
-        const ssize_t count =
-            ::pwrite(descriptor_, text.data() + done, text.size() - done, static_cast<off_t>(done));
-        if (count < 0 && errno == EINTR) {
-            continue;
-        }
+        const ssize_t count = repeated([&] {
+            return ::pwrite(descriptor_, text.data() + done, text.size() - done, static_cast<off_t>(done));
+        });
         if (count <= 0) {
             fail_for("cannot be written", count < 0 ? errno : EIO);
         }
         done += static_cast<std::size_t>(count);
     }
-    if (::ftruncate(descriptor_, static_cast<off_t>(text.size())) != 0 || ::fsync(descriptor_) != 0) {
+    if (repeated([&] { return ::ftruncate(descriptor_, static_cast<off_t>(text.size())); }) != 0 ||
+        repeated([&] { return ::fsync(descriptor_); }) != 0) {
         fail_for("cannot be written to the disk", errno);
     }
 }

@@ -56,7 +56,9 @@ void repeat_warnings(const config::Warnings& warnings, bool verbose) {
         std::fprintf(stderr, "bannwald: done, with %zu %s:\n", count, count == 1 ? "warning" : "warnings");
         print_messages("warning", warnings.warnings(), verbose);
     }
-    if (notes > 0) {
+    if (verbose) {
+        print_messages("note", warnings.notes(), verbose);
+    } else if (notes > 0) {
         std::fprintf(stderr, "bannwald: %zu %s on how inputs were understood: report.html lists %s\n", notes,
                      notes == 1 ? "note" : "notes", notes == 1 ? "it" : "them");
     }

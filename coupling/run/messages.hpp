@@ -12,7 +12,8 @@ namespace coupling {
 /// all of them if `verbose`.
 void print_warnings(const config::Warnings& warnings, bool verbose);
 
-/// The closing lines of a run, which even a quiet one prints: all warnings again, and the number of notes.
+/// The closing lines of a run, which even a quiet one prints: all warnings again, then the number of notes,
+/// or all of them if `verbose`.
 void repeat_warnings(const config::Warnings& warnings, bool verbose);
 
 /// To stdout: where the results lie and which files are worth opening, or all of them if `verbose`.

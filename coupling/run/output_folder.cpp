@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/files/file_reader.hpp"
 #include "coupling/results/disk.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/read_summary.hpp"
 #include "coupling/run/checkpoint.hpp"
+#include "coupling/run/file_sums.hpp"
 
 namespace coupling {
 namespace {
@@ -28,17 +28,12 @@ constexpr const char* mark_of_a_run = ".bannwald";
 constexpr const char* mark_of_results = "summary.json";
 
 /// Everything else that a run puts into its folder.
-constexpr std::array run_writes{"report.html", "results.gpkg", "results.qlr",  "trajectories.vtp",
-                                "rasters",     "tables",       "net_paths.bin"};
+constexpr std::array run_writes{"report.html", "results.gpkg", "results.qlr",   "trajectories.vtp",
+                                "rasters",     "tables",       "net_paths.bin", name_of_sums};
 constexpr std::array run_works_in{"parts", ".writing", ".complete", ".deleted"};
 
 std::string mark_text(const std::string& settings_hash) {
     return joined("Results of a run of bannwald; bannwald may replace them.\nsettings ", settings_hash, "\n");
-}
-
-std::string text_of_file(const fs::path& file) {
-    std::ifstream in{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{in}, {}};
 }
 
 std::vector<fs::path> names_in(const fs::path& folder) {
@@ -60,12 +55,27 @@ bool surely_missing(const fs::path& entry) noexcept {
     return fs::symlink_status(entry, ignored).type() == fs::file_type::not_found;
 }
 
+/// A file that summary.json lists and that is not there, in words; "" if there is none.
+std::string missing_file(const fs::path& folder) {
+    const fs::path summary = folder / mark_of_results;
+    const std::string text = text_of_file(summary);
+    try {
+        for (const std::string& file : files_in_summary(text, summary.string())) {
+            if (!is_there(folder / file)) {
+                return joined(file, " is missing");
+            }
+        }
+    } catch (const config::InputError&) {
+        return joined(mark_of_results, " has changed");
+    }
+    return "";
+}
+
 [[noreturn]] void refuse_finished(const fs::path& folder) {
-    const std::string missing = OutputFolder::missing_result(folder);
+    const std::string missing = missing_file(folder);
     config::fail(config::ExitCode::settings, {folder.string()},
-                 missing.empty()
-                     ? "the output folder holds finished results"
-                     : joined("the output folder holds results of which ", missing, " is missing"),
+                 missing.empty() ? "the output folder holds finished results"
+                                 : joined("the output folder holds results of which ", missing),
                  "another folder by --out, or --overwrite to replace them");
 }
 
@@ -227,18 +237,9 @@ void OutputFolder::delete_set_aside() {
     delete_entry(deleted());
 }
 
-std::string OutputFolder::missing_result(const fs::path& folder) {
-    const fs::path summary = folder / mark_of_results;
-    try {
-        for (const std::string& file : files_in_summary(text_of_file(summary), summary.string())) {
-            if (!is_there(folder / file)) {
-                return file;
-            }
-        }
-    } catch (const config::InputError&) {
-        return mark_of_results;
-    }
-    return "";
+std::string OutputFolder::damage(const fs::path& folder) {
+    const std::string missing = missing_file(folder);
+    return missing.empty() ? changed_file(folder) : missing;
 }
 
 FolderState OutputFolder::state_of(const fs::path& folder, const std::string& settings_hash) {
@@ -248,13 +249,15 @@ FolderState OutputFolder::state_of(const fs::path& folder, const std::string& se
     if (!is_there(folder / mark_of_results)) {
         return FolderState::nothing;
     }
-    if (text_of_file(folder / mark_of_a_run) != mark_text(settings_hash)) {
+    if (!is_there(folder / mark_of_a_run) ||
+        text_of_file(folder / mark_of_a_run) != mark_text(settings_hash)) {
         return FolderState::other_settings;
     }
-    return missing_result(folder).empty() ? FolderState::finished : FolderState::incomplete;
+    return damage(folder).empty() ? FolderState::finished : FolderState::incomplete;
 }
 
 void OutputFolder::publish() {
+    write_sums(staging());
     sync_all_below(staging());
     move_entry(staging(), complete());
     sync_folder(folder_);

@@ -13,7 +13,7 @@ enum class FolderState {
     nothing,          ///< no results: empty, missing or with parts of an unfinished run
     being_published,  ///< whole results that a killed run did not finish to put in their place
     finished,         ///< whole results of these settings
-    incomplete,       ///< results of these settings of which files are missing
+    incomplete,       ///< results of these settings of which files are missing or have changed
     other_settings,   ///< results of other settings, inputs or version
 };
 
@@ -23,7 +23,7 @@ enum class FolderState {
 ///     there out/parts/…       while the run goes on: the last checkpoint and the tables so far
 ///     out/.writing/…    results being written; worth nothing until they are whole
 ///     out/.complete/…   whole results on their way to their place: a start after a kill moves the rest
-///     out/…             results; summary.json comes last
+///     out/…             results, with their .checksums; summary.json comes last
 ///     out/.deleted/…    what is being deleted
 ///
 /// Each step is one rename, and what it needs is on the disk before. So a kill at any moment leaves a folder
@@ -55,10 +55,12 @@ public:
         return parts / "checkpoint.part";
     }
 
-    /// What a folder holds. Results count as finished with every file that their summary.json lists.
+    /// What a folder holds. Results count as finished with every file that their summary.json lists, as it
+    /// was when they were published (file_sums.hpp).
     static FolderState state_of(const std::filesystem::path& folder, const std::string& settings_hash);
-    /// A file that the summary.json of a folder lists and that is missing; "" if there is none.
-    static std::string missing_result(const std::filesystem::path& folder);
+    /// A file of finished results that is missing or has changed, in words: "report.html is missing"; "" if
+    /// there is none.
+    static std::string damage(const std::filesystem::path& folder);
 
     /// Throws config::InputError (settings) for a folder in which something lies under the name of a result
     /// that no run wrote, and for a file.

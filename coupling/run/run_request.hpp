@@ -27,6 +27,7 @@ struct RunRequest {
     Shard shard{};
     std::vector<std::filesystem::path>
         shards{};  ///< not empty: nothing is simulated, the parts lie in these folders
+    std::filesystem::path inputs_within{};  ///< not empty: inputs elsewhere are refused
 };
 
 /// Where the results of a run go: as asked for, or `out` beside the scenario file.

@@ -32,7 +32,14 @@ const std::set<std::string>& settings_beside_the_falls() {
 std::string settings_hash(const Scenario& scenario, std::span<const InputFile> inputs) {
     std::ostringstream text;
     text << version() << '\n';
-    scenario.options->write_ini(text, false, settings_beside_the_falls());
+    for (const config::ParameterRow& row : scenario.shown_settings()) {
+        if (!settings_beside_the_falls().contains(row.key)) {
+            text << row.key << " = " << row.value_text << '\n';
+        }
+    }
+    for (const config::FreeEntry& entry : scenario.options->free_entries()) {
+        text << entry.section << '.' << entry.key << " = " << entry.value << '\n';
+    }
     for (const InputFile& input : inputs) {
         if (input.role == role_of_logo) {
             continue;

@@ -44,17 +44,47 @@ void read_bins(ByteReader& in, rockfall::BinCounts& counts) {
     }
 }
 
+void write_parts(ByteWriter& out, const std::map<rockfall::RimPart, std::uint64_t>& counts) {
+    std::vector<FilledBin> filled;
+    for (const auto& [part, count] : counts) {
+        filled.push_back({static_cast<std::uint64_t>(part), count});
+    }
+    out.list(filled);
+}
+
+void read_parts(ByteReader& in, std::map<rockfall::RimPart, std::uint64_t>& counts) {
+    for (const FilledBin& filled : in.list<FilledBin>()) {
+        counts[static_cast<rockfall::RimPart>(filled.bin)] = filled.count;
+    }
+}
+
 /// The plain numbers of a run tally, in one order for writing and reading.
 template <class Tally, class Visit>
 void each_number(Tally& t, const Visit& visit) {
-    for (auto* v :
-         {&t.rocks, &t.run_out_sum_mm, &t.max_speed_sum_mmps, &t.mean_speed_sum_mmps, &t.max_energy_sum_j,
-          &t.max_height_sum_mm, &t.jump_height_sum_mm, &t.jumps, &t.ground_impacts, &t.hits, &t.trees_broken,
-          &t.tree_energy_sum_j, &t.log_hits, &t.logs_broken, &t.log_energy_sum_j, &t.dissipated_sum_j,
-          &t.residual_sum_mj, &t.corrected_sum_mj, &t.unsolved}) {
+    for (auto* v : {&t.rocks,
+                    &t.run_out_sum_mm,
+                    &t.open_run_out_sum_mm,
+                    &t.max_speed_sum_mmps,
+                    &t.mean_speed_sum_mmps,
+                    &t.max_energy_sum_j,
+                    &t.max_height_sum_mm,
+                    &t.jump_height_sum_mm,
+                    &t.jumps,
+                    &t.ground_impacts,
+                    &t.hits,
+                    &t.trees_broken,
+                    &t.tree_energy_sum_j,
+                    &t.log_hits,
+                    &t.logs_broken,
+                    &t.log_energy_sum_j,
+                    &t.dissipated_sum_j,
+                    &t.residual_sum_mj,
+                    &t.corrected_sum_mj,
+                    &t.unsolved}) {
         visit(*v);
     }
-    for (auto* v : {&t.max_speed_mps, &t.max_energy_j, &t.max_height_m, &t.max_run_out_m}) {
+    for (auto* v :
+         {&t.max_speed_mps, &t.max_energy_j, &t.max_height_m, &t.max_run_out_m, &t.max_open_run_out_m}) {
         visit(*v);
     }
 }
@@ -94,7 +124,9 @@ void read(ByteReader& in, rockfall::ArrivalTally& t) {
 void write(ByteWriter& out, const rockfall::RunTally& t) {
     each_number(t, [&](const auto& v) { out.value(v); });
     write_bins(out, t.by_reason);
+    write_parts(out, t.left_over);
     write_bins(out, t.run_out);
+    write_bins(out, t.open_run_out);
     write_bins(out, t.tree_hits);
     write_bins(out, t.max_speed);
     write_bins(out, t.max_energy);
@@ -104,7 +136,9 @@ void write(ByteWriter& out, const rockfall::RunTally& t) {
 void read(ByteReader& in, rockfall::RunTally& t) {
     each_number(t, [&](auto& v) { v = in.value<std::remove_reference_t<decltype(v)>>(); });
     read_bins(in, t.by_reason);
+    read_parts(in, t.left_over);
     read_bins(in, t.run_out);
+    read_bins(in, t.open_run_out);
     read_bins(in, t.tree_hits);
     read_bins(in, t.max_speed);
     read_bins(in, t.max_energy);

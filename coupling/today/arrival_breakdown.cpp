@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,11 +11,11 @@
 #include <string_view>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/figures.hpp"
 #include "coupling/results/line_places.hpp"
 #include "coupling/results/report/markup.hpp"
-#include "coupling/today/static_layouts.hpp"
 
 namespace coupling {
 namespace {
@@ -41,49 +40,40 @@ bool number_in(std::string_view text, Number& number) {
     return error == std::errc{} && end == text.data() + text.size();
 }
 
-/// Reads the rows of arrivals.csv as this program writes them.
+/// Takes the rows of arrivals.csv as numbers.
 class ArrivalReader {
 public:
-    ArrivalReader(std::istream& in, const std::string& file, const Site& site)
-        : in_{in}, file_{file}, origin_m_{site.origin_m()} {
+    ArrivalReader(OwnRows& rows, const Site& site) : rows_{rows}, origin_m_{site.origin_m()} {
         for (std::size_t i = 0; i < site.targets.size(); ++i) {
             numbers_.emplace(site.targets[i].id, i);
         }
-        const TableLayout& layout = layout_of(static_layouts(), "arrivals.csv");
-        columns_ = layout.columns.size();
-        for (std::size_t wanted = 0; wanted < arrival_columns_read.size(); ++wanted) {
-            const auto found = std::find_if(
-                layout.columns.begin(), layout.columns.end(),
-                [&](const Column& column) { return column.name == arrival_columns_read[wanted]; });
-            places_[wanted] = static_cast<std::size_t>(found - layout.columns.begin());
-        }
-        if (!std::getline(in_, line_)) {
-            damaged();
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            places_[i] = rows.column(arrival_columns_read[i]);
         }
     }
 
     std::optional<ArrivalRow> next() {
-        ++number_;
-        if (!std::getline(in_, line_)) {
+        if (!rows_.next()) {
             return std::nullopt;
         }
-        std::array<std::string_view, arrival_columns_read.size()> fields;
         ArrivalRow row;
         double x_m = 0.0;
         double y_m = 0.0;
         float energy_kj = 0.0F;
         const bool is_whole =
-            take_fields(fields) && number_in(fields[0], row.rock) && number_in(fields[3], x_m) &&
-            number_in(fields[4], y_m) && number_in(fields[5], energy_kj) &&
-            number_in(fields[6], row.arrival.speed_mps) && number_in(fields[7], row.arrival.height_m) &&
-            number_in(fields[8], row.arrival.centre_height_m) &&
-            number_in(fields[9], row.arrival.top_height_m);
-        const auto target = numbers_.find(fields[1]);
-        if (!is_whole || target == numbers_.end()) {
-            damaged();
+            number_in(field(0), row.rock) && number_in(field(3), x_m) && number_in(field(4), y_m) &&
+            number_in(field(5), energy_kj) && number_in(field(6), row.arrival.speed_mps) &&
+            number_in(field(7), row.arrival.height_m) && number_in(field(8), row.arrival.centre_height_m) &&
+            number_in(field(9), row.arrival.top_height_m);
+        if (!is_whole) {
+            rows_.refuse("a field that is no number");
+        }
+        const auto target = numbers_.find(field(1));
+        if (target == numbers_.end()) {
+            rows_.refuse(config::joined("target ", config::in_quotes(std::string{field(1)})));
         }
         row.target = target->second;
-        row.cover = fields[2] == name_of(Cover::forest) ? Cover::forest : Cover::bare;
+        row.cover = field(2) == name_of(Cover::forest) ? Cover::forest : Cover::bare;
         row.arrival.reached = true;
         row.arrival.x_m = static_cast<float>(x_m - origin_m_.x());
         row.arrival.y_m = static_cast<float>(y_m - origin_m_.y());
@@ -92,43 +82,12 @@ public:
     }
 
 private:
-    bool take_fields(std::array<std::string_view, arrival_columns_read.size()>& fields) const {
-        std::size_t field = 0;
-        const std::string_view line = line_;
-        for (std::size_t begin = 0; begin <= line.size(); ++field) {
-            std::size_t end = std::min(line.find(',', begin), line.size());
-            std::string_view text = line.substr(begin, end - begin);
-            if (text.starts_with('"')) {  // an id with a comma
-                const std::size_t close = line.find('"', begin + 1);
-                if (close == std::string_view::npos) {
-                    return false;
-                }
-                text = line.substr(begin + 1, close - begin - 1);
-                end = std::min(close + 1, line.size());
-            }
-            for (std::size_t i = 0; i < places_.size(); ++i) {
-                if (places_[i] == field) {
-                    fields[i] = text;
-                }
-            }
-            begin = end + 1;
-        }
-        return field == columns_;
-    }
+    [[nodiscard]] std::string_view field(std::size_t wanted) const { return rows_.fields()[places_[wanted]]; }
 
-    [[noreturn]] void damaged() const {
-        config::fail(config::ExitCode::file, {file_, number_, 1}, "a damaged row",
-                     "a row that this run wrote", "run again with --overwrite");
-    }
-
-    std::istream& in_;
-    const std::string& file_;
+    OwnRows& rows_;
     Eigen::Vector2d origin_m_;
     std::map<std::string, std::size_t, std::less<>> numbers_;
     std::array<std::size_t, arrival_columns_read.size()> places_{};
-    std::size_t columns_ = 0;
-    std::size_t number_ = 1;
-    std::string line_;
 };
 
 /// Zone and diameter of rocks, as they start.
@@ -357,23 +316,21 @@ private:
 
 }  // namespace
 
-Breakdown breakdown_of(std::istream& arrivals, const std::string& file, const Scenario& scenario,
-                       const Site& site) {
+Breakdown breakdown_of(OwnRows& arrivals, const Scenario& scenario, const Site& site) {
     Sorter sorter{scenario, site};
-    ArrivalReader reader{arrivals, file, site};
+    ArrivalReader reader{arrivals, site};
     while (const std::optional<ArrivalRow> row = reader.next()) {
         sorter.add(*row);
     }
     return std::move(sorter).found();
 }
 
-Breakdown breakdown_of(const std::filesystem::path& rows, const Scenario& scenario, const Site& site) {
+Breakdown breakdown_of(const StreamedTables& streamed, const Scenario& scenario, const Site& site) {
     if (site.targets.empty() || !scenario.arrival_table) {
         return {};
     }
-    const std::filesystem::path file = rows / "arrivals.csv";
-    std::ifstream in{file};
-    return breakdown_of(in, file.string(), scenario, site);
+    OwnRows arrivals{streamed.folder / "arrivals.csv", streamed.end_of("arrivals.csv")};
+    return breakdown_of(arrivals, scenario, site);
 }
 
 }  // namespace coupling

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <filesystem>
-#include <istream>
 #include <ostream>
 
+#include "coupling/files/own_rows.hpp"
 #include "coupling/results/breakdown.hpp"
+#include "coupling/results/out_file.hpp"
 #include "coupling/results/run_results.hpp"
 
 namespace coupling {
@@ -12,11 +12,10 @@ namespace coupling {
 /// Arrivals by place along lines, by release zone and by block size, read from the rows of arrivals.csv that
 /// this run wrote: they are too many to keep. Released rocks are counted as they start. Throws
 /// config::InputError (file) for rows that no run wrote.
-Breakdown breakdown_of(std::istream& arrivals, const std::string& file, const Scenario& scenario,
-                       const Site& site);
+Breakdown breakdown_of(OwnRows& arrivals, const Scenario& scenario, const Site& site);
 
-/// The same from the folder of the streamed tables; unknown without targets or with output.arrivals = no.
-Breakdown breakdown_of(const std::filesystem::path& rows, const Scenario& scenario, const Site& site);
+/// The same from the streamed tables; unknown without targets or with output.arrivals = no.
+Breakdown breakdown_of(const StreamedTables& streamed, const Scenario& scenario, const Site& site);
 
 /// along_lines.csv, by_zone.csv, by_size.csv: a row a stretch, zone or size, target and slope.
 void write_along_lines(std::ostream& out, const RunResults& results);

@@ -13,6 +13,7 @@
 #include "config/text/language.hpp"
 #include "coupling/nets/net_paths.hpp"
 #include "coupling/observed/events_of_rocks.hpp"
+#include "coupling/results/departures.hpp"
 #include "coupling/results/excel_csv.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/fall_rocks.hpp"
@@ -27,6 +28,7 @@
 #include "coupling/today/observed_events.hpp"
 #include "coupling/today/observed_stops.hpp"
 #include "coupling/today/row_tables.hpp"
+#include "coupling/today/unreached_today.hpp"
 #include "coupling/today/write_results.hpp"
 #include "coupling/version.hpp"
 
@@ -127,10 +129,14 @@ public:
     Ended write(OutputFolder& folder);
 
 private:
+    [[nodiscard]] Departures departures_on(rockfall::Cover cover) const {
+        const rockfall::RunTally& run = total_.runs[static_cast<std::size_t>(cover)];
+        return departures_of(run.rocks, run.left_over, site_.slope.terrain);
+    }
     Ended keep_paths(const std::filesystem::path& file);
     [[nodiscard]] std::vector<rockfall::RockImpacts> kept_impacts() const;
     [[nodiscard]] std::vector<observed::EventComparison> observed_events(
-        const std::filesystem::path& rows) const;
+        const StreamedTables& streamed) const;
 
     const RunRequest& request_;
     const Scenario& scenario_;
@@ -201,7 +207,7 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
 /// All rocks fall once more, past no nets.
 Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
     std::vector<std::pair<std::string, std::string>> settings;
-    for (const config::ParameterRow& row : scenario_.options->rows()) {
+    for (const config::ParameterRow& row : scenario_.shown_settings()) {
         settings.emplace_back(row.key, row.value_text);
     }
     const PathsHead head{.version = version(),
@@ -228,13 +234,12 @@ std::vector<rockfall::RockImpacts> AssessmentRun::kept_impacts() const {
     return impacts_of(assessment_, rocks);
 }
 
-/// `rows` is the folder of the finished arrivals.csv.
-std::vector<observed::EventComparison> AssessmentRun::observed_events(
-    const std::filesystem::path& rows) const {
+std::vector<observed::EventComparison> AssessmentRun::observed_events(const StreamedTables& streamed) const {
     const rockfall::Cover cover = assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
     std::vector<observed::SimulatedPassage> passages;
     if (!site_.observed_events.passages.empty()) {
-        passages = simulated_passages(rows / "arrivals.csv", site_, cover);
+        OwnRows arrivals{streamed.folder / "arrivals.csv", streamed.end_of("arrivals.csv")};
+        passages = simulated_passages(arrivals, site_, cover);
     }
     std::vector<observed::SimulatedImpact> impacts;
     if (!site_.observed_events.impacts.empty()) {
@@ -250,6 +255,9 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         warnings_.add(std::to_string(state_.not_started) +
                       " rocks were not released: their place in the source lies outside the terrain");
     }
+    warn_of_departures(departures_on(rockfall::Cover::bare), departures_on(rockfall::Cover::forest),
+                       warnings_);
+    warn_of_unreached(site_, total_, state_.net_rows, warnings_);
     make_folder(folder.staging() / "tables");
     // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
     std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {
@@ -262,6 +270,7 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         }
         streamed.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
     }
+    const StreamedTables tables{streamed, folder.parts()};
     const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
     const RunResults results{
         scenario_,
@@ -275,15 +284,15 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         !assessment_.only_bare(),
         version(),
         compare_stops(site_, assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest,
-                      folder.parts()),
-        observed_events(folder.parts()),
+                      tables),
+        observed_events(tables),
         kept_impacts(),
-        breakdown_of(folder.parts(), scenario_, site_)};
+        breakdown_of(tables, scenario_, site_)};
     std::vector<WrittenFile> written;
     try {
         WritingProgress progress{request_.quiet};
         const WriteWatch watch = progress.watch();
-        written = write_results(results, folder.staging(), {streamed, folder.parts()}, watch);
+        written = write_results(results, folder.staging(), tables, watch);
         watch("streamed tables");
     } catch (const WritingInterrupted&) {
         return Ended::interrupted;

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/nets/net_tables.hpp"
 #include "coupling/nets/net_words.hpp"
+#include "coupling/results/departures.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/indicators.hpp"
@@ -62,15 +63,44 @@ void print_target(const RunResults& results, std::size_t i) {
     print_strong_rocks(results, i);
 }
 
+/// Where rocks end decides what all other figures count.
+void print_departures(const RunResults& results) {
+    std::printf("  %s\n", in_words(departures_of(results, Cover::bare), "over the bare slope").c_str());
+    if (results.with_forest) {
+        std::printf("  %s\n", in_words(departures_of(results, Cover::forest), "with forest").c_str());
+    }
+}
+
+void print_run_out(const RunResults& results) {
+    for (const Cover cover : {Cover::bare, Cover::forest}) {
+        if (cover == Cover::forest && !results.with_forest) {
+            continue;
+        }
+        const SlopeFigures slope = figures_of(results.tally.runs[index_of(cover)]);
+        std::printf(
+            "  run-out %s: mean %s m of the %s %% of the rocks that stop on the terrain; of all rocks "
+            "at least %s m\n",
+            cover == Cover::bare ? "over the bare slope" : "with forest",
+            report::fixed(slope.run_out_m.mean, 1).c_str(),
+            report::fixed(100.0 * slope.stopped.value, 1).c_str(),
+            report::fixed(slope.run_out_at_least_m.mean, 1).c_str());
+    }
+}
+
 /// What a user who gave observed stops wants to see first.
 void print_observed(const std::vector<observed::StopComparison>& comparisons) {
     for (const observed::StopComparison& one : comparisons) {
         std::printf(
             "  run-out of %s: observed %.1f ± %.1f m (%zu stops), simulated %.1f ± %.1f m; "
-            "KS %.2f (by chance %.2f)\n",
+            "KS %.2f (by chance %.2f)",
             one.group.empty() ? "all stops" : one.group.c_str(), one.observed.mean_m,
             one.observed.deviation_m, one.observed.rocks, one.simulated.mean_m, one.simulated.deviation_m,
             one.largest_distance, one.distance_by_chance);
+        if (one.simulated.left_terrain > 0.0) {
+            std::printf("; %.1f %% of the simulated rocks left the terrain: their run-out is a lower bound",
+                        100.0 * one.simulated.left_terrain);
+        }
+        std::printf("\n");
     }
 }
 
@@ -93,9 +123,11 @@ void print_summary(const RunResults& results, const std::filesystem::path& folde
     std::printf("%llu rocks from %zu sources%s\n", static_cast<unsigned long long>(results.rocks),
                 results.site.sources.size(),
                 results.with_forest ? ", each with forest and without" : ", bare slope");
+    print_departures(results);
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         print_target(results, i);
     }
+    print_run_out(results);
     for (const NetFigures& figures : net_figures(results)) {
         std::printf(
             "  net %s\n",

@@ -7,10 +7,9 @@
 #include <string_view>
 
 #include "config/errors/input_error.hpp"
-#include "coupling/inputs/file_bytes.hpp"
+#include "config/text/joined.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
-#include "coupling/results/geopackage/csv_rows.hpp"
 #include "coupling/today/static_layouts.hpp"
 
 namespace coupling {
@@ -48,45 +47,35 @@ Json json_event_side(const SampleFigures& figures) {
             {"largest", json_number(figures.largest)}};
 }
 
-/// A number of a field that this program wrote.
-double number_of(std::string_view field, const std::filesystem::path& file) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error != std::errc{} || end != field.data() + field.size()) {
-        config::fail(config::ExitCode::file, {file.string()}, "a damaged row", "a row that this run wrote",
-                     "run again with --overwrite");
-    }
-    return value;
-}
-
 }  // namespace
 
-std::vector<SimulatedPassage> simulated_passages(const std::filesystem::path& arrivals_csv, const Site& site,
-                                                 rockfall::Cover cover) {
+std::vector<SimulatedPassage> simulated_passages(OwnRows& arrivals, const Site& site, rockfall::Cover cover) {
     std::map<std::string, std::uint32_t, std::less<>> place_of;
     for (std::size_t i = 0; i < site.targets.size(); ++i) {
         place_of.emplace(site.targets[i].id, static_cast<std::uint32_t>(i));
     }
-    const FileBytes bytes = open_file(arrivals_csv, {arrivals_csv.string()}, "the arrivals of this run");
-    geopackage::CsvRows rows{bytes.text()};
-    const auto column = [&](std::string_view name) {
-        const auto found = std::find(rows.columns().begin(), rows.columns().end(), name);
-        return static_cast<std::size_t>(found - rows.columns().begin());
-    };
-    const std::size_t target = column("target_id"), slope = column("cover"), speed = column("speed_mps"),
-                      height = column("height_m"), energy = column("energy_kj"),
-                      translational = column("translational_kj");
+    const std::size_t target = arrivals.column("target_id"), slope = arrivals.column("cover");
+    const std::array<std::size_t, 4> numbers{arrivals.column("speed_mps"), arrivals.column("height_m"),
+                                             arrivals.column("energy_kj"),
+                                             arrivals.column("translational_kj")};
     std::vector<SimulatedPassage> passages;
-    while (rows.next()) {
-        const auto& fields = rows.fields();
-        if (fields.size() != rows.columns().size() || !place_of.contains(fields[target])) {
-            config::fail(config::ExitCode::file, {arrivals_csv.string()}, "a damaged row",
-                         "a row that this run wrote", "run again with --overwrite");
+    while (arrivals.next()) {
+        const auto& fields = arrivals.fields();
+        const auto place = place_of.find(fields[target]);
+        if (place == place_of.end()) {
+            arrivals.refuse(config::joined("target ", config::in_quotes(std::string{fields[target]})));
         }
         if (fields[slope] == name_of(cover)) {
-            const auto number = [&](std::size_t place) { return number_of(fields[place], arrivals_csv); };
-            passages.push_back({place_of.find(fields[target])->second, number(speed), number(height),
-                                number(energy), number(translational)});
+            std::array<double, 4> values{};
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                const std::string_view field = fields[numbers[i]];
+                const auto [end, error] =
+                    std::from_chars(field.data(), field.data() + field.size(), values[i]);
+                if (error != std::errc{} || end != field.data() + field.size()) {
+                    arrivals.refuse("a field that is no number");
+                }
+            }
+            passages.push_back({place->second, values[0], values[1], values[2], values[3]});
         }
     }
     return passages;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <ostream>
 #include <vector>
 
+#include "coupling/files/own_rows.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/observed/events.hpp"
 #include "coupling/results/json.hpp"
@@ -11,10 +11,10 @@
 
 namespace coupling {
 
-/// The arrivals of one slope as tables/arrivals.csv has them. Throws config::InputError (file) for a table
-/// that cannot be read.
-std::vector<observed::SimulatedPassage> simulated_passages(const std::filesystem::path& arrivals_csv,
-                                                           const Site& site, rockfall::Cover cover);
+/// The arrivals of one slope as the rows of arrivals.csv have them. Throws config::InputError (file) for rows
+/// that no run wrote.
+std::vector<observed::SimulatedPassage> simulated_passages(OwnRows& arrivals, const Site& site,
+                                                           rockfall::Cover cover);
 
 /// tables/observed_events.csv: two rows a quantity.
 void write_observed_events(std::ostream& out, const std::vector<observed::EventComparison>& comparisons);

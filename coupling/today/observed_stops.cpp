@@ -2,11 +2,9 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <string>
 #include <string_view>
 
-#include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/results/csv_row.hpp"
 #include "coupling/results/figures.hpp"
@@ -19,42 +17,8 @@ namespace {
 using observed::StopComparison;
 using observed::StopFigures;
 
-/// Where the fields stand that a stop is made of, by the names of their columns.
-class RockColumns {
-public:
-    RockColumns() {
-        const TableLayout& layout = layout_of(static_layouts(), "rocks.csv");
-        for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-            for (std::size_t wanted = 0; wanted < names.size(); ++wanted) {
-                if (layout.columns[i].name == names[wanted]) {
-                    places_[wanted] = i;
-                }
-            }
-        }
-        columns_ = layout.columns.size();
-    }
-
-    /// The wanted fields of a line; nothing if it has another number of fields than the table.
-    [[nodiscard]] bool take(std::string_view line, std::array<std::string_view, 7>& wanted) const {
-        std::size_t field = 0;
-        for (std::size_t begin = 0; begin <= line.size(); ++field) {
-            const std::size_t end = std::min(line.find(',', begin), line.size());
-            for (std::size_t i = 0; i < places_.size(); ++i) {
-                if (places_[i] == field) {
-                    wanted[i] = line.substr(begin, end - begin);
-                }
-            }
-            begin = end + 1;
-        }
-        return field == columns_;
-    }
-
-private:
-    static constexpr std::array<std::string_view, 7> names{"cover",   "zone",    "x_start_m",  "y_start_m",
-                                                           "x_end_m", "y_end_m", "stop_reason"};
-    std::array<std::size_t, 7> places_{};
-    std::size_t columns_ = 0;
-};
+constexpr std::array<std::string_view, 7> rock_columns_read{"cover",   "zone",    "x_start_m",  "y_start_m",
+                                                            "x_end_m", "y_end_m", "stop_reason"};
 
 template <class Number>
 bool read_number(std::string_view text, Number& number) {
@@ -88,40 +52,35 @@ Json json_side(const StopFigures& figures) {
 
 }  // namespace
 
-std::vector<observed::SimulatedStop> simulated_stops(const std::filesystem::path& rocks_csv,
-                                                     rockfall::Cover cover) {
-    const RockColumns columns;
-    std::ifstream in{rocks_csv};
-    std::string line;
-    const bool has_head = std::getline(in, line).good();
+std::vector<observed::SimulatedStop> simulated_stops(OwnRows& rocks, rockfall::Cover cover) {
+    std::array<std::size_t, rock_columns_read.size()> places{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i] = rocks.column(rock_columns_read[i]);
+    }
     std::vector<observed::SimulatedStop> stops;
-    std::array<std::string_view, 7> fields;
-    for (std::size_t number = 2; std::getline(in, line); ++number) {
+    while (rocks.next()) {
+        const auto field = [&](std::size_t wanted) { return rocks.fields()[places[wanted]]; };
         observed::SimulatedStop stop;
-        if (!columns.take(line, fields) || !read_number(fields[1], stop.zone) ||
-            !read_number(fields[2], stop.start_m.x()) || !read_number(fields[3], stop.start_m.y()) ||
-            !read_number(fields[4], stop.end_m.x()) || !read_number(fields[5], stop.end_m.y())) {
-            config::fail(config::ExitCode::file, {rocks_csv.string(), number, 1}, "a damaged row",
-                         "a row that this run wrote", "run again with --overwrite");
+        if (!read_number(field(1), stop.zone) || !read_number(field(2), stop.start_m.x()) ||
+            !read_number(field(3), stop.start_m.y()) || !read_number(field(4), stop.end_m.x()) ||
+            !read_number(field(5), stop.end_m.y())) {
+            rocks.refuse("a field that is no number");
         }
-        if (fields[0] == name_of(cover)) {
-            stop.left_terrain = fields[6] == name_of(rockfall::StopReason::left_terrain);
+        if (field(0) == name_of(cover)) {
+            stop.left_terrain = field(6) == name_of(rockfall::StopReason::left_terrain);
             stops.push_back(stop);
         }
-    }
-    if (in.bad() || !has_head) {
-        config::fail(config::ExitCode::file, {rocks_csv.string()}, "a table that cannot be read",
-                     "the rocks of this run");
     }
     return stops;
 }
 
 std::vector<StopComparison> compare_stops(const Site& site, rockfall::Cover cover,
-                                          const std::filesystem::path& rows) {
+                                          const StreamedTables& streamed) {
     if (site.observed_stops.empty()) {
         return {};
     }
-    return observed::compare_stops(site.observed_stops, simulated_stops(rows / "rocks.csv", cover));
+    OwnRows rocks{streamed.folder / "rocks.csv", streamed.end_of("rocks.csv")};
+    return observed::compare_stops(site.observed_stops, simulated_stops(rocks, cover));
 }
 
 void write_observed_stops(std::ostream& out, const std::vector<StopComparison>& comparisons) {

@@ -1,10 +1,10 @@
 #include "coupling/today/row_tables.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/files/file_reader.hpp"
 #include "coupling/results/disk.hpp"
 #include "coupling/today/rows.hpp"
 
@@ -20,23 +20,16 @@ constexpr const char* kept_table_remedy =
 
 /// Of the first bytes of a file; nothing if it has fewer.
 std::optional<std::uint64_t> sum_of_first(const fs::path& file, std::uint64_t bytes) {
-    std::ifstream in{file, std::ios::binary};
-    Checksum sum;
-    std::vector<char> block(std::size_t{1} << 20);
-    while (bytes > 0) {
-        const std::size_t count = std::min<std::size_t>(bytes, block.size());
-        if (!in.read(block.data(), static_cast<std::streamsize>(count))) {
-            return std::nullopt;
-        }
-        sum.add(block.data(), count);
-        bytes -= count;
+    if (!is_there(file)) {
+        return std::nullopt;
     }
-    return sum.value();
+    FileReader in{file};
+    return in.bytes() < bytes ? std::nullopt : std::optional{checksum_of(in, bytes).value()};
 }
 
 /// Takes a table back to the end of a part: what was written later belongs to no part.
 void cut_to(const fs::path& file, const KeptTable& kept) {
-    const auto sum = sum_of_first(file, kept.bytes);
+    const auto sum = sum_of_first(file, kept.end.bytes);
     if (!sum) {
         config::fail(config::ExitCode::file, {file.string()}, "shorter than its last finished part",
                      kept_table_remedy);
@@ -47,8 +40,8 @@ void cut_to(const fs::path& file, const KeptTable& kept) {
                      kept_table_remedy);
     }
     std::error_code error;
-    if (fs::file_size(file, error) != kept.bytes && !error) {
-        fs::resize_file(file, kept.bytes, error);
+    if (fs::file_size(file, error) != kept.end.bytes && !error) {
+        fs::resize_file(file, kept.end.bytes, error);
     }
     if (error) {
         config::fail(config::ExitCode::file, {file.string()},
@@ -90,9 +83,11 @@ RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path&
                 cut_to(file, kept[number]);
                 table->file.emplace(file, OutFile::Begin::at_end);
                 table->file->keep_sum(Checksum{kept[number].sum});
+                table->file->count_table(kept[number].end);
             } else {
                 table->file.emplace(file);
                 table->file->keep_sum({});
+                table->file->count_table();
                 header(table->file->stream());
             }
         }
@@ -172,13 +167,7 @@ std::vector<KeptTable> RowTables::sync() {
             continue;
         }
         table->file->sync();
-        std::error_code error;
-        const std::uint64_t bytes = fs::file_size(table->file->file(), error);
-        if (error) {
-            config::fail(config::ExitCode::file, {table->file->file().string()},
-                         "cannot be examined: " + error.message());
-        }
-        kept.push_back({bytes, table->file->sum()});
+        kept.push_back({*table->file->end(), table->file->sum()});
     }
     return kept;
 }
@@ -188,7 +177,7 @@ std::vector<WrittenFile> RowTables::close() {
     for (const auto& table : tables_) {
         if (table->wanted()) {
             table->file->close();
-            written.push_back({"tables/" + table->name, table->sentence});
+            written.push_back({"tables/" + table->name, table->sentence, table->file->end()});
         }
     }
     return written;

@@ -65,7 +65,10 @@ TableLayout run_out() {
              {"run_out_low_m", "m", "lower end of the bin of the plan distance from release to end",
               "bins of 10 m"},
              {"run_out_high_m", "m", "upper end of the bin; empty: everything further", "bins of 10 m"},
-             {"rocks", "-", "rocks that ended in this bin", counted}}};
+             {"rocks", "-", "rocks that stopped on the terrain in this bin", counted},
+             {"not_stopped", "-",
+              "rocks that left the terrain or were given up in this bin: their run-out is at least so long",
+              counted}}};
 }
 
 TableLayout tree_hits_per_rock() {

@@ -1,6 +1,7 @@
 #include "coupling/today/summary.hpp"
 
 #include "config/units/constants.hpp"
+#include "coupling/results/departures.hpp"
 #include "coupling/results/few_rocks.hpp"
 #include "coupling/results/json.hpp"
 #include "coupling/today/observed_events.hpp"
@@ -56,14 +57,17 @@ Json targets(const Figures& figures, const std::vector<Cover>& covers) {
     return list;
 }
 
-Json slope(const SlopeFigures& figures) {
+Json slope(const SlopeFigures& figures, const Departures& departures) {
     Json stops;
     for (std::size_t reason = 0; reason < figures.by_reason.size(); ++reason) {
         stops[name_of(static_cast<rockfall::StopReason>(reason))] = json_share(figures.by_reason[reason]);
     }
     Json json{{"rocks", figures.rocks},
               {"stop_reasons", stops},
+              {"stopped", json_share(figures.stopped)},
+              {"left_terrain", json_departures(departures)},
               {"run_out_m", json_distribution(figures.run_out_m, false)},
+              {"run_out_at_least_m", json_distribution(figures.run_out_at_least_m, false)},
               {"max_speed_mps", json_distribution(figures.max_speed_mps, true)},
               {"max_energy_kj", json_distribution(figures.max_energy_kj, true)},
               {"max_height_m", json_distribution(figures.max_height_m, true)},
@@ -109,7 +113,7 @@ void write_summary(std::ostream& out, const RunResults& results, const Figures& 
     const std::vector<Cover> covers = covers_of(results);
     summary["targets"] = targets(figures, covers);
     for (const Cover cover : covers) {
-        summary["slopes"][name_of(cover)] = slope(figures.at(cover));
+        summary["slopes"][name_of(cover)] = slope(figures.at(cover), departures_of(results, cover));
     }
     if (!results.observed_stops.empty()) {
         summary["observed_stops"] = json_observed_stops(results.observed_stops);

@@ -109,14 +109,17 @@ void write_run_out(std::ostream& out, const RunResults& results) {
     TableRows row{out, static_layouts(), "run_out.csv"};
     for (const Cover cover : covers_of(results)) {
         const rockfall::RunTally& tally = results.tally.runs[index_of(cover)];
-        const auto last = std::find_if(tally.run_out.rbegin(), tally.run_out.rend(),
-                                       [](std::uint64_t count) { return count > 0; });
-        const auto bins = static_cast<std::size_t>(tally.run_out.rend() - last);
+        const auto filled = [](const auto& counts) {
+            const auto last =
+                std::find_if(counts.rbegin(), counts.rend(), [](std::uint64_t count) { return count > 0; });
+            return static_cast<std::size_t>(counts.rend() - last);
+        };
+        const std::size_t bins = std::max(filled(tally.run_out), filled(tally.open_run_out));
         for (std::size_t bin = 0; bin < bins; ++bin) {
             const double low_m = static_cast<double>(bin) * tally.run_out_bin_m;
             row.text(name_of(cover)).number<0>(low_m);
             bin + 1 == tally.run_out_bins ? row.empty() : row.number<0>(low_m + tally.run_out_bin_m);
-            row.whole(tally.run_out[bin]);
+            row.whole(tally.run_out[bin]).whole(tally.open_run_out[bin]);
             row.end();
         }
     }
@@ -196,7 +199,8 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
     write("runs.csv",
           "All rocks on each slope: where they stopped, run-out, speeds, energies, heights, tree hits.",
           [&](std::ostream& out) { write_runs(out, figures, covers); });
-    write("run_out.csv", "Rocks by run-out (plan distance from release to end) in bins of 10 m.",
+    write("run_out.csv",
+          "Rocks by run-out (plan distance from release to end) in bins of 10 m; rocks that left apart.",
           [&](std::ostream& out) { write_run_out(out, results); });
     if (!results.observed_stops.empty()) {
         write("observed_stops.csv", "Where rocks were seen to stop beside where the simulated ones do.",

@@ -17,6 +17,7 @@
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "coupling/run/staged_folder.hpp"
 #include "coupling/vary/report/regime_page.hpp"
 
 namespace coupling::vary {
@@ -198,13 +199,14 @@ int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
         return static_cast<int>(config::ExitCode::interrupted);
     }
     mark_rank_changes(runs);
-    make_folder(request.out);
-    OutFile rows{request.out / "vary.csv"};
+    StagedFolder staged{request.out};
+    OutFile rows{staged.path() / "vary.csv"};
     write_regime_table(rows.stream(), factors, runs);
     rows.close();
-    OutFile html{request.out / "report.html"};
+    OutFile html{staged.path() / "report.html"};
     report::write_regime_page(html.stream(), request.scenario.stem().string(), factors, runs);
     html.close();
+    staged.publish();
     if (!request.quiet) {
         print_study(factors, runs, screen);
         screen << "Results in " << request.out.string() << ": vary.csv, report.html\n";

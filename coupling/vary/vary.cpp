@@ -20,6 +20,7 @@
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/progress.hpp"
+#include "coupling/run/staged_folder.hpp"
 #include "coupling/vary/regime_study.hpp"
 #include "coupling/vary/report/page.hpp"
 #include "coupling/vary/write_table.hpp"
@@ -89,7 +90,9 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
     outcome.with_forest = !assessment.only_bare();
     const rockfall::RunTally& run = total.runs[index_of(outcome.with_forest ? Cover::forest : Cover::bare)];
     outcome.rocks = total.runs[index_of(Cover::bare)].rocks;
-    outcome.run_out_mean_m = 1e-3 * static_cast<double>(run.run_out_sum_mm) / static_cast<double>(run.rocks);
+    const SlopeFigures slope = figures_of(run);
+    outcome.run_out_mean_m = slope.run_out_m.mean;
+    outcome.left_terrain = slope.by_reason[static_cast<std::size_t>(rockfall::StopReason::left_terrain)];
     for (std::size_t i = 0; i < site.targets.size(); ++i) {
         const rockfall::TargetTally& tally = total.targets[i];
         TargetOutcome target;
@@ -165,6 +168,7 @@ double TargetOutcome::answer(bool with_forest) const {
 int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     const std::filesystem::path table = request.out / "vary.csv";
     const std::filesystem::path page = request.out / "report.html";
+    StagedFolder::tidy(request.out);
     if (!request.overwrite && (path_exists(table) || path_exists(page))) {
         config::fail(config::ExitCode::settings, {request.out.string()}, "a folder that holds a study",
                      "a new folder", "name another one by --out, or add --overwrite");
@@ -189,13 +193,14 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     }
     progress.finish();
 
-    make_folder(request.out);
-    OutFile rows{table};
+    StagedFolder staged{request.out};
+    OutFile rows{staged.path() / table.filename()};
     write_table(rows.stream(), factors, outcomes);
     rows.close();
-    OutFile html{page};
+    OutFile html{staged.path() / page.filename()};
     report::write_page(html.stream(), *scenario_of(request, {}), factors, outcomes);
     html.close();
+    staged.publish();
     if (!request.quiet) {
         print_overview(factors, outcomes, screen);
         screen << "Results in " << request.out.string() << ": vary.csv, report.html\n";

@@ -41,7 +41,8 @@ struct Outcome {
     Combination combination;
     bool with_forest = false;
     std::uint64_t rocks = 0;
-    double run_out_mean_m = 0.0;  ///< through the forest where there is one
+    double run_out_mean_m = 0.0;  ///< of the rocks that stop, through the forest where there is one
+    Share left_terrain;           ///< on the same slope
     std::vector<TargetOutcome> targets;
 };
 

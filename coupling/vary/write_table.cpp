@@ -23,7 +23,7 @@ void write_table(std::ostream& out, const std::vector<Factor>& factors,
          {"target_id", "rocks", "share_bare", "share_bare_low", "share_bare_high", "energy_mean_bare_kj",
           "energy_p95_bare_kj", "share_forest", "share_forest_low", "share_forest_high",
           "energy_mean_forest_kj", "energy_p95_forest_kj", "protection_percent", "protection_low_percent",
-          "protection_high_percent", "run_out_mean_m"}) {
+          "protection_high_percent", "run_out_mean_m", "left_terrain_percent"}) {
         row.text(column);
     }
     row.end();
@@ -51,7 +51,7 @@ void write_table(std::ostream& out, const std::vector<Factor>& factors,
             } else {
                 row.empty().empty().empty();
             }
-            row.number<2>(outcome.run_out_mean_m);
+            row.number<2>(outcome.run_out_mean_m).number<4>(100.0 * outcome.left_terrain.value);
             row.end();
         }
     }

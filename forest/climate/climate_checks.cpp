@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iomanip>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,6 +39,11 @@ double quantile(std::vector<double> numbers, double share) {
 }
 
 std::string rounded(double value) {
+    if (value != 0.0 && std::abs(value) < 0.1) {
+        std::ostringstream two_figures;
+        two_figures << std::setprecision(2) << value;
+        return two_figures.str();
+    }
     const auto tenths = static_cast<long long>(value * 10.0 + (value < 0.0 ? -0.5 : 0.5));
     return config::to_text(static_cast<double>(tenths) / 10.0);
 }
@@ -80,28 +88,92 @@ void expect(bool holds, const Table& table, std::size_t row, std::string_view co
     }
 }
 
+/// A sum or mean over the year, the unit that the table has to be in, and other units that people have.
+struct YearlyFigure {
+    struct Unit {
+        double factor;
+        const char* words;
+    };
+    std::string_view column;
+    const char* what;
+    double value;
+    double least_possible;  ///< below it no place between 30 and 70 degrees lies: another unit
+    double least_usual, most_usual;
+    const char* wanted;
+    const char* hint;
+    std::vector<Unit> units;  ///< the likelier first
+};
+
+/// The unit in which a figure would be a usual one; empty without such a unit.
+std::string fitting_unit(const YearlyFigure& figure) {
+    for (const YearlyFigure::Unit& unit : figure.units) {
+        const double converted = figure.value * unit.factor;
+        if (converted >= figure.least_usual && converted <= figure.most_usual) {
+            return unit.words;
+        }
+    }
+    return {};
+}
+
 /// What a year's sums and means say about units and gaps.
-void warn_of_the_mean_year(const ClimateSeries& series, const Table& table, config::Warnings& warnings) {
+void check_the_mean_year(const ClimateSeries& series, const Table& table, Problems& problems,
+                         config::Warnings& warnings) {
     double prec_mm = 0.0;
     double tave_degc = 0.0;
     double radiation_mjpm2 = 0.0;
+    const auto months = 12.0 * static_cast<double>(series.years.size());
     for (const ClimateYear& year : series.years) {
         for (const ClimateMonth& month : year.months) {
-            prec_mm += month.prec_mm;
-            tave_degc += month.tave_degc / 12.0;
-            radiation_mjpm2 += month.radiation_mjpm2 / 12.0;
+            prec_mm += 12.0 * month.prec_mm / months;
+            tave_degc += month.tave_degc / months;
+            radiation_mjpm2 += month.radiation_mjpm2 / months;
         }
     }
-    const auto years = static_cast<double>(series.years.size());
-    const auto warn = [&](double value, double low, double high, const std::string& what,
-                          const std::string& hint) {
-        if (value < low || value > high) {
-            warnings.add(table.file() + ": " + what + " of a mean year is " + rounded(value) + "; " + hint);
+    constexpr double days = 30.44;  // of a mean month
+    // Lowest sums and means of inhabited places between 30 and 70 degrees: forests end above 200 mm, steppes
+    // at 100; the darkest coasts at 70 degrees north have 6.5 MJ/m2 a day [choice].
+    const std::array<YearlyFigure, 3> figures{
+        {{"prec_mm",
+          "precipitation (mm)",
+          prec_mm,
+          100.0,
+          250.0,
+          4000.0,
+          "mm a month",
+          "is it mm a month?",
+          {{days, "mm a day (times the days of the month)"},
+           {days * 86400.0, "kg m-2 s-1 (times 86400 and the days of the month)"},
+           {1000.0, "m a month (times 1000)"},
+           {10.0, "cm a month (times 10)"},
+           {25.4, "inches a month (times 25.4)"}}},
+         {"tave_c",
+          "temperature (degC)",
+          tave_degc,
+          -1e9,
+          -8.0,
+          20.0,
+          "degC",
+          "no forest, or another unit?",
+          {}},
+         {"rad_mj_m2_d",
+          "radiation (MJ/m2 a day)",
+          radiation_mjpm2,
+          6.0,
+          6.0,
+          25.0,
+          "MJ/m2 a day",
+          "is it a daily mean on flat ground?",
+          {{3.6, "kWh/m2 a day (times 3.6)"}}}}};
+    for (const YearlyFigure& figure : figures) {
+        const std::string found = std::string{figure.what} + " of a mean year is " + rounded(figure.value);
+        if (figure.value < figure.least_possible) {
+            const std::string unit = fitting_unit(figure);
+            problems.add(ExitCode::data, {table.file()}, std::string{figure.column} + ": " + found,
+                         std::string{figure.wanted} + (unit.empty() ? "" : "; this looks like " + unit));
+        } else if (figure.value < figure.least_usual || figure.value > figure.most_usual) {
+            warnings.add(table.file() + ": " + found + "; " + figure.hint);
         }
-    };
-    warn(prec_mm / years, 250.0, 4000.0, "precipitation (mm)", "is it mm a month?");
-    warn(tave_degc / years, -8.0, 20.0, "temperature (degC)", "no forest, or another unit?");
-    warn(radiation_mjpm2 / years, 6.0, 25.0, "radiation (MJ/m2 a day)", "is it a daily mean on flat ground?");
+    }
 }
 
 }  // namespace
@@ -180,7 +252,9 @@ void check_months(const ClimateSeries& series, const Table& table, const RowsOfM
     mean_outside.warn(table, "tave_c outside tmin_c and tmax_c", warnings);
     warm_frost.warn(table, "frost_days that contradict tmin_c", warnings);
     dry.warn(table, "a deficit near saturation, as in no forest", warnings);
-    warn_of_the_mean_year(series, table, warnings);
+    if (problems.empty()) {
+        check_the_mean_year(series, table, problems, warnings);
+    }
 }
 
 }  // namespace forest

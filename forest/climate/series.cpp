@@ -140,10 +140,10 @@ void warn_of_misspelt_columns(const Table& table, config::Warnings& warnings) {
             absent.emplace_back(name);
         }
     }
-    for (const std::string& column : table.columns()) {
-        const bool is_read = std::find(read.begin(), read.end(), column) != read.end();
-        const std::string meant = is_read ? "" : config::nearest_word(column, absent);
+    for (const std::string& column : table.columns_beside({read.begin(), read.end()})) {
+        const std::string meant = config::nearest_word(column, absent);
         if (!meant.empty() && !is_other_quantity(column, meant)) {
+            table.count_as_named(column);
             warnings.add(config::joined(table.file(), ": column ", config::in_quotes(column),
                                         " is not read; if it is ", config::in_quotes(meant),
                                         ", give it that name"));
@@ -153,14 +153,14 @@ void warn_of_misspelt_columns(const Table& table, config::Warnings& warnings) {
 
 void warn_of_what_was_made(const Table& table, config::Warnings& warnings) {
     if (!table.has("tave_c")) {
-        warnings.add(table.file() + ": no column tave_c; the middle of minimum and maximum is taken");
+        warnings.add_note(table.file() + ": no column tave_c; the middle of minimum and maximum is taken");
     }
     if (deficit_column(table).empty()) {
-        warnings.add(table.file() +
-                     ": no column vpd_kpa; vapour pressure deficits are made from temperatures");
+        warnings.add_note(table.file() +
+                          ": no column vpd_kpa; vapour pressure deficits are made from temperatures");
     }
     if (!table.has("frost_days")) {
-        warnings.add(table.file() + ": no column frost_days; they are made from minimum temperatures");
+        warnings.add_note(table.file() + ": no column frost_days; they are made from minimum temperatures");
     }
 }
 

@@ -70,14 +70,26 @@ void tell_filled(const std::map<SpeciesId, std::size_t>& filled, const HeightCur
                   (curves.has_own(id) ? "" : " of all species") + " (standard error " +
                   one_decimal(fit.standard_error_m) + " m)";
         }
-        warnings.add(species[id].latin_name + ": " + std::to_string(trees) + " heights filled in " + how);
+        warnings.add_note(species[id].latin_name + ": " + std::to_string(trees) + " heights filled in " +
+                          how);
     }
 }
 
-/// Adds a sentence if there is something to count.
-void tell_count(std::size_t trees, const std::string& what, config::Warnings& warnings) {
+std::string count_in_words(std::size_t trees, const std::string& what) {
+    return std::to_string(trees) + (trees == 1 ? " tree " : " trees ") + what;
+}
+
+/// Adds a warning if there is something to count.
+void warn_of_count(std::size_t trees, const std::string& what, config::Warnings& warnings) {
     if (trees > 0) {
-        warnings.add(std::to_string(trees) + (trees == 1 ? " tree " : " trees ") + what);
+        warnings.add(count_in_words(trees, what));
+    }
+}
+
+/// Adds a note if there is something to count.
+void note_count(std::size_t trees, const std::string& what, config::Warnings& warnings) {
+    if (trees > 0) {
+        warnings.add_note(count_in_words(trees, what));
     }
 }
 
@@ -176,11 +188,12 @@ StartingTrees trees_from_list(std::span<const ListedTree> list, const PatchGrid&
         start.trees.back().id = TreeId{listed.id};
     }
     tell_filled(filled, curves, species, warnings);
-    tell_count(implausible, "had a height of 1.3 m or less or beyond the species' greatest: taken as missing",
-               warnings);
-    tell_count(too_small, "below 1 cm diameter left out", warnings);
-    tell_count(start.outside.size(), "outside the forest: obstacles that do not grow", warnings);
-    tell_count(doubled_places(start.trees), "on the same spot as another", warnings);
+    warn_of_count(implausible,
+                  "had a height of 1.3 m or less or beyond the species' greatest: taken as missing",
+                  warnings);
+    note_count(too_small, "below 1 cm diameter left out", warnings);
+    note_count(start.outside.size(), "outside the forest: obstacles that do not grow", warnings);
+    warn_of_count(doubled_places(start.trees), "on the same spot as another", warnings);
     return start;
 }
 

@@ -48,11 +48,15 @@ struct ModelDescription {
     bool spins = false;             ///< rocks have a spin, and energies count it
     bool needs_soils = false;       ///< each ground type must have a soil
     double path_bytes_per_m = 0.0;  ///< a stored path grows by this for each metre of drop (measured)
-    double us_per_path_m = 0.0;     ///< a metre of path of a rock takes so long on one core (measured)
+    /// A metre of path of a rock takes so long on one core (measured). 0: it depends on shapes and ground, so
+    /// `check` simulates a few rocks and measures their time.
+    double us_per_path_m = 0.0;
     /// Settings outside its section that only some models use, this one among them.
     std::vector<std::string> shared_settings{};
     /// Settings that do nothing but turn rocks sideways: without effect where they stay in a plane.
     std::vector<std::string> sideways_settings{};
+    /// Which results of the model are not confirmed, and what to do: the first warning of each run with it.
+    std::string_view caution{};
 };
 
 }  // namespace rockfall

@@ -55,6 +55,16 @@ double longest_piece_s(const Eigen::Vector3d& velocity, double speed_mps, const 
 
 }  // namespace
 
+OwnMotion RollingPiece::own_at(double time_s) const {
+    const double length_m = (position_m(duration_s) - start_m).norm();
+    if (!has_own() || length_m == 0.0) {
+        return own_end;
+    }
+    const double share = std::clamp((position_m(time_s) - start_m).norm() / length_m, 0.0, 1.0);
+    return {own_start.squared_speed + share * (own_end.squared_speed - own_start.squared_speed),
+            own_start.rotation_j + share * (own_end.rotation_j - own_start.rotation_j)};
+}
+
 double RollingPiece::time_along_s(double share) const {
     const Eigen::Vector3d way = position_m(duration_s) - start_m;
     const double length_m = way.norm();

@@ -30,7 +30,17 @@ inline constexpr double largest_overrun_tangent = 3.0;
 
 enum class RollingEnd : std::uint8_t { edge, standstill, launch_speed, piece };
 
+/// Motion at an end of a piece of a block that neither rolls nor slides.
+struct OwnMotion {
+    double squared_speed = 0.0;  ///< of the centroid [m2/s2]
+    double rotation_j = -1.0;    ///< energy of rotation; below 0: the rock has no motion of its own
+};
+
 /// A piece of rolling with constant acceleration on one triangle.
+///
+/// Of a block with a motion of its own the piece is the chord of its way: velocity and acceleration place it
+/// on the chord, and its energies are those of `own_start` and `own_end`, between which they change evenly
+/// along the way. The mean speed of a short chord may be far from the block's.
 struct RollingPiece {
     Eigen::Vector3d start_m;
     Eigen::Vector3d velocity_mps;
@@ -40,8 +50,23 @@ struct RollingPiece {
     std::uint32_t next_triangle;  ///< beyond the edge that ends the piece, or that a shortest piece ran over
     bool ran_over = false;        ///< ends a little beyond its edge
     bool slides = false;          ///< moves without spin
-    double rotation_j = -1.0;  ///< energy of rotation of a block that neither rolls nor slides; else below 0
+    OwnMotion own_start{};        ///< of a block that neither rolls nor slides
+    OwnMotion own_end{};
 
+    [[nodiscard]] bool has_own() const { return own_end.rotation_j >= 0.0; }
+    [[nodiscard]] double squared_speed_start() const {
+        return has_own() ? own_start.squared_speed : velocity_mps.squaredNorm();
+    }
+    [[nodiscard]] double squared_speed_end() const {
+        return has_own() ? own_end.squared_speed : velocity_at(duration_s).squaredNorm();
+    }
+    /// The block's motion after a time of the piece.
+    [[nodiscard]] OwnMotion own_at(double time_s) const;
+    /// Ends the piece earlier.
+    void end_after(double time_s) {
+        own_end = own_at(time_s);
+        duration_s = time_s;
+    }
     [[nodiscard]] Eigen::Vector3d position_m(double time_s) const {
         return start_m + time_s * velocity_mps + 0.5 * time_s * time_s * acceleration_mps2;
     }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/geometry/shape.hpp"
 #include "config/random/stream.hpp"
 #include "config/units/angle.hpp"
 #include "rockfall/fall.hpp"
@@ -18,6 +19,12 @@ namespace rockfall {
 
 struct StartLaw;
 
+/// A polygon that is smaller than the cells of the terrain: its rocks start inside it.
+struct SourceOutline {
+    config::Shape polygon;    ///< in coordinates of the terrain
+    Eigen::Vector2d inner_m;  ///< a place inside it, on the terrain
+};
+
 /// Where rocks break off: a grid cell, a point or a piece of a line, in coordinates of the terrain.
 struct ReleaseSource {
     enum class Kind : std::uint8_t { cell, line };  ///< a point is a line without length
@@ -25,10 +32,11 @@ struct ReleaseSource {
     Eigen::Vector2d first_m = Eigen::Vector2d::Zero();  ///< south-western corner, or one end
     Eigen::Vector2d last_m = Eigen::Vector2d::Zero();   ///< north-eastern corner, or the other end
     std::uint32_t zone = 0;                             ///< number that the user gave the release zone
-    double weight = 1.0;           ///< share of the rocks: true surface area, length or 1
-    std::uint64_t first_rock = 0;  ///< number of its first rock; set by `allot`
-    std::uint32_t rocks = 0;       ///< set by `allot`
-    bool evenly = false;           ///< along a line: rock k of n starts in the k-th of n equal stretches
+    double weight = 1.0;                           ///< share of the rocks: true surface area, length or 1
+    std::uint64_t first_rock = 0;                  ///< number of its first rock; set by `allot`
+    std::uint32_t rocks = 0;                       ///< set by `allot`
+    std::shared_ptr<const SourceOutline> outline;  ///< of a cell: only the part of it inside the polygon
+    bool evenly = false;  ///< along a line: rock k of n starts in the k-th of n equal stretches
     std::shared_ptr<const StartLaw> own_start;  ///< how its rocks begin; null: as those of all others
 };
 

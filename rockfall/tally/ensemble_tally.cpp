@@ -82,10 +82,8 @@ RunTally::RunTally()
 void RunTally::add(const RockRecord& record) {
     ++rocks;
     ++by_reason[static_cast<std::size_t>(record.reason)];
-    const double run_out_m = record.run_out_m();
-    ++run_out[std::min(static_cast<std::size_t>(run_out_m / run_out_bin_m), run_out_bins - 1)];
+    add_run_out(record);
     ++tree_hits[std::min<std::size_t>(record.tree_hits, hit_bins - 1)];
-    run_out_sum_mm += thousandths(run_out_m);
     max_speed_sum_mmps += thousandths(record.max_speed_mps);
     mean_speed_sum_mmps += thousandths(record.mean_speed_mps());
     max_energy_sum_j += whole(record.max_energy_j);
@@ -106,18 +104,47 @@ void RunTally::add(const RockRecord& record) {
     max_speed_mps = std::max(max_speed_mps, record.max_speed_mps);
     max_energy_j = std::max(max_energy_j, record.max_energy_j);
     max_height_m = std::max(max_height_m, record.max_height_m);
-    max_run_out_m = std::max(max_run_out_m, run_out_m);
     ++max_speed[fine_speed_bins.bin_of(static_cast<float>(record.max_speed_mps))];
     ++max_energy[fine_energy_bins.bin_of(static_cast<float>(record.max_energy_j))];
     ++max_height[fine_height_bins.bin_of(static_cast<float>(record.max_height_m))];
 }
 
+void RunTally::add_run_out(const RockRecord& record) {
+    const double run_out_m = record.run_out_m();
+    const std::size_t bin = std::min(static_cast<std::size_t>(run_out_m / run_out_bin_m), run_out_bins - 1);
+    if (came_to_rest(record.reason)) {
+        ++run_out[bin];
+        run_out_sum_mm += thousandths(run_out_m);
+        max_run_out_m = std::max(max_run_out_m, run_out_m);
+        return;
+    }
+    ++open_run_out[bin];
+    open_run_out_sum_mm += thousandths(run_out_m);
+    max_open_run_out_m = std::max(max_open_run_out_m, run_out_m);
+    if (record.reason == StopReason::left_terrain) {
+        ++left_over[record.left_over];
+    }
+}
+
+std::uint64_t RunTally::stopped() const {
+    std::uint64_t sum = 0;
+    for (std::size_t reason = 0; reason < stop_reasons; ++reason) {
+        sum += came_to_rest(static_cast<StopReason>(reason)) ? by_reason[reason] : 0;
+    }
+    return sum;
+}
+
 void RunTally::add(const RunTally& other) {
     rocks += other.rocks;
     add_counts(by_reason, other.by_reason);
+    for (const auto& [part, count] : other.left_over) {
+        left_over[part] += count;
+    }
     add_counts(run_out, other.run_out);
+    add_counts(open_run_out, other.open_run_out);
     add_counts(tree_hits, other.tree_hits);
     run_out_sum_mm += other.run_out_sum_mm;
+    open_run_out_sum_mm += other.open_run_out_sum_mm;
     max_speed_sum_mmps += other.max_speed_sum_mmps;
     mean_speed_sum_mmps += other.mean_speed_sum_mmps;
     max_energy_sum_j += other.max_energy_sum_j;
@@ -139,6 +166,7 @@ void RunTally::add(const RunTally& other) {
     max_energy_j = std::max(max_energy_j, other.max_energy_j);
     max_height_m = std::max(max_height_m, other.max_height_m);
     max_run_out_m = std::max(max_run_out_m, other.max_run_out_m);
+    max_open_run_out_m = std::max(max_open_run_out_m, other.max_open_run_out_m);
     add_counts(max_speed, other.max_speed);
     add_counts(max_energy, other.max_energy);
     add_counts(max_height, other.max_height);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "rockfall/tally/footprint.hpp"
 #include "rockfall/tally/log_bins.hpp"
 #include "rockfall/tally/target.hpp"
+#include "rockfall/terrain/rim.hpp"
 
 namespace rockfall {
 
@@ -52,6 +54,9 @@ struct TargetTally {
 };
 
 /// The rocks of an ensemble on one slope. Sums are whole numbers.
+///
+/// A run-out is known of rocks that came to rest. Of those that left the terrain or were given up it is known
+/// that it is at least the distance to where they were seen last: they are counted apart, as open run-outs.
 struct RunTally {
     static constexpr double run_out_bin_m = 10.0;
     static constexpr std::size_t run_out_bins = 500;  ///< the last takes everything further
@@ -59,9 +64,13 @@ struct RunTally {
 
     std::uint64_t rocks = 0;
     std::array<std::uint64_t, stop_reasons> by_reason{};
-    std::array<std::uint64_t, run_out_bins> run_out{};  ///< plan distance from release to end
+    std::map<RimPart, std::uint64_t> left_over{};       ///< rocks that left the terrain, by part of its rim
+    std::array<std::uint64_t, run_out_bins> run_out{};  ///< plan distance from release to where it rests
+    std::array<std::uint64_t, run_out_bins>
+        open_run_out{};  ///< to where a rock that did not stop was seen last
     std::array<std::uint64_t, hit_bins> tree_hits{};
     std::uint64_t run_out_sum_mm = 0;
+    std::uint64_t open_run_out_sum_mm = 0;
     std::uint64_t max_speed_sum_mmps = 0;
     std::uint64_t mean_speed_sum_mmps = 0;
     std::uint64_t max_energy_sum_j = 0;
@@ -83,6 +92,7 @@ struct RunTally {
     double max_energy_j = 0.0;
     double max_height_m = 0.0;
     double max_run_out_m = 0.0;
+    double max_open_run_out_m = 0.0;
     std::vector<std::uint64_t> max_speed;   ///< per-rock maxima in fine_speed_bins
     std::vector<std::uint64_t> max_energy;  ///< per-rock maxima in fine_energy_bins
     std::vector<std::uint64_t> max_height;  ///< per-rock maxima in fine_height_bins
@@ -90,6 +100,11 @@ struct RunTally {
     RunTally();
     void add(const RockRecord& record);
     void add(const RunTally& other);
+    /// Rocks that came to rest.
+    [[nodiscard]] std::uint64_t stopped() const;
+
+private:
+    void add_run_out(const RockRecord& record);
 };
 
 /// What one stem took.

@@ -109,6 +109,10 @@ void Footprint::begin(const RockStart& start, bool with_path) {
 void Footprint::finish(const FallEnd& end) {
     record_.reason = end.reason;
     record_.end_m = end.position_m;
+    if (end.reason == StopReason::left_terrain) {
+        record_.left_over = terrain_.rim().part_at(terrain_, end.triangle, end.position_m.head<2>(),
+                                                   record_.start_m.head<2>());
+    }
     record_.ground_impacts = end.ground_impacts;
     record_.tree_hits = end.tree_hits;
     record_.log_hits = end.log_hits;
@@ -292,12 +296,16 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     moments_.clear();
     const Eigen::Vector3d end = piece.position_m(piece.duration_s);
     const Eigen::Vector3d move = end - piece.start_m;
-    const double begin2 = piece.velocity_mps.squaredNorm();
-    const double end2 = piece.velocity_at(piece.duration_s).squaredNorm();
-    const auto energy_j = [&](double squared_speed) {
+    const double begin2 = piece.squared_speed_start();
+    const double end2 = piece.squared_speed_end();
+    const double turns_j = piece.own_start.rotation_j;
+    const double gains_j = piece.own_end.rotation_j - turns_j;
+    const auto energy_j = [&](double along, double squared_speed) {
         return 0.5 * rock.mass_kg * squared_speed +
-               rotation_on_ground_j(rock, piece.slides, piece.rotation_j, squared_speed);
+               rotation_on_ground_j(rock, piece.slides, turns_j + along * gains_j, squared_speed);
     };
+    const double begin_j = energy_j(0.0, begin2);
+    const double end_j = energy_j(1.0, end2);
 
     // Share of the way takes the place of time; the squared speed changes evenly along the way.
     CellSteps steps{frame_, piece.start_m.x(), piece.start_m.y(), move.x(), move.y()};
@@ -305,9 +313,11 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     while (true) {
         const double cell_end = std::min(steps.end(), 1.0);
         if (frame_.contains(steps.cell())) {
-            const double largest = begin2 + (end2 - begin2) * (end2 > begin2 ? cell_end : share);
+            const double largest2 = begin2 + (end2 - begin2) * (end2 > begin2 ? cell_end : share);
+            const double at_largest = end_j > begin_j ? cell_end : share;
+            const double largest_j = energy_j(at_largest, begin2 + (end2 - begin2) * at_largest);
             const Eigen::Vector3d at = piece.start_m + cell_end * move;
-            raise(frame_.index(steps.cell()), energy_j(largest), largest, 0.0, at.x(), at.y(), at.z());
+            raise(frame_.index(steps.cell()), largest_j, largest2, 0.0, at.x(), at.y(), at.z());
         }
         if (cell_end >= 1.0) {
             break;
@@ -318,7 +328,7 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     const double largest2 = std::max(begin2, end2);
     record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(largest2));
     record_.min_speed_mps = std::min(record_.min_speed_mps, std::sqrt(std::min(begin2, end2)));
-    record_.max_energy_j = std::max(record_.max_energy_j, energy_j(largest2));
+    record_.max_energy_j = std::max({record_.max_energy_j, begin_j, end_j});
     record_.path_m += move.norm();
     record_.time_s += piece.duration_s;
     for (const std::uint32_t i : target_index_.near_piece(piece.start_m.head<2>(), end.head<2>())) {
@@ -328,20 +338,18 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
                 const double squared_speed = begin2 + *at * (end2 - begin2);
                 const Eigen::Vector3d place_m = piece.start_m + *at * move;
                 // The underside of a sphere is on the ground, that of a block's sphere need not be.
-                const double height_m =
-                    piece.rotation_j < 0.0
-                        ? 0.0
-                        : place_m.z() - terrain_.plane_of(triangle).height_m(place_m.x(), place_m.y());
-                arrive(i, place_m.head<2>(), energy_j(squared_speed), 0.5 * rock.mass_kg * squared_speed,
+                const double height_m = !piece.has_own() ? 0.0
+                                                         : place_m.z() - terrain_.plane_of(triangle).height_m(
+                                                                             place_m.x(), place_m.y());
+                arrive(i, place_m.head<2>(), energy_j(*at, squared_speed), 0.5 * rock.mass_kg * squared_speed,
                        std::sqrt(squared_speed), height_m);
                 wait_for_pose(*at * piece.duration_s, true);
             }
         }
     }
     if (with_path_) {
-        draw_piece({piece.start_m, static_cast<float>(energy_j(begin2)), 0.0F},
-                   {end, static_cast<float>(energy_j(end2)), 0.0F}, piece.duration_s,
-                   piece.rotation_j >= 0.0);
+        draw_piece({piece.start_m, static_cast<float>(begin_j), 0.0F}, {end, static_cast<float>(end_j), 0.0F},
+                   piece.duration_s, piece.has_own());
     }
 }
 

@@ -11,6 +11,7 @@
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/target.hpp"
 #include "rockfall/tally/target_index.hpp"
+#include "rockfall/terrain/rim.hpp"
 
 namespace rockfall {
 
@@ -25,6 +26,7 @@ struct RockRecord {
     std::uint64_t rock = 0;
     std::uint32_t source = 0;
     StopReason reason = StopReason::at_rest;
+    RimPart left_over = RimPart::north;  ///< where a rock left the terrain
     float diameter_m = 0.0F;
     Eigen::Vector3d start_m = Eigen::Vector3d::Zero();  ///< in coordinates of the terrain
     Eigen::Vector3d end_m = Eigen::Vector3d::Zero();
@@ -50,7 +52,7 @@ struct RockRecord {
     double log_energy_j = 0.0;   ///< taken by logs
     double dissipated_j = 0.0;   ///< of models that keep a ledger of energy
     double residual_j = 0.0;     ///< what that ledger misses
-    double corrected_j = 0.0;    ///< work done on the rock where overlaps with the ground are taken out
+    double corrected_j = 0.0;    ///< of a rock that lies still and is lowered to the ground; never above 0
     std::uint32_t unsolved = 0;  ///< percussions whose solver met its limit
 
     [[nodiscard]] double run_out_m() const { return (end_m - start_m).head<2>().norm(); }

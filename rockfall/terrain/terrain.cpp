@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "rockfall/terrain/rim.hpp"
+
 namespace rockfall {
 namespace {
 
@@ -116,6 +118,7 @@ Terrain::Terrain(Eigen::Vector2d origin_m, std::vector<Vertex> vertices, std::ve
     if (!triangles_.empty()) {
         fill_start_grid();
     }
+    rim_ = std::make_shared<const Rim>(*this);
 }
 
 void Terrain::fill_start_grid() {

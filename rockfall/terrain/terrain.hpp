@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,6 +14,8 @@ namespace rockfall {
 
 /// "No triangle": beyond the border of the terrain.
 inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFU;
+
+class Rim;
 
 /// A vertex of the terrain, in metres from the terrain's origin.
 struct Vertex {
@@ -78,6 +81,9 @@ public:
     /// Height of the terrain under a point; nothing outside.
     [[nodiscard]] std::optional<double> height_m(double x_m, double y_m) const;
 
+    /// Where the terrain ends: its outline and its holes.
+    [[nodiscard]] const Rim& rim() const { return *rim_; }
+
 private:
     void fill_start_grid();
 
@@ -89,6 +95,7 @@ private:
         start_offsets_;  ///< where the list of each of its cells begins; one more at the end
     std::vector<std::uint32_t>
         start_triangles_;  ///< every triangle that reaches into a cell, cell after cell
+    std::shared_ptr<const Rim> rim_;
 };
 
 }  // namespace rockfall

@@ -50,6 +50,7 @@ Bench::Bench(const fs::path& program, const fs::path& library, const Run& run)
     }
     operations_ = whole.operations;
     fs::rename(out(), reference());
+    all_operations_ = start({"count_all", 0}).operations;
 }
 
 std::vector<Finding> Bench::try_fault(const Fault& fault) {
@@ -70,13 +71,21 @@ void Bench::look_at_end(const Ending& ending, const Fault& fault) {
     const bool dies = fault.mode == "kill" || fault.mode == "tear" || fault.mode == "power";
     if (ending.hung) {
         found(hung, "the run with the fault did not end");
-    } else if (dies                   ? ending.signal != 9
-               : fault.mode == "term" ? ending.code != 75 && ending.code != 0
-                                      : ending.code != 3 && ending.code != 0) {
+    } else if (dies                    ? ending.signal != 9
+               : fault.mode == "eintr" ? ending.code != 0
+               : fault.mode == "term"  ? ending.code != 75 && ending.code != 0
+                                       : ending.code != 3 && ending.code != 0) {
         found(unclear, "the fault was answered with " + ended_with(ending));
-    } else if (ending.code == 3 && !has(ending.messages, "out")) {
+    } else if (ending.code == 3 && !has(ending.messages, name_of_place(fault).c_str())) {
         found(unclear, "no file was named: " + ended_with(ending));
     }
+}
+
+/// What a message has to name: the file that could not be read, or the folder of the results.
+std::string Bench::name_of_place(const Fault& fault) const {
+    return fault.mode != "unread"
+               ? "out"
+               : all_operations_[static_cast<std::size_t>(fault.at - 1)].path.filename().string();
 }
 
 /// The same command once more, without a fault.

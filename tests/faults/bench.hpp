@@ -26,8 +26,11 @@ public:
     /// Makes the reference, without any fault. Throws std::runtime_error if the program fails.
     Bench(const std::filesystem::path& program, const std::filesystem::path& library, const Run& run);
 
-    /// What the program changes on the disk where nothing goes wrong.
-    [[nodiscard]] const std::vector<Operation>& operations() const { return operations_; }
+    /// What the program does on the disk where nothing goes wrong, as a fault counts it: what it changes, or
+    /// that and what it reads.
+    [[nodiscard]] const std::vector<Operation>& operations(const std::string& mode) const {
+        return counts_reads(mode) ? all_operations_ : operations_;
+    }
 
     /// Runs with a fault, then the same command without one; compares the results with the reference.
     std::vector<Finding> try_fault(const Fault& fault);
@@ -38,6 +41,7 @@ private:
     Ending start(const Fault& fault) { return faults::run(program_, run_.arguments, fault); }
     void found(Verdict kind, const std::string& sentence) { findings_.push_back({kind, sentence}); }
     void look_at_end(const Ending& ending, const Fault& fault);
+    [[nodiscard]] std::string name_of_place(const Fault& fault) const;
     void go_on(const Ending& first);
     void overwrite(const Ending& second);
     void compare(const std::string& after);
@@ -47,6 +51,7 @@ private:
     std::unique_ptr<coupling::SampleProject> scratch_;
     Program program_;
     std::vector<Operation> operations_;
+    std::vector<Operation> all_operations_;
     std::vector<Finding> findings_;
 };
 

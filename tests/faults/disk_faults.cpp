@@ -15,6 +15,14 @@
 //                                      work
 //                             term     the process is asked to terminate before the operation, which then
 //                             works
+//                             unread   reading fails with an input/output error: opening a file for it, and
+//                             each read
+//                             eintr    a signal interrupts the operation, a change or a read, which has then
+//                             done
+//                                      nothing
+//                             count_all  nothing goes wrong; reads are counted too
+//     BANNWALD_FAULT_READ_FOLDER  absolute path; with unread, eintr and count_all reads below it are counted
+//                             as well
 //     BANNWALD_FAULT_AT       number of the operation, counted from 1; 0 with term: before the program begins
 //     BANNWALD_FAULT_LOG      file that gets a line for each operation: number, name, outcome (ok or the
 //     mode), path
@@ -103,8 +111,19 @@ ssize_t written(const char* name, int descriptor, std::size_t bytes, const Write
     return half > 0 ? half : -1;
 }
 
+/// Reads through `read_bytes()`, unless the injector lets that fail.
+template <class Read>
+ssize_t taken(const char* name, int descriptor, const Read& read_bytes) {
+    const bool counts = Injector::of_process().counts_reads();
+    return counts && fails(name, Kind::reads, linked_path(descriptor)) ? -1 : read_bytes();
+}
+
 int opened_file(const char* name, int folder, const char* file, int flags, mode_t mode) {
     const bool changes = (flags & O_ACCMODE) != O_RDONLY || (flags & (O_CREAT | O_TRUNC)) != 0;
+    if (!changes && Injector::of_process().counts_reads() &&
+        fails((flags & O_DIRECTORY) != 0 ? "opendir" : "open_read", Kind::reads, whole_path(folder, file))) {
+        return -1;
+    }
     const std::string path = changes ? whole_path(folder, file) : "";
     if (changes && fails(name, (flags & O_CREAT) != 0 ? Kind::makes : Kind::other, path)) {
         return -1;
@@ -120,6 +139,10 @@ FILE* opened_stream(const char* name, const char* file, const char* mode) {
     const bool changes = std::string_view{mode}.find_first_of("wa+") != std::string_view::npos;
     const std::string path = changes ? whole_path(AT_FDCWD, file) : "";
     if (changes && fails(name, Kind::makes, path)) {
+        return nullptr;
+    }
+    if (!changes && Injector::of_process().counts_reads() &&
+        fails("fopen_read", Kind::reads, whole_path(AT_FDCWD, file))) {
         return nullptr;
     }
     FILE* stream = original<FILE*(const char*, const char*)>("fopen64")(file, mode);
@@ -184,6 +207,26 @@ FILE* fopen(const char* file, const char* mode) {
 
 FILE* fopen64(const char* file, const char* mode) {
     return opened_stream("fopen", file, mode);
+}
+
+ssize_t read(int descriptor, void* bytes, std::size_t count) {
+    return taken("read", descriptor,
+                 [&] { return static_cast<ssize_t>(syscall(SYS_read, descriptor, bytes, count)); });
+}
+
+ssize_t pread(int descriptor, void* bytes, std::size_t count, off_t at) {
+    return taken("pread", descriptor,
+                 [&] { return static_cast<ssize_t>(syscall(SYS_pread64, descriptor, bytes, count, at)); });
+}
+
+ssize_t pread64(int descriptor, void* bytes, std::size_t count, off64_t at) {
+    return taken("pread", descriptor,
+                 [&] { return static_cast<ssize_t>(syscall(SYS_pread64, descriptor, bytes, count, at)); });
+}
+
+ssize_t readv(int descriptor, const iovec* pieces, int count) {
+    return taken("readv", descriptor,
+                 [&] { return static_cast<ssize_t>(syscall(SYS_readv, descriptor, pieces, count)); });
 }
 
 ssize_t write(int descriptor, const void* bytes, std::size_t count) {

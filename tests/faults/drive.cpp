@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> all_modes{"kill", "power", "tear", "eio", "enospc", "term"};
+const std::vector<std::string> all_modes{"kill", "power", "tear", "eio", "enospc", "term", "unread", "eintr"};
 
 struct Options {
     fs::path program;
@@ -46,17 +46,34 @@ bool needs_space(const Operation& operation) {
            operation.name == "link" || operation.name == "symlink" || operation.name == "posix_fallocate";
 }
 
+/// Opening a file for reading, and each read of it.
+bool is_read(const Operation& operation) {
+    return operation.name.find("read") != std::string::npos || operation.name == "opendir";
+}
+
+/// What a signal can interrupt on a disk of a network: not what concerns names and folders alone. Streams of
+/// the C library (fopen) are those of other libraries.
+bool can_be_interrupted(const Operation& operation) {
+    return is_write(operation) ||
+           (is_read(operation) && operation.name != "opendir" && operation.name != "fopen_read") ||
+           operation.name == "open" || operation.name == "openat" || operation.name == "fsync" ||
+           operation.name == "fdatasync" || operation.name == "ftruncate";
+}
+
 bool applies(const std::string& mode, const Operation& operation) {
-    return mode == "tear" ? is_write(operation) : mode != "enospc" || needs_space(operation);
+    return mode == "tear"     ? is_write(operation)
+           : mode == "unread" ? is_read(operation)
+           : mode == "eintr"  ? can_be_interrupted(operation)
+                              : mode != "enospc" || needs_space(operation);
 }
 
 /// So many operations for each fault, spread evenly over those that it applies to. Each fault meets other
 /// operations than the others do.
-std::vector<Fault> spread_faults(const Options& options, const std::vector<Operation>& operations) {
+std::vector<Fault> spread_faults(const Options& options, const Bench& bench) {
     std::vector<Fault> faults;
     for (std::size_t i = 0; i < options.modes.size(); ++i) {
         std::vector<long> met;
-        for (const Operation& operation : operations) {
+        for (const Operation& operation : bench.operations(options.modes[i])) {
             if (applies(options.modes[i], operation)) {
                 met.push_back(operation.number);
             }
@@ -71,29 +88,30 @@ std::vector<Fault> spread_faults(const Options& options, const std::vector<Opera
 }
 
 /// The faults of all selected operations.
-std::vector<Fault> selected_faults(const Options& options, const std::vector<Operation>& operations) {
+std::vector<Fault> selected_faults(const Options& options, const Bench& bench) {
     std::vector<Fault> faults;
-    bool after_fsync = false;
-    for (const Operation& operation : operations) {
-        const bool wanted =
-            (options.at > 0 ? operation.number == options.at : operation.number % options.every == 0) &&
-            operation.number >= options.from && operation.path.filename().string().starts_with(options.on);
-        for (const std::string& mode : options.modes) {
+    for (const std::string& mode : options.modes) {
+        bool after_fsync = false;
+        for (const Operation& operation : bench.operations(mode)) {
+            const bool wanted =
+                (options.at > 0 ? operation.number == options.at : operation.number % options.every == 0) &&
+                operation.number >= options.from &&
+                operation.path.filename().string().starts_with(options.on);
             // An fsync changes nothing that a killed process leaves: the kill before it was the same.
             const bool again =
                 mode == "kill" && after_fsync && options.every == 1 && options.at == 0 && options.on.empty();
             if (wanted && applies(mode, operation) && !again) {
                 faults.push_back({mode, operation.number});
             }
+            after_fsync = operation.name == "fsync" || operation.name == "fdatasync";
         }
-        after_fsync = operation.name == "fsync" || operation.name == "fdatasync";
     }
     return faults;
 }
 
-std::vector<Fault> faults_of(const Options& options, const std::vector<Operation>& operations) {
+std::vector<Fault> faults_of(const Options& options, const Bench& bench) {
     std::vector<Fault> faults =
-        options.points > 0 ? spread_faults(options, operations) : selected_faults(options, operations);
+        options.points > 0 ? spread_faults(options, bench) : selected_faults(options, bench);
     if (options.at == 0 &&
         std::find(options.modes.begin(), options.modes.end(), "term") != options.modes.end()) {
         faults.insert(faults.begin(), {"term", 0});
@@ -101,11 +119,11 @@ std::vector<Fault> faults_of(const Options& options, const std::vector<Operation
     return faults;
 }
 
-std::string place_of(const Fault& fault, const std::vector<Operation>& operations) {
+std::string place_of(const Fault& fault, const Bench& bench) {
     if (fault.at == 0) {
         return "at the start";
     }
-    const Operation& operation = operations[static_cast<std::size_t>(fault.at - 1)];
+    const Operation& operation = bench.operations(fault.mode)[static_cast<std::size_t>(fault.at - 1)];
     return std::to_string(fault.at) + " (" + operation.name + ' ' + operation.path.filename().string() + ")";
 }
 
@@ -113,14 +131,14 @@ std::string place_of(const Fault& fault, const std::vector<Operation>& operation
 std::array<long, kinds> drive(const Options& options, const Run& run) {
     std::vector<std::unique_ptr<Bench>> benches;
     benches.push_back(std::make_unique<Bench>(options.program, options.library, run));
-    const std::vector<Operation> operations = benches.front()->operations();
+    const Bench& first = *benches.front();
     if (options.list) {
-        for (const Operation& operation : operations) {
+        for (const Operation& operation : first.operations(options.modes.front())) {
             std::cout << operation.number << ' ' << operation.name << ' ' << operation.path.string() << '\n';
         }
         return {};
     }
-    const std::vector<Fault> faults = faults_of(options, operations);
+    const std::vector<Fault> faults = faults_of(options, first);
     while (benches.size() < std::min<std::size_t>(options.jobs, faults.size())) {
         benches.push_back(std::make_unique<Bench>(options.program, options.library, run));
     }
@@ -140,14 +158,15 @@ std::array<long, kinds> drive(const Options& options, const Run& run) {
                 }
                 for (const Finding& finding : findings) {
                     ++sums[finding.kind];
-                    std::cout << run.name << ' ' << faults[i].mode << ' ' << place_of(faults[i], operations)
+                    std::cout << run.name << ' ' << faults[i].mode << ' ' << place_of(faults[i], first)
                               << ": " << title_of[finding.kind] << ": " << finding.sentence << std::endl;
                 }
             }
         });
     }
     threads.clear();
-    std::printf("%-8s %5zu operations, %5zu faults:", run.name.c_str(), operations.size(), faults.size());
+    std::printf("%-8s %5zu operations, %5zu with reads, %5zu faults:", run.name.c_str(),
+                first.operations("eio").size(), first.operations("unread").size(), faults.size());
     for (std::size_t kind = 0; kind < kinds; ++kind) {
         std::printf(" %ld %s%s", sums[kind], title_of[kind], kind + 1 < kinds ? "," : "\n");
     }
@@ -167,7 +186,7 @@ std::vector<std::string> list_of(const std::string& text) {
 
 constexpr const char* usage =
     "fault_driver PROGRAM LIBRARY [--runs static,years,hazard,nets] [--modes "
-    "kill,power,tear,eio,enospc,term]\n"
+    "kill,power,tear,eio,enospc,term,unread,eintr]\n"
     "             [--every K | --points N | --at N] [--from N] [--on NAME] [--jobs N] [--list]\n";
 
 Options options_of(const std::vector<std::string>& words) {

@@ -21,9 +21,10 @@ std::string text_of(const char* name) {
 }
 
 Mode mode_of(const std::string& word) {
-    const std::map<std::string, Mode> modes{{"kill", Mode::kill},     {"tear", Mode::tear},
-                                            {"power", Mode::power},   {"eio", Mode::eio},
-                                            {"enospc", Mode::enospc}, {"term", Mode::term}};
+    const std::map<std::string, Mode> modes{
+        {"kill", Mode::kill},     {"tear", Mode::tear},     {"power", Mode::power},
+        {"eio", Mode::eio},       {"enospc", Mode::enospc}, {"term", Mode::term},
+        {"unread", Mode::unread}, {"eintr", Mode::eintr},   {"count_all", Mode::count_all}};
     const auto found = modes.find(word);
     return found == modes.end() ? Mode::count : found->second;
 }
@@ -33,6 +34,10 @@ int open_log() {
     return file.empty() ? -1
                         : static_cast<int>(syscall(SYS_openat, AT_FDCWD, file.c_str(),
                                                    O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
+}
+
+bool lies_in(const std::string& path, const std::string& folder) {
+    return !folder.empty() && (path == folder || (path.starts_with(folder) && path[folder.size()] == '/'));
 }
 
 void terminate_softly() {
@@ -48,20 +53,23 @@ Injector& Injector::of_process() {
 
 Injector::Injector()
     : folder_{text_of("BANNWALD_FAULT_FOLDER")},
+      read_folder_{text_of("BANNWALD_FAULT_READ_FOLDER")},
       mode_word_{text_of("BANNWALD_FAULT_MODE")},
       mode_{mode_of(mode_word_)},
       at_{std::atol(text_of("BANNWALD_FAULT_AT").c_str())},
       log_{open_log()} {}
 
 bool Injector::sees(const std::string& path) const {
-    return !folder_.empty() &&
-           (path == folder_ || (path.starts_with(folder_) && path[folder_.size()] == '/'));
+    return lies_in(path, folder_);
 }
 
 bool Injector::disturbs(long number, Kind kind) const {
     switch (mode_) {
         case Mode::count:
+        case Mode::count_all:
             return false;
+        case Mode::unread:
+            return number == at_ && kind == Kind::reads;
         case Mode::tear:
             return number == at_ && kind == Kind::writes;
         case Mode::enospc:
@@ -72,7 +80,8 @@ bool Injector::disturbs(long number, Kind kind) const {
 }
 
 Fate Injector::next(const char* name, Kind kind, const std::string& path) {
-    if (!sees(path)) {
+    const bool is_read = kind == Kind::reads;
+    if (is_read ? !counts_reads() || !lies_in(path, read_folder_) : !sees(path)) {
         return Fate::as_usual;
     }
     const std::lock_guard lock{mutex_};
@@ -92,8 +101,22 @@ Fate Injector::next(const char* name, Kind kind, const std::string& path) {
     if (mode_ == Mode::kill || mode_ == Mode::power) {
         die();
     }
-    errno = mode_ == Mode::eio ? EIO : ENOSPC;
-    return kind == Kind::writes && number == at_ && mode_ != Mode::eio ? Fate::half : Fate::fails;
+    errno = reason();
+    const bool halves = mode_ == Mode::tear || mode_ == Mode::enospc;
+    return kind == Kind::writes && number == at_ && halves ? Fate::half : Fate::fails;
+}
+
+/// Why an operation fails.
+int Injector::reason() const {
+    switch (mode_) {
+        case Mode::eio:
+        case Mode::unread:
+            return EIO;
+        case Mode::eintr:
+            return EINTR;
+        default:
+            return ENOSPC;
+    }
 }
 
 void Injector::die() {

@@ -10,13 +10,13 @@
 namespace faults {
 
 /// How things go wrong; see disk_faults.cpp.
-enum class Mode { count, kill, tear, power, eio, enospc, term };
+enum class Mode { count, count_all, kill, tear, power, eio, enospc, term, unread, eintr };
 
 /// What happens to one operation.
 enum class Fate { as_usual, half, fails };
 
-/// What an operation does: only some of them need space, only a write can be torn.
-enum class Kind { other, makes, writes };
+/// What an operation does: only some of them need space, only a write can be torn, a read changes nothing.
+enum class Kind { other, makes, writes, reads };
 
 /// Counts the operations of this process below a folder and decides what happens to each.
 class Injector {
@@ -25,6 +25,10 @@ public:
     static Injector& of_process();
 
     [[nodiscard]] bool sees(const std::string& path) const;
+    /// Reads are counted for the faults that concern them only: the numbers of changes stay what they are.
+    [[nodiscard]] bool counts_reads() const {
+        return mode_ == Mode::count_all || mode_ == Mode::unread || mode_ == Mode::eintr;
+    }
 
     /// The next operation, on a path. Where it fails, errno says why. Does not return where the process dies.
     Fate next(const char* name, Kind kind, const std::string& path);
@@ -51,7 +55,10 @@ private:
     void log(long number, const char* name, bool disturbed, const std::string& path) const;
     void lose_unsynced() const;
 
+    [[nodiscard]] int reason() const;
+
     std::string folder_;
+    std::string read_folder_;
     std::string mode_word_;
     Mode mode_;
     long at_;

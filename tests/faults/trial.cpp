@@ -40,10 +40,12 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 std::vector<std::string> environment_with(const Program& program, const Fault& fault, const fs::path& log) {
-    std::vector<std::string> texts{
-        "LD_PRELOAD=" + program.library.string(),
-        "BANNWALD_FAULT_FOLDER=" + (program.project / "out").string(), "BANNWALD_FAULT_MODE=" + fault.mode,
-        "BANNWALD_FAULT_AT=" + std::to_string(fault.at), "BANNWALD_FAULT_LOG=" + log.string()};
+    std::vector<std::string> texts{"LD_PRELOAD=" + program.library.string(),
+                                   "BANNWALD_FAULT_FOLDER=" + (program.project / "out").string(),
+                                   "BANNWALD_FAULT_READ_FOLDER=" + program.project.string(),
+                                   "BANNWALD_FAULT_MODE=" + fault.mode,
+                                   "BANNWALD_FAULT_AT=" + std::to_string(fault.at),
+                                   "BANNWALD_FAULT_LOG=" + log.string()};
     for (char** variable = environ; *variable != nullptr; ++variable) {
         texts.emplace_back(*variable);
     }
@@ -99,6 +101,10 @@ bool same(const fs::path& one, const fs::path& other) {
 }
 
 }  // namespace
+
+bool counts_reads(const std::string& mode) {
+    return mode == "unread" || mode == "eintr" || mode == "count_all";
+}
 
 Ending run(const Program& program, const std::vector<std::string>& arguments, const Fault& fault) {
     const fs::path log = program.scratch / "log";

@@ -12,7 +12,10 @@ struct Fault {
     long at = 0;
 };
 
-/// A change of the disk as the library logged it.
+/// Whether a fault concerns reads too.
+bool counts_reads(const std::string& mode);
+
+/// A change of the disk, or a read, as the library logged it.
 struct Operation {
     long number = 0;
     std::string name;

@@ -13,6 +13,7 @@
 #include "rockfall/terrain/terrain.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 #include "tests/coupling/inputs/formats/given_files.hpp"
+#include "tests/coupling/inputs/formats/open_package.hpp"
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
 #include "tests/coupling/profile/profile_project.hpp"
 #include "tests/fuzz/subject.hpp"
@@ -262,6 +263,39 @@ std::unique_ptr<SampleProject> gis() {
     return project;
 }
 
+/// The shape of a target in well-known binary: a circle of arcs, as cadastres have them.
+std::string disc() {
+    return "X'47500001DF0B0000"  // GP, version 0, little endian, no box, system 3035
+           "010A00000001000000"  // CURVEPOLYGON of one ring
+           "010800000003000000"  // CIRCULARSTRING of three points
+           "0000000000449140"    // 1105
+           "00000000006A9F40"    // 2010.5
+           "00000000006C9140"    // 1115
+           "00000000006A9F40"    // 2010.5
+           "0000000000449140"    // 1105
+           "00000000006A9F40'";  // 2010.5
+}
+
+/// Layers of a GeoPackage with changes in its write-ahead log, shapes with arcs, a grid with words.
+std::unique_ptr<SampleProject> open_layers() {
+    auto project = std::make_unique<SampleProject>();
+    const coupling::OpenPackage package;
+    package.run("UPDATE trees SET species = 'Fichte' WHERE fid = 2");
+    package.run("UPDATE targets SET geom = " + disc() + " WHERE fid = 2");
+    project->write("layers.gpkg", package.main());
+    project->write("layers.gpkg-wal", package.log());
+    std::string dem = project->read("dem.asc");
+    const std::size_t last = dem.find_last_of(" \n", dem.find_last_not_of(" \n"));
+    project->write("dem.asc", dem.substr(0, last + 1) + "-1.#IND\n");
+    project->write("cliff.csv",
+                   "wkt\n\"COMPOUNDCURVE ((1025 2020, 1030 2060), CIRCULARSTRING (1030 2060, 1035 2070, 1030 "
+                   "2080))\"\n");
+    project->replace("scenario.ini", "source = source.asc", "source_shapes = cliff.csv");
+    project->replace("scenario.ini", "targets.csv", "layers.gpkg|targets");
+    project->replace("scenario.ini", "trees.csv", "layers.gpkg|trees");
+    return project;
+}
+
 /// As a spreadsheet writes it.
 std::unique_ptr<SampleProject> spreadsheet() {
     auto project = std::make_unique<SampleProject>();
@@ -313,6 +347,10 @@ std::vector<Subject> subjects_of_inputs() {
          {"dem.tif", "surface.tif", "trees.shp", "trees.shx", "trees.dbf", "trees.prj", "trees.cpg",
           "layers.gpkg", "targets.geojson"},
          gis,
+         read_project},
+        {"open_layers",
+         {"layers.gpkg", "layers.gpkg-wal", "dem.asc", "cliff.csv", "scenario.ini"},
+         open_layers,
          read_project},
         {"spreadsheet", {"trees.csv", "targets.csv"}, spreadsheet, read_project},
         {"profile", {"scenario.ini", "profile.csv", "stations.csv"}, profile, read_project},

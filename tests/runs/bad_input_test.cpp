@@ -118,7 +118,7 @@ TEST(ProgramWithDoubts, GoesOnAndTellsThem) {
     const Outcome checked = call(project, "check scenario.ini");
     EXPECT_NE(checked.err.find("warning: trees.csv: found 1 of 3 trees off the terrain"), std::string::npos)
         << checked.err;
-    EXPECT_NE(checked.err.find("warning: trees.csv: 1 tree of TABA (Taxus baccata) taken like ABAL"),
+    EXPECT_NE(checked.err.find("note: trees.csv: 1 tree of TABA (Taxus baccata) taken like ABAL"),
               std::string::npos)
         << checked.err;
 }

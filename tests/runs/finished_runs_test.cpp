@@ -32,7 +32,8 @@ TEST(Compare, TellsMoreForestFromLess) {
     const Outcome outcome = call(project, "compare thin dense --out compared.csv");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out.find("NOT COMPARABLE"), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.out.find("trees.file"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("Inputs that differ\n  trees "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("B dense.csv"), std::string::npos) << outcome.out;
     const config::Table compared = table(project, "compared.csv");
     bool found = false;
     for (std::size_t row = 0; row < compared.rows(); ++row) {
@@ -85,6 +86,12 @@ TEST(Compare, NamesAColumnThatADamagedTableLacks) {
     ASSERT_EQ(call(project, run + "--out whole").code, 0);
     ASSERT_EQ(call(project, run + "--out damaged").code, 0);
     project.replace("damaged/tables/targets.csv", "above_1000_kj_high_per_1000", "abo_000_kj_high_per_1000");
+    const Outcome changed = call(project, "compare whole damaged");
+    EXPECT_EQ(changed.code, 4) << changed.err;
+    EXPECT_NE(changed.err.find("targets.csv: found a file that changed since its run"), std::string::npos)
+        << changed.err;
+    // Runs of earlier versions have no checksums.
+    project.remove("damaged/.checksums");
     const Outcome outcome = call(project, "compare whole damaged");
     EXPECT_EQ(outcome.code, 4) << outcome.err;
     EXPECT_NE(outcome.err.find("targets.csv: no column 'above_1000_kj_high_per_1000'"), std::string::npos)

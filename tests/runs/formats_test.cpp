@@ -173,17 +173,18 @@ TEST(Formats, AreRefusedInAnotherCoordinateSystem) {
     const std::string dem_tif = scenario("dem.tif", "surface = surface.tif", "layers.gpkg|trees",
                                          "source = source.tif", "targets.geojson");
     project.write("scenario.ini", dem_tif);
-    project.replace("targets.geojson", "EPSG::3035", "EPSG::31254");
+    project.replace("targets.geojson", "EPSG::2443", "EPSG::31254");
     const Outcome other = call(project, "check scenario.ini");
     EXPECT_EQ(other.code, 4);
     EXPECT_EQ(other.err.find("outside the terrain"), std::string::npos)
         << other.err;  // one message, the cause
-    EXPECT_NE(other.err.find("targets.geojson: found coordinates in 'MGI_Austria_GK_West' (EPSG 31254), "
-                             "expected those of dem.tif, 'ETRS_1989_LAEA'; transform one of them (QGIS: "
-                             "Reproject layer, Warp): nothing is reprojected here"),
-              std::string::npos)
+    EXPECT_NE(
+        other.err.find("targets.geojson: found coordinates in 'MGI_Austria_GK_West' (EPSG 31254), "
+                       "expected those of dem.tif, 'JGD_2000_Japan_Zone_1'; transform one of them (QGIS: "
+                       "Reproject layer, Warp): nothing is reprojected here"),
+        std::string::npos)
         << other.err;
-    project.replace("targets.geojson", "EPSG::31254", "EPSG::3035");
+    project.replace("targets.geojson", "EPSG::31254", "EPSG::2443");
     project.write("surface.prj", "PROJCS[\"Own\",PARAMETER[\"False_Easting\",5]]");
     const Outcome grids = call(project, "check scenario.ini");
     EXPECT_EQ(grids.code, 0) << grids.err;  // a GeoTIFF with keys needs no projection beside it
@@ -230,7 +231,10 @@ TEST(Formats, NameWhatTheyTookForWhat) {
     const std::string said = outcome.out + outcome.err;
     EXPECT_NE(said.find("trees.csv: no UTF-8: its letters are taken as Windows-1252"), std::string::npos)
         << said;
-    EXPECT_NE(said.find("trees.csv: column 'BHD' is taken as dbh_cm"), std::string::npos) << said;
+    EXPECT_NE(said.find("trees.csv: columns that are read under another name: 'Nr' = tree_id, 'Ost' = x_m, "
+                        "'Nord' = y_m, 'Baumart' = species, 'BHD' = dbh_cm, 'H\xC3\xB6he' = height_m"),
+              std::string::npos)
+        << said;
     EXPECT_NE(said.find("targets.csv: column 'id' is taken as target_id"), std::string::npos) << said;
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <sstream>
 #include <string>
 
 #include "tests/runs/years.hpp"
@@ -140,12 +141,19 @@ TEST(WarningsOfARun, AreItsClosingLines) {
     const Outcome both = shell(project, "\"$bannwald\" run scenario.ini --set release.rocks=200 2>&1");
     ASSERT_EQ(both.code, 0) << both.out;
     const std::size_t results = both.out.find("Results in ");
-    const std::size_t closing =
-        both.out.find("bannwald: done, with 1 warning:\nbannwald: warning: trees.csv");
+    // Rocks may leave the small slope, too: that warning speaks of the answer and stands before this one.
+    const std::size_t closing = both.out.find("bannwald: done, with ");
     ASSERT_NE(results, std::string::npos) << both.out;
     ASSERT_NE(closing, std::string::npos) << both.out;
     EXPECT_LT(results, closing);
-    EXPECT_EQ(both.out.find('\n', both.out.find("warning: ", closing + 30)), both.out.size() - 1) << both.out;
+    const std::size_t tree = both.out.find("bannwald: warning: trees.csv", closing);
+    ASSERT_NE(tree, std::string::npos) << both.out;
+    EXPECT_EQ(both.out.find("bannwald: done, with ", closing + 1), std::string::npos) << both.out;
+    // Nothing but warnings and the number of notes stands below.
+    std::istringstream below{both.out.substr(closing)};
+    for (std::string line; std::getline(below, line);) {
+        EXPECT_TRUE(line.starts_with("bannwald: ")) << line;
+    }
 }
 
 TEST(WarningsOfARun, StandOnTheFirstScreenOfEveryKindOfPage) {
@@ -174,11 +182,11 @@ TEST(WarningsOfARun, StandOnTheFirstScreenOfEveryKindOfPage) {
 
 TEST(WarningsOfARun, StandOnTheFirstScreenOverYearsAndAlongAProfile) {
     const ForestProject years;
-    years.remove("dem.prj");
+    const std::string leaving = "of the rocks leave the terrain";
     const Outcome decades = call(years, std::string{four_members});
     ASSERT_EQ(decades.code, 0) << decades.err;
-    EXPECT_NE(decades.err.find("no dem.prj beside it"), std::string::npos) << decades.err;
-    EXPECT_NE(first_screen(years, "out/report.html").find("no dem.prj beside it"), std::string::npos);
+    EXPECT_NE(decades.err.find(leaving), std::string::npos) << decades.err;
+    EXPECT_NE(first_screen(years, "out/report.html").find(leaving), std::string::npos);
 
     const SampleProject project;
     ASSERT_EQ(call(project, "init p --quiet --example profile").code, 0);

@@ -67,7 +67,7 @@ TEST_P(NetsUnderModel, AreCountedAlikeInAllTables) {
 TEST(Nets, KeepRocksFromTheTargetBehindThem) {
     const SampleProject project;
     add_nets(project);
-    project.replace("nets.csv", "lower,3,,1", "lower,50,1000000,");
+    project.replace("nets.csv", "lower,3,,1", "lower,50,9000,");
     const Outcome outcome = call(project, "run scenario.ini --quiet --set release.rocks=2000 --out out");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const config::Table targets = table(project, "out/tables/targets.csv");
@@ -110,8 +110,8 @@ std::string without_head(const std::string& csv) {
 TEST_P(NetsUnderModel, TriedOnStoredPathsGiveTheRowsOfARunWithThem) {
     const SampleProject project;
     add_nets(project);
-    project.replace("nets.csv", "upper,1.2,5,,0.1", "upper,0.8,100000,,0.55");
-    project.replace("nets.csv", "lower,3,,1", "lower,3,100000,");
+    project.replace("nets.csv", "upper,1.2,5,,0.1", "upper,0.8,9000,,0.55");
+    project.replace("nets.csv", "lower,3,,1", "lower,3,9000,");
     const std::string rocks = "run scenario.ini --quiet " + rocks_for(GetParam(), 2000) + motion();
     ASSERT_EQ(call(project, rocks + "--out with_nets").code, 0);
     const Outcome kept =
@@ -150,7 +150,7 @@ TEST_P(NetsUnderModel, KeepEveryRockFromATargetOnTheirLine) {
     const SampleProject project;
     project.write(
         "nets.csv",
-        "name,height_m,capacity_kj,wkt\nwall,50,1000000,\"LINESTRING (1098 2005, 1098 2010, 1098 2090, "
+        "name,height_m,capacity_kj,wkt\nwall,50,30000,\"LINESTRING (1098 2005, 1098 2010, 1098 2090, "
         "1098 2095)\"\n");
     project.replace("targets.csv", "1105 2010, 1105 2090", "1098 2010, 1098 2090");
     project.replace("scenario.ini", "[targets]", "[nets]\nfile = nets.csv\n[targets]");

@@ -116,7 +116,7 @@ TEST(ProfileRun, IsAnExampleWithoutDoubts) {
                                   "\"$bannwald\" check steg/scenario.ini --set run.strict_inputs=yes && "
                                   "\"$bannwald\" run steg/scenario.ini --set release.rocks=300\n");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("300 rocks along a profile of 460 m"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("300 rocks along a profile of 500 m"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
     for (const std::string file : {"README.md", "profile.csv", "scenario.ini", "stations.csv"}) {
         const std::string text = project.read("steg/" + file);
@@ -189,7 +189,7 @@ const BadProfile bad_profiles[] = {
      "bannwald: profile.csv:5:5: found height_m 'nan', expected a number"},
     {"DistanceNan", [](SampleProject& p) { p.replace("profile.csv", "240,", "NaN,"); }, 4,
      "bannwald: profile.csv:5:1: found distance_m 'NaN', expected a number"},
-    {"NoHeights", [](SampleProject& p) { p.replace("profile.csv", "height_m", "z"); }, 4,
+    {"NoHeights", [](SampleProject& p) { p.replace("profile.csv", "height_m", "thing"); }, 4,
      "column 'height_m'"},
     {"StationBeyond", [](SampleProject& p) { p.replace("stations.csv", "240", "301"); }, 4,
      "bannwald: stations.csv:3:6: found a station at 301 m beyond the profile, expected a distance in [0, "

@@ -157,7 +157,7 @@ TEST(Start, TakesSaplingsByHeightClassAndComparesTheirBrowsing) {
     project.write("saplings.csv",
                   "stand,species,height_class,stems_pha,browsed_percent,height_m\nall,ABAL,10-40,600,40,\n"
                   "all,ABAL,130-190,400,20,\nall,PIAB,,300,,0.3\n");
-    const Outcome outcome = call(project, std::string{inventoried} + settings);
+    const Outcome outcome = call(project, std::string{inventoried} + settings + "--verbose");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NEAR(at_start(table(project, "out/tables/forest_years.csv"), "saplings_pha"), 1300.0, 1.0);
     // (600 x 40 + 400 x 20) / 1000.
@@ -172,8 +172,8 @@ TEST(Start, TakesSaplingsByHeightClassAndComparesTheirBrowsing) {
     ASSERT_NE(at, std::string::npos) << outcome.err;
     const std::string pressure =
         outcome.err.substr(at + words.size(), outcome.err.find(' ', at + words.size()) - at - words.size());
-    const Outcome matched = call(
-        project, std::string{inventoried} + settings + "--out b --set forest.browsing_pressure=" + pressure);
+    const Outcome matched = call(project, std::string{inventoried} + settings +
+                                              "--verbose --out b --set forest.browsing_pressure=" + pressure);
     ASSERT_EQ(matched.code, 0) << matched.err;
     EXPECT_TRUE(matched.err.find("the model browses 32 %") != std::string::npos ||
                 matched.err.find("the model browses 31.9 %") != std::string::npos ||

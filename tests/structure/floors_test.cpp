@@ -29,7 +29,8 @@ const std::vector<std::vector<std::string>> floors{
     {"run", "exchange", "regimes", "rockyfor3d"},
     {"results", "observed"},
     {"inputs"},
-    {"page_scripts", "examples"}};
+    {"files"},
+    {"page_scripts", "examples", "files"}};
 
 /// One include of a room by a file of another room.
 struct Include {

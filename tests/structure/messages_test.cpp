@@ -163,8 +163,11 @@ TEST(Messages, HaveARowForEachTextOfAWarning) {
                                "note(",
                                "warnings.add(",
                                "warnings_.add(",
-                               "tell_count(",
+                               "warn_of_count(",
+                               "note_count(",
                                "remarks.push_back(",
+                               "findings.notes.push_back(",
+                               "findings.warnings.push_back(",
                                "sentences.push_back("};
     std::size_t checked = 0;
     for (const MessageSource& source : sources_that_warn()) {

@@ -80,6 +80,34 @@ TEST(Rooms, LeaveFilesToTheCouplingRoom) {
     }
 }
 
+TEST(Rooms, ReadFilesByOneReader) {
+    // A stream takes a read error for the end of the file, and a mapping ends the process (coupling/files).
+    EXPECT_EQ(users_of("ifstream|mapped_file|\\b(fopen|freopen|fdopen|fread|mmap) *\\(", "coupling"), nobody);
+    EXPECT_EQ(users_of("[ (]::p?readv? *\\(", "coupling"),
+              (std::vector<std::string>{"coupling/files/file_reader.cpp", "coupling/run/folder_lock.cpp"}));
+    // Lines and letters are taken from texts in memory only.
+    const std::vector<std::string> of_texts = users_of("istringstream", "coupling");
+    for (const std::string& user : users_of("std::getline|istreambuf_iterator", "coupling")) {
+        EXPECT_NE(std::find(of_texts.begin(), of_texts.end(), user), of_texts.end()) << user;
+    }
+}
+
+TEST(Rooms, RepeatCallsThatASignalInterrupts) {
+    for (const Source& source : sources_below("coupling")) {
+        if (source.name == "coupling/run/interrupt.cpp") {
+            continue;  // a sentence on the screen, in a handler of signals
+        }
+        const std::regex call{"[ (]::(open|read|pread|write|pwrite|fsync|ftruncate|flock)\\("};
+        for (auto at = std::sregex_iterator{source.text.begin(), source.text.end(), call};
+             at != std::sregex_iterator{}; ++at) {
+            const auto place = static_cast<std::size_t>(at->position());
+            const std::size_t near = place - std::min<std::size_t>(place, 60);
+            EXPECT_NE(source.text.substr(near, place - near).find("repeated("), std::string::npos)
+                << source.name << ": " << at->str();
+        }
+    }
+}
+
 TEST(Rooms, KnowNoThreadsInThePhysics) {
     for (const std::string room : {"rockfall", "forest"}) {
         EXPECT_EQ(users_of("#include <(thread|mutex|future|omp.h)>|#pragma omp", room), nobody);

@@ -4,8 +4,10 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/collapse/collapse_results.hpp"
+#include "coupling/collapse/handed_departures.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
@@ -197,6 +199,13 @@ std::string views(const CollapseResults& results) {
     return joined(html, "</div></section>\n");
 }
 
+std::string leaving(const CollapseResults& results) {
+    return results.hands_over()
+               ? report::departures_line({{page_text("collapse_page.single_blocks"),
+                                           departures_of_single_blocks(results.hand_over, results.site)}})
+               : "";
+}
+
 std::string opening(const CollapseResults& results) {
     const KeyFigures figures = key_figures(results);
     const BlockCount& count = results.site.count;
@@ -209,7 +218,7 @@ std::string opening(const CollapseResults& results) {
                           {"front", fixed(figures.front_m, 0)},
                           {"speed", fixed(figures.peak_mean_speed_mps, 1)},
                           {"time", fixed(figures.peak_time_s, 1)}}),
-               "</p>\n<dl class=\"facts\">");
+               "</p>\n", leaving(results), "<dl class=\"facts\">");
     const auto fact = [&](const char* key, const std::string& value) {
         html += report::fact(page_text(key), value);
     };

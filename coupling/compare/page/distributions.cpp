@@ -39,14 +39,16 @@ Distributions read_distributions(const FinishedRun& run) {
     Distributions read;
     const config::Table runs = read_table(run.folder, "runs.csv", {"cover", "rocks"});
     for (std::size_t row = 0; row < runs.rows(); ++row) {
-        read.rocks[runs.text(row, "cover")] = number(runs, row, "rocks");
+        read.rocks[runs.text(row, "cover")] = count(runs, row, "rocks");
     }
     const config::Table run_out =
         read_table(run.folder, "run_out.csv", {"cover", "run_out_low_m", "run_out_high_m", "rocks"});
+    // A rock that did not stop gets at least as far as it was seen: it counts in what exceeds a distance.
+    const bool has_open = run_out.has("not_stopped");
     for (std::size_t row = 0; row < run_out.rows(); ++row) {
         read.of[{"", run_out.text(row, "cover"), "run_out"}].bins.push_back(
-            {number(run_out, row, "run_out_low_m"), number(run_out, row, "run_out_high_m"),
-             number(run_out, row, "rocks")});
+            {size(run_out, row, "run_out_low_m"), size(run_out, row, "run_out_high_m"),
+             count(run_out, row, "rocks") + (has_open ? count(run_out, row, "not_stopped") : 0.0)});
     }
     if (has_table(run.folder, "target_distributions.csv")) {
         const config::Table table =
@@ -54,8 +56,8 @@ Distributions read_distributions(const FinishedRun& run) {
                        {"target_id", "cover", "quantity", "bin_low", "bin_high", "rocks"});
         for (std::size_t row = 0; row < table.rows(); ++row) {
             read.of[{table.text(row, "target_id"), table.text(row, "cover"), table.text(row, "quantity")}]
-                .bins.push_back({number(table, row, "bin_low"), number(table, row, "bin_high"),
-                                 number(table, row, "rocks")});
+                .bins.push_back(
+                    {size(table, row, "bin_low"), size(table, row, "bin_high"), count(table, row, "rocks")});
         }
     }
     return read;

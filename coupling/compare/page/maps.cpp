@@ -6,6 +6,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/compare/page/parts.hpp"
+#include "coupling/inputs/path_checks.hpp"
 #include "coupling/results/rasters.hpp"
 #include "coupling/results/read_raster.hpp"
 #include "coupling/results/report/map_colours.hpp"
@@ -14,6 +15,7 @@
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/png.hpp"
+#include "coupling/run/file_sums.hpp"
 
 namespace coupling::compare {
 namespace {
@@ -28,9 +30,11 @@ constexpr int most_cells = 400;
 
 std::optional<Raster<float>> raster_of(const FinishedRun& run, const std::string& cover, const char* stem) {
     const std::filesystem::path path = run.folder / "rasters" / cover / joined(stem, ".asc");
-    std::error_code error;
-    return std::filesystem::exists(path, error) ? std::optional{report::without_zeros(read_raster(path))}
-                                                : std::nullopt;
+    if (!path_exists(path)) {
+        return std::nullopt;
+    }
+    refuse_changed(run.folder, joined("rasters/", cover, "/", stem, ".asc"));
+    return report::without_zeros(read_raster(path));
 }
 
 std::string figure(const Raster<float>& raster, const ColourScale& scale, const std::string& title,

@@ -92,7 +92,8 @@ std::string opening(std::span<const FinishedRun> runs, const SideBySide& compari
     html += "</dl>\n";
     for (const std::string& why : comparison.not_comparable) {
         html += joined("<p class=\"warning\">",
-                       report::page_text("compare.page.not_comparable", {{"why", escaped(why)}}), "</p>\n");
+                       report::page_text("compare.page.not_comparable", {{"why", report::message_html(why)}}),
+                       "</p>\n");
     }
     for (const std::string& note : comparison.notes) {
         html +=
@@ -108,9 +109,11 @@ void add_names(const SideBySide& comparison, std::vector<std::string>& head) {
     }
 }
 
-void add_rows(const std::vector<Disagreement>& list, HtmlTable& table) {
+/// Keys of settings stay as the scenario has them; roles of inputs are words of the page's language.
+void add_rows(const std::vector<Disagreement>& list, std::string (*name)(std::string_view),
+              HtmlTable& table) {
     for (const Disagreement& d : list) {
-        std::vector<std::string> cells{escaped(d.what)};
+        std::vector<std::string> cells{name(d.what)};
         for (const std::string& value : d.values) {
             cells.push_back(value.empty() ? "–" : escaped(value));
         }
@@ -118,18 +121,29 @@ void add_rows(const std::vector<Disagreement>& list, HtmlTable& table) {
     }
 }
 
+std::string same_inputs(const SideBySide& comparison) {
+    std::string roles;
+    for (const std::string& role : comparison.same_inputs) {
+        roles += joined(roles.empty() ? "" : ", ", report::message_html(role));
+    }
+    return roles.empty()
+               ? ""
+               : joined("<p>", report::page_text("compare.page.same_inputs", {{"roles", roles}}), "</p>\n");
+}
+
 std::string disagreements(const SideBySide& comparison) {
     if (comparison.inputs.empty() && comparison.settings.empty()) {
         return joined("<h2>", report::page_text("compare.page.what_differs"), "</h2>\n<p>",
-                      report::page_text("compare.page.settings_and_inputs_are_the"), "</p>\n");
+                      report::page_text("compare.page.settings_and_inputs_are_the"), "</p>\n",
+                      same_inputs(comparison));
     }
     std::vector<std::string> head{report::page_text("compare.page.setting_or_input")};
     add_names(comparison, head);
     HtmlTable table{report::page_text("compare.page.only_what_is_not_the_same_in"), head};
-    add_rows(comparison.settings, table);
-    add_rows(comparison.inputs, table);
+    add_rows(comparison.settings, escaped, table);
+    add_rows(comparison.inputs, report::message_html, table);
     return joined("<h2>", report::page_text("compare.page.what_differs"), "</h2>\n<section class=\"card\">",
-                  table.html(), "</section>\n");
+                  table.html(), "</section>\n", same_inputs(comparison));
 }
 
 std::string in_words(const std::optional<Figure>& figure) {

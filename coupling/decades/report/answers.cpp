@@ -5,8 +5,10 @@
 #include <set>
 
 #include "config/text/joined.hpp"
+#include "coupling/decades/departures_over_years.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/results/report/deciding.hpp"
+#include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -321,6 +323,33 @@ std::string start_fact(const PageContent& content) {
                          : "";
 }
 
+/// Of all years and members together.
+std::string leaving(const PageContent& content) {
+    if (!has_rocks(content.scenario) || content.site == nullptr) {
+        return "";
+    }
+    const rockfall::Terrain& terrain = content.site->slope.terrain;
+    const auto departures = [&](Cover cover) {
+        return departures_over_years(content.members, cover, terrain);
+    };
+    return report::departures_line(
+        {{report::page_text("common.bare_slope_in_text"), departures(Cover::bare)},
+         {report::page_text("common.with_forest_in_text"), departures(Cover::forest)}});
+}
+
+/// Stems and basal area with which the forest begins: half a list of trees shows here.
+std::string trees_fact(const RunView& run) {
+    if (run.regimes.empty()) {
+        return "";
+    }
+    const forest::StandFigures& start = *run.regimes[0].replicates[0].front().stand;
+    return fact(
+        report::page_text("decades.answers.trees_at_the_start"),
+        report::page_text("common.stems_and_basal_area",
+                          {{"stems_pha", grouped(static_cast<std::uint64_t>(std::llround(start.stems_pha)))},
+                           {"basal_area_m2pha", report::fixed(start.basal_area_m2pha, 1)}}));
+}
+
 }  // namespace
 
 std::string page_opening(const PageContent& content, const RunView& run) {
@@ -339,7 +368,7 @@ std::string page_opening(const PageContent& content, const RunView& run) {
         report::page_head(content.scenario.report,
                           report::page_text("decades.answers.a_forest_over_years",
                                             {{"run_years", std::to_string(run.years)}})),
-        content.decision, "<p class=\"lead\">",
+        content.decision, leaving(content), "<p class=\"lead\">",
         report::page_text(
             "decades.answers.scenario_replicates_differ_only",
             {{"content_file", escaped(content.scenario.file.filename().string())},
@@ -366,7 +395,7 @@ std::string page_opening(const PageContent& content, const RunView& run) {
         content.grid.size() > 0 ? fact(report::page_text("common.ground"), elevation_text(content.grid)) : "";
     html += joined(fact(report::page_text("decades.answers.years"), years_text(run)),
                    fact(report::page_text("decades.answers.regimes_2"), list_of(regime_names)));
-    html += start_fact(content);
+    html += joined(trees_fact(run), start_fact(content));
     const auto row = [](const std::string& name, const std::string& value) {
         return joined("<div class=\"row\"><dt>", name, "</dt><dd>", value, "</dd></div>");
     };

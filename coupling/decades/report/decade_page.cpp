@@ -24,7 +24,7 @@ std::string settings_on_paper(const PageContent& content) {
         return "";
     }
     std::string settings;
-    for (const config::ParameterRow& row : content.scenario.options->rows()) {
+    for (const config::ParameterRow& row : content.scenario.shown_settings()) {
         if (row.changed && (!content.shows_setting || content.shows_setting(row.key))) {
             settings +=
                 joined(settings.empty() ? "" : "; ", escaped(row.key), " = ", escaped(row.value_text));

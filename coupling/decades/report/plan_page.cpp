@@ -5,7 +5,9 @@
 #include "coupling/decades/report/area_maps.hpp"
 #include "coupling/decades/report/page_parts.hpp"
 #include "coupling/inputs/forest_site.hpp"
+#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_text.hpp"
@@ -43,7 +45,7 @@ std::string table_of_rows(const Management& management) {
 }  // namespace
 
 void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& site,
-                     const Management& management) {
+                     const Management& management, const config::Warnings& warnings) {
     const report::WritingLanguage language{scenario.report.language};
     const report::PageFrame frame{
         page_text("decades.plan.title", {{"scenario", escaped(scenario.file.stem().string())}}),
@@ -52,10 +54,12 @@ void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& si
         page_style(),
         ""};
     report::begin_page(out, frame);
-    out << "<h1>" << frame.title << "</h1>\n<p>" << page_text("decades.plan.what") << "</p>\n";
+    out << report::first_warnings(warnings) << "<h1>" << frame.title << "</h1>\n<p>"
+        << page_text("decades.plan.what") << "</p>\n";
     out << area_maps(site, management, intervention_areas(management, *site.forest, scenario.seed),
                      report::whole_of(site.map_frame), {});
-    out << table_of_rows(management);
+    out << table_of_rows(management) << "<h2>" << page_text("common.warnings") << "</h2>\n"
+        << report::list_of_warnings(warnings);
     report::end_page(out, frame);
 }
 

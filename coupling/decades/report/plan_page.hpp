@@ -2,14 +2,16 @@
 
 #include <ostream>
 
+#include "config/errors/warnings.hpp"
 #include "coupling/decades/management.hpp"
 #include "coupling/inputs/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 
 namespace coupling::decades {
 
-/// The page of `bannwald check --page`: where the regimes of a scenario act, before anything is simulated.
+/// The page of `bannwald check --page`: where the regimes of a scenario act, before anything is simulated,
+/// below the warnings about its inputs.
 void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& site,
-                     const Management& management);
+                     const Management& management, const config::Warnings& warnings);
 
 }  // namespace coupling::decades

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/geometry/wkt.hpp"
@@ -15,12 +16,29 @@
 namespace coupling::formats {
 namespace {
 
+constexpr std::string_view every_role = "*";
+
 /// A column of ours in tables of a role and other words for it, the likelier first.
 struct ColumnWords {
     std::string role;
     std::string column;
-    std::vector<std::string> words;
+    std::vector<std::string> words;      ///< their letters, as forms have them
+    std::vector<std::string> with_unit;  ///< the same of words that count only beside a unit
+
+    [[nodiscard]] bool is_for(std::string_view wanted) const {
+        // Roles of several files of a kind have a name behind them: "climate warm".
+        return role == every_role || role == wanted.substr(0, wanted.find_first_of(" ,"));
+    }
 };
+
+std::vector<std::string> letters_of_words(const std::string& list) {
+    std::vector<std::string> letters;
+    std::istringstream words{list};
+    for (std::string word; words >> word;) {
+        letters.push_back(config::form_of(word).letters);
+    }
+    return letters;
+}
 
 const std::vector<ColumnWords>& shipped_words() {
     static const std::vector<ColumnWords> shipped = [] {
@@ -28,45 +46,77 @@ const std::vector<ColumnWords>& shipped_words() {
         const config::Table table =
             config::Table::read(config::shipped_table("column_names.csv"), "column_names.csv");
         for (std::size_t row = 0; row < table.rows(); ++row) {
-            ColumnWords& entry =
-                rows.emplace_back(ColumnWords{table.text(row, "role"), table.text(row, "column"), {}});
-            std::istringstream words{table.text(row, "words")};
-            for (std::string word; words >> word;) {
-                entry.words.push_back(word);
-            }
+            rows.push_back({table.text(row, "role"), table.text(row, "column"),
+                            letters_of_words(table.text(row, "words")),
+                            letters_of_words(table.text(row, "with_unit"))});
         }
         return rows;
     }();
     return shipped;
 }
 
-/// The column that is `wanted` but for capitals, or its first ten letters in a Shapefile.
-std::optional<std::string> same_but_for_form(const config::Table& table, const std::string& wanted) {
+/// The column that has the first ten letters of `wanted`, all that a Shapefile keeps.
+std::optional<std::string> cut_off(const config::Table& table, const std::string& wanted) {
     constexpr std::size_t longest_of_shapefiles = 10;
     for (const std::string& column : table.columns()) {
         const std::string lower = config::in_lower_case(column);
-        if (lower == wanted || (lower.size() == longest_of_shapefiles && wanted.starts_with(lower))) {
+        if (lower.size() == longest_of_shapefiles && wanted.starts_with(lower)) {
             return column;
         }
     }
     return std::nullopt;
 }
 
-/// The likeliest of the words that a column is called by; a column of ours keeps its name.
-std::optional<std::string> by_word(const config::Table& table, const ColumnWords& entry) {
-    const auto is_ours = [&](const std::string& column) {
-        return std::any_of(shipped_words().begin(), shipped_words().end(), [&](const ColumnWords& other) {
-            return other.role == entry.role && other.column == column;
+/// How a header fits a word: not, or in another unit than wanted, or well.
+enum class Fit : std::uint8_t { none, other_unit, good };
+
+Fit fit_of(const config::ColumnForm& header, const std::string& word, bool needs_unit,
+           const config::ColumnForm& wanted) {
+    if (!header.unit.empty() && header.quantity == word) {
+        return header.unit == wanted.unit ? Fit::good : Fit::other_unit;
+    }
+    return header.letters == word && !needs_unit ? Fit::good : Fit::none;
+}
+
+/// The likeliest column that is called by a word; a column of ours keeps its name.
+struct ByWord {
+    std::optional<std::string> column;
+    Fit fit = Fit::none;
+};
+
+ByWord by_word(const config::Table& table, std::string_view role, const ColumnWords& entry) {
+    std::vector<config::ColumnForm> ours;
+    for (const ColumnWords& other : shipped_words()) {
+        if (other.is_for(role)) {
+            ours.push_back(config::form_of(other.column));
+        }
+    }
+    std::vector<std::pair<std::string, config::ColumnForm>> headers;
+    for (const std::string& column : table.columns()) {
+        config::ColumnForm form = config::form_of(column);
+        const bool is_ours = std::any_of(ours.begin(), ours.end(), [&](const config::ColumnForm& other) {
+            return config::is_same_column(form, other);
         });
-    };
-    for (const std::string& word : entry.words) {
-        for (const std::string& column : table.columns()) {
-            if (config::in_lower_case(column) == word && !is_ours(column)) {
-                return column;
+        if (!is_ours) {
+            headers.emplace_back(column, std::move(form));
+        }
+    }
+    const config::ColumnForm wanted = config::form_of(entry.column);
+    ByWord other_unit;
+    for (const auto& [words, needs_unit] : {std::pair{&entry.words, false}, {&entry.with_unit, true}}) {
+        for (const std::string& word : *words) {
+            for (const auto& [column, form] : headers) {
+                const Fit fit = fit_of(form, word, needs_unit, wanted);
+                if (fit == Fit::good) {
+                    return {column, fit};
+                }
+                if (fit == Fit::other_unit && !other_unit.column && !wanted.unit.empty()) {
+                    other_unit = {column, fit};
+                }
             }
         }
     }
-    return std::nullopt;
+    return other_unit;
 }
 
 /// Coordinates of a place, or of both ends of a line; as many as `names` has.
@@ -95,36 +145,45 @@ std::optional<std::vector<double>> coordinates_of(const config::Table& table, st
 
 }  // namespace
 
-std::vector<NamedColumn> name_columns(config::Table& table, std::string_view role) {
-    std::vector<NamedColumn> named;
-    if (!table.has("wkt")) {
-        if (const auto shapes = same_but_for_form(table, "wkt")) {
-            table.rename(*shapes, "wkt");
-        }
+std::vector<config::Problem> name_columns(config::Table& table, std::string_view role) {
+    std::vector<config::Problem> in_other_units;
+    if (!table.use()) {
+        table.watch();
     }
     // First what is only written differently, so that no word takes a column that has its name.
     for (const ColumnWords& entry : shipped_words()) {
-        if (entry.role == role && !table.has(entry.column)) {
-            if (const auto same = same_but_for_form(table, entry.column)) {
-                table.rename(*same, entry.column);
+        if (!entry.is_for(role)) {
+            continue;
+        }
+        if (const auto place = table.find(entry.column)) {
+            const std::string form = table.columns()[*place];
+            if (form != entry.column) {
+                table.rename(form, entry.column);
             }
+        } else if (const auto cut = cut_off(table, entry.column)) {
+            table.rename(*cut, entry.column);
         }
     }
     for (const ColumnWords& entry : shipped_words()) {
-        if (entry.role == role && !table.has(entry.column)) {
-            if (const auto other = by_word(table, entry)) {
-                named.push_back({*other, entry.column});
-                table.rename(*other, entry.column);
-            }
+        if (!entry.is_for(role) || table.find(entry.column)) {
+            continue;
+        }
+        const ByWord other = by_word(table, role, entry);
+        if (other.fit == Fit::other_unit) {
+            in_other_units.push_back(config::other_unit_problem(table.file(), *other.column, entry.column));
+        }
+        if (other.column) {
+            table.rename(*other.column, entry.column);
         }
     }
-    return named;
+    return in_other_units;
 }
 
 std::size_t take_coordinates(config::Table& table, std::string_view role, bool shapes_win) {
     constexpr std::array<const char*, 2> of_point{"x_m", "y_m"};
     constexpr std::array<const char*, 4> of_line{"x1_m", "y1_m", "x2_m", "y2_m"};
-    if (!table.has("wkt") || table.rows() == 0 || (!shapes_win && (table.has("x_m") || table.has("x1_m")))) {
+    const bool has_places = table.find("x_m") || table.find("x1_m");
+    if (!table.find("wkt") || table.rows() == 0 || (!shapes_win && has_places)) {
         return 0;
     }
     const bool are_lines =
@@ -140,15 +199,18 @@ std::size_t take_coordinates(config::Table& table, std::string_view role, bool s
         for (std::size_t i = 0; found && i < names.size(); ++i) {
             columns[i][row] = config::to_text((*found)[i]);
             const auto before =
-                table.has(names[i]) ? config::parse_number(table.text(row, names[i])) : std::nullopt;
+                table.find(names[i]) ? config::parse_number(table.text(row, names[i])) : std::nullopt;
             constexpr double far_m = 1.0;
             has_moved = has_moved || (before && std::abs(*before - (*found)[i]) > far_m);
         }
         moved += has_moved ? 1U : 0U;
+        for (std::size_t i = 0; !found && i < names.size(); ++i) {
+            columns[i][row] = table.find(names[i]) ? table.text(row, names[i]) : "";
+        }
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (table.has(names[i])) {
-            table.rename(names[i], names[i] + "_attribute");
+        if (table.find(names[i])) {
+            table.rename(names[i], names[i] + std::string{superseded_by_shape});
         }
         table.add_column(names[i], std::move(columns[i]), "wkt");
     }

@@ -8,17 +8,16 @@
 
 namespace coupling::formats {
 
-/// A column that was taken for one of ours.
-struct NamedColumn {
-    std::string found;
-    std::string taken_as;
-};
+/// Ending of attributes that hold coordinates beside a shape: the shape counts, and a warning names places
+/// that differ.
+inline constexpr std::string_view superseded_by_shape = "_attribute";
 
-/// Gives the columns of a table the names that the program knows for its role (`trees`, `targets`, ...):
-/// capitals do not count, a Shapefile cuts names off after ten letters, and config/data/column_names.csv has
-/// words of other programs and languages. A name that is there already is left alone. Tells the columns that
-/// were renamed by a word.
-std::vector<NamedColumn> name_columns(config::Table& table, std::string_view role);
+/// Gives the columns of a table the names that the program knows for its role (`trees`, `targets`, ...): the
+/// form of a name does not count (config/table/column_form.hpp), a Shapefile cuts names off after ten
+/// letters, and config/data/column_names.csv has words of other programs and languages. A name that is there
+/// already is left alone. The table is watched from then on. Returns what is wrong with columns that are in
+/// another unit.
+std::vector<config::Problem> name_columns(config::Table& table, std::string_view role);
 
 /// Gives a list of trees or logs (`role`) its coordinates from its shapes: `x_m` and `y_m` of points; of logs
 /// that are lines, from end to end, `x1_m`, `y1_m`, `x2_m`, `y2_m`. `shapes_win` says that attributes of

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/formats/sqlite_log.hpp"
 #include "coupling/inputs/formats/wkb.hpp"
 
 namespace coupling::formats {
@@ -25,7 +27,8 @@ constexpr const char* export_again = "export the layer again as GeoPackage (QGIS
 /// The database in memory. Nothing in it is believed: no functions of its schema run, and queries end.
 class Package {
 public:
-    Package(std::string_view bytes, const std::string& file) : file_{file} {
+    Package(std::string_view bytes, const BesideDatabase& beside, const std::string& file) : file_{file} {
+        bytes = with_changes(bytes, beside);
         sqlite3* opened = nullptr;
         sqlite3_open_v2(":memory:", &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_MEMORY, nullptr);
         database_.reset(opened);
@@ -33,7 +36,7 @@ public:
         constexpr std::size_t at_write_version = 18;
         if (bytes.size() > at_write_version + 1 &&
             (bytes[at_write_version] == 2 || bytes[at_write_version + 1] == 2)) {
-            copy_ = std::string{bytes};
+            copy_ = copy_.empty() ? std::string{bytes} : std::move(copy_);
             copy_[at_write_version] = copy_[at_write_version + 1] = 1;
             bytes = copy_;
         }
@@ -47,7 +50,13 @@ public:
         sqlite3_limit(opened, SQLITE_LIMIT_LENGTH, longest_value_bytes);
         constexpr int steps = 10'000;
         sqlite3_progress_handler(opened, steps, &Package::is_enough, this);
+        if (has_log_) {
+            check_pages();
+        }
     }
+
+    /// Whether pages of the write-ahead log count.
+    [[nodiscard]] bool has_log() const { return has_log_; }
 
     struct Close {
         void operator()(sqlite3* database) const { sqlite3_close(database); }
@@ -89,6 +98,46 @@ public:
     }
 
 private:
+    /// The database as other programs show it.
+    std::string_view with_changes(std::string_view bytes, const BesideDatabase& beside) {
+        if (is_unfinished_journal(beside.journal)) {
+            refuse("a rollback journal (-journal) with content beside it: a change is not finished",
+                   "a GeoPackage that no program is writing to",
+                   "save the layer and close it in other programs; after a crash open it there once");
+        }
+        if (beside.log.empty()) {
+            return bytes;
+        }
+        try {
+            copy_ = with_write_ahead_log(bytes, beside.log);
+        } catch (const std::invalid_argument& error) {
+            refuse_log(error.what());
+        }
+        has_log_ = copy_ != bytes;
+        return copy_;
+    }
+
+    [[noreturn]] void refuse_log(const std::string& found) const {
+        refuse(found, "the log of this GeoPackage, which holds its last changes",
+               "close it in other programs, which folds the log in, and copy it again; delete the -wal only "
+               "where it was left by another file of this name");
+    }
+
+    /// A log of another database of the same page size passes its checksums and gives pages that do not fit.
+    void check_pages() {
+        constexpr std::string_view of_structure = "*** in database";
+        std::string found;
+        try {
+            const Statement pages = prepare("PRAGMA quick_check(1)");
+            found = step(pages) ? reinterpret_cast<const char*>(sqlite3_column_text(pages.get(), 0)) : "";
+        } catch (const config::InputError&) {
+            found = of_structure;
+        }
+        if (found.starts_with(of_structure)) {  // what a table demands of its values is not looked at here
+            refuse_log("a write-ahead log (-wal) beside it whose pages do not fit");
+        }
+    }
+
     void check(int result) const {
         if (result != SQLITE_OK) {
             refuse(joined("a damaged GeoPackage: ",
@@ -105,6 +154,7 @@ private:
 
     const std::string& file_;
     std::string copy_;
+    bool has_log_ = false;
     std::uint64_t calls_ = 0;
     std::unique_ptr<sqlite3, Close> database_;
 };
@@ -150,18 +200,25 @@ std::string chosen_layer(Package& package, const std::string& wanted, const std:
         package.refuse("a database without gpkg_contents", "a GeoPackage", export_again);
     }
     std::vector<std::string> names;
-    std::size_t tiles = 0;
+    std::vector<std::string> rasters;
     const auto contents = package.prepare("SELECT table_name, data_type FROM gpkg_contents");
     while (package.step(contents)) {
         const std::string kind = text_in(contents, 1);
         if (kind == "features" || kind == "attributes") {
             names.push_back(text_in(contents, 0));
         }
-        tiles += kind == "tiles" || kind == "2d-gridded-coverage" ? 1U : 0U;
+        if (kind == "tiles" || kind == "2d-gridded-coverage") {
+            rasters.push_back(text_in(contents, 0));
+        }
     }
     if (names.empty()) {
-        package.refuse(tiles > 0 ? "a GeoPackage of rasters only" : "a GeoPackage without layers",
+        package.refuse(rasters.empty() ? "a GeoPackage without layers" : "a GeoPackage of rasters only",
                        "a layer of features", "export rasters as GeoTIFF and layers as GeoPackage");
+    }
+    if (std::find(rasters.begin(), rasters.end(), wanted) != rasters.end()) {
+        package.refuse(joined("layer ", config::in_quotes(wanted), ", which is a raster"),
+                       "a layer of features",
+                       "export it as GeoTIFF (QGIS: Save as) and name that where a grid is wanted");
     }
     if (wanted.empty() && names.size() == 1) {
         return names.front();
@@ -202,8 +259,9 @@ bool is_database(std::string_view bytes) {
     return bytes.starts_with(magic);
 }
 
-Layer read_geopackage(std::string_view bytes, const std::string& layer, const std::string& file) {
-    Package package{bytes, file};
+PackageLayer read_geopackage(std::string_view bytes, const std::string& layer, const std::string& file,
+                             const BesideDatabase& beside) {
+    Package package{bytes, beside, file};
     const std::string name = chosen_layer(package, layer, file);
     if (!package.has_table(name)) {
         package.refuse(joined("layer ", config::in_quotes(name), ", which is no table of this file"),
@@ -248,6 +306,10 @@ Layer read_geopackage(std::string_view bytes, const std::string& layer, const st
             cells.emplace_back();
             try {
                 cells.back() = blob.empty() ? std::string{} : wkt_of_wkb(wkb_in(blob));
+            } catch (const OtherKindOfShape& other) {
+                problems.add(config::ExitCode::data,
+                             {file, features.numbers.back(), static_cast<std::size_t>(i + 1)}, other.what(),
+                             "points, lines or polygons", other.advice());
             } catch (const std::invalid_argument& error) {
                 problems.add(config::ExitCode::data,
                              {file, features.numbers.back(), static_cast<std::size_t>(i + 1)}, error.what(),
@@ -257,7 +319,7 @@ Layer read_geopackage(std::string_view bytes, const std::string& layer, const st
     }
     problems.throw_if_any();
     read.table = config::Table::of(std::move(features));
-    return read;
+    return {std::move(read), package.has_log()};
 }
 
 }  // namespace coupling::formats

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "config/grid/raster.hpp"
 
@@ -11,6 +12,8 @@ namespace coupling::formats {
 struct PlacedGrid {
     config::Raster<double> raster;  ///< NODATA cells are NaN
     std::string projection;         ///< well-known text, empty where the file names none
+    /// What the user should know about how it was read: sentences without the name of the file.
+    std::vector<std::string> remarks;
 };
 
 /// Whether bytes begin as a TIFF does, also a BigTIFF.
@@ -20,13 +23,15 @@ bool is_tiff(std::string_view bytes);
 inline constexpr std::size_t most_tiff_cells = 400'000'000;
 
 /// Reads a GeoTIFF of one band from its bytes: whole numbers of 8 to 64 bits, floats of 32 and 64; strips or
-/// tiles; every compression that libtiff knows here; cells as areas or as points.
+/// tiles; every compression that libtiff knows here; cells as areas or as points. `world_file` is the text of
+/// the world file beside it, which counts where the file has no place of its own; empty: none.
 ///
 /// Cells become NaN where the NODATA tag of GDAL says so, and where a float is NaN. Memory grows with the
 /// cells that the file really holds, not with those it claims.
 ///
 /// Throws InputError (data) naming what a grid of ours cannot have: several bands, complex or packed numbers,
-/// a mask, a scale and offset, a rotation, no place on the map, an unknown compression, a file cut off.
-PlacedGrid read_geotiff(std::string_view bytes, const std::string& file);
+/// cells in feet, a mask, a scale and offset, a rotation, no place on the map, an
+/// unknown compression, a file cut off.
+PlacedGrid read_geotiff(std::string_view bytes, const std::string& file, std::string_view world_file = {});
 
 }  // namespace coupling::formats

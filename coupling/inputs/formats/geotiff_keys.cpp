@@ -60,6 +60,17 @@ std::string by_parameters(GTIF* keys) {
                                        : std::string{};
 }
 
+std::optional<HeightUnit> heights_by_keys(GTIF* keys) {
+    const unsigned short system = short_key(keys, VerticalCSTypeGeoKey);
+    if (system != 0 && system != KvUserDefined) {
+        if (const auto unit = height_unit_of_system(system)) {
+            return unit;
+        }
+    }
+    const unsigned short unit = short_key(keys, VerticalUnitsGeoKey);
+    return unit == 0 || unit == KvUserDefined ? std::nullopt : height_unit_of_unit(unit);
+}
+
 }  // namespace
 
 GeoKeys read_geo_keys(tiff* file) {
@@ -69,6 +80,7 @@ GeoKeys read_geo_keys(tiff* file) {
         return found;
     }
     found.cells_are_points = short_key(keys.get(), GTRasterTypeGeoKey) == RasterPixelIsPoint;
+    found.heights = heights_by_keys(keys.get());
     for (const geokey_t key : {PCSCitationGeoKey, GTCitationGeoKey}) {
         if (found.projection = system_in_citation(keys.get(), key); !found.projection.empty()) {
             return found;

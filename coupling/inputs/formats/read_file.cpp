@@ -8,7 +8,9 @@
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/encoding.hpp"
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/formats/file_kinds.hpp"
 #include "coupling/inputs/formats/geojson_layer.hpp"
 #include "coupling/inputs/formats/geopackage_layer.hpp"
 #include "coupling/inputs/formats/shapefile_layer.hpp"
@@ -17,29 +19,6 @@ namespace coupling::formats {
 namespace {
 
 using config::joined;
-
-/// Files that people have and that are none of ours: how they begin, and what to do with them.
-struct OtherFile {
-    std::string_view begins;
-    const char* found;
-    const char* advice;
-};
-
-constexpr std::array other_files{
-    OtherFile{{"PK\3\4", 4},
-              "a ZIP archive, which workbooks of Excel, KMZ and packed Shapefiles are",
-              "unpack it, or save the sheet as CSV UTF-8"},
-    OtherFile{{"\xD0\xCF\x11\xE0", 4},
-              "a workbook of Excel or an encrypted document",
-              "save the sheet as CSV UTF-8, without a password"},
-    OtherFile{{"\x89PNG", 4}, "a picture (PNG)", "export the data themselves, as GeoTIFF"},
-    OtherFile{{"\xFF\xD8\xFF", 3}, "a picture (JPEG)", "export the data themselves, as GeoTIFF"},
-    OtherFile{{"%PDF", 4}, "a PDF", "export the data themselves"},
-    OtherFile{{"LASF", 4}, "a point cloud (LAS, LAZ)", "make a terrain grid of it first"},
-    OtherFile{{"\x89HDF", 4}, "a file of HDF5 or NetCDF", "export it as GeoTIFF"},
-    OtherFile{{"<?xml", 5}, "XML, such as KML or GML", "export it as GeoPackage"},
-    OtherFile{{"<kml", 4}, "KML", "export it as GeoPackage"},
-    OtherFile{{"\0\0\x27\x0D", 4}, "an index of a Shapefile", "name the .shp"}};
 
 /// Endings that promise a form of bytes: files of that form have been read when they are looked at.
 struct Ending {
@@ -58,49 +37,94 @@ constexpr std::array endings{
            "copy all files of that name again"}};
 
 bool ends_as_geopackage(const std::string& file) {
-    return split_layer_name(file).file.ends_with(".gpkg");
+    return config::in_lower_case(split_layer_name(file).file).ends_with(".gpkg");
 }
 
 void refuse_other_files(std::string_view bytes, const std::string& file, const char* expected) {
-    if (bytes.empty()) {
-        config::fail(config::ExitCode::data, {file}, "an empty file", expected,
-                     "copy or export the file again");
-    }
-    const std::string_view text = config::without_byte_order_mark(bytes);
-    for (const OtherFile& other : other_files) {
-        if (text.starts_with(other.begins)) {
-            config::fail(config::ExitCode::data, {file}, other.found, expected, other.advice);
-        }
-    }
+    refuse_other_file_kinds(bytes, file, expected);
     const std::string name = config::in_lower_case(split_layer_name(file).file);
     for (const Ending& promised : endings) {
         if (name.ends_with(promised.ending)) {
             config::fail(config::ExitCode::data, {file}, promised.found, expected, promised.advice);
         }
     }
+    refuse_unknown_bytes(bytes, file, expected);
 }
 
-bool is_utf16(std::string_view bytes) {
-    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+void refuse_mesh(std::string_view bytes, const std::string& file, const char* expected) {
+    if (const FileKind* mesh = mesh_kind(bytes, file)) {
+        config::fail(config::ExitCode::data, {file}, std::string{mesh->name}, expected,
+                     std::string{mesh->way_out});
+    }
+}
+
+/// Whether a text is rows of three or more numbers, as lists of points are, perhaps below a line of names.
+bool is_list_of_points(std::string_view text) {
+    constexpr std::size_t rows_looked_at = 3;
+    constexpr std::size_t most_columns = 16;
+    constexpr std::string_view separators = " \t,;\r";
+    text = config::without_byte_order_mark(text);
+    std::size_t rows = 0;
+    std::size_t columns = 0;
+    for (bool is_first = true; !text.empty() && rows < rows_looked_at; is_first = false) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        std::size_t numbers = 0;
+        std::size_t words = 0;
+        while (words <= most_columns) {
+            line.remove_prefix(std::min(line.find_first_not_of(separators), line.size()));
+            if (line.empty()) {
+                break;
+            }
+            const std::size_t length = std::min(line.find_first_of(separators), line.size());
+            numbers += config::parse_number(line.substr(0, length)) ? 1U : 0U;
+            ++words;
+            line.remove_prefix(length);
+        }
+        if (words == 0 || (is_first && numbers == 0)) {
+            continue;  // a line of names
+        }
+        if (numbers < 3 || numbers != words || words > most_columns || (rows > 0 && words != columns)) {
+            return false;
+        }
+        columns = words;
+        ++rows;
+    }
+    return rows == rows_looked_at;
 }
 
 constexpr const char* grid_expected = "a grid: GeoTIFF or ESRI ASCII";
 constexpr const char* layer_expected = "a table or layer: CSV, GeoPackage, Shapefile or GeoJSON";
 
-}  // namespace
-
-LayerName split_layer_name(const std::string& name) {
-    const std::size_t bar = name.find('|');
-    if (bar == std::string::npos) {
-        return {name, ""};
+/// The world file of a TIFF: `.tfw` as ESRI named it, or one of the longer names.
+std::string_view world_file_beside(const BytesBeside& beside) {
+    for (const char* ending : {".tfw", ".tifw", ".tiffw", ".wld"}) {
+        if (const std::string_view text = beside(ending); !text.empty()) {
+            return text;
+        }
     }
-    std::string layer = name.substr(bar + 1);
-    constexpr std::string_view of_qgis = "layername=";
-    if (layer.starts_with(of_qgis)) {
-        layer = layer.substr(of_qgis.size(), layer.find('|') - of_qgis.size());
-    }
-    return {name.substr(0, bar), layer};
+    return {};
 }
+
+/// Text that begins with a brace and of no other kind that does.
+bool is_geojson_of(std::string_view bytes, const std::string& file) {
+    return is_geojson(bytes) && other_file_kind(bytes, file) == nullptr;
+}
+
+ShapefileParts parts_of_shapefile(std::string_view bytes, const std::string& file,
+                                  const BytesBeside& beside) {
+    const ShapefileParts parts{bytes, beside(".shx"), beside(".dbf"), beside(".prj"), beside(".cpg")};
+    for (const auto& [part, ending] : {std::pair{parts.shx, ".shx"}, std::pair{parts.dbf, ".dbf"}}) {
+        if (part.empty()) {
+            config::fail(config::ExitCode::file, {file}, joined("no ", ending, " beside it"),
+                         "a Shapefile with its .shx and .dbf", "copy all files of that name");
+        }
+    }
+    return parts;
+}
+
+}  // namespace
 
 bool is_gis_raster(std::string_view bytes) {
     return is_tiff(bytes);
@@ -120,25 +144,49 @@ std::string format_in_words(std::string_view bytes) {
 
 PlacedGrid read_grid_file(std::string_view bytes, const std::string& file, const BytesBeside& beside) {
     if (is_tiff(bytes)) {
-        PlacedGrid grid = read_geotiff(bytes, file);
+        PlacedGrid grid = read_geotiff(bytes, file, world_file_beside(beside));
         if (grid.projection.empty()) {
             grid.projection = std::string{config::trimmed(beside(".prj"))};
         }
         return grid;
     }
-    if (is_gis_layer(bytes)) {
+    if (is_database(bytes)) {
+        config::fail(
+            config::ExitCode::data, {file}, "a GeoPackage", grid_expected,
+            "export its raster as GeoTIFF (QGIS: Save as; gdal_translate IN dem.tif); name polygons in "
+            "the setting for polygons or shapes");
+    }
+    if (is_shapefile(bytes) || is_geojson_of(bytes, file)) {
         config::fail(config::ExitCode::data, {file}, joined("a ", format_in_words(bytes)), grid_expected,
                      "name polygons in the setting for polygons or shapes, or turn them into a grid (QGIS: "
                      "Rasterize)");
     }
-    refuse_other_files(bytes, file, grid_expected);
-    return {config::read_ascii_grid(bytes, file), std::string{beside(".prj")}};
+    if (!config::most_grid_bytes(bytes)) {
+        refuse_other_files(bytes, file, grid_expected);
+        refuse_mesh(bytes, file, grid_expected);
+        if (is_list_of_points(bytes)) {
+            config::fail(config::ExitCode::data, {file}, "a list of points (x y z)", grid_expected,
+                         "name it as terrain.points instead");
+        }
+    }
+    config::AsciiGrid read = config::read_ascii_grid_with_words(bytes, file);
+    PlacedGrid grid{std::move(read.raster), std::string{beside(".prj")}, {}};
+    if (read.words.cells > 0) {
+        grid.remarks.push_back(joined(read.words.cells == 1
+                                          ? std::string{"1 cell"}
+                                          : joined(std::to_string(read.words.cells), " cells"),
+                                      " with a word such as ", config::in_quotes(read.words.first),
+                                      " in place of a number, taken as NODATA"));
+    }
+    return grid;
 }
 
 ReadLayer read_layer_file(std::string_view bytes, const std::string& layer, const std::string& file,
                           const BytesBeside& beside) {
     if (is_database(bytes)) {
-        return {read_geopackage(bytes, layer, file), true, ""};
+        PackageLayer read = read_geopackage(bytes, layer, file, {beside("-wal"), beside("-journal")});
+        return {std::move(read.layer), true,
+                read.has_log ? "read with the changes of the write-ahead log (-wal) beside it" : ""};
     }
     if (bytes.empty() || ends_as_geopackage(file)) {
         refuse_other_files(bytes, file, layer_expected);
@@ -149,30 +197,41 @@ ReadLayer read_layer_file(std::string_view bytes, const std::string& layer, cons
                      "a GeoPackage", "leave out | and what follows");
     }
     if (is_shapefile(bytes)) {
-        const ShapefileParts parts{bytes, beside(".shx"), beside(".dbf"), beside(".prj"), beside(".cpg")};
-        for (const auto& [part, ending] : {std::pair{parts.shx, ".shx"}, std::pair{parts.dbf, ".dbf"}}) {
-            if (part.empty()) {
-                config::fail(config::ExitCode::file, {file}, joined("no ", ending, " beside it"),
-                             "a Shapefile with its .shx and .dbf", "copy all files of that name");
-            }
-        }
-        return {read_shapefile(parts, file), true, ""};
+        refuse_other_file_kinds(bytes, file, layer_expected);  // its index begins as it does
+        return {read_shapefile(parts_of_shapefile(bytes, file, beside), file), true, ""};
     }
-    if (is_geojson(bytes)) {
+    if (is_geojson_of(bytes, file)) {
         return {read_geojson(bytes, file), true, ""};
     }
-    if (is_tiff(bytes)) {
-        config::fail(config::ExitCode::data, {file}, "a raster (TIFF)", layer_expected,
+    if (is_tiff(bytes) || config::most_grid_bytes(bytes)) {
+        config::fail(config::ExitCode::data, {file},
+                     is_tiff(bytes) ? "a raster (TIFF)" : "a raster (ESRI ASCII grid)", layer_expected,
                      "name grids in the setting for grids");
     }
     refuse_other_files(bytes, file, layer_expected);
+    refuse_mesh(bytes, file, layer_expected);
     if (is_utf16(bytes) || config::is_utf8(bytes)) {
-        return {{config::Table::read(bytes, file), ""}, false, ""};
+        return {{config::Table::read(bytes, file, config::FirstColumn::may_lack_name), ""}, false, ""};
     }
     const std::string text = config::to_utf8(bytes, config::Encoding::windows_1252);
-    return {{config::Table::read(std::string_view{text}, file), ""},
+    return {{config::Table::read(std::string_view{text}, file, config::FirstColumn::may_lack_name), ""},
             false,
             "no UTF-8: its letters are taken as Windows-1252"};
+}
+
+void refuse_what_is_no_text_of_points(std::string_view bytes, const std::string& file) {
+    constexpr const char* points_expected = "points as text: x y z in metres";
+    if (is_tiff(bytes) || config::most_grid_bytes(bytes)) {
+        config::fail(config::ExitCode::data, {file},
+                     is_tiff(bytes) ? "a raster (TIFF)" : "a raster (ESRI ASCII grid)", points_expected,
+                     "name it as terrain.dem instead");
+    }
+    refuse_other_file_kinds(bytes, file, points_expected);
+    if (is_gis_layer(bytes)) {
+        config::fail(config::ExitCode::data, {file}, joined("a ", format_in_words(bytes)), points_expected,
+                     "name contours or points of a layer as terrain.mesh, with the ending of the format");
+    }
+    refuse_other_files(bytes, file, points_expected);
 }
 
 }  // namespace coupling::formats

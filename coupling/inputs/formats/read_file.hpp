@@ -6,23 +6,16 @@
 
 #include "coupling/inputs/formats/geotiff.hpp"
 #include "coupling/inputs/formats/layer.hpp"
+#include "coupling/inputs/formats/layer_name.hpp"
 
 namespace coupling::formats {
 
-/// The bytes of the file of the same name with another ending, such as ".prj"; empty where there is none.
-/// They live as long as whoever opened it says.
+/// The bytes of the file of the same name with another ending, such as ".prj", or with more behind the whole
+/// name, such as "-wal"; empty where there is none. They live as long as whoever opened it says.
 using BytesBeside = std::function<std::string_view(const std::string& ending)>;
 
-/// A file and a layer in it, as users and QGIS write it: `roads.gpkg`, `map.gpkg|roads`,
-/// `map.gpkg|layername=roads`.
-struct LayerName {
-    std::string file;
-    std::string layer;
-};
-LayerName split_layer_name(const std::string& name);
-
-/// Reads a grid from the bytes of its file, whatever its format: ESRI ASCII with its .prj, GeoTIFF. Throws
-/// InputError, also with what else the bytes are.
+/// Reads a grid from the bytes of its file, whatever its format: ESRI ASCII with its .prj, GeoTIFF with its
+/// world file where it has no place of its own. Throws InputError, also with what else the bytes are.
 PlacedGrid read_grid_file(std::string_view bytes, const std::string& file, const BytesBeside& beside);
 
 /// What a table of text was read as, where that was not plain UTF-8: a sentence for the user, else empty.
@@ -36,6 +29,10 @@ struct ReadLayer {
 /// GeoJSON. `file` is the name in messages, `layer` may be empty.
 ReadLayer read_layer_file(std::string_view bytes, const std::string& layer, const std::string& file,
                           const BytesBeside& beside);
+
+/// Throws InputError (data) with what a file is that ought to be points as text: a grid, a layer, or of a
+/// kind that is not read.
+void refuse_what_is_no_text_of_points(std::string_view bytes, const std::string& file);
 
 /// "GeoTIFF", "GeoPackage", "CSV table" ...: what the bytes are, for `bannwald info`.
 std::string format_in_words(std::string_view bytes);

@@ -13,28 +13,47 @@
 namespace coupling::formats {
 namespace {
 
-enum WkbKind : std::uint32_t { wkb_point = 1, wkb_line = 2, wkb_polygon = 3, wkb_polygons = 6 };
+enum WkbKind : std::uint32_t {
+    wkb_point = 1,
+    wkb_line,
+    wkb_polygon,
+    wkb_points,
+    wkb_lines,
+    wkb_polygons,
+    wkb_collection,
+    wkb_arcs,
+    wkb_compound,
+    wkb_curve_polygon,
+    wkb_curves,
+    wkb_surfaces
+};
 
-constexpr std::array<std::string_view, 7> wkt_names{"",           "POINT",           "LINESTRING",  "POLYGON",
-                                                    "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON"};
-constexpr std::array<std::string_view, 18> other_kinds{"geometry",
-                                                       "",
-                                                       "",
-                                                       "",
-                                                       "",
-                                                       "",
-                                                       "",
-                                                       "collection",
-                                                       "circular string",
-                                                       "compound curve",
-                                                       "curve polygon",
-                                                       "multi-curve",
-                                                       "multi-surface",
-                                                       "curve",
-                                                       "surface",
-                                                       "polyhedral surface",
-                                                       "TIN",
-                                                       "triangle"};
+/// A kind of geometry: its name in text, which kinds its members may have and which of them need no name.
+struct KindOfShape {
+    std::string_view name;      ///< of well-known text; empty: not read
+    std::string_view in_words;  ///< in messages
+    std::uint32_t usual_member = 0;
+    std::array<std::uint32_t, 3> members{};  ///< besides the usual one; 0: none
+};
+constexpr std::array<KindOfShape, 18> kinds_of_shapes{
+    {{},
+     {"POINT", "point"},
+     {"LINESTRING", "line"},
+     {"POLYGON", "polygon"},
+     {"MULTIPOINT", "points", wkb_point},
+     {"MULTILINESTRING", "lines", wkb_line},
+     {"MULTIPOLYGON", "polygons", wkb_polygon},
+     {"", "collection"},
+     {"CIRCULARSTRING", "circular string"},
+     {"COMPOUNDCURVE", "compound curve", wkb_line, {wkb_arcs}},
+     {"CURVEPOLYGON", "curve polygon", wkb_line, {wkb_arcs, wkb_compound}},
+     {"MULTICURVE", "multi-curve", wkb_line, {wkb_arcs, wkb_compound}},
+     {"MULTISURFACE", "multi-surface", wkb_polygon, {wkb_curve_polygon}},
+     {"", "curve"},
+     {"", "surface"},
+     {"", "polyhedral surface"},
+     {"", "TIN"},
+     {"", "triangle"}}};
 
 class WkbReader {
 public:
@@ -42,9 +61,8 @@ public:
 
     std::string read() {
         const Head head = read_head();
-        WktText text{std::string{wkt_names[head.kind]} + (head.has_z ? " Z " : " ")};
-        body(head, text);
-        return is_empty_ ? std::string{} : text.text();
+        WktText text{std::string{kinds_of_shapes[head.kind].name} + (head.has_z ? " Z " : " ")};
+        return body(head, text) ? text.text() : std::string{};
     }
 
 private:
@@ -88,15 +106,22 @@ private:
         head.has_z = head.has_z || (code / 1000U) % 2U == 1U;
         head.has_m = head.has_m || code / 2000U == 1U;
         head.kind = code % 1000U;
-        if (code >= 4000U || head.kind < wkb_point || head.kind > wkb_polygons) {
-            throw std::invalid_argument{head.kind < other_kinds.size() && !other_kinds[head.kind].empty()
-                                            ? "a shape of the kind " + std::string{other_kinds[head.kind]}
-                                            : std::string{"no geometry"}};
+        if (code >= 4000U || head.kind >= kinds_of_shapes.size() ||
+            kinds_of_shapes[head.kind].in_words.empty()) {
+            throw std::invalid_argument{"no geometry"};
+        }
+        if (kinds_of_shapes[head.kind].name.empty()) {
+            throw OtherKindOfShape{
+                "a shape of the kind " + std::string{kinds_of_shapes[head.kind].in_words},
+                head.kind == wkb_collection
+                    ? "split it into its parts (QGIS: Multipart to singleparts; ogr2ogr -explodecollections)"
+                    : "convert it to polygons (ogr2ogr -nlt MULTIPOLYGON)"};
         }
         return head;
     }
 
-    void corner(const Head& head, WktText& text) {
+    /// False for the coordinates of an empty point.
+    bool corner(const Head& head, WktText& text) {
         const auto x = number<double>();
         const auto y = number<double>();
         const double z = head.has_z ? number<double>() : 0.0;
@@ -104,69 +129,91 @@ private:
             number<double>();
         }
         if (std::isnan(x) && std::isnan(y)) {
-            is_empty_ = true;  // as an empty point is written
-            return;
+            return false;
         }
         if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
             throw std::invalid_argument{"a coordinate that is no number"};
         }
         head.has_z ? text.point(x, y, z) : text.point(x, y);
+        return true;
     }
 
     /// Counts are believed only as far as bytes follow: each item takes one at least.
     std::uint32_t count() {
         const auto items = number<std::uint32_t>();
-        is_empty_ = is_empty_ || items == 0;
         if (items > bytes_.size() - at_) {
             throw std::invalid_argument{"a geometry that is cut off"};
         }
         return items;
     }
 
-    void corners(const Head& head, WktText& text) {
+    bool corners(const Head& head, WktText& text) {
+        bool any = false;
         text.open();
         for (std::uint32_t left = count(); left > 0; --left) {
-            corner(head, text);
+            if (!corner(head, text)) {
+                throw std::invalid_argument{"a coordinate that is no number"};
+            }
+            any = true;
         }
         text.close();
+        return any;
     }
 
-    void body(const Head& head, WktText& text) {
+    /// False where nothing is in it.
+    bool body(const Head& head, WktText& text) {
         if (head.kind == wkb_point) {
             text.open();
-            corner(head, text);
+            const bool any = corner(head, text);
             text.close();
-        } else if (head.kind == wkb_line) {
-            corners(head, text);
-        } else {
-            text.open();
-            for (std::uint32_t left = count(); left > 0; --left) {
-                if (head.kind == wkb_polygon) {
-                    corners(head, text);
-                } else {
-                    member(head, text);
-                }
-            }
-            text.close();
+            return any;
         }
+        if (head.kind == wkb_line || head.kind == wkb_arcs) {
+            return corners(head, text);
+        }
+        bool any = false;
+        text.open();
+        for (std::uint32_t left = count(); left > 0; --left) {
+            const WktText::Mark before = text.mark();
+            if (head.kind == wkb_polygon ? corners(head, text) : member(head, text)) {
+                any = true;
+            } else {
+                text.back_to(before);  // an empty part of a shape is no part
+            }
+        }
+        text.close();
+        return any;
     }
 
-    /// A geometry of several: of the single kind, not again of several.
-    void member(const Head& whole, WktText& text) {
+    /// A geometry in another one, of a kind that may stand there: nothing nests any deeper.
+    bool member(const Head& whole, WktText& text) {
         const Head head = read_head();
-        if (head.kind + 3 != whole.kind || head.has_z != whole.has_z) {
+        const KindOfShape& kind = kinds_of_shapes[whole.kind];
+        const bool is_usual = head.kind == kind.usual_member;
+        const bool may_stand =
+            is_usual || std::find(kind.members.begin(), kind.members.end(), head.kind) != kind.members.end();
+        if (!may_stand || head.has_z != whole.has_z) {
             throw std::invalid_argument{"shapes of different kinds in one"};
         }
-        body(head, text);
+        if (!is_usual) {
+            text.name(kinds_of_shapes[head.kind].name, head.has_z);
+        }
+        return body(head, text);
     }
 
     std::string_view bytes_;
     std::size_t at_ = 0;
     bool is_little_ = true;
-    bool is_empty_ = false;
 };
 
 }  // namespace
+
+void WktText::name(std::string_view kind, bool has_z) {
+    separate();
+    text_ += kind;
+    text_ += has_z ? " Z " : " ";
+    next_is_first_ = true;  // its bracket follows the name
+}
 
 void WktText::point(double x, double y) {
     separate();

@@ -4,6 +4,7 @@
 #include "coupling/inputs/meshes/mesh_file.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/shape_input.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling::meshes {
 
@@ -50,7 +51,13 @@ void read_row(const config::Table& table, std::size_t row, MeshFile& mesh, confi
 }  // namespace
 
 MeshFile read_contours(std::string_view bytes, const std::string& file) {
-    return contours_of(config::Table::read(bytes, file), file);
+    config::Table table = config::Table::read(bytes, file, config::FirstColumn::may_lack_name);
+    std::vector<std::string> notes;
+    tables::add_remarks(tables::prepare(table, "mesh", false), notes);
+    MeshFile mesh = contours_of(table, file);
+    tables::add_remarks(tables::findings_of_use(*table.use()), notes);
+    mesh.notes = std::move(notes);
+    return mesh;
 }
 
 MeshFile contours_of(const config::Table& table, const std::string& file) {

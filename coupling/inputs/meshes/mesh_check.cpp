@@ -95,7 +95,8 @@ void doubt_precision(const MeshFile& mesh, const std::string& file, Reading& rea
         reading.warn(
             {file},
             joined("coordinates of 32 bits in steps of ", to_cm(step_of_single_precision_m(mesh)), " m"),
-            "double precision (PLY: property double), or coordinates from a nearer origin");
+            "double precision (PLY: property double), or coordinates from a nearer origin", "",
+            config::Effect::detail);
     }
 }
 

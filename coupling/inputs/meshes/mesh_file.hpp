@@ -22,6 +22,7 @@ struct MeshFile {
     std::vector<rockfall::PointPair> lines;           ///< pieces of lines between points
     bool single_precision = false;                    ///< coordinates of 32 bits
     std::vector<std::string> passed_over;             ///< what else the file holds, by name
+    std::vector<std::string> notes{};                 ///< how the file was understood, a sentence each
 };
 
 /// Largest ground code of a face.

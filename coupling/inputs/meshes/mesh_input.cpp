@@ -11,8 +11,10 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
 #include "coupling/inputs/ground_names.hpp"
 #include "coupling/inputs/meshes/mesh_check.hpp"
+#include "coupling/inputs/tables/point_file.hpp"
 #include "coupling/inputs/terrain_input.hpp"
 
 namespace coupling::meshes {
@@ -75,9 +77,12 @@ MeshFile read_mesh_file(std::string_view bytes, const std::string& file) {
         case MeshFormat::points:
             break;
     }
+    formats::refuse_what_is_no_text_of_points(bytes, file);
     MeshFile mesh;
     mesh.format = "points as text";
-    mesh.points_m = read_points(bytes, file);
+    tables::PointFile read = tables::read_point_file(bytes, file);
+    mesh.points_m = std::move(read.points);
+    mesh.notes = std::move(read.notes);
     return mesh;
 }
 
@@ -86,7 +91,8 @@ bool names_layer(const std::string& name) {
     const std::string file = formats::split_layer_name(name).file;
     const std::size_t dot = file.find_last_of('.');
     const std::string ending = dot == std::string::npos ? "" : config::in_lower_case(file.substr(dot));
-    return ending == ".gpkg" || ending == ".shp" || ending == ".geojson" || ending == ".json";
+    return ending == ".gpkg" || ending == ".shp" || ending == ".geojson" || ending == ".json" ||
+           format_of("", file) == MeshFormat::contours;
 }
 
 MeshFile read_named_mesh(const std::string& name, Reading& reading) {
@@ -96,7 +102,11 @@ MeshFile read_named_mesh(const std::string& name, Reading& reading) {
     }
     const FileBytes bytes = reading.open("terrain.mesh", "mesh", name,
                                          "a mesh (PLY, STL), contours (DXF, CSV, layers) or points as text");
-    return read_mesh_file(bytes.text(), reading.shown(name));
+    MeshFile mesh = read_mesh_file(bytes.text(), reading.shown(name));
+    for (const std::string& sentence : mesh.notes) {
+        reading.note(sentence);
+    }
+    return mesh;
 }
 
 namespace {

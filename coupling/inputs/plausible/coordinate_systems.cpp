@@ -8,6 +8,8 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
+#include "coupling/inputs/formats/system_scale.hpp"
 
 namespace coupling::plausible {
 namespace {
@@ -181,11 +183,25 @@ std::string name_with_code(const KnownSystem& system) {
     return joined(system.name, " (EPSG ", std::to_string(system.epsg), ")");
 }
 
-std::string other_file(const Extent& extent, const std::string& file) {
-    const std::string fitting = systems_around(extent);
-    return joined("replace ", file, fitting.empty() ? "" : joined(": the coordinates would fit ", fitting),
-                  ", or delete it: the results then name no projection");
+bool is_projection_file(const std::string& file) {
+    return config::in_lower_case(file).ends_with(".prj");
 }
+
+/// What to do where a system is not that of the coordinates: it stands in a file of its own, or in that of
+/// the heights.
+std::string other_system(const Extent& extent, const std::string& file) {
+    const std::string fitting = systems_around(extent);
+    const std::string fits = fitting.empty() ? "" : joined(": the coordinates would fit ", fitting);
+    if (is_projection_file(file)) {
+        return joined("replace ", file, fits, ", or delete it: the results then name no projection");
+    }
+    return joined("give ", file, " its own system", fits,
+                  ", or correct its corner; for local coordinates take the system off (gdal_translate -a_srs "
+                  "\"\" in.tif out.tif): the results then name no projection");
+}
+
+constexpr const char* transform_heights =
+    "transform them to the national system or to UTM (QGIS: Warp; gdalwarp -t_srs EPSG:25832, for example)";
 
 }  // namespace
 
@@ -261,9 +277,10 @@ std::optional<Contradiction> contradiction_of(std::string_view text, const Exten
     if (projection->is_geographic) {
         const Extent degrees{-360.0, 360.0, -90.0, 90.0};
         return degrees.covers(extent)
-                   ? std::nullopt
-                   : std::optional<Contradiction>{
-                         {coordinates, "degrees with this geographic system", other_file(extent, file)}};
+                   ? Contradiction{coordinates, "metres of a projected system, not degrees",
+                                   transform_heights}
+                   : Contradiction{coordinates, "degrees with this geographic system",
+                                   other_system(extent, file)};
     }
     constexpr double near_metre = 1e-6;
     if (projection->metres_per_unit && std::abs(*projection->metres_per_unit - 1.0) > near_metre) {
@@ -276,7 +293,79 @@ std::optional<Contradiction> contradiction_of(std::string_view text, const Exten
         return std::nullopt;
     }
     return Contradiction{coordinates, joined("for ", system->name, " about ", in_words(system->area)),
-                         other_file(extent, file)};
+                         other_system(extent, file)};
+}
+
+std::optional<formats::HeightUnit> height_unit_in(std::string_view text) {
+    const std::vector<Element> elements = elements_of(text);
+    const auto root = std::find_if(elements.begin(), elements.end(), [](const Element& element) {
+        return is_one_of(element.keyword, {"vertcs", "vertcrs", "verticalcrs"});
+    });
+    if (root == elements.end()) {
+        return std::nullopt;
+    }
+    std::optional<double> metres;
+    bool is_depth = false;
+    for (auto element = std::next(root); element != elements.end() && element->depth > root->depth;
+         ++element) {
+        const std::string name = letters_in_lower_case(element->text);
+        if (is_one_of(element->keyword, {"unit", "lengthunit"})) {
+            metres = config::parse_number(element->after);
+        } else if (element->keyword == "axis") {
+            is_depth = is_depth || letters_in_lower_case(element->after) == "down";
+        } else if (element->keyword == "parameter" && name == "direction") {
+            is_depth = is_depth || config::parse_number(element->after).value_or(1.0) < 0.0;
+        }
+    }
+    return metres && *metres > 0.0 ? std::optional{formats::HeightUnit{root->text, *metres, is_depth}}
+                                   : std::nullopt;
+}
+
+std::optional<Contradiction> contradiction_of_heights(const formats::HeightUnit& unit) {
+    if (unit.is_metres_upwards()) {
+        return std::nullopt;
+    }
+    const std::string name = config::in_quotes(unit.name);
+    if (unit.is_depth) {
+        return Contradiction{joined("depths, as ", name, " says"), "heights, which grow upwards",
+                             "change their sign, and take the system of depths off"};
+    }
+    const std::string metres = config::to_text(std::round(1e6 * unit.metres) / 1e6);
+    return Contradiction{
+        joined("heights in units of ", metres, " m, as ", name, " says"), "heights in metres",
+        joined(
+            "multiply the heights by ", metres,
+            " (QGIS: Raster calculator) and write them without that unit; if they are metres already, take "
+            "the unit off (gdal_translate -a_srs EPSG:..., with the code of the plan alone)")};
+}
+
+void judge_scale(const std::string& text, const std::string& file, const Extent& extent, Reading& reading) {
+    constexpr double refused = 0.01;
+    constexpr double doubtful = 0.003;
+    const auto scale = formats::system_scale(text, 0.5 * (extent.west_m + extent.east_m),
+                                             0.5 * (extent.south_m + extent.north_m));
+    if (!scale) {
+        return;
+    }
+    const double off = std::max(std::abs(scale->longest - 1.0), std::abs(scale->shortest - 1.0));
+    if (off < doubtful) {
+        return;
+    }
+    const double worst = off == std::abs(scale->longest - 1.0) ? scale->longest : scale->shortest;
+    const auto projection = read_projection(text);
+    const std::string found = joined(
+        "the projection ", config::in_quotes(projection ? projection->name : std::string{}),
+        ", on which a metre of this slope measures ", config::to_text(std::round(1e4 * worst) / 1e4), " m");
+    // Nothing of a national system lies so near to (0, 0): a local frame that carries one.
+    constexpr double local_m = 20.0 * km;
+    const bool is_local = std::max({std::abs(extent.west_m), std::abs(extent.east_m),
+                                    std::abs(extent.south_m), std::abs(extent.north_m)}) < local_m;
+    if (off >= refused) {
+        reading.refuse({file}, found, "a system that keeps lengths to a per cent",
+                       is_local ? other_system(extent, file) : transform_heights);
+    } else {
+        reading.warn({file}, found, "a system that keeps lengths to 0.3 %", transform_heights);
+    }
 }
 
 }  // namespace coupling::plausible

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/inputs/formats/height_unit.hpp"
 #include "coupling/inputs/plausible/extent.hpp"
+#include "coupling/inputs/reading.hpp"
 
 namespace coupling::plausible {
 
@@ -60,10 +62,24 @@ struct Contradiction {
     std::string advice;
 };
 
+/// What well-known text says of heights: that of its system of heights (VERT_CS, VERTCRS, or VERTCS behind
+/// the plan as ESRI writes it), with its unit. Nothing without such a part or without a unit in it.
+std::optional<formats::HeightUnit> height_unit_in(std::string_view text);
+
 /// Holds the extent of the terrain against the text of the projection file `file`; nothing where the two
 /// agree or where it cannot be judged: other systems, other kinds of text. Coordinates may lie 100 km outside
-/// the area of use [choice].
+/// the area of use [choice]. Degrees and units other than the metre are contradictions too. A `file` that is
+/// no .prj is that of the heights themselves.
 std::optional<Contradiction> contradiction_of(std::string_view text, const Extent& extent,
                                               const std::string& file);
+
+/// Heights in a unit other than the metre, or counted downwards, as the file of heights or its system says.
+std::optional<Contradiction> contradiction_of_heights(const formats::HeightUnit& unit);
+
+/// A map on which lengths differ from those on the ground: by a per cent or more an error, as Web Mercator is
+/// no measure, from 0.3 % on a warning [both choices]. UTM has -0.04 to 0.1 % in its zone, national systems
+/// of the Alps less than 0.1 %, Europe's LAEA (EPSG 3035) less than 0.1 % in them. Judged by the scale
+/// factors of PROJ in the middle of the extent; other kinds of text are not judged.
+void judge_scale(const std::string& text, const std::string& file, const Extent& extent, Reading& reading);
 
 }  // namespace coupling::plausible

@@ -7,14 +7,15 @@
 #include "config/grid/holes.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/coordinate_systems.hpp"
 
 namespace coupling::plausible {
 namespace {
 
 using config::joined;
 
-constexpr double lowest_m = -500.0;   // the Dead Sea lies at -430 m
-constexpr double highest_m = 9000.0;  // Mount Everest: 8849 m
+constexpr double lowest_ground_m = -500.0;   // the Dead Sea lies at -430 m
+constexpr double highest_ground_m = 9000.0;  // Mount Everest: 8849 m
 
 bool stands_for_nodata(double height_m) {
     return height_m <= -9999.0 || height_m >= 1e30;
@@ -52,10 +53,23 @@ void doubt_zeros(std::vector<double> heights, const std::string& file, Reading& 
     }
 }
 
+void refuse_with(const terrain::Finding& finding, const std::string& file, Reading& reading) {
+    reading.refuse({file}, finding.found, finding.expected, finding.advice);
+}
+
+[[noreturn]] void fail_with(const terrain::Finding& finding, const std::string& file) {
+    config::fail(config::ExitCode::data, {file}, finding.found, finding.expected, finding.advice);
+}
+
+/// A wrong terrain makes the answer wrong.
+void warn_with(const terrain::Finding& finding, const std::string& file, Reading& reading) {
+    reading.warn({file}, finding.found, finding.expected, finding.advice, config::Effect::answer);
+}
+
 }  // namespace
 
 void check_height_range(double low_m, double high_m, const std::string& file) {
-    if (low_m >= lowest_m && high_m <= highest_m) {
+    if (low_m >= lowest_ground_m && high_m <= highest_ground_m) {
         return;
     }
     const bool nodata = stands_for_nodata(low_m) || stands_for_nodata(high_m);
@@ -67,12 +81,11 @@ void check_height_range(double low_m, double high_m, const std::string& file) {
                      : "write the heights in metres (these may be decimetres, centimetres or millimetres)");
 }
 
-void check_grid_heights(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
-    std::vector<double> known;
-    std::copy_if(grid.values.begin(), grid.values.end(), std::back_inserter(known),
-                 [](double height_m) { return !std::isnan(height_m); });
-    const auto [low, high] = std::minmax_element(known.begin(), known.end());
-    check_height_range(*low, *high, file);
+std::vector<terrain::Verdict> refuse_impossible_heights(const config::Raster<double>& grid,
+                                                        const std::string& file) {
+    const terrain::HeightField field = terrain::field_of(grid);
+    const terrain::Values values = terrain::values_of(field);
+    check_height_range(values.low_m, values.high_m, file);
     constexpr double steepest = 5.7;  // tan 80 degrees
     if (const double gradient = median_gradient(grid); gradient > steepest) {
         config::fail(config::ExitCode::data, {file},
@@ -81,10 +94,69 @@ void check_grid_heights(const config::Raster<double>& grid, const std::string& f
                      "heights and cell size in metres",
                      "write both in metres (heights may be centimetres, or cells kilometres)");
     }
+    std::vector<terrain::Verdict> verdicts = terrain::judge_heights(field);
+    for (const terrain::Verdict& verdict : verdicts) {
+        if (verdict.finding.is_error) {
+            fail_with(verdict.finding, file);
+        }
+    }
+    return verdicts;
+}
+
+void check_grid_heights(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
+    for (const terrain::Verdict& verdict : refuse_impossible_heights(grid, file)) {
+        warn_with(verdict.finding, file, reading);
+    }
+    std::vector<double> known;
+    std::copy_if(grid.values.begin(), grid.values.end(), std::back_inserter(known),
+                 [](double height_m) { return !std::isnan(height_m); });
     doubt_zeros(std::move(known), file, reading);
 }
 
-void doubt_holes(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
+void check_sampled_heights(const config::Raster<double>& samples, const std::string& file, Reading& reading) {
+    for (const terrain::Verdict& verdict : terrain::judge_heights(terrain::field_of(samples))) {
+        if (verdict.finding.is_error) {
+            refuse_with(verdict.finding, file, reading);
+        } else {
+            warn_with(verdict.finding, file, reading);
+        }
+    }
+}
+
+void check_highest_of_system(double high_m, const std::string& projection, const std::string& file) {
+    constexpr double mont_blanc_m = 4810.0;  // the highest ground of the known systems [lit]
+    const std::optional<Projection> read = read_projection(projection);
+    const KnownSystem* system = read ? system_of(*read, projection) : nullptr;
+    if (system != nullptr && high_m > mont_blanc_m) {
+        config::fail(config::ExitCode::data, {file},
+                     joined("heights up to ", config::to_text(std::round(high_m)), " m in ", system->name),
+                     "at most 4810 m, the height of Mont Blanc",
+                     "write the heights in metres: multiply feet by 0.3048, divide decimetres by 10");
+    }
+}
+
+void refuse_wrong_heights(const config::Raster<double>& grid, const std::string& projection,
+                          const std::string& file) {
+    const terrain::Values values = terrain::values_of(terrain::field_of(grid));
+    if (values.known > 0) {
+        refuse_impossible_heights(grid, file);
+        check_highest_of_system(values.high_m, projection, file);
+    }
+}
+
+void check_ground_at_trees(const config::Raster<double>& heights, std::span<const terrain::ListedTree> trees,
+                           const std::string& file, Reading& reading) {
+    if (const std::optional<terrain::Finding> finding = terrain::judge_crowns(heights, trees)) {
+        if (finding->is_error) {
+            refuse_with(*finding, file, reading);
+        } else {
+            warn_with(*finding, file, reading);
+        }
+    }
+}
+
+void doubt_holes(const config::Raster<double>& grid, const std::string& file, config::Effect effect,
+                 Reading& reading) {
     const std::vector<config::Hole> holes = config::holes_of(grid);
     if (holes.empty()) {
         return;
@@ -101,7 +173,7 @@ void doubt_holes(const config::Raster<double>& grid, const std::string& file, Re
                      ", the largest of " + counted(largest.cells, "cell") + " from " +
                      cell_in_words(grid.frame, largest.first_cell) +
                      "; rocks that come there leave the terrain",
-                 "heights everywhere inside the rim", "fill the holes in a GIS program");
+                 "heights everywhere inside the rim", "fill the holes in a GIS program", effect);
 }
 
 }  // namespace coupling::plausible

@@ -1,5 +1,6 @@
 #include "coupling/inputs/plausible/odd_trees.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "config/text/numbers.hpp"
@@ -13,11 +14,24 @@ constexpr double least_slenderness = 15.0;
 constexpr double slender_from_cm = 20.0;
 constexpr double most_slenderness = 110.0;
 constexpr std::size_t few_trees = 5;
+constexpr std::size_t few_for_girths = 10;
+constexpr double least_of_half = 32.0;
+constexpr double thick_half_cm = 90.0;
 constexpr double most_of_mean_pole = 120.0;
 constexpr double most_of_mean_tree = 100.0;
 
 std::optional<double> number_in(const config::Table& table, std::size_t row, const char* column) {
     return table.has(column) ? config::parse_number(table.text(row, column)) : std::nullopt;
+}
+
+/// The middle one of at least so many values; 0 of fewer.
+double median_of_enough(std::vector<double> values) {
+    if (values.size() < few_for_girths) {
+        return 0.0;
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 }  // namespace
@@ -26,6 +40,8 @@ OddTrees odd_trees(const config::Table& table) {
     OddTrees found;
     std::size_t thick = 0;
     std::size_t slender = 0;
+    std::vector<double> slendernesses;
+    std::vector<double> diameters_cm;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const std::string state = table.has("state") ? table.text(row, "state") : "";
         const std::optional<double> dbh_cm = number_in(table, row, "dbh_cm");
@@ -34,6 +50,12 @@ OddTrees odd_trees(const config::Table& table) {
         }
         const double height_m = number_in(table, row, "height_m").value_or(0.0);
         const double slenderness = 100.0 * height_m / *dbh_cm;
+        if (*dbh_cm >= squat_from_cm) {
+            diameters_cm.push_back(*dbh_cm);
+            if (height_m > 0.0) {
+                slendernesses.push_back(slenderness);
+            }
+        }
         if (*dbh_cm > thickest_cm ||
             (height_m > 0.0 && *dbh_cm >= squat_from_cm && slenderness < least_slenderness)) {
             found.lines.push_back(table.place(row, "dbh_cm").line);
@@ -43,6 +65,11 @@ OddTrees odd_trees(const config::Table& table) {
             slender += slenderness > most_slenderness ? 1 : 0;
         }
     }
+    const double half_slenderness = median_of_enough(slendernesses);
+    const double half_cm = median_of_enough(diameters_cm);
+    found.girth_slenderness =
+        half_slenderness > 0.0 && half_slenderness < least_of_half ? half_slenderness : 0.0;
+    found.girth_median_cm = slendernesses.empty() && half_cm > thick_half_cm ? half_cm : 0.0;
     found.columns_look_swapped = thick >= few_trees && 2 * slender > thick;
     return found;
 }

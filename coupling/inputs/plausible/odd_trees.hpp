@@ -12,12 +12,18 @@ namespace coupling::plausible {
 struct OddTrees {
     std::vector<std::size_t> lines;  ///< of living trees that are too thick, or too thick for their height
     bool columns_look_swapped = false;
+    /// How many times half of the trees are as high as thick at most, where they look like girths; else 0.
+    double girth_slenderness = 0.0;
+    /// Median DBH of a list without heights that looks like one of girths; else 0 [cm].
+    double girth_median_cm = 0.0;
 };
 
 /// - A living tree above 200 cm, or of 10 cm or more and less than 15 times as high as thick: stands have 60
 ///   to 130, old trees in the open 20.
 /// - `dbh_cm` and `height_m` look swapped where most trees of 20 cm or more are more than 110 times as
 ///   high as thick: such trees break.
+/// - Girths are pi times a diameter. They look so where half of ten trees or more of 10 cm are less than 32
+///   times as high as thick; without heights where half of the trees are thicker than 90 cm.
 ///
 /// All are choices with a wide margin around real inventories. Reads `dbh_cm`, and `height_m` and `state`
 /// where the table has them; what is no number counts as unknown.

@@ -32,14 +32,16 @@ void warn_of_few_rocks(std::uint64_t rocks, config::Warnings& warnings) {
     warnings.add(joined("only ", std::to_string(rocks), rocks == 1 ? " rock is" : " rocks are",
                         " released in all: a share of 50 % is uncertain by ",
                         std::to_string(std::lround(std::min(half_width_percent, 50.0))),
-                        " percentage points either way; raise release.rocks or release.rocks_per_source"));
+                        " percentage points either way; raise release.rocks or release.rocks_per_source"),
+                 config::Effect::answer);
 }
 
 void warn_of_odd_sizes(const rockfall::DiameterRange& diameters, config::Warnings& warnings) {
     const auto warn = [&](const char* which, double diameter_m) {
         warnings.add(joined("the ", which, " rocks have a diameter of ",
                             config::to_text(std::round(1000.0 * diameter_m) / 1000.0),
-                            " m: check the units of their sizes (m, t, m3)"));
+                            " m: check the units of their sizes (m, t, m3)"),
+                     config::Effect::answer);
     };
     if (diameters.smallest_m < smallest_usual_m) {
         warn("smallest", diameters.smallest_m);

@@ -11,9 +11,11 @@ namespace coupling::plausible {
 /// Fewer rocks than this in all say little about anything. [choice]
 inline constexpr std::uint64_t least_rocks = 100;
 
-/// Diameters that are seldom meant: below, stones; above, rock masses of 700 t that break up. [choice]
+/// Diameters that are seldom meant: below, stones; above, a volume of 100 m3, from which on one speaks of
+/// rock masses that break up and no more of single blocks (Swiss recommendations on mass movements, 1997).
+/// [choice]
 inline constexpr double smallest_usual_m = 0.05;
-inline constexpr double largest_usual_m = 8.0;
+inline constexpr double largest_usual_m = 5.76;
 
 /// Rocks that all falls of a run release together: of all years and replicates where a forest grows.
 std::uint64_t rocks_in_all(const Scenario& scenario, const Site& site);

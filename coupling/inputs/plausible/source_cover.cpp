@@ -1,5 +1,6 @@
 #include "coupling/inputs/plausible/source_cover.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -107,19 +108,24 @@ void judge_source_shapes(const SourceInput& input, const rockfall::Terrain& terr
     }
 }
 
-void doubt_polygons_without_cell(const SourceInput& input, const std::vector<std::size_t>& cells,
-                                 Reading& reading) {
-    for (std::size_t i = 0; i < input.shapes.size(); ++i) {
-        const SourceShape& shape = input.shapes[i];
-        if (cells[i] == 0 && start_of(input, shape.zone, shape.start)) {
-            reading.warn(shape.place,
-                         joined("a source polygon of zone ", std::to_string(shape.zone),
-                                " that holds the centre of no cell, or only of cells of later rows; no rock "
-                                "starts there"),
-                         "polygons of a cell at least, apart from each other",
-                         "draw a line or points instead, or a larger polygon");
-        }
-    }
+std::optional<std::size_t> later_twin(const SourceInput& input, std::size_t number) {
+    const auto later = input.shapes.begin() + static_cast<std::ptrdiff_t>(number) + 1;
+    const auto twin = std::find_if(later, input.shapes.end(), [&](const SourceShape& other) {
+        return other.shape == input.shapes[number].shape;
+    });
+    return twin == input.shapes.end() ? std::nullopt
+                                      : std::optional{static_cast<std::size_t>(twin - input.shapes.begin())};
+}
+
+void warn_of_covered_polygon(const SourceInput& input, std::size_t number, Reading& reading) {
+    const SourceShape& shape = input.shapes[number];
+    const auto twin = later_twin(input, number);
+    const std::string what = joined("a source polygon of zone ", std::to_string(shape.zone));
+    reading.warn(shape.place,
+                 twin ? joined(what, " that stands a second time in row ",
+                               std::to_string(input.shapes[*twin].place.line))
+                      : joined(what, " wholly under polygons of later rows"),
+                 "each source once: no rock starts from this row", "delete one of the rows");
 }
 
 }  // namespace coupling::plausible

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "coupling/inputs/release_input.hpp"
 
 namespace coupling::plausible {
@@ -10,9 +13,10 @@ namespace coupling::plausible {
 /// single points may lie off the terrain where most do not.
 void judge_source_shapes(const SourceInput& input, const rockfall::Terrain& terrain, Reading& reading);
 
-/// Warns of polygons on the terrain that hold the centre of no cell: no rock starts there. `cells` is how
-/// many cells each shape has.
-void doubt_polygons_without_cell(const SourceInput& input, const std::vector<std::size_t>& cells,
-                                 Reading& reading);
+/// The later row that has the same polygon, if any.
+std::optional<std::size_t> later_twin(const SourceInput& input, std::size_t number);
+
+/// Warns of a polygon that lies under polygons of later rows, or is one of them: no rock starts from its row.
+void warn_of_covered_polygon(const SourceInput& input, std::size_t number, Reading& reading);
 
 }  // namespace coupling::plausible

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,16 @@ constexpr double thickest_log_median_cm = 100.0;
 constexpr double thinnest_median_cm = 1.5;
 constexpr double highest_median_m = 75.0;
 constexpr double breast_height_m = 1.3;
+/// Trees from here on are no saplings, whose slenderness says nothing.
+constexpr double tree_from_cm = 5.0;
+/// Half of the trees are never so slender: dense thickets reach 120 [choice].
+constexpr double most_slender_median = 140.0;
+/// Of exchanged columns half of the trees are more slender than this: trees 70 to 90 times as high as thick
+/// become 110 to 140 times [choice].
+constexpr double swapped_median = 105.0;
+constexpr std::size_t fewest_measured = 10;
+/// Half of the trees of a stand are seldom higher; 45 m are 148 feet [choice].
+constexpr double high_median_m = 45.0;
 
 /// The value that a share of all lies below; 0 without any.
 double share_below(std::vector<double> values, double share) {
@@ -52,8 +63,55 @@ double number_or_0(const config::Table& table, std::size_t row, const std::strin
                  unit, advice);
 }
 
+/// Standard deviation over mean; 0 without values.
+double variation_of(const std::vector<double>& values) {
+    if (values.empty()) {
+        return 0.0;
+    }
+    const auto count = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    const double squares = std::accumulate(values.begin(), values.end(), 0.0, [&](double sum, double value) {
+        return sum + (value - mean) * (value - mean);
+    });
+    return mean > 0.0 ? std::sqrt(squares / count) / mean : 0.0;
+}
+
 std::string times(const std::string& factor, const std::string& column) {
     return joined("multiply the column ", column, " by ", factor);
+}
+
+/// Trees with both figures, saplings left out.
+struct Measured {
+    std::vector<double> dbh_cm;
+    std::vector<double> height_m;
+    std::vector<double> slenderness;
+};
+
+/// Refuses lists of which most trees are too slender to stand: exchanged columns, feet, inches. Diameters
+/// vary more than heights in every stand, as heights level off; in exchanged columns it is the other way
+/// round.
+void refuse_too_slender(const config::Table& table, const Measured& trees) {
+    const double ratio = median_of(trees.slenderness);
+    if (trees.slenderness.size() < fewest_measured || ratio <= swapped_median) {
+        return;
+    }
+    const std::string found =
+        joined("half of the trees more than ", config::to_text(std::floor(ratio)), " times as high as thick");
+    const std::string expected = "stands 60 to 130 times as high as thick";
+    if (variation_of(trees.height_m) > variation_of(trees.dbh_cm)) {
+        config::fail(config::ExitCode::data, {table.file()},
+                     joined(found,
+                            ", and heights that vary more than diameters: the columns dbh_cm and height_m "
+                            "look swapped"),
+                     expected, "exchange the names of the two columns");
+    }
+    if (ratio <= most_slender_median) {
+        return;
+    }
+    const bool is_high = median_of(trees.height_m) > high_median_m;
+    config::fail(config::ExitCode::data, {table.file()},
+                 joined(found, is_high ? ": height_m looks like feet" : ": dbh_cm looks like inches"),
+                 expected, is_high ? times("0.3048", "height_m") : times("2.54", "dbh_cm"));
 }
 
 }  // namespace
@@ -62,6 +120,7 @@ void check_tree_units(const config::Table& table) {
     std::vector<double> diameters_cm;
     std::vector<double> heights_m;
     std::vector<double> slenderness;
+    Measured measured;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         if (!is_living(table, row)) {
             continue;
@@ -76,6 +135,11 @@ void check_tree_units(const config::Table& table) {
         }
         if (dbh_cm > 0.0 && height_m > 0.0) {
             slenderness.push_back(100.0 * height_m / dbh_cm);
+        }
+        if (dbh_cm >= tree_from_cm && height_m > 0.0) {
+            measured.dbh_cm.push_back(dbh_cm);
+            measured.height_m.push_back(height_m);
+            measured.slenderness.push_back(slenderness.back());
         }
     }
     const double dbh_cm = median_of(diameters_cm);
@@ -104,6 +168,7 @@ void check_tree_units(const config::Table& table) {
         refuse_unit(table, "height_m", height_m, "metres", "another unit",
                     "write the heights in metres, or leave out the column");
     }
+    refuse_too_slender(table, measured);
 }
 
 void check_log_units(const config::Table& table) {

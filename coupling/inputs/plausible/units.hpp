@@ -15,6 +15,10 @@ namespace coupling::plausible {
 ///   about 70 m. So is a median of more than 300 times the DBH in trees above 5 m.
 /// - A median height below 1.3 m of trees of 5 cm or more: DBH is measured at 1.3 m.
 ///
+/// - Ten trees of 5 cm or more of which half are more than 105 times as high as thick, and whose heights vary
+///   more than their diameters, have the two columns exchanged. More than 140 times: heights in feet where
+///   half of them are above 45 m, else diameters in inches.
+///
 /// All are choices with a wide margin around real inventories.
 void check_tree_units(const config::Table& table);
 

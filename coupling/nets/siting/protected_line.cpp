@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/files_beside.hpp"
-#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/shape_input.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/nets/net_try.hpp"
 
 namespace coupling::siting {
@@ -19,7 +20,10 @@ namespace {
 
 using config::joined;
 
+constexpr double m_per_km = 1000.0;
 constexpr double shortest_line_m = 1.0;
+/// Lines are cut into stretches of ten metres over their whole length; a longer one is a slip [choice].
+constexpr double longest_line_m = 100.0 * m_per_km;
 /// So far apart lie the places at which a line is looked at for ground below it.
 constexpr double look_step_m = 1.0;
 
@@ -133,8 +137,16 @@ std::vector<ProtectedLine> lines_of(const config::Table& table, std::vector<std:
             if (length_m(line.line_m) < shortest_line_m) {
                 problems.add(config::ExitCode::data, table.place(row, "wkt"),
                              joined("line ", config::in_quotes(line.name), " of length ",
-                                    config::to_text(length_m(line.line_m)), " m"),
+                                    config::metres_in_words(length_m(line.line_m)), " m"),
                              joined("at least ", config::to_text(shortest_line_m), " m"));
+                continue;
+            }
+            if (length_m(line.line_m) > longest_line_m) {
+                problems.add(config::ExitCode::data, table.place(row, "wkt"),
+                             joined("line ", config::in_quotes(line.name), " of length ",
+                                    config::to_text(std::round(length_m(line.line_m) / m_per_km)), " km"),
+                             "at most 100 km",
+                             "correct the coordinates, or cut the line at the edge of the terrain");
                 continue;
             }
             lines.push_back(std::move(line));
@@ -153,8 +165,9 @@ GivenLines read_lines(const std::filesystem::path& file, const rockfall::Terrain
     const formats::LayerName wanted = formats::split_layer_name(file.string());
     const FileBytes bytes = open_file(wanted.file, {file.string()}, "a table or layer of lines");
     FilesBeside beside{wanted.file};
-    config::Table table =
-        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes()).layer.table;
+    formats::ReadLayer read =
+        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes());
+    config::Table& table = read.layer.table;
     GivenLines given;
     if (table.has("height_m") || table.has("capacity_kj")) {
         given.nets = nets_on(file, terrain, Standing::each_alone, remarks);
@@ -163,11 +176,9 @@ GivenLines read_lines(const std::filesystem::path& file, const rockfall::Terrain
         }
         return given;
     }
-    for (const formats::NamedColumn& column : formats::name_columns(table, "targets")) {
-        remarks.push_back(joined(table.file(), ": column ", config::in_quotes(column.found), " is taken as ",
-                                 column.taken_as));
-    }
+    tables::add_remarks(tables::prepare(table, "targets", read.has_shapes_of_its_own), remarks);
     given.lines = lines_of(table, remarks);
+    tables::add_remarks(tables::findings_of_use(*table.use()), remarks);
     config::Problems problems;
     for (ProtectedLine& line : given.lines) {
         for (Eigen::Vector2d& corner : line.line_m) {

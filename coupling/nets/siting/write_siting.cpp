@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/files/own_rows.hpp"
 #include "coupling/inputs/file_bytes.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/path_checks.hpp"
@@ -15,7 +16,7 @@
 #include "coupling/nets/siting/siting_page.hpp"
 #include "coupling/nets/siting/siting_words.hpp"
 #include "coupling/results/figures.hpp"
-#include "coupling/results/geopackage/csv_rows.hpp"
+#include "coupling/results/geopackage/column_types.hpp"
 #include "coupling/results/geopackage/package.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/results/report/head_of_run.hpp"
@@ -195,14 +196,14 @@ std::string projection_of(const fs::path& run) {
 
 void add_layer(geopackage::GeoPackage& package, const std::string& name, const std::string& sentence,
                const TableWithLines& table, const Eigen::Vector2d& origin_m) {
-    geopackage::CsvRows rows{table.csv};
-    geopackage::ColumnTypes types{rows.columns()};
-    while (rows.next()) {
-        types.see(rows.fields());
+    OwnRows seen{table.csv, name};
+    geopackage::ColumnTypes types{seen.columns()};
+    while (seen.next()) {
+        types.see(seen.fields());
     }
     geopackage::Layer layer{package, {name, sentence, types.columns(), geopackage::Form::line, {}}};
     std::size_t number = 0;
-    for (rows = geopackage::CsvRows{table.csv}; rows.next();) {
+    for (OwnRows rows{table.csv, name}; rows.next();) {
         std::vector<geopackage::Vertex> corners;
         for (const Eigen::Vector2d& corner : table.lines[number]) {
             corners.push_back({corner.x() + origin_m.x(), corner.y() + origin_m.y(), 0.0, 0.0});

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/inputs/profile_settings.hpp"
+#include "coupling/profile/profile_departures.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/energy_rates.hpp"
@@ -33,13 +34,12 @@ using report::grouped;
 using report::HtmlTable;
 using report::three_digits;
 
-/// A run-out that ends where the profile does is none.
-std::string left_in_words(const ProfileResults& results) {
-    const auto left = results.tally.by_reason[static_cast<std::size_t>(rockfall::StopReason::left_terrain)];
-    return left == 0 ? ""
-                     : report::page_text(
-                           "profile_page.of_all_rocks_left_the_profile",
-                           {{"tally_rocks", report::percent(share_of(left, results.tally.rocks).value)}});
+/// Of which rocks the run-out is, and what is known of all.
+std::string of_those_that_stop(const ProfileTally& tally) {
+    return report::page_text(
+        "departures.stopped_on_the_terrain",
+        {{"stopped", report::percent(share_of(tally.run_out_m.count(), tally.rocks).value)},
+         {"bound", fixed(tally.run_out_at_least_m.mean(), 1)}});
 }
 
 std::string opening(const ProfileResults& results) {
@@ -56,8 +56,8 @@ std::string opening(const ProfileResults& results) {
                                   {"tally_rocks", grouped(results.tally.rocks)},
                                   {"run_out_m_mean", fixed(results.tally.run_out_m.mean(), 1)},
                                   {"run_out_m_deviation", fixed(results.tally.run_out_m.deviation(), 1)},
-                                  {"left_in_words", left_in_words(results)}}),
-               "</p>\n<dl class=\"facts\">");
+                                  {"of_whom", of_those_that_stop(results.tally)}}),
+               "</p>\n", departures_line(results.tally), "<dl class=\"facts\">");
     html += fact(report::page_text("profile_page.profile"), escaped(scenario.profile));
     html += fact(report::page_text("profile_page.length_in_plan"), joined(fixed(length_m, 1), " m"));
     html +=
@@ -139,9 +139,15 @@ std::string key_figures(const ProfileResults& results) {
     table.row(
         {report::page_text("profile_page.left_the_profile_over_an_end"), share(StopReason::left_terrain)});
     table.row({report::page_text("profile_page.ended_by_the_limit_of_impacts"), share(StopReason::gave_up)});
+    table.row({report::page_text("profile_page.left_over_the_lower_end"),
+               share_in_words(share_of(tally.left_lower, tally.rocks))});
     table.row({report::page_text("profile_page.run_out_in_plan_mean_shortest"),
                joined(fixed(tally.run_out_m.mean(), 1), " / ", fixed(tally.run_out_m.least(), 1), " / ",
                       fixed(tally.run_out_m.most(), 1))});
+    table.row(
+        {report::page_text("profile_page.run_out_of_all_at_least"),
+         joined(fixed(tally.run_out_at_least_m.mean(), 1), " / ", fixed(tally.run_out_at_least_m.least(), 1),
+                " / ", fixed(tally.run_out_at_least_m.most(), 1))});
     const auto spread = [&](const std::string& name, const Spread& s, const LogBins& bins, double unit) {
         table.row({name, joined(three_digits(s.moments.mean() / unit), " / ",
                                 three_digits(s.quantile(bins, 0.90) / unit), " / ",

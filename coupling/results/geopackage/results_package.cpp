@@ -8,9 +8,9 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/files/own_rows.hpp"
 #include "coupling/results/figures.hpp"
-#include "coupling/results/geopackage/csv_rows.hpp"
+#include "coupling/results/geopackage/column_types.hpp"
 #include "coupling/results/geopackage/plain_number.hpp"
 
 namespace coupling::geopackage {
@@ -19,11 +19,19 @@ namespace {
 using config::j_per_kj;
 using config::joined;
 
+/// A table of the run, read anew for each pass: it may have more rows than memory.
+struct TableFile {
+    std::filesystem::path place;
+    std::optional<TableEnd> end;
+
+    [[nodiscard]] OwnRows rows() const { return OwnRows{place, end}; }
+};
+
 /// One table, or several of the same columns that become one.
 struct Group {
     std::string layer;
     std::string sentence;
-    std::vector<FileBytes> files;
+    std::vector<TableFile> files;
 };
 
 /// The name of a table in the package.
@@ -56,7 +64,7 @@ std::vector<Group> groups_of(const Contents& contents) {
                                                      : file.sentence,
                                              {}});
         }
-        group->files.push_back(open_file(place, {.file = place.string()}, "a table of this run"));
+        group->files.push_back({place, file.end});
     }
     return groups;
 }
@@ -115,7 +123,7 @@ public:
         : watch_{watch}, what_{joined("results.gpkg, ", layer)} {
         watch_(what_);
     }
-    void row(const CsvRows& rows) {
+    void row(const OwnRows& rows) {
         constexpr std::uint64_t rows_between_reports = 4096;
         if (++rows_ % rows_between_reports == 0) {
             watch_(what_, rows.share());
@@ -131,18 +139,19 @@ private:
 /// All rows of a group in one pass for the types and one for the rows. Returns the columns.
 std::vector<Column> add_table(GeoPackage& package, const Group& group, const WriteWatch& watch) {
     PassWatch pass{watch, group.layer};
-    ColumnTypes types{CsvRows{group.files.front().text()}.columns()};
-    for (const FileBytes& file : group.files) {
-        for (CsvRows rows{file.text()}; rows.next();) {
+    const std::vector<std::string> names = group.files.front().rows().columns();
+    ColumnTypes types{names};
+    for (const TableFile& file : group.files) {
+        for (OwnRows rows = file.rows(); rows.next();) {
             pass.row(rows);
             types.see(rows.fields());
         }
     }
-    const PlaceColumns places = places_in(CsvRows{group.files.front().text()}.columns(), "x_m", "y_m", "z_m");
+    const PlaceColumns places = places_in(names, "x_m", "y_m", "z_m");
     Layer layer{package,
                 {group.layer, group.sentence, types.columns(), places.form(), {.z = places.z.has_value()}}};
-    for (const FileBytes& file : group.files) {
-        for (CsvRows rows{file.text()}; rows.next();) {
+    for (const TableFile& file : group.files) {
+        for (OwnRows rows = file.rows(); rows.next();) {
             pass.row(rows);
             if (places.form() == Form::none) {
                 layer.add(rows.fields());
@@ -162,12 +171,11 @@ void add_deposits(GeoPackage& package, const Group& rocks, const std::vector<Col
     PassWatch pass{watch, "deposits"};
     const std::vector<std::string> kept{"rock",        "cover",     "zone",          "diameter_m",
                                         "stop_reason", "run_out_m", "max_energy_kj", "tree_hits"};
-    CsvRows rows{rocks.files.front().text()};
+    OwnRows rows = rocks.files.front().rows();
     std::vector<std::size_t> numbers;
     std::vector<Column> types;
     for (const std::string& name : kept) {
-        const auto found = std::find(rows.columns().begin(), rows.columns().end(), name);
-        numbers.push_back(static_cast<std::size_t>(found - rows.columns().begin()));
+        numbers.push_back(rows.column(name));
         types.push_back(columns[numbers.back()]);
     }
     const auto chosen = [&](std::vector<std::string_view>& fields) {
@@ -236,8 +244,8 @@ void add_sources(GeoPackage& package, const Contents& contents) {
         return s.kind == Kind::cell ? Form::polygon : is_point(s) ? Form::point : Form::line;
     };
     const Form form = form_of(sources.front());
-    const bool same =
-        std::all_of(sources.begin(), sources.end(), [&](const auto& s) { return form_of(s) == form; });
+    const bool same = std::all_of(sources.begin(), sources.end(),
+                                  [&](const auto& s) { return form_of(s) == form && s.outline == nullptr; });
     Layer layer{package,
                 {"sources",
                  "Where rocks break off: cells, points or pieces of lines.",
@@ -251,7 +259,15 @@ void add_sources(GeoPackage& package, const Contents& contents) {
         const Eigen::Vector2d last = source.last_m + origin_m;
         const std::vector<Vertex> ends{{first.x(), first.y(), 0.0, 0.0}, {last.x(), last.y(), 0.0, 0.0}};
         Geometry geometry;
-        if (source.kind == Kind::cell) {
+        if (source.outline) {
+            std::vector<std::vector<config::Point2>> rings = source.outline->polygon.parts;
+            for (std::vector<config::Point2>& ring : rings) {
+                for (config::Point2& corner : ring) {
+                    corner = {corner.x_m + origin_m.x(), corner.y_m + origin_m.y()};
+                }
+            }
+            geometry = polygons(rings, package.srs_id());
+        } else if (source.kind == Kind::cell) {
             Extent cell;
             cell.add(first.x(), first.y());
             cell.add(last.x(), last.y());

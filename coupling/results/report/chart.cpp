@@ -19,6 +19,8 @@ constexpr double left_edge = 72.0;
 constexpr double right_edge = 408.0;
 constexpr double top = 34.0;
 constexpr double bottom = 262.0;
+/// Of an axis: more cannot be read [choice].
+constexpr std::size_t most_ticks = 20;
 /// Between the names of two series in the drawing.
 constexpr double name_width = 140.0;
 /// Of a name that leaves room for its neighbour.
@@ -84,15 +86,20 @@ double Axis::share_of(double value) const {
 std::vector<double> Axis::ticks() const {
     std::vector<double> values;
     if (logarithmic) {
-        for (double tick = low; tick <= high * 1.0001; tick *= 10.0) {
+        // Over many powers of ten every second, third ... has a tick.
+        const double powers = std::log10(high) - std::log10(low);
+        const double each = std::pow(10.0, std::max(1.0, std::ceil(powers / most_ticks)));
+        for (double tick = low; tick <= high * 1.0001 && values.size() < most_ticks; tick *= each) {
             values.push_back(tick);
         }
         return values;
     }
     const double step = std::max(nice_step((high - low) / 6.0), whole_numbers ? 1.0 : 0.0);
     const double first = std::ceil(low / step - 1e-9) * step;
-    for (int i = 0; first + i * step <= high + 1e-9 * step; ++i) {
-        values.push_back(first + i * step);
+    // Six steps give seven ticks at most; numbers that no chart can show give none.
+    for (std::size_t i = 0; i < most_ticks && first + static_cast<double>(i) * step <= high + 1e-9 * step;
+         ++i) {
+        values.push_back(first + static_cast<double>(i) * step);
     }
     return values;
 }

@@ -29,7 +29,7 @@ std::string settings_table(const Scenario& scenario, const std::string& caption,
                      page_text("common.default"), page_text("listings.meaning")}};
     table.text_columns({2, 4});
     std::string section;
-    for (const config::ParameterRow& row : scenario.options->rows()) {
+    for (const config::ParameterRow& row : scenario.shown_settings()) {
         if (!is_shown(row)) {
             continue;
         }
@@ -47,12 +47,23 @@ std::string settings_table(const Scenario& scenario, const std::string& caption,
     return joined("<section class=\"card\">", table.html(), "</section>\n");
 }
 
+/// Lists up to this length stand open [choice]: about a third of a screen.
+constexpr std::size_t most_notes_open = 12;
+
 std::string list_of_messages(const std::vector<std::string>& sentences) {
     std::string html = "<ul class=\"notes\">";
     for (const std::string& sentence : sentences) {
         html += joined("<li>", message_html(sentence), "</li>");
     }
     return joined(html, "</ul>\n");
+}
+
+std::string folded_if_long(const std::vector<std::string>& notes) {
+    return notes.size() <= most_notes_open
+               ? list_of_messages(notes)
+               : joined("<details><summary>",
+                        page_text("listings.all_notes", {{"number", std::to_string(notes.size())}}),
+                        "</summary>", list_of_messages(notes), "</details>\n");
 }
 
 }  // namespace
@@ -92,7 +103,7 @@ std::string list_of_warnings(const config::Warnings& warnings) {
                                                    : list_of_messages(warnings.warnings());
     if (!warnings.notes().empty()) {
         html += joined("<h3>", page_text("listings.notes"), "</h3>\n<p>", page_text("listings.notes_say"),
-                       "</p>\n", list_of_messages(warnings.notes()));
+                       "</p>\n", folded_if_long(warnings.notes()));
     }
     return html;
 }

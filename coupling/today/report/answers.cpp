@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/effect_words.hpp"
 #include "coupling/results/few_rocks.hpp"
+#include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/markup.hpp"
@@ -128,23 +129,6 @@ std::string with_interval(const Distribution& d) {
         ")</span>");
 }
 
-/// What happens beyond the rim of the terrain nobody knows.
-std::string leaving(const RunResults& results, const Figures& figures) {
-    constexpr auto left = static_cast<std::size_t>(rockfall::StopReason::left_terrain);
-    const Share& bare = figures.at(Cover::bare).by_reason[left];
-    const Share& forest = figures.at(Cover::forest).by_reason[left];
-    if (bare.part + forest.part == 0) {
-        return "";
-    }
-    return joined("<p class=\"soft\">",
-                  page_text("today.answers.of_the_rocks_leave_the_terrain",
-                            {{"bare", percent(bare.value)},
-                             {"part", results.with_forest ? page_text("today.answers.with_forest",
-                                                                      {{"forest", percent(forest.value)}})
-                                                          : std::string{}}}),
-                  "</p>\n");
-}
-
 std::string figures_at(const TargetFigures& target, const std::vector<Cover>& covers) {
     HtmlTable table{"",
                     {page_text("today.answers.at_this_target"), page_text("common.mean"), "50 %", "90 %",
@@ -212,20 +196,21 @@ std::string name_of_target(const TargetFigures& target) {
     return escaped(target.name.empty() ? target.id : target.name);
 }
 
+std::string run_out_on(const SlopeFigures& slope, const std::string& name) {
+    return page_text("today.answers.mean_run_out", {{"slope", name},
+                                                    {"mean", three_digits(slope.run_out_m.mean)},
+                                                    {"p95", three_digits(slope.run_out_m.p95)},
+                                                    {"of_whom", of_those_that_stop(slope)}});
+}
+
 std::string without_targets(const RunResults& results, const Figures& figures) {
-    const SlopeFigures& bare = figures.at(Cover::bare);
     std::string text = joined("<section class=\"card\"><p class=\"answer\">",
                               page_text("today.answers.no_target_was_given_so_nothing"));
     if (results.with_forest) {
-        const SlopeFigures& forest = figures.at(Cover::forest);
-        text += page_text("today.answers.with_forest_rocks_run_out_m_on",
-                          {{"run_out_m_mean", three_digits(forest.run_out_m.mean)},
-                           {"run_out_m_p95", three_digits(forest.run_out_m.p95)}});
-    } else {
-        text += page_text("today.answers.over_the_bare_slope_rocks_run");
+        text += joined(run_out_on(figures.at(Cover::forest), page_text("common.with_forest_in_text")), " ");
     }
-    return joined(text, "<b>", three_digits(bare.run_out_m.mean),
-                  " m</b> (95 %: ", three_digits(bare.run_out_m.p95), " m).</p></section>\n");
+    return joined(text, run_out_on(figures.at(Cover::bare), page_text("common.bare_slope_in_text")),
+                  "</p></section>\n");
 }
 
 }  // namespace
@@ -269,7 +254,7 @@ std::string answers_in_detail(const RunResults& results, const Figures& figures)
                              effect_on_energy(target), rates_at(target, covers), figures_at(target, covers));
         html += "</section>\n";
     }
-    return joined(html, leaving(results, figures), "<p class=\"soft\">",
+    return joined(html, "<p class=\"soft\">",
                   page_text("today.answers.energy_is_translation_and",
                             {{"energies", in_page_language(rockfall::what_energies_count())}}),
                   "</p>\n");

@@ -142,6 +142,19 @@ std::string exceedance(const RunResults& results, std::size_t target) {
     return chart.figure(page_text("today.charts.both_axes_by_powers_of_ten_a"));
 }
 
+/// "over the bare slope 92.1 %, with forest 99.0 %".
+std::string shares_that_stop(const RunResults& results) {
+    std::string text;
+    for (const Cover cover : drawing_order(results)) {
+        const rockfall::RunTally& tally = results.tally.runs[index_of(cover)];
+        text += joined(
+            text.empty() ? "" : ", ",
+            page_text(cover == Cover::bare ? "common.bare_slope_in_text" : "common.with_forest_in_text"), " ",
+            percent(share_of(tally.stopped(), tally.rocks).value));
+    }
+    return text;
+}
+
 std::string run_out_histogram(const RunResults& results) {
     double most_m = 1.0;
     for (const Cover cover : covers_of(results)) {
@@ -163,10 +176,10 @@ std::string run_out_histogram(const RunResults& results) {
         return sums;
     };
     Axis x = Axis::from_zero(page_text("common.run_out_in_plan_m"), edges.back());
-    return histogram(
-        results, page_text("common.run_out"), std::move(x), edges, counts,
-        page_text("today.charts.distance_in_plan_from_release", {{"width_m", tick_text(width_m)}}),
-        drawing_order(results), false);
+    return histogram(results, page_text("common.run_out"), std::move(x), edges, counts,
+                     page_text("today.charts.distance_in_plan_from_release",
+                               {{"width_m", tick_text(width_m)}, {"stopped", shares_that_stop(results)}}),
+                     drawing_order(results), false);
 }
 
 std::string tree_hit_histogram(const RunResults& results) {

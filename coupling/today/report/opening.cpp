@@ -1,13 +1,16 @@
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/deciding.hpp"
+#include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/markup.hpp"
 #include "coupling/results/report/page_head.hpp"
 #include "coupling/results/report/page_text.hpp"
+#include "coupling/today/forest_today.hpp"
 #include "coupling/today/report/sections.hpp"
 
 namespace coupling::report {
@@ -32,8 +35,9 @@ std::string why_no_obstacles(const RunResults& results) {
         return page_text("today.opening.neither_trees_nor_logs_were");
     }
     const std::string files =
-        joined(scenario.trees, scenario.trees.empty() || scenario.logs.empty() ? "" : page_text("common.and"),
-               scenario.logs);
+        joined(scenario.shown(scenario.trees),
+               scenario.trees.empty() || scenario.logs.empty() ? "" : page_text("common.and"),
+               scenario.shown(scenario.logs));
     return page_text("today.opening.no_trees_or_logs_are_left_list", {{"files", escaped(files)}});
 }
 
@@ -77,6 +81,29 @@ std::string question(const RunResults& results) {
                : page_text("today.first.how_many", {{"sizes", sizes}, {"targets", targets}});
 }
 
+/// Half a list of trees shows in its stems per hectare.
+std::string trees_in_words(const RunResults& results) {
+    const std::string count = grouped(results.site.trees.size());
+    const std::optional<ForestToday> today = forest_today(results);
+    return today
+               ? page_text("today.opening.trees_and_stems_per_ha",
+                           {{"trees", count},
+                            {"per_ha", page_text("common.stems_and_basal_area",
+                                                 {{"stems_pha", three_digits(today->stems_pha)},
+                                                  {"basal_area_m2pha", fixed(today->basal_area_m2pha, 1)}})},
+                            {"area_ha", fixed(today->area_ha, 1)}})
+               : count;
+}
+
+std::string leaving(const RunResults& results) {
+    std::vector<DeparturesOfSlope> slopes{
+        {page_text("common.bare_slope_in_text"), departures_of(results, Cover::bare)}};
+    if (results.with_forest) {
+        slopes.push_back({page_text("common.with_forest_in_text"), departures_of(results, Cover::forest)});
+    }
+    return departures_line(slopes);
+}
+
 std::string what_decides(const RunResults& results) {
     const Site& site = results.site;
     const config::GridFrame& frame = site.map_frame;
@@ -88,7 +115,7 @@ std::string what_decides(const RunResults& results) {
                             {"zones_of", grouped(zones_of(site))},
                             {"part", (zones_of(site) == 1 ? page_text("today.opening.zone")
                                                           : page_text("today.opening.zones"))}}));
-    html += fact(page_text("today.opening.trees"), grouped(site.trees.size()));
+    html += fact(page_text("today.opening.trees"), trees_in_words(results));
     if (!site.logs.empty()) {
         html += fact(page_text("today.opening.lying_logs"), grouped(site.logs.size()));
     }
@@ -123,8 +150,8 @@ std::string first_screen(const RunResults& results, const Figures& figures) {
                                                  ? page_text("today.opening.rockfall_with_and_without")
                                                  : page_text("today.opening.rockfall_over_the_bare_slope")),
                   "<p class=\"lead question\">", question(results), "</p>\n<div class=\"first\"><div>",
-                  answers(results, figures), "<p class=\"soft\">", how, "</p></div>\n", first_maps(results),
-                  "</div>\n", what_decides(results), first_warnings(results.warnings));
+                  answers(results, figures), leaving(results), "<p class=\"soft\">", how, "</p></div>\n",
+                  first_maps(results), "</div>\n", what_decides(results), first_warnings(results.warnings));
 }
 
 }  // namespace coupling::report

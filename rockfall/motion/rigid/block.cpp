@@ -168,9 +168,7 @@ bool Block::is_pressed(const Velocities& now) const {
 
 Touchdown Block::strike() {
     is_over_ground(body_);
-    pose(body_);
-    find_touches(scratch_.patch, scratch_.posed, together_m, scratch_.touches);
-    keep_four(scratch_.touches);
+    find_contacts(together_m);
     const Velocities before = velocities_of(body_);
     const double speed_mps = body_.velocity_mps.norm();
     Touchdown touchdown = percuss(before, Vector3d::Zero());
@@ -182,20 +180,48 @@ Touchdown Block::strike() {
     return touchdown;
 }
 
-/// Moves the block up or down. Its motion pays for that or gains by it; what motion does not cover is booked
-/// as work done on it.
+/// Moves the block up or down. Its motion pays for that or gains by it, so that the energy of the block stays
+/// what it is: where motion cannot pay for the whole way, the block is moved as far as it can.
 void Block::lift(const Vector3d& by_m) {
     const double work_j = solid_.mass_kg * gravity_mps2 * by_m.z();
     const double kinetic_j = body_.kinetic_j(solid_);
-    // Motion never more than doubles its energy: a block that lies still is not set going.
+    const double share = work_j > kinetic_j ? kinetic_j / work_j : 1.0;
+    // Motion never more than doubles its energy: a block that lies still is not set going. What is left is
+    // booked as lost.
     const double paid_j = std::clamp(work_j, -kinetic_j, kinetic_j);
     if (paid_j != 0.0) {
         const double factor = std::sqrt(1.0 - paid_j / kinetic_j);
         body_.velocity_mps *= factor;
         body_.rotation.momentum_nms *= factor;
     }
-    ledger_.correction_j += work_j - paid_j;
-    body_.centre_m += by_m;
+    ledger_.correction_j += std::min(0.0, work_j + kinetic_j);
+    body_.centre_m += share * by_m;
+}
+
+void Block::find_contacts(double reach_m) {
+    pose(body_);
+    find_touches(scratch_.patch, scratch_.posed, reach_m, scratch_.touches);
+    keep_four(scratch_.touches);
+}
+
+/// A step finds an impact only where the block is already in the ground, by up to half its way.
+std::optional<Vector3d> Block::overlap_of_impact_m() const {
+    const TouchPoint* deepest = deepest_touch();
+    if (deepest == nullptr || deepest->gap_m >= -overlap_m) {
+        return std::nullopt;
+    }
+    const Vector3d arm_m = deepest->point_m - body_.centre_m;
+    if (-velocities_of(body_).at(arm_m).dot(deepest->normal) <= law_.plastic_mps) {
+        return std::nullopt;
+    }
+    return -deepest->gap_m * deepest->normal;
+}
+
+const TouchPoint* Block::deepest_touch() const {
+    const auto deepest =
+        std::min_element(scratch_.touches.begin(), scratch_.touches.end(),
+                         [](const TouchPoint& a, const TouchPoint& b) { return a.gap_m < b.gap_m; });
+    return deepest == scratch_.touches.end() ? nullptr : &*deepest;
 }
 
 void Block::clear_overlap() {
@@ -203,10 +229,8 @@ void Block::clear_overlap() {
     for (int i = 0; i < most && is_over_ground(body_); ++i) {
         pose(body_);
         find_touches(scratch_.patch, scratch_.posed, 0.0, scratch_.touches);
-        const auto deepest =
-            std::min_element(scratch_.touches.begin(), scratch_.touches.end(),
-                             [](const TouchPoint& a, const TouchPoint& b) { return a.gap_m < b.gap_m; });
-        if (deepest == scratch_.touches.end() || deepest->gap_m >= -together_m) {
+        const TouchPoint* deepest = deepest_touch();
+        if (deepest == nullptr || deepest->gap_m >= -together_m) {
             return;
         }
         lift(-deepest->gap_m * deepest->normal);
@@ -218,12 +242,7 @@ void Block::clear_overlap() {
 /// within a step. Left alone, the contact would be lost and found again, and the slip decay in between, the
 /// more the longer the step.
 void Block::keep_at_ground() {
-    const TouchPoint* deepest = nullptr;
-    for (const TouchPoint& touch : scratch_.touches) {
-        if (deepest == nullptr || touch.gap_m < deepest->gap_m) {
-            deepest = &touch;
-        }
-    }
+    const TouchPoint* deepest = deepest_touch();
     if (deepest == nullptr) {
         return;
     }
@@ -259,14 +278,24 @@ Touchdown Block::step(double duration_s, bool& inside) {
         body_.rotation = turning_.at(half_s);
         body_.centre_m += half_s * body_.velocity_mps;
     };
-    drift();
-    inside = is_over_ground(body_);
+    const auto drift_to_contacts = [&] {
+        drift();
+        inside = is_over_ground(body_);
+        if (inside) {
+            find_contacts(lasting_reach_m(duration_s));
+        }
+    };
+    const Body begin = body_;
+    drift_to_contacts();
+    if (const auto by_m = inside ? overlap_of_impact_m() : std::nullopt) {
+        // Lifted by that beforehand, it meets the ground at its surface, and has the motion to pay for it.
+        body_ = begin;
+        lift(*by_m);
+        drift_to_contacts();
+    }
     if (!inside) {
         return {};
     }
-    pose(body_);
-    find_touches(scratch_.patch, scratch_.posed, lasting_reach_m(duration_s), scratch_.touches);
-    keep_four(scratch_.touches);
     const Vector3d kick_mps{0.0, 0.0, -gravity_mps2 * duration_s};
     Touchdown touchdown;
     if (scratch_.touches.empty()) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "rockfall/motion/flight.hpp"
@@ -108,6 +109,9 @@ private:
     [[nodiscard]] Velocities velocities_of(const Body& body) const;
     [[nodiscard]] bool is_pressed(const Velocities& now) const;
     void take_velocities(const Velocities& velocities);
+    void find_contacts(double reach_m);
+    [[nodiscard]] const TouchPoint* deepest_touch() const;
+    [[nodiscard]] std::optional<Eigen::Vector3d> overlap_of_impact_m() const;
     void keep_at_ground();
     void lift(const Eigen::Vector3d& by_m);
     void drag_in_contact(double duration_s);

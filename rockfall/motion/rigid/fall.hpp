@@ -44,6 +44,7 @@ public:
             }
         }
         end_.position_m = underside_m(block_.body().centre_m);
+        end_.triangle = under_;
         if (came_to_rest(end_.reason)) {
             end_.reason == StopReason::at_rest || end_.reason == StopReason::caught
                 ? block_.rest_on_ground()
@@ -227,11 +228,12 @@ private:
     /// Steps of lasting contact, reported in pieces.
     void move_on_ground() {
         bool inside = true;
+        const PieceEnd before_step = here();
         const rigid::Touchdown touchdown = block_.step(law_.step_s, inside);
         time_s_ += law_.step_s;
         piece_s_ += law_.step_s;
         if (!inside) {
-            finish_piece();
+            finish_piece(here());
             if (!stopped_) {
                 stop(StopReason::left_terrain);
             }
@@ -241,13 +243,16 @@ private:
         if (strikes) {
             ++end_.ground_impacts;
             report(touchdown);
+            if (end_piece_before(before_step)) {
+                return;
+            }
         }
         airborne_steps_ = touchdown.touched ? 0 : airborne_steps_ + 1;
         const bool leaves = touchdown.touched ? !touchdown.lasts : airborne_steps_ >= 2;
         constexpr double longest_piece_s = 0.02;
         if (!watch_.none()) {
             if (const auto encounter = watch_.touched(block_.body(), normal_below())) {
-                finish_piece();
+                finish_piece(here());
                 if (!stopped_) {
                     meet(*encounter);
                     begin_piece();
@@ -259,7 +264,7 @@ private:
             block_.clear_overlap();
         }
         if (strikes || leaves || piece_s_ >= longest_piece_s - 1e-9) {
-            finish_piece();
+            finish_piece(here());
             begin_piece();
         }
         if (stopped_) {
@@ -274,26 +279,52 @@ private:
 
     [[nodiscard]] Eigen::Vector3d normal_below() const { return slope_.terrain.plane_of(under_).normal(); }
 
+    /// An end of a piece on the ground.
+    struct PieceEnd {
+        Eigen::Vector3d underside_m = Eigen::Vector3d::Zero();
+        Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+        double rotation_j = 0.0;
+
+        [[nodiscard]] OwnMotion own() const { return {velocity_mps.squaredNorm(), rotation_j}; }
+    };
+
+    [[nodiscard]] PieceEnd here() const {
+        return {underside_m(block_.body().centre_m), block_.body().velocity_mps, energy_of_rotation_j()};
+    }
+
     void begin_piece() {
         piece_s_ = 0.0;
-        piece_start_m_ = underside_m(block_.body().centre_m);
-        piece_velocity_mps_ = block_.body().velocity_mps;
+        piece_start_ = here();
+    }
+
+    /// An impact in the last step: what was before it is reported by itself, so that the speed into the
+    /// impact counts. True where the rock stopped there.
+    bool end_piece_before(const PieceEnd& before_step) {
+        const double step_s = law_.step_s;
+        if (piece_s_ > 1.5 * step_s) {
+            piece_s_ -= step_s;
+            finish_piece(before_step);
+            piece_s_ = step_s;
+            piece_start_ = before_step;
+        }
+        return stopped_;
     }
 
     /// Reports what was covered on the ground since begin_piece, with the nets on it.
-    void finish_piece() {
+    void finish_piece(const PieceEnd& end) {
         if (piece_s_ <= 0.0) {
             return;
         }
-        const Eigen::Vector3d end_m = underside_m(block_.body().centre_m);
-        const Eigen::Vector3d moved_m = end_m - piece_start_m_;
+        const Eigen::Vector3d& end_m = end.underside_m;
+        const Eigen::Vector3d moved_m = end_m - piece_start_.underside_m;
         // A piece is straight, as nets and targets take it: its speed at the start is that along the chord.
         const double chord_m = moved_m.norm();
         const Eigen::Vector3d along =
             chord_m > 0.0 ? Eigen::Vector3d{moved_m / chord_m} : Eigen::Vector3d::Zero();
-        const double start_mps = std::clamp(piece_velocity_mps_.dot(along), 0.0, 2.0 * chord_m / piece_s_);
+        const double start_mps =
+            std::clamp(piece_start_.velocity_mps.dot(along), 0.0, 2.0 * chord_m / piece_s_);
         const double gain_mps2 = 2.0 * (chord_m - start_mps * piece_s_) / (piece_s_ * piece_s_);
-        RollingPiece piece{piece_start_m_,
+        RollingPiece piece{piece_start_.underside_m,
                            start_mps * along,
                            gain_mps2 * along,
                            piece_s_,
@@ -301,14 +332,15 @@ private:
                            no_triangle,
                            false,
                            false,
-                           energy_of_rotation_j()};
+                           piece_start_.own(),
+                           end.own()};
         const auto under = slope_.terrain.locate(end_m.x(), end_m.y(), under_);
         const std::uint32_t triangle = under.value_or(under_);
         std::optional<NetCrossing> net;
         if (has_nets_) {
             net = nets_.cut(piece);
             nets_.report(piece.duration_s, observer_);
-            piece.duration_s = NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s));
+            piece.end_after(NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s)));
         }
         observer_.rolled(rock_, piece, triangle);
         show_poses([&](double) { return block_.body(); });
@@ -400,8 +432,7 @@ private:
     double time_s_ = 0.0;
     double way_until_caught_ = 0.0;
     double piece_s_ = 0.0;
-    Eigen::Vector3d piece_start_m_ = Eigen::Vector3d::Zero();
-    Eigen::Vector3d piece_velocity_mps_ = Eigen::Vector3d::Zero();
+    PieceEnd piece_start_;
 };
 
 }  // namespace rockfall

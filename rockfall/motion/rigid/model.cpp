@@ -75,10 +75,13 @@ const ModelDescription& Model::description() {
         .energy = "translation and rotation",
         .spins = true,
         .path_bytes_per_m = 400.0,
-        .us_per_path_m = 30.0,
         .shared_settings = {"release.shape", "release.shape_shares", "release.sides", "release.sides_m",
                             "release.sides_scatter", "release.shape_file", "release.shape_keeps_size",
-                            "release.attitude"}};
+                            "release.attitude"},
+        .caution =
+            "rockfall.motion = rigid: where blocks stop is not confirmed: in the field tests run-out "
+            "spreads too widely or too few blocks stop; simulate the same scenario with another "
+            "rockfall.motion, such as picus, before run-out or reach is used"};
     return description;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 namespace rockfall::rigid {
@@ -12,6 +13,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr int whole_sweeps = 50;
+/// A last step of the couple of rolling resistance may change the spin by this.
+constexpr double still_radps = 1e-6;
 constexpr int half_sweeps = 120;
 
 Matrix3d cross_matrix(const Vector3d& v) {
@@ -275,7 +278,6 @@ void PercussionSolver::solve_all_at_once(const BlockMass& mass, const Velocities
 
 bool PercussionSolver::settle(const BlockMass& mass, const Velocities& without, double rolling_arm_m,
                               Velocities& now) {
-    constexpr double still_radps = 1e-6;
     const bool is_direct = rows_.size() == 1 && rolling_arm_m <= 0.0;
     now = with_percussions(mass, without);
     for (int done = 1; done <= law_.most_sweeps; ++done) {
@@ -326,8 +328,7 @@ Velocities PercussionSolver::run(const BlockMass& mass, const Velocities& before
     return now;
 }
 
-PercussionResult PercussionSolver::result(const BlockMass&, const Velocities& before,
-                                          const Velocities& after) const {
+PercussionResult PercussionSolver::result(const Velocities& before, const Velocities& after) const {
     PercussionResult result;
     result.after = after;
     for (const Row& row : rows_) {
@@ -339,6 +340,42 @@ PercussionResult PercussionSolver::result(const BlockMass&, const Velocities& be
     return result;
 }
 
+/// What the percussions of a solution can add at most (class comment), with the tolerances of the solution:
+/// each velocity and the spin are known no better.
+double PercussionSolver::most_work_j(const BlockMass& mass, const Velocities& before,
+                                     const Vector3d& kick_mps) const {
+    constexpr double rounding = 1e-12;
+    double sum_ns = 0.0;
+    for (const Row& row : rows_) {
+        sum_ns += row.impulse.lpNorm<1>();
+    }
+    const double kinetic_j = 0.5 * before.linear_mps.squaredNorm() / mass.inverse_mass_pkg;
+    return kick_mps.squaredNorm() / (8.0 * mass.inverse_mass_pkg) + rounding * kinetic_j +
+           law_.tolerance_mps * sum_ns + still_radps * couple_nms_.norm();
+}
+
+/// The work of percussions scaled by s is s a + s^2 b / 2, with b the work that they do on what they change:
+/// takes the largest share that does the work allowed.
+void PercussionSolver::scale_down(const Velocities& before, const Vector3d& kick_mps, double most_j,
+                                  PercussionResult& done) {
+    const Velocities without{before.linear_mps + kick_mps, before.spin_radps};
+    const double change_j = result(without, done.after).work_j() - result(without, without).work_j();
+    const double b_j = 2.0 * change_j;
+    const double a_j = done.work_j() - change_j;
+    const double root_j = std::sqrt(a_j * a_j + 2.0 * std::max(0.0, b_j) * most_j);
+    const double share = a_j < 0.0      ? (root_j - a_j) / b_j
+                         : root_j > 0.0 ? 2.0 * most_j / (a_j + root_j)
+                                        : 0.0;
+    for (Row& row : rows_) {
+        row.impulse *= share;
+    }
+    couple_nms_ *= share;
+    const Velocities after{without.linear_mps + share * (done.after.linear_mps - without.linear_mps),
+                           without.spin_radps + share * (done.after.spin_radps - without.spin_radps)};
+    done = result(before, after);
+    done.converged = false;
+}
+
 PercussionResult PercussionSolver::solve(const BlockMass& mass, const Velocities& before,
                                          const Vector3d& kick_mps, std::span<const PercussionPoint> points,
                                          double rolling_arm_m) {
@@ -348,18 +385,18 @@ PercussionResult PercussionSolver::solve(const BlockMass& mass, const Velocities
         const double share = halved == most_halvings ? 0.0 : 1.0 / (1 << halved);
         bool converged = true;
         const Velocities after = run(mass, before, kick_mps, points, rolling_arm_m, share, converged);
-        done = result(mass, before, after);
+        done = result(before, after);
         done.converged = converged;
-        const double work_j = done.normal_work_j + done.tangential_work_j + done.rolling_work_j;
-        // Beside gravity's kick the work of a percussion is only that of the solution's own step.
-        const double kick_j = 0.5 * kick_mps.squaredNorm() / mass.inverse_mass_pkg;
-        const double energy_j = 0.5 * before.linear_mps.squaredNorm() / mass.inverse_mass_pkg;
         const bool rebounds = std::any_of(points.begin(), points.end(), [](const PercussionPoint& point) {
             return point.restitution > 0.0;
         });
-        if (!rebounds || work_j <= 1e-12 * energy_j + kick_j) {
+        if (!rebounds || done.work_j() <= most_work_j(mass, before, kick_mps)) {
             break;
         }
+    }
+    if (const double most_j = most_work_j(mass, before, kick_mps); done.work_j() > most_j) {
+        scale_down(before, kick_mps, most_j, done);
+        assert(done.work_j() <= most_j * (1.0 + 1e-6));
     }
     percussions_.resize(rows_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) {

@@ -60,6 +60,8 @@ struct PercussionResult {
     double tangential_work_j = 0.0;  ///< along the ground
     double rolling_work_j = 0.0;     ///< of rolling resistance
     bool converged = true;
+
+    [[nodiscard]] double work_j() const { return normal_work_j + tangential_work_j + rolling_work_j; }
 };
 
 /// Percussions of rigid contact with Coulomb friction and restitution (Leine et al. 2014; Moreau 1988).
@@ -69,9 +71,14 @@ struct PercussionResult {
 /// changes by more than the tolerance. Rolling resistance is one more percussion: a couple of at most
 /// `rolling_arm_m` times the sum of all P_n, opposite to the spin.
 ///
-/// Restitution at several contacts with friction can raise the energy (Kane's paradox); then all e are halved
-/// until it does not. `kick` is what acts besides in the same step (gravity times its duration), after which
-/// the percussions are sought; energies count from `before` to the result.
+/// `kick` is what acts besides in the same step (gravity times its duration), after which the percussions are
+/// sought; energies count from `before` to the result.
+///
+/// No percussion adds energy. Without restitution that follows from the laws: with P . U+ <= 0 the change of
+/// velocity q and the kick k give the work q M U+ - q M (k + q) / 2 <= k M k / 8, which is 0 of an impact
+/// (k = 0). Newton's restitution with friction can raise the energy (Kane & Levinson 1985); then all e are
+/// halved until it does not. Percussions that are no solution are scaled down along their segment until they
+/// obey the same bound [choice], and count as not converged.
 class PercussionSolver {
 public:
     explicit PercussionSolver(const SolverLaw& law) : law_{law} {}
@@ -103,7 +110,11 @@ private:
     double sweep(const BlockMass& mass, Velocities& now, double share);
     [[nodiscard]] double normal_sum_of_rows_ns() const;
     [[nodiscard]] Velocities with_percussions(const BlockMass& mass, Velocities now) const;
-    PercussionResult result(const BlockMass& mass, const Velocities& before, const Velocities& after) const;
+    PercussionResult result(const Velocities& before, const Velocities& after) const;
+    [[nodiscard]] double most_work_j(const BlockMass& mass, const Velocities& before,
+                                     const Eigen::Vector3d& kick_mps) const;
+    void scale_down(const Velocities& before, const Eigen::Vector3d& kick_mps, double most_j,
+                    PercussionResult& done);
     Velocities run(const BlockMass& mass, const Velocities& before, const Eigen::Vector3d& kick_mps,
                    std::span<const PercussionPoint> points, double rolling_arm_m, double restitution_share,
                    bool& converged);

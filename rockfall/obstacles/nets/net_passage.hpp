@@ -20,22 +20,24 @@ struct NetPassage {
 };
 
 /// A rolling piece as far as nets ask: the straight way between its ends, on which the square of the speed
-/// changes evenly. That is exact for constant acceleration along the way.
+/// and a block's own energy of rotation change evenly. That is exact for constant acceleration along the way.
 struct StraightWay {
     Eigen::Vector3d start_m;
     Eigen::Vector3d end_m;
     double squared_speed_start;  ///< [m2/s2]
     double squared_speed_end;
-    bool slides;               ///< without spin
-    double rotation_j = -1.0;  ///< as RollingPiece
+    bool slides;                     ///< without spin
+    double rotation_start_j = -1.0;  ///< of a block with a motion of its own; else below 0
+    double rotation_end_j = -1.0;
 
     static StraightWay of(const RollingPiece& piece) {
         return {piece.start_m,
                 piece.position_m(piece.duration_s),
-                piece.velocity_mps.squaredNorm(),
-                piece.velocity_at(piece.duration_s).squaredNorm(),
+                piece.squared_speed_start(),
+                piece.squared_speed_end(),
                 piece.slides,
-                piece.rotation_j};
+                piece.own_start.rotation_j,
+                piece.own_end.rotation_j};
     }
 };
 
@@ -82,7 +84,8 @@ void each_passage(const NetIndex& nets, const Rock& rock, const StraightWay& way
     for (const NetLineCrossing& line : memory) {
         const double squared_speed = std::max(
             0.0, way.squared_speed_start + line.share * (way.squared_speed_end - way.squared_speed_start));
-        const double rotation_j = rotation_on_ground_j(rock, way.slides, way.rotation_j, squared_speed);
+        const double own_j = way.rotation_start_j + line.share * (way.rotation_end_j - way.rotation_start_j);
+        const double rotation_j = rotation_on_ground_j(rock, way.slides, own_j, squared_speed);
         if (!take(NetPassage{line.share, way.start_m + line.share * (way.end_m - way.start_m),
                              net_crossing(nets, line, rock, 0.0, squared_speed, rotation_j)})) {
             return;

@@ -75,7 +75,7 @@ public:
             return !acting.has_value();
         });
         if (acting) {
-            piece.duration_s = scratch_.on_piece.back().time_s;
+            piece.end_after(scratch_.on_piece.back().time_s);
         }
         return acting;
     }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace config::wkt_test {
 namespace {
 
@@ -52,8 +55,7 @@ TEST(ReadWkt, TakesAnyCaseSpacingAndDimension) {
 TEST(ReadWkt, NamesPlaceFoundAndExpected) {
     EXPECT_EQ(message_of("CIRCLE (1 2)"),
               "targets.csv:3:10: found 'CIRCLE', expected POINT, LINESTRING, POLYGON, MULTIPOINT, "
-              "MULTILINESTRING or "
-              "MULTIPOLYGON");
+              "MULTILINESTRING, MULTIPOLYGON, or a curve of arcs");
     EXPECT_EQ(message_of("POINT (1 abc)"), "targets.csv:3:19: found 'abc', expected the number y");
     EXPECT_EQ(message_of("LINESTRING (1,5 2, 3 4)"), "targets.csv:3:23: found ',', expected the number y");
     EXPECT_EQ(message_of("LINESTRING (1 2, 3 4"),
@@ -80,6 +82,68 @@ TEST(ReadWkt, RefusesEveryTextCutShort) {
     for (std::size_t size = 0; size < whole.size(); ++size) {
         EXPECT_NE(message_of(whole.substr(0, size)), "") << whole.substr(0, size);
     }
+}
+
+TEST(ReadWkt, TakesCurvesWithoutArcsAsLinesAndPolygons) {
+    EXPECT_EQ(shape_of("COMPOUNDCURVE ((1 2, 3 4), (3 4, 5 6))").parts, (Parts{{{1, 2}, {3, 4}, {5, 6}}}));
+    EXPECT_EQ(shape_of("MULTICURVE ((1 2, 3 4), COMPOUNDCURVE ((5 6, 7 8)))").parts,
+              (Parts{{{1, 2}, {3, 4}}, {{5, 6}, {7, 8}}}));
+    const Shape surface = shape_of(
+        "MULTISURFACE (((0 0, 4 0, 0 4, 0 0)), CURVEPOLYGON ((9 9, 10 9, 9 10, 9 9)), "
+        "CURVEPOLYGON (COMPOUNDCURVE ((5 5, 6 5), (6 5, 5 6, 5 5))))");
+    EXPECT_EQ(surface.kind, Shape::Kind::polygon);
+    EXPECT_EQ(surface.parts, (Parts{{{0, 0}, {4, 0}, {0, 4}, {0, 0}},
+                                    {{9, 9}, {10, 9}, {9, 10}, {9, 9}},
+                                    {{5, 5}, {6, 5}, {5, 6}, {5, 5}}}));
+}
+
+TEST(ReadWkt, StrokesArcs) {
+    // A circle of radius 5 about (5, 0): as an arc from end to end, it covers pi 25.
+    const Shape disc = shape_of("CURVEPOLYGON (CIRCULARSTRING (0 0, 10 0, 0 0))");
+    ASSERT_EQ(disc.parts.size(), 1U);
+    const std::vector<Point2>& ring = disc.parts.front();
+    EXPECT_EQ(ring.front(), ring.back());
+    double area_m2 = 0.0;
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+        EXPECT_NEAR(std::hypot(ring[i].x_m - 5.0, ring[i].y_m), 5.0, 1e-12);
+        area_m2 += 0.5 * (ring[i].x_m * ring[i + 1].y_m - ring[i + 1].x_m * ring[i].y_m);
+    }
+    // Chords that lie up to 1 cm beside the arc take at most the share 4/3 x 0.01 / 5 of the disc.
+    EXPECT_NEAR(std::abs(area_m2), 25.0 * 3.14159265358979, 25.0 * 3.14159265358979 * 4.0 / 3.0 * 0.01 / 5.0);
+}
+
+TEST(ReadWkt, RefusesCurvesThatAreNone) {
+    EXPECT_EQ(message_of("CIRCULARSTRING (0 0, 1 1, 2 0, 3 1)"),
+              "targets.csv:3:25: found 4 points of arcs, expected an odd number: each arc has a start, a "
+              "middle and an end");
+    EXPECT_EQ(message_of("COMPOUNDCURVE ((1 2, 3 4), (3 5, 5 6))"),
+              "targets.csv:3:37: found a part of a curve that begins elsewhere, expected a part that begins "
+              "where the one before it ends");
+    EXPECT_EQ(message_of("MULTISURFACE (LINESTRING (0 0, 1 1))"),
+              "targets.csv:3:24: found 'LINESTRING', expected a part of another type");
+    EXPECT_NE(message_of("CURVEPOLYGON (CIRCULARSTRING (0 0, 1 1, 2 0))").find("not closed"),
+              std::string::npos);
+}
+
+TEST(ReadWkt, RefusesCoordinatesThatNoSystemHas) {
+    for (const char* number : {"1e308", "-2147483649", "18446744073709551616", "1000000001"}) {
+        EXPECT_EQ(message_of(std::string{"LINESTRING (0 0, 1 "} + number + ")"),
+                  std::string{"targets.csv:3:29: found y "} + number +
+                      ", expected metres of a projected coordinate system, at most 1000000000; correct the "
+                      "coordinate");
+    }
+    EXPECT_EQ(message_of("LINESTRING (0 0, 1 1e9)"), "");
+}
+
+TEST(WktHeights, FollowArcs) {
+    const auto heights = read_wkt_heights(
+        "COMPOUNDCURVE Z ((0 0 1, 1 0 2), CIRCULARSTRING Z (1 0 2, 2 1 4, 3 0 8))", {"a.csv"});
+    ASSERT_EQ(heights.size(), 1U);
+    EXPECT_EQ(heights[0].size(),
+              shape_of("COMPOUNDCURVE ((0 0, 1 0), CIRCULARSTRING (1 0, 2 1, 3 0))").parts[0].size());
+    EXPECT_EQ(heights[0].front(), 1.0);
+    EXPECT_EQ(heights[0].back(), 8.0);
+    EXPECT_TRUE(std::is_sorted(heights[0].begin(), heights[0].end()));
 }
 
 TEST(WktHeights, AreThoseOfAllPointsOfAPartOrNone) {

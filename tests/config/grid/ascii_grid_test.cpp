@@ -103,7 +103,30 @@ TEST(ReadAsciiGrid, TakesNanOnlyWhereTheHeaderNamesIt) {
     EXPECT_TRUE(std::isnan(grid.values[0]));
     EXPECT_TRUE(std::isnan(grid.values[2]));
     EXPECT_EQ(grid.values[5], -9999.0);
-    EXPECT_EQ(message_of(header + "1 2 3\n4 nan 6\n"), "dem.asc:8:3: found 'nan', expected a number");
+    EXPECT_EQ(message_of(header + "1 2 3\n4 inf 6\n"), "dem.asc:8:3: found 'inf', expected a number");
+}
+
+TEST(ReadAsciiGrid, TakesWordsForUnknownCells) {
+    for (const char* word : {"nan", "NaN", "-nan", "-nan(ind)", "null", "NULL", "*", "NA", "N/A", "#N/A",
+                             "1.#QNAN", "-1.#IND", "nodata", "-"}) {
+        const AsciiGrid grid =
+            read_ascii_grid_with_words(header + "1 " + word + " 3\n4 " + word + " -9999\n", "dem.asc");
+        EXPECT_TRUE(std::isnan(grid.raster.values[1])) << word;
+        EXPECT_TRUE(std::isnan(grid.raster.values[4])) << word;
+        EXPECT_EQ(grid.raster.values[3], 4.0) << word;
+        EXPECT_EQ(grid.words.cells, 2U) << word;
+        EXPECT_EQ(grid.words.first, word);
+        if (std::string{word} != "nodata") {  // as the first cell too, where the header ends
+            EXPECT_TRUE(std::isnan(grid_of(header + word + " 2 3\n4 5 6\n").values[0])) << word;
+        }
+        // Where the header says so, nothing is to be noted.
+        EXPECT_EQ(
+            read_ascii_grid_with_words(replaced(header, "-9999", word) + "1 " + word + " 3\n4 5 6\n", "d")
+                .words.cells,
+            0U)
+            << word;
+    }
+    EXPECT_NE(message_of(header + "1 ****** 3\n4 5 6\n"), "");  // of Fortran: a number that found no room
 }
 
 TEST(ReadAsciiGrid, NamesTheValueThatIsNoNumber) {
@@ -113,7 +136,7 @@ TEST(ReadAsciiGrid, NamesTheValueThatIsNoNumber) {
               "dem.asc:7:5: found 'abc', expected a number\n"
               "dem.asc:8:3: found 'inf', expected a number\n"
               "dem.asc:8:7: found '3abc', expected a number");
-    EXPECT_EQ(message_of(header + "nan 2 3\n4 5 6\n"), "dem.asc:7:1: found 'nan', expected a number");
+    EXPECT_EQ(message_of(header + "inf 2 3\n4 5 6\n"), "dem.asc:7:1: found 'inf', expected a number");
 }
 
 TEST(ReadAsciiGrid, TellsATextOfAnotherKindOnce) {
@@ -283,6 +306,20 @@ TEST(ReadAsciiGrid, EndsAfterTwentyWordsThatAreNoHeader) {
     } catch (const InputError& error) {
         EXPECT_LE(error.problems().size(), 30U);
     }
+}
+
+// Simple readers of grids cannot take 5e+05, and people do not either.
+RC_GTEST_PROP(WriteAsciiGrid, HasNoExponentInItsHeader, ()) {
+    const int power = *rc::gen::inRange(0, 9);
+    const double x_m = *rc::gen::inRange(-9, 10) * std::pow(10.0, power) + *rc::gen::inRange(0, 2) * 0.5;
+    const double y_m = *rc::gen::inRange(-9, 10) * std::pow(10.0, power) + *rc::gen::inRange(0, 3) / 3.0;
+    const Raster<double> raster{{2, 1, x_m, y_m, 100'000.0, std::pow(10.0, power - 5)}, 1.0};
+    std::ostringstream out;
+    write_ascii_grid(out, raster);
+    const std::string text = out.str();
+    const std::string head = text.substr(0, text.find("NODATA"));
+    RC_ASSERT(head.find("e+") == std::string::npos && head.find("e-") == std::string::npos);
+    RC_ASSERT(read_ascii_grid(text, "dem.asc").frame == raster.frame);
 }
 
 }  // namespace

@@ -186,7 +186,9 @@ TEST(Options, DoNotGuessAKeyFromItsBeginning) {
 
 TEST(Options, ReadNumbersStrictly) {
     EXPECT_EQ(message_of("[rockfall]\nrolling_friction = 0,35\n"),
-              "run.ini:2:20: found rockfall.rolling_friction = '0,35', expected a number in [0, 2]");
+              "run.ini:2:20: found rockfall.rolling_friction = '0,35', expected a number in [0, 2]; write "
+              "0.35, with "
+              "a decimal point");
     EXPECT_EQ(message_of("[run]\nyears = -1\n"),
               "run.ini:2:9: found run.years = '-1', expected a whole number in [0, 500] years");
     EXPECT_EQ(message_of("[run]\nseed = -1\n"),

@@ -85,5 +85,23 @@ TEST(NumberRange, KnowsWhetherItsLowerEndBelongsToIt) {
     EXPECT_TRUE((NumberRange{0.0, 2.0, true}.contains(2.0)));
 }
 
+TEST(ToText, HasAnExponentOnlyWhereNoCoordinateLies) {
+    EXPECT_EQ(to_text(5e5), "500000");
+    EXPECT_EQ(to_text(-3e5), "-300000");
+    EXPECT_EQ(to_text(1e9), "1000000000");
+    EXPECT_EQ(to_text(0.0001), "0.0001");
+    EXPECT_EQ(to_text(0.0), "0");
+    EXPECT_EQ(to_text(5e5F), "500000");
+    EXPECT_EQ(to_text(1e-7), "1e-07");
+    EXPECT_EQ(to_text(1e300), "1e+300");
+}
+
+RC_GTEST_PROP(ToText, ReadsBackTheSameBits, (double value)) {
+    RC_PRE(std::isfinite(value));
+    RC_ASSERT(parse_number(to_text(value)) == value);
+    const double round = std::trunc(value * 100.0) * 1000.0;
+    RC_ASSERT(!std::isfinite(round) || parse_number(to_text(round)) == round);
+}
+
 }  // namespace
 }  // namespace config::numbers_test

@@ -51,8 +51,9 @@ TEST(Example, IsAWholeProjectWithoutDoubts) {
     EXPECT_EQ(site.trees.size(), 25'913U);
     EXPECT_EQ(site.targets.size(), 2U);
     EXPECT_EQ(site.slope.types.size(), 4U);
-    // Only the two species that borrow parameters are told.
-    EXPECT_EQ(warnings.all().size(), 2U);
+    EXPECT_TRUE(warnings.warnings().empty());
+    // Two species that borrow parameters, and columns of two tables that say where their rows come from.
+    EXPECT_EQ(warnings.notes().size(), 4U);
 }
 
 TEST(Estimate, CountsTheMapsOfEveryThread) {
@@ -78,13 +79,15 @@ TEST(Estimate, GivesEachModelItsOwnSpeed) {
     const double picus_s = seconds("picus");
     for (const rockfall::MotionModel model : rockfall::all_models()) {
         const rockfall::ModelDescription& description = rockfall::description_of(model);
-        EXPECT_GT(description.us_per_path_m, 0.0) << description.name;
+        if (description.us_per_path_m == 0.0) {
+            continue;  // timed by a pilot
+        }
         const double times = description.us_per_path_m / rockfall::description_of({}).us_per_path_m;
         EXPECT_NEAR(seconds(std::string{description.name}) / picus_s, times, 1e-9 * times)
             << description.name;
     }
-    // Rigid blocks are followed in steps: a hundred times as long at least.
-    EXPECT_GT(seconds("rigid"), 100.0 * picus_s);
+    // Rigid blocks are followed in steps: ten times as long at least, by the pilot's CPU time.
+    EXPECT_GT(seconds("rigid"), 10.0 * picus_s);
 }
 
 }  // namespace

@@ -108,7 +108,39 @@ TEST(SideBySide, TellsWhenRunsCannotBeCompared) {
     EXPECT_NE(comparison.not_comparable[0].find("terrain"), std::string::npos);
     std::ostringstream screen;
     write_screen(screen, other_terrain, comparison);
-    EXPECT_NE(screen.str().find("NOT COMPARABLE: the terrain differ"), std::string::npos) << screen.str();
+    EXPECT_NE(screen.str().find("NOT COMPARABLE: the terrains differ"), std::string::npos) << screen.str();
+}
+
+/// What is in a file counts, not where it lies or how it is called.
+TEST(SideBySide, JudgesInputsByTheirContent) {
+    std::vector<FinishedRun> runs{run_with(with_interval(60.0, 57.0, 64.0)),
+                                  run_with(with_interval(50.0, 47.0, 54.0))};
+    for (FinishedRun& run : runs) {
+        run.summary.inputs.push_back({"source", "source.asc", "00000000aaaaaaaa"});
+        run.summary.inputs.push_back({"trees", "trees.csv", "00000000bbbbbbbb"});
+    }
+    runs[0].summary.settings.push_back({"release.source", "source.asc", ""});
+    runs[1].summary.settings.push_back({"release.source", "outside/cliff.asc", ""});
+    runs[1].summary.inputs[1].file = "outside/cliff.asc";
+    runs[1].summary.inputs[2].hash = "00000001bbbbbbbb";
+    const SideBySide comparison = side_by_side(runs);
+    EXPECT_TRUE(comparison.not_comparable.empty()) << comparison.not_comparable[0];
+    EXPECT_TRUE(comparison.settings.empty()) << comparison.settings[0].what;
+    EXPECT_EQ(comparison.same_inputs, (std::vector<std::string>{"dem", "source"}));
+    ASSERT_EQ(comparison.inputs.size(), 1U);
+    EXPECT_EQ(comparison.inputs[0].what, "trees");
+    EXPECT_EQ(comparison.inputs[0].values,
+              (std::vector<std::string>{"trees.csv (00000000)", "trees.csv (00000001)"}));
+    std::ostringstream screen;
+    write_screen(screen, runs, comparison);
+    EXPECT_NE(screen.str().find("Inputs with the same content: dem, source\n"), std::string::npos)
+        << screen.str();
+
+    runs[1].summary.inputs[1].hash = "00000002aaaaaaaa";
+    ASSERT_EQ(side_by_side(runs).not_comparable.size(), 1U);
+    const report::WritingLanguage german{config::Language::de};
+    EXPECT_EQ(report::message_text(side_by_side(runs).not_comparable[0]),
+              "die Ausbruchstellen unterscheiden sich (source: A source.asc, B outside/cliff.asc)");
 }
 
 TEST(SideBySide, TellsOfOtherYearsWithRocksAndOfOtherMotionModels) {

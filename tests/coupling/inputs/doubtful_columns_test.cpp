@@ -43,19 +43,19 @@ TEST(DoubtColumns, TellsThoseOfSoilsAndGroundTypes) {
     project.write("surface_types.csv", "code,like,sol\n1,solid_rock,meadow\n3,solid_rock,meadow\n");
     EXPECT_TRUE(has(open(project).warnings, doubt_of("surface_types.csv", "sol", "soil")));
     // A column of soils that means nothing is refused.
-    project.write("soils.csv", "name,like,rt,treshold_deg\nmeadow,soft_soil_step_1,0.75,5\n");
+    project.write("soils.csv", "name,like,rtan,treshold_deg\nmeadow,soft_soil_step_1,0.75,5\n");
     const Opened opened = open(project, {"terrain.soils=soils.csv"});
     EXPECT_EQ(opened.code, config::ExitCode::data);
-    EXPECT_NE(opened.errors.find("'rt'"), std::string::npos) << opened.errors;
+    EXPECT_NE(opened.errors.find("'rtan'"), std::string::npos) << opened.errors;
     EXPECT_NE(opened.errors.find("'treshold_deg'"), std::string::npos) << opened.errors;
 }
 
 TEST(DoubtColumns, TellsThoseOfSourcesAndRefusesThemWhereInputsAreStrict) {
     const SampleProject project;
-    project.write("cliff.csv", "wkt,velocity_mps,mass\nPOINT (1030 2050),4,2\n");
+    project.write("cliff.csv", "wkt,velocity,mass\nPOINT (1030 2050),4,2\n");
     const std::vector<std::string> settings{"release.source=", "release.source_shapes=cliff.csv"};
     const Opened opened = open(project, settings);
-    EXPECT_TRUE(has(opened.warnings, doubt_of("cliff.csv", "velocity_mps", "speed_mps")));
+    EXPECT_TRUE(has(opened.warnings, doubt_of("cliff.csv", "velocity", "speed_mps")));
     EXPECT_TRUE(has(opened.warnings, doubt_of("cliff.csv", "mass", "mass_t")));
     std::vector<std::string> strict = settings;
     strict.emplace_back("run.strict_inputs=yes");

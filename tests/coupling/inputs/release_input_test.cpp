@@ -175,18 +175,73 @@ TEST(SourceShapes, WithSwappedAxesAreRefusedWithTheCause) {
         << opened.errors;
 }
 
-TEST(SourceShapes, SmallerThanACellAreDoubted) {
+TEST(SourceShapes, SmallerThanACellReleaseTheirRocksInside) {
     const SampleProject project;
     project.write("areas.csv",
                   "zone,wkt\n3,\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 2030))\"\n"
                   "4,\"POLYGON ((1041 2031, 1043 2031, 1043 2033, 1041 2033, 1041 2031))\"\n");
     const Opened opened = open(project, {"release.source=", "release.source_shapes=areas.csv"});
     ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.warnings, std::vector<std::string>{
+                                   "areas.csv: 1 source polygon of 2 between the centres of the cells: rocks "
+                                   "start at random inside"});
+    ASSERT_EQ(opened.site->sources.size(), 5U);
+    const rockfall::ReleaseSource& small = opened.site->sources.back();
+    EXPECT_EQ(small.zone, 4U);
+    ASSERT_TRUE(small.outline);
+    // 4 m2 in plan on a slope of 0.7.
+    EXPECT_NEAR(small.weight, 4.0 * std::sqrt(1.0 + 0.49), 1e-6);
+}
+
+TEST(SourceShapes, OfManySmallOutcropsAreOneNote) {
+    const SampleProject project;
+    std::string text = "wkt\n";
+    for (int i = 0; i < 50; ++i) {
+        const std::string x = std::to_string(1021 + i % 10) + ".2 ", y = std::to_string(2031 + i / 10) + ".2";
+        const std::string east = std::to_string(1021 + i % 10) + ".8 ",
+                          north = std::to_string(2031 + i / 10) + ".8";
+        text += "\"POLYGON ((" + x + y + ", " + east + y + ", " + east + north + ", " + x + north + ", " + x +
+                y + "))\"\n";
+    }
+    project.write("areas.csv", text);
+    const Opened opened = open(project, {"release.source=", "release.source_shapes=areas.csv"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->sources.size(), 50U);
+    EXPECT_EQ(opened.warnings.size(), 1U);
+}
+
+TEST(SourceShapes, ThatStandTwiceAreNamed) {
+    const SampleProject project;
+    const std::string area = "\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 2030))\"\n";
+    project.write("areas.csv", "zone,wkt\n3," + area + "3," + area);
+    const Opened opened = open(project, {"release.source=", "release.source_shapes=areas.csv"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->sources.size(), 4U);
     ASSERT_EQ(opened.warnings.size(), 1U);
-    EXPECT_NE(opened.warnings[0].find(
-                  "areas.csv:3:3: found a source polygon of zone 4 that holds the centre of no cell"),
-              std::string::npos)
-        << opened.warnings[0];
+    EXPECT_EQ(
+        opened.warnings[0],
+        "areas.csv:2:3: found a source polygon of zone 3 that stands a second time in row 3, expected each "
+        "source once: no rock starts from this row; delete one of the rows");
+}
+
+TEST(SourceShapes, SmallAndTwiceReleaseOnce) {
+    const SampleProject project;
+    const std::string area = "\"POLYGON ((1041 2031, 1043 2031, 1043 2033, 1041 2033, 1041 2031))\"\n";
+    project.write("areas.csv", "zone,wkt\n3," + area + "4," + area);
+    const Opened opened = open(project, {"release.source=", "release.source_shapes=areas.csv"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    ASSERT_EQ(opened.site->sources.size(), 1U);
+    EXPECT_EQ(opened.site->sources[0].zone, 4U);
+    EXPECT_NE(opened.warnings[0].find("stands a second time in row 3"), std::string::npos);
+}
+
+TEST(SourceShapes, AreTakenFromXAndY) {
+    const SampleProject project;
+    project.write("points.csv", "rock_id,x_m,y_m,mass_t,speed_mps\n1,1025,2035,0.4,1\n2,1025,2045,1.2,1\n");
+    const Opened opened = open(project, {"release.source=", "release.source_shapes=points.csv"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->sources.size(), 2U);
+    EXPECT_EQ(opened.warnings, std::vector<std::string>{"points.csv: columns that are not read: 'rock_id'"});
 }
 
 TEST(SourceShapes, OfDifferentKindsAreRefused) {
@@ -333,9 +388,10 @@ TEST(SourceStart, SaysWhereALineLeavesTheTerrain) {
 TEST(SourceStart, DoubtsColumnsThatAreNearlyItsOwn) {
     const Opened opened = open_line("block,note", "3,x");
     ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_EQ(opened.warnings,
-              std::vector<std::string>{"cliffs.csv: found column 'block', which is passed over, expected "
-                                       "blocks, if that is what is meant"});
+    const std::vector<std::string> expected{
+        "cliffs.csv: found column 'block', which is passed over, expected blocks, if that is what is meant",
+        "cliffs.csv: columns that are not read: 'note'"};
+    EXPECT_EQ(opened.warnings, expected);
 }
 
 TEST(SourceStart, SaysThatTheNumberOfRocksHasNoEffect) {

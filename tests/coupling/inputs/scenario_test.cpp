@@ -124,5 +124,20 @@ TEST(StartLaw, LeavesOutClassesThatNeverOccur) {
     EXPECT_EQ(law.largest_m(), 1.0);
 }
 
+TEST(Scenario, RefusesFilesThatAreNotThereAlsoWhereTheRunReadsThemNot) {
+    const SampleProject project;
+    for (const char* key : {"stands.records", "climate.file", "soil.map"}) {
+        const Opened opened = open(project, {std::string{key} + "=nan"});
+        EXPECT_EQ(opened.code, ExitCode::file) << key;
+        EXPECT_NE(opened.errors.find(std::string{key} + ", which names no file: 'nan'"), std::string::npos)
+            << opened.errors;
+    }
+    project.write("records.csv", "stand\n");
+    EXPECT_EQ(open(project, {"stands.records=records.csv"}).code, ExitCode::done);
+    // A file that is read and not there is one problem.
+    const Opened opened = open(project, {"trees.file=gone.csv"});
+    EXPECT_EQ(opened.errors.find("which names no file"), std::string::npos) << opened.errors;
+}
+
 }  // namespace
 }  // namespace coupling::scenario_test

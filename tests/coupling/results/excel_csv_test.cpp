@@ -11,7 +11,8 @@ namespace {
 
 std::string excel(const std::string& table, char decimal_sign) {
     std::ostringstream out;
-    write_excel_csv(out, table, decimal_sign);
+    OwnRows rows{table, "table.csv"};
+    write_excel_csv(out, rows, decimal_sign);
     return out.str();
 }
 

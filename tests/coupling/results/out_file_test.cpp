@@ -80,6 +80,27 @@ TEST(OutFile, KeepsTheChecksumOfAllItsBytes) {
     EXPECT_EQ(std::filesystem::file_size(folder.path() / "table"), much.size() + 26);
 }
 
+TEST(OutFile, CountsBytesAndRowsOfATableAlsoWhereItGoesOn) {
+    const TestFolder folder;
+    TableEnd end;
+    {
+        OutFile file{folder.path() / "table.csv"};
+        file.count_table();
+        file.stream() << "name,x\n\"two\nlines\",1\n";
+        file.close();
+        end = file.end().value();
+        EXPECT_EQ(end.bytes, 21U);
+        EXPECT_EQ(end.rows, 1U);
+    }
+    OutFile again{folder.path() / "table.csv", OutFile::Begin::at_end};
+    EXPECT_FALSE(again.end());
+    again.count_table(end);
+    again.stream() << "road,2\n";
+    again.close();
+    EXPECT_EQ(again.end()->bytes, std::filesystem::file_size(folder.path() / "table.csv"));
+    EXPECT_EQ(again.end()->rows, 2U);
+}
+
 TEST(MakeFolder, NamesTheFolderThatCannotBeMade) {
     const TestFolder folder;
     OutFile file{folder.path() / "taken"};

@@ -31,6 +31,10 @@ Folder folder_with(const std::vector<config::Cell>& sources) {
                   {},
                   {},
                   {},
+                  {},
+                  {},
+                  {},
+                  {},
                   {}};
     for (const config::Cell& cell : sources) {
         folder.rock_density.at(cell) = 2500.0;
@@ -71,6 +75,27 @@ TEST(Blocks, ComeInClassesWhereThereAreManySizes) {
     EXPECT_EQ(few.cells(), 5U);
     EXPECT_GT(few.class_width_m, 0.0);
     EXPECT_NEAR(few.mean_diameter_m(), exact.mean_diameter_m(), few.class_width_m);
+}
+
+TEST(Blocks, KeepTheirShapes) {
+    Folder folder = folder_with({{2, 2}, {3, 2}, {5, 5}});
+    folder.shape.at({2, 2}) = folder.shape.at({3, 2}) = 1.0;
+    folder.d1.at({2, 2}) = folder.d1.at({3, 2}) = 0.5;
+    folder.d3.at({2, 2}) = folder.d3.at({3, 2}) = 2.0;
+    folder.shape.at({5, 5}) = 4.0;
+    const Blocks blocks = blocks_of(folder);
+    ASSERT_EQ(blocks.classes.size(), 2U);
+    EXPECT_EQ(blocks.classes[0].form, BlockForm::disc);
+    EXPECT_EQ(blocks.classes[1].form, BlockForm::rectangular);
+    EXPECT_EQ(blocks.classes[1].sides_m, (std::array{2.0, 1.0, 0.5}));
+    EXPECT_EQ(blocks.classes[1].cells, 2U);
+    // Two cells side by side are one rectangle.
+    EXPECT_NE(sources_csv(blocks).find(
+                  "2,1.240,2500,box,2.000,1.000,0.500,,\"MULTIPOLYGON (((4.000 14.000, 8.000 14.000, 8.000 "
+                  "16.000, 4.000 16.000, 4.000 14.000)))\""),
+              std::string::npos)
+        << sources_csv(blocks);
+    EXPECT_NE(sources_csv(blocks).find("hull,,,,disc_1.csv"), std::string::npos) << sources_csv(blocks);
 }
 
 /// A length in whole half centimetres has at most three decimals.
@@ -121,6 +146,17 @@ TEST(Grounds, HaveHeightsInWholeCentimetresThatPrintSo) {
         for (const Ground& ground : grounds.types) {
             EXPECT_TRUE(is_short(ground.rg70_m)) << config::to_text(ground.rg70_m);
         }
+    }
+}
+
+/// Smooth rock would keep more than any ground type may.
+TEST(Grounds, HaveFiguresThatARunTakes) {
+    Folder folder = folder_with({{5, 5}});
+    for (int soil = 0; soil <= 7; ++soil) {
+        for (double& value : folder.soil_type.values) {
+            value = soil;
+        }
+        EXPECT_LE(grounds_of(folder, 0.5).types.at(0).r_t, 0.99) << soil;
     }
 }
 

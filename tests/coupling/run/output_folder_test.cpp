@@ -10,6 +10,7 @@
 #include "config/errors/input_error.hpp"
 #include "coupling/results/out_file.hpp"
 #include "coupling/run/checkpoint.hpp"
+#include "coupling/run/file_sums.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling::output_folder_test {
@@ -70,8 +71,9 @@ std::string refusal(const fs::path& out, const std::string& hash, bool overwrite
 
 TEST(OutputFolderKept, PublishesWholeResultsAndNothingElse) {
     const auto files = published();
-    EXPECT_EQ(files.size(), 5U);
+    EXPECT_EQ(files.size(), 6U);
     EXPECT_EQ(files.count(".bannwald"), 1U);
+    EXPECT_EQ(files.count(name_of_sums), 1U);
     EXPECT_EQ(files.at("tables/rocks.csv"), "all rocks\n");
 }
 
@@ -80,9 +82,11 @@ void kill_while_publishing(const fs::path& out, std::size_t moved) {
     {
         OutputFolder folder{out, this_run, false};
         write_whole_results(folder);
+        write_sums(folder.staging());
         fs::rename(folder.staging(), out / ".complete");
     }
     const std::vector<std::function<void()>> steps{
+        [&] { fs::rename(out / ".complete/.checksums", out / ".checksums"); },
         [&] { fs::rename(out / ".complete/rasters", out / "rasters"); },
         [&] { fs::rename(out / ".complete/report.html", out / "report.html"); },
         [&] { fs::rename(out / ".complete/tables", out / "tables"); },
@@ -99,7 +103,7 @@ void kill_while_publishing(const fs::path& out, std::size_t moved) {
 
 TEST(OutputFolderKept, RollsPublishingForwardFromAnyOfItsSteps) {
     const auto expected = published();
-    for (std::size_t moved = 0; moved <= 8; ++moved) {
+    for (std::size_t moved = 0; moved <= 9; ++moved) {
         const TestFolder test;
         const fs::path out = test.path() / "out";
         kill_while_publishing(out, moved);
@@ -123,7 +127,7 @@ TEST(OutputFolderKept, PutsWholeResultsInTheirPlaceBeforeItRefusesOtherSettings)
 }
 
 TEST(OutputFolderKept, OverwritesWhateverAKillLeft) {
-    for (std::size_t moved = 0; moved <= 8; ++moved) {
+    for (std::size_t moved = 0; moved <= 9; ++moved) {
         const TestFolder test;
         const fs::path out = test.path() / "out";
         kill_while_publishing(out, moved);
@@ -231,10 +235,17 @@ TEST(OutputFolderKept, CountsResultsWithoutAListedFileAsIncomplete) {
     EXPECT_EQ(OutputFolder::state_of(out, other_run), FolderState::other_settings);
     fs::remove(out / "report.html");
     EXPECT_EQ(OutputFolder::state_of(out, this_run), FolderState::incomplete);
-    EXPECT_EQ(OutputFolder::missing_result(out), "report.html");
+    EXPECT_EQ(OutputFolder::damage(out), "report.html is missing");
     EXPECT_NE(refusal(out, this_run).find("results of which report.html is missing"), std::string::npos);
+    put(out / "report.html", "another page\n");
+    EXPECT_EQ(OutputFolder::damage(out), "report.html has changed");
+    EXPECT_EQ(OutputFolder::state_of(out, this_run), FolderState::incomplete);
+    put(out / "report.html", "a page\n");
+    EXPECT_EQ(OutputFolder::damage(out), "");
+    fs::remove(out / ".checksums");
+    EXPECT_EQ(OutputFolder::state_of(out, this_run), FolderState::incomplete);
     put(out / "summary.json", "{ half a summ");
-    EXPECT_EQ(OutputFolder::missing_result(out), "summary.json");
+    EXPECT_EQ(OutputFolder::damage(out), "summary.json has changed");
 }
 
 TEST(OutputFolderKept, DoesNotFollowAMarkThatIsALink) {

@@ -27,8 +27,9 @@ public:
         return *this;
     }
     [[nodiscard]] Breakdown of(const SmallRun& run) const {
-        std::istringstream in{out_.str()};
-        return breakdown_of(in, "arrivals.csv", *run.scenario, run.site);
+        const std::string written = out_.str();
+        OwnRows rows{written, "arrivals.csv"};
+        return breakdown_of(rows, *run.scenario, run.site);
     }
     [[nodiscard]] std::string text() const { return out_.str(); }
 
@@ -143,20 +144,20 @@ TEST(Breakdown, RefusesRowsThatNoRunWrote) {
     const std::string row = good.substr(good.find('\n') + 1);
     for (const std::string& bad : {std::string{"0,road,bare\n"}, std::string{"x"} + row,
                                    row.substr(0, 20) + "\n", "0,nowhere" + row.substr(row.find(",bare"))}) {
-        std::istringstream in{good + bad};
-        EXPECT_THROW(breakdown_of(in, "arrivals.csv", *run.scenario, run.site), config::InputError) << bad;
+        const std::string text = good + bad;
+        OwnRows rows{text, "arrivals.csv"};
+        EXPECT_THROW(breakdown_of(rows, *run.scenario, run.site), config::InputError) << bad;
     }
-    std::istringstream nothing;
-    EXPECT_THROW(breakdown_of(nothing, "arrivals.csv", *run.scenario, run.site), config::InputError);
+    EXPECT_THROW((OwnRows{"", "arrivals.csv"}), config::InputError);
 }
 
 TEST(Breakdown, IsUnknownWithoutTargetsOrArrivals) {
     SmallRun run;
     run.scenario->arrival_table = false;
-    EXPECT_FALSE(breakdown_of(std::filesystem::path{"none"}, *run.scenario, run.site).is_known);
+    EXPECT_FALSE(breakdown_of(StreamedTables{{}, "none"}, *run.scenario, run.site).is_known);
     run.scenario->arrival_table = true;
     run.site.targets.clear();
-    EXPECT_FALSE(breakdown_of(std::filesystem::path{"none"}, *run.scenario, run.site).is_known);
+    EXPECT_FALSE(breakdown_of(StreamedTables{{}, "none"}, *run.scenario, run.site).is_known);
 }
 
 }  // namespace

@@ -97,7 +97,8 @@ TEST(WriteTables, NameTheUnitOfEveryColumnThatHasOne) {
         "friction",
         "friction_max",
         "restitution",
-        "rolling_resistance"};  // bin_low, bin_high: unit in its own column
+        "rolling_resistance",
+        "not_stopped"};  // rocks; bin_low, bin_high: unit in its own column
     const SmallRun run = some_rocks();
     const TestFolder folder;
     std::vector<std::string> texts;
@@ -167,6 +168,28 @@ TEST(WriteRunOut, CountsEveryRockOnce) {
         bare += table.text(row, "cover") == "bare" ? std::stoi(table.text(row, "rocks")) : 0;
     }
     EXPECT_EQ(bare, 400);
+}
+
+TEST(WriteRunOut, SetsRocksThatLeftApart) {
+    SmallRun run = some_rocks();
+    rockfall::RunTally& bare = run.tally.runs[index_of(Cover::bare)];
+    rockfall::RockRecord left;
+    left.end_m.x() = 195.0;  // further than all that stopped
+    left.reason = rockfall::StopReason::left_terrain;
+    bare.add(left);
+    std::ostringstream out;
+    write_run_out(out, run.results());
+    const config::Table table = read(out.str());
+    int stopped = 0;
+    int not_stopped = 0;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (table.text(row, "cover") == "bare") {
+            stopped += std::stoi(table.text(row, "rocks"));
+            not_stopped += std::stoi(table.text(row, "not_stopped"));
+        }
+    }
+    EXPECT_EQ(stopped, 400);
+    EXPECT_EQ(not_stopped, 1);
 }
 
 TEST(WriteStems, ListsEveryTreeWithWhatItTook) {

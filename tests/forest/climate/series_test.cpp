@@ -152,10 +152,23 @@ TEST(Climate, WarnsOfWhatIsOnlySuspicious) {
     ASSERT_EQ(outside.warnings.size(), 1U);
     EXPECT_EQ(outside.warnings.front(),
               "climate.csv: 1 month with tave_c outside tmin_c and tmax_c, the first in line 7");
-    const Reading daily = read(with_factor(5, 1.0 / 30.0));
-    ASSERT_EQ(daily.warnings.size(), 1U);
-    EXPECT_EQ(daily.warnings.front(),
-              "climate.csv: precipitation (mm) of a mean year is 40.7; is it mm a month?");
+    const Reading dry = read(with_factor(5, 0.15));
+    ASSERT_EQ(dry.warnings.size(), 1U);
+    EXPECT_EQ(dry.warnings.front(),
+              "climate.csv: precipitation (mm) of a mean year is 183; is it mm a month?");
+}
+
+TEST(Climate, InAnotherUnitIsRefusedWithTheUnitThatFits) {
+    const auto error = [](int column, double factor) { return read(with_factor(column, factor)).error; };
+    EXPECT_NE(error(5, 1.0 / 30.44)
+                  .find("prec_mm: precipitation (mm) of a mean year is 40.1, expected mm a month; "
+                        "this looks like mm a day"),
+              std::string::npos)
+        << error(5, 1.0 / 30.44);
+    EXPECT_NE(error(5, 1.0 / 30.44 / 86400.0).find("this looks like kg m-2 s-1"), std::string::npos);
+    EXPECT_NE(error(5, 0.001).find("this looks like m a month"), std::string::npos);
+    EXPECT_NE(error(6, 1.0 / 3.6).find("this looks like kWh/m2 a day (times 3.6)"), std::string::npos)
+        << error(6, 1.0 / 3.6);
 }
 
 TEST(Climate, OfSeveralElevationsIsOneSeriesEach) {

@@ -107,6 +107,43 @@ TEST(StartOf, PutsEachRockIntoItsOwnStretchOfALine) {
     EXPECT_DOUBLE_EQ(start_at(slope, pieces[0], middle, 3).position_m.y(), 20.0 + 17.5);
 }
 
+TEST(StartOf, PutsRocksOfAPolygonInsideItWhateverItsShape) {
+    const Slope slope = plane_slope(35.0, {0.3, 0.8});
+    // A thin triangle across its rectangle, and a square with a hole.
+    const std::vector<std::vector<std::vector<config::Point2>>> polygons{
+        {{{20.0, 20.0}, {24.0, 24.0}, {24.0, 23.8}, {20.0, 20.0}}},
+        {{{20.0, 20.0}, {23.0, 20.0}, {23.0, 23.0}, {20.0, 23.0}, {20.0, 20.0}},
+         {{20.5, 20.5}, {22.5, 20.5}, {22.5, 22.5}, {20.5, 22.5}, {20.5, 20.5}}}};
+    for (const auto& rings : polygons) {
+        auto outline = std::make_shared<SourceOutline>();
+        outline->polygon = {config::Shape::Kind::polygon, rings};
+        outline->inner_m = {20.2, 20.195};
+        ReleaseSource source;
+        source.first_m = {20.0, 20.0};
+        source.last_m = {24.0, 24.0};
+        source.outline = outline;
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+        constexpr int rocks = 400;
+        for (std::uint64_t rock = 0; rock < rocks; ++rock) {
+            const Eigen::Vector2d place = start_at(slope, source, {}, rock).position_m.head<2>();
+            EXPECT_TRUE(config::point_in_polygon(outline->polygon, {place.x(), place.y()}));
+            EXPECT_EQ(place,
+                      start_at(slope, source, {}, rock).position_m.head<2>().eval());  // keyed by the rock
+            mean += place / rocks;
+        }
+        // Means over 400 rocks scatter by 1/20 of at most 1.5 m: four times that.
+        const double middle_m = rings.size() == 2 ? 21.5 : 20.0 + 4.0 * 2.0 / 3.0;
+        EXPECT_NEAR(mean.x(), middle_m, 0.3);
+    }
+    StartLaw middle;
+    middle.random_place = false;
+    auto outline = std::make_shared<SourceOutline>();
+    outline->inner_m = {20.25, 21.0};
+    ReleaseSource source;
+    source.outline = outline;
+    EXPECT_EQ(start_at(slope, source, middle, 0).position_m.x(), 20.25);
+}
+
 TEST(StartOf, HeadsForTheAzimuth) {
     const Slope slope = plane_slope(35.0, {0.3, 0.8});
     ReleaseSource source = pieces_of({10.0}).front();

@@ -34,11 +34,37 @@ TEST(NameColumns, KnowsNamesThatAShapefileCutOff) {
               (std::vector<std::string>{"clearance_m", "diameter1_cm", "species"}));
 }
 
-TEST(NameColumns, TellsWhatItTookForWhat) {
-    config::Table table = config::Table::read(std::string_view{"BHD,X_M\n1,2\n"}, "file");
-    const auto taken = name_columns(table, "trees");
-    ASSERT_EQ(taken.size(), 1U);  // capitals are no other name
-    EXPECT_EQ(taken[0].found + " " + taken[0].taken_as, "BHD dbh_cm");
+TEST(NameColumns, ReadsHeadersWithUnits) {
+    const std::vector<std::string> trees{"tree_id", "x_m", "y_m", "species", "dbh_cm", "height_m"};
+    EXPECT_EQ(named("Baum-Nr;X [m];Y [m];Baumart;BHD [cm];Höhe [m]\n1;2;3;Fi;30;20\n", "trees").columns(),
+              trees);
+    EXPECT_EQ(
+        named("N° arbre;X (m);Y (m);Essence;Diamètre (cm);Hauteur (m)\n1;2;3;a;4;5\n", "trees").columns(),
+        trees);
+    EXPECT_EQ(named("N. albero;Est (m);Nord (m);Specie;Diametro (cm);Altezza (m)\n1;2;3;a;4;5\n", "trees")
+                  .columns(),
+              trees);
+    // A diameter without a unit may be a radius in m or a girth: it stays what it is.
+    EXPECT_EQ(named("Diamètre\n1\n", "trees").columns(), std::vector<std::string>{"Diamètre"});
+}
+
+TEST(NameColumns, KnowsThoseOfClimateModels) {
+    EXPECT_EQ(named("year,month,tmp_min,tmp_max,prcp,srad\n1,2,3,4,5,6\n", "climate").columns(),
+              (std::vector<std::string>{"year", "month", "tmin_c", "tmax_c", "prec_mm", "rad_mj_m2_d"}));
+    EXPECT_EQ(
+        named("Year,Month,Tmin,Tmax,Precip,Radiation [MJ/m2/d]\n1,2,3,4,5,6\n", "climate warm").columns(),
+        (std::vector<std::string>{"year", "month", "tmin_c", "tmax_c", "prec_mm", "rad_mj_m2_d"}));
+}
+
+TEST(NameColumns, SaysWhichAreInAnotherUnit) {
+    config::Table table = config::Table::read(std::string_view{"BHD [mm],X_M,Höhe [cm]\n1,2,3\n"}, "file");
+    const std::vector<config::Problem> problems = name_columns(table, "trees");
+    ASSERT_EQ(problems.size(), 2U);
+    EXPECT_EQ(
+        config::to_string(problems[0]),
+        "file: found column 'BHD [mm]', which is in mm, expected dbh_cm, in cm; multiply its numbers by 0.1 "
+        "and name the column dbh_cm");
+    EXPECT_NE(config::to_string(problems[1]).find("multiply its numbers by 0.01"), std::string::npos);
 }
 
 TEST(TakeCoordinates, TakesThemFromPointsAndLines) {

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "config/grid/ascii_grid.hpp"
+#include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/coordinate_systems.hpp"
 #include "coupling/results/geotiff.hpp"
 #include "tests/coupling/inputs/formats/given_files.hpp"
@@ -53,8 +54,20 @@ TEST(ReadGeotiff, NamesTheCoordinateSystemOfItsKeys) {
     const auto projection =
         plausible::read_projection(read_geotiff(given_file("dem.tif"), "dem.tif").projection);
     ASSERT_TRUE(projection);
-    EXPECT_EQ(projection->name, "ETRS_1989_LAEA");
-    EXPECT_EQ(projection->false_easting, 4321000.0);
+    EXPECT_EQ(projection->name, "JGD_2000_Japan_Zone_1");
+    EXPECT_EQ(projection->central_meridian_deg, 129.5);
+}
+
+TEST(ReadGeotiff, NamesTheUnitOfItsHeights) {
+    const std::string system = read_geotiff(given_file("feet.tif"), "feet.tif").projection;
+    const auto plan = plausible::read_projection(system);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->metres_per_unit, 1.0) << "of the plan";
+    const auto heights = plausible::height_unit_in(system);
+    ASSERT_TRUE(heights) << system;
+    EXPECT_NEAR(heights->metres, 1200.0 / 3937.0, 1e-9);
+    EXPECT_EQ(heights->name, "NAVD88 height (ftUS)");
+    EXPECT_FALSE(plausible::height_unit_in(read_geotiff(given_file("dem.tif"), "dem.tif").projection));
 }
 
 TEST(ReadGeotiff, ReadsWhatTheProgramWrites) {
@@ -101,6 +114,67 @@ TEST(ReadGeotiff, RefusesWhatAGridOfOursCannotHave) {
               "save it with one of these (QGIS: Translate, option COMPRESS=DEFLATE)");
     EXPECT_NE(refused(with_tag(plain, 258, 12)).find("found cells of 12 bits"), std::string::npos);
     EXPECT_NE(refused(with_tag(plain, 339, 5)).find("complex or unknown"), std::string::npos);
+}
+
+/// The bytes of a file in which a tag of its first directory is another one (little endian).
+std::string with_other_tag(std::string bytes, std::uint16_t tag, std::uint16_t other) {
+    std::uint32_t directory = 0;
+    std::memcpy(&directory, bytes.data() + 4, 4);
+    std::uint16_t entries = 0;
+    std::memcpy(&entries, bytes.data() + directory, 2);
+    for (std::size_t at = directory + 2U; at < directory + 2U + 12U * entries; at += 12) {
+        if (std::memcmp(bytes.data() + at, &tag, 2) == 0) {
+            std::memcpy(bytes.data() + at, &other, 2);
+            return bytes;
+        }
+    }
+    throw std::logic_error{"no such tag"};
+}
+
+TEST(ReadGeotiff, TakesItsPlaceFromAWorldFileWhereItHasNone) {
+    const std::string placed = given_file("source.tif");
+    const std::string without = with_other_tag(with_other_tag(placed, 33550, 33551), 33922, 33923);
+    EXPECT_NE(refused(without).find("no place on the map"), std::string::npos);
+    const config::GridFrame frame = read_geotiff(placed, "dem.tif").raster.frame;
+    const auto text = [](double number) { return config::to_text(number) + "\r\n"; };
+    const std::string world = text(frame.cell_width_m) + text(0) + text(0) + text(-frame.cell_height_m) +
+                              text(frame.x_centre_m(0)) + text(frame.y_centre_m(0));
+    EXPECT_EQ(read_geotiff(without, "dem.tif", world).raster.frame, frame);
+    EXPECT_NE(
+        refusal_of([&] { read_geotiff(without, "dem.tif", "10\n0\nx\n"); }).find("six lines of numbers"),
+        std::string::npos);
+    EXPECT_NE(
+        refusal_of([&] { read_geotiff(without, "dem.tif", "10\n1\n1\n-10\n0\n0\n"); }).find("a rotated grid"),
+        std::string::npos);
+}
+
+/// The bytes of a file whose cells number the colours of a table: in place of another tag, at its end.
+std::string with_colours(const std::string& file, std::uint16_t instead_of) {
+    constexpr std::uint16_t photometric = 262;
+    constexpr std::uint16_t colour_map = 320;
+    constexpr std::uint32_t shorts = 3U << 16U;  // of cells of 16 bits
+    std::string bytes = with_tag(file, photometric, 3);
+    const auto end = static_cast<std::uint32_t>(bytes.size());
+    bytes = with_other_tag(bytes, instead_of, colour_map);
+    std::uint32_t directory = 0;
+    std::memcpy(&directory, bytes.data() + 4, 4);
+    std::size_t at = directory + 2U;
+    while (std::memcmp(bytes.data() + at, &colour_map, 2) != 0) {
+        at += 12;
+    }
+    constexpr std::uint16_t type_short = 3;
+    std::memcpy(bytes.data() + at + 2, &type_short, 2);
+    std::memcpy(bytes.data() + at + 4, &shorts, 4);
+    std::memcpy(bytes.data() + at + 8, &end, 4);
+    return bytes + std::string(2U * shorts, '\x20');
+}
+
+TEST(ReadGeotiff, NamesATableOfColours) {
+    const std::string codes = given_file("source.tif");
+    const auto grid = read_geotiff(with_colours(codes, 339), "source.tif");
+    EXPECT_EQ(grid.remarks, (std::vector<std::string>{
+                                "has a table of colours, which is not used: its cells are taken as codes"}));
+    EXPECT_TRUE(read_geotiff(codes, "source.tif").remarks.empty());
 }
 
 TEST(ReadGeotiff, TakesNoMemoryForCellsThatTheFileDoesNotHold) {

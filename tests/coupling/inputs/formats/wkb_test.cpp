@@ -71,9 +71,36 @@ TEST(WktOfWkb, GivesNothingForWhatIsEmpty) {
     EXPECT_EQ(formats::wkt_of_wkb(Wkb{}.head(2).whole(0).bytes()), "");
 }
 
+TEST(WktOfWkb, LeavesOutEmptyParts) {
+    Wkb lines;
+    lines.head(5).whole(2).head(2).whole(0).head(2).whole(2).point(0, 0).point(1, 1);
+    EXPECT_EQ(formats::wkt_of_wkb(lines.bytes()), "MULTILINESTRING ((0 0, 1 1))");
+    EXPECT_EQ(formats::wkt_of_wkb(Wkb{}.head(5).whole(1).head(2).whole(0).bytes()), "");
+}
+
+TEST(WktOfWkb, NamesArcsInsideCurves) {
+    EXPECT_EQ(formats::wkt_of_wkb(Wkb{}.head(8).whole(3).point(0, 0).point(1, 1).point(2, 0).bytes()),
+              "CIRCULARSTRING (0 0, 1 1, 2 0)");
+    Wkb curve;
+    curve.head(9).whole(2).head(2).whole(2).point(-1, 0).point(0, 0);
+    curve.head(8).whole(3).point(0, 0).point(1, 1).point(2, 0);
+    EXPECT_EQ(formats::wkt_of_wkb(curve.bytes()),
+              "COMPOUNDCURVE ((-1 0, 0 0), CIRCULARSTRING (0 0, 1 1, 2 0))");
+    Wkb surface;
+    surface.head(12).whole(2);
+    surface.head(3).whole(1).whole(2).point(0, 0).point(1, 0);
+    surface.head(10).whole(1).head(8).whole(3).point(0, 0).point(9, 0).point(0, 0);
+    EXPECT_EQ(formats::wkt_of_wkb(surface.bytes()),
+              "MULTISURFACE (((0 0, 1 0)), CURVEPOLYGON (CIRCULARSTRING (0 0, 9 0, 0 0)))");
+    EXPECT_EQ(
+        formats::wkt_of_wkb(Wkb{}.head(1011).whole(1).head(1008).whole(1).point(1, 2).number(3).bytes()),
+        "MULTICURVE Z (CIRCULARSTRING Z (1 2 3))");
+}
+
 TEST(WktOfWkb, RefusesOtherKindsAndWhatEndsTooEarly) {
     EXPECT_EQ(refused(Wkb{}.head(7).whole(0).bytes()), "a shape of the kind collection");
-    EXPECT_EQ(refused(Wkb{}.head(9).whole(0).bytes()), "a shape of the kind compound curve");
+    EXPECT_EQ(refused(Wkb{}.head(16).whole(0).bytes()), "a shape of the kind TIN");
+    EXPECT_EQ(refused(Wkb{}.head(12).whole(1).head(8).whole(0).bytes()), "shapes of different kinds in one");
     EXPECT_EQ(refused(Wkb{}.head(5).whole(1).head(1).point(1, 2).bytes()),
               "shapes of different kinds in one");
     EXPECT_EQ(refused(Wkb{}.head(1).point(1, INFINITY).bytes()), "a coordinate that is no number");

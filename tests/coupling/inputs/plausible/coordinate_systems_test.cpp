@@ -102,9 +102,50 @@ TEST(ContradictionOf, RefusesDegreesAndFeet) {
 TEST(ContradictionOf, SaysNothingOfSystemsThatItDoesNotKnow) {
     EXPECT_FALSE(contradiction_of(esri_text("Local", 123.0, 456.0, 7.0), tyrol, "dem.prj"));
     EXPECT_FALSE(contradiction_of("PROJCS[\"Sample\"]", {0.0, 100.0, 0.0, 100.0}, "dem.prj"));
-    EXPECT_FALSE(contradiction_of("GEOGCS[\"WGS 84\"]", {11.0, 11.1, 47.0, 47.1}, "dem.prj"));
     // The Andes lie in UTM with northings of a few hundred kilometres.
     EXPECT_FALSE(contradiction_of(esri_text("WGS_1984_UTM_Zone_18N", 5e5, 0.0, -75.0), tyrol, "dem.prj"));
+}
+
+TEST(ContradictionOf, RefusesDegreesThatAreDegrees) {
+    const auto wrong = contradiction_of("GEOGCS[\"WGS 84\"]", {11.0, 11.1, 47.0, 47.1}, "dem.tif");
+    ASSERT_TRUE(wrong);
+    EXPECT_EQ(wrong->expected, "metres of a projected system, not degrees");
+}
+
+TEST(ContradictionOf, SaysHowToTakeASystemOffTheHeightsThemselves) {
+    const auto wrong =
+        contradiction_of(esri_text("CH1903_LV03", 6e5, 2e5, 7.43958333), {0.0, 300.0, 0.0, 300.0}, "dem.tif");
+    ASSERT_TRUE(wrong);
+    EXPECT_NE(wrong->advice.find("gdal_translate -a_srs \"\""), std::string::npos) << wrong->advice;
+    EXPECT_EQ(wrong->advice.find("delete"), std::string::npos) << wrong->advice;
+}
+
+TEST(HeightUnitIn, ReadsTheVerticalPartOfEachVersion) {
+    const std::string plan = esri_text("MGI_Austria_Lambert", 4e5, 4e5, 13.3333333);
+    EXPECT_FALSE(height_unit_in(plan));
+    const std::string feet = "UNIT[\"Foot_US\",0.304800609601219]";
+    const auto esri = height_unit_in(
+        plan + ",VERTCS[\"NAVD_1988\",VDATUM[\"N\"],PARAMETER[\"Direction\",1.0]," + feet + "]");
+    ASSERT_TRUE(esri);
+    EXPECT_EQ(esri->name, "NAVD_1988");
+    EXPECT_DOUBLE_EQ(esri->metres, 0.304800609601219);
+    const auto one =
+        height_unit_in("COMPD_CS[\"both\"," + plan + ",VERT_CS[\"NAVD88\",VERT_DATUM[\"N\",2005]," + feet +
+                       ",AXIS[\"Up\",UP]]]");
+    ASSERT_TRUE(one);
+    EXPECT_FALSE(one->is_metres_upwards());
+    const auto two = height_unit_in("COMPOUNDCRS[\"both\"," + plan +
+                                    ",VERTCRS[\"EVRF\",VDATUM[\"E\"],CS[vertical,1],AXIS[\"height\",up],"
+                                    "LENGTHUNIT[\"metre\",1]]]");
+    ASSERT_TRUE(two);
+    EXPECT_TRUE(two->is_metres_upwards());
+    const auto depth =
+        height_unit_in("VERTCRS[\"depth\",CS[vertical,1],AXIS[\"depth\",down],LENGTHUNIT[\"m\",1]]");
+    ASSERT_TRUE(depth);
+    EXPECT_TRUE(depth->is_depth);
+    EXPECT_TRUE(contradiction_of_heights(*depth));
+    EXPECT_NE(contradiction_of_heights(*one)->found.find("units of 0.304801 m"), std::string::npos);
+    EXPECT_FALSE(contradiction_of_heights(*two));
 }
 
 }  // namespace

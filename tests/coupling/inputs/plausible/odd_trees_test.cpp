@@ -34,6 +34,21 @@ TEST(OddTrees, ShowThatColumnsAreSwapped) {
     EXPECT_TRUE(found_in("height_m,dbh_cm" + trees).columns_look_swapped);
 }
 
+TEST(OddTrees, ShowThatDiametersAreGirths) {
+    std::string stand = "dbh_cm,height_m\n";
+    std::string girths = stand;
+    std::string without_heights = "dbh_cm\n";
+    for (int i = 0; i < 20; ++i) {
+        stand += std::to_string(25 + i) + "," + std::to_string(20 + 0.5 * i) + "\n";
+        girths += std::to_string(3.14159 * (25 + i)) + "," + std::to_string(20 + 0.5 * i) + "\n";
+        without_heights += std::to_string(3.14159 * (25 + i)) + "\n";
+    }
+    EXPECT_EQ(found_in(stand).girth_slenderness, 0.0);
+    EXPECT_NEAR(found_in(girths).girth_slenderness, 72.0 / 3.14159, 2.0);
+    EXPECT_EQ(found_in(stand).girth_median_cm, 0.0);
+    EXPECT_NEAR(found_in(without_heights).girth_median_cm, 3.14159 * 35.0, 1.0);
+}
+
 TEST(OddMeanTrees, AreThoseOfSwappedColumns) {
     const auto found = [](const std::string& text) {
         std::istringstream in{text};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace coupling::plausible::rock_count_test {
 namespace {
 
@@ -33,6 +35,11 @@ TEST(OddSizes, AreWarnedOf) {
     ASSERT_EQ(warnings.all().size(), 2U);
     EXPECT_EQ(warnings.all()[1],
               "the largest rocks have a diameter of 12 m: check the units of their sizes (m, t, m3)");
+    // 200 litres that were written as 200 m3 make a sphere of 7.3 m.
+    config::Warnings litres;
+    warn_of_odd_sizes({0.5, std::cbrt(6.0 * 200.0 / M_PI)}, litres);
+    ASSERT_EQ(litres.all().size(), 1U);
+    EXPECT_NE(litres.all()[0].find("a diameter of 7.256 m"), std::string::npos) << litres.all()[0];
 }
 
 }  // namespace

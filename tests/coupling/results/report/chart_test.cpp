@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 #include "tests/coupling/results/markup_checks.hpp"
 
@@ -26,6 +27,17 @@ TEST(Axis, ByPowersOfTenHasOneTickToEach) {
 TEST(Axis, OfCountsHasWholeTicks) {
     const Axis axis{"Hits", -0.5, 3.5, false, true};
     EXPECT_EQ(axis.ticks(), (std::vector<double>{0.0, 1.0, 2.0, 3.0}));
+}
+
+// Whatever is drawn, even numbers of damaged results: memory and drawing stay bounded.
+TEST(Axis, HasFewTicks) {
+    for (const double high : {1e-300, 1.0, 1e15, 1e300, std::numeric_limits<double>::infinity()}) {
+        for (const double low : {-1e308, -1.0, 0.0}) {
+            EXPECT_LE((Axis{"a", low, high}.ticks().size()), 20U) << low << " " << high;
+        }
+        EXPECT_LE(Axis::from_zero("a", high).ticks().size(), 20U) << high;
+        EXPECT_LE(Axis::powers_of_ten("a", 1e-300, high).ticks().size(), 20U) << high;
+    }
 }
 
 TEST(Chart, NamesBothAxesAndEverySeries) {

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Makes the files of this folder with GDAL (gdal-bin): the sample project of the tests as a GIS would hand it over, in
-# EPSG:3035. They are committed, so that tests need no GDAL.
+# EPSG:2443, whose origin lies on land, as the sample lies near (0, 0). They are committed, so that tests need no GDAL.
 set -eu
 cd "$(dirname "$0")"
 work=$(mktemp -d)
@@ -10,8 +10,9 @@ grid() { printf "$header"; awk "BEGIN { for (r = 0; r < 10; r++) { for (c = 0; c
 grid '400 - 7 * c' > "$work/dem.asc"
 grid 'c < 3 ? 1 : 3' > "$work/surface.asc"
 grid 'c == 2 && r >= 3 && r < 7 ? 1 : 0' > "$work/source.asc"
-to_tif() { gdal_translate -q -a_srs EPSG:3035 "$@"; }
+to_tif() { gdal_translate -q -a_srs EPSG:2443 "$@"; }
 to_tif -ot Float32 -co COMPRESS=DEFLATE -co PREDICTOR=3 -co TILED=YES -co BLOCKXSIZE=16 -co BLOCKYSIZE=16 "$work/dem.asc" dem.tif
+gdal_translate -q -a_srs EPSG:2443+6360 -ot Float32 -co COMPRESS=DEFLATE "$work/dem.asc" feet.tif
 to_tif -ot Byte -co COMPRESS=LZW "$work/surface.asc" surface.tif
 to_tif -ot Int16 -co BLOCKYSIZE=3 "$work/source.asc" source.tif
 
@@ -35,8 +36,8 @@ cat > "$work/cliff.csv" <<'END'
 zone,WKT
 1,"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 2030))"
 END
-points="-oo X_POSSIBLE_NAMES=x_m -oo Y_POSSIBLE_NAMES=y_m -oo AUTODETECT_TYPE=YES -a_srs EPSG:3035"
-shapes="-oo GEOM_POSSIBLE_NAMES=WKT -oo KEEP_GEOM_COLUMNS=NO -oo AUTODETECT_TYPE=YES -a_srs EPSG:3035"
+points="-oo X_POSSIBLE_NAMES=x_m -oo Y_POSSIBLE_NAMES=y_m -oo AUTODETECT_TYPE=YES -a_srs EPSG:2443"
+shapes="-oo GEOM_POSSIBLE_NAMES=WKT -oo KEEP_GEOM_COLUMNS=NO -oo AUTODETECT_TYPE=YES -a_srs EPSG:2443"
 rm -f layers.gpkg ./*.shp ./*.shx ./*.dbf ./*.prj ./*.cpg ./*.geojson
 ogr2ogr -f GPKG layers.gpkg "$work/trees.csv" $points -nln trees
 ogr2ogr -update -f GPKG layers.gpkg "$work/targets.csv" $shapes -nln targets

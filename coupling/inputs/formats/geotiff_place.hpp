@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "config/grid/raster.hpp"
+
+struct tiff;
+
+namespace coupling::formats {
+
+/// Where the cells of a GeoTIFF lie: by its tie point and scale or its matrix, else by the six numbers of its
+/// world file (empty: none), which name the centre of the north-western cell. The corner is rounded to a
+/// millionth of a metre where only the last bits differ from that.
+///
+/// Throws InputError (data) for no place, rotated rows, several tie points, cells and corners of other sizes
+/// than a grid may have, and world files that are none.
+config::GridFrame frame_of_tiff(tiff* tiff, std::uint32_t columns, std::uint32_t rows, bool cells_are_points,
+                                std::string_view world_file, const std::string& file);
+
+}  // namespace coupling::formats

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "coupling/inputs/reading.hpp"
+#include "rockfall/tally/target.hpp"
+
+namespace coupling::plausible {
+
+/// What a target cannot have where rocks are to be counted: lines and areas without extent are errors, rings
+/// that cross themselves warnings (their area is taken by the even-odd rule), two targets of one shape a
+/// note. Requires a place in the file for each target; any coordinates.
+void judge_shapes_of_targets(const std::vector<rockfall::Target>& targets,
+                             const std::vector<config::Place>& places, Reading& reading);
+
+/// Whether a closed line crosses or touches itself anywhere but at its corners.
+bool crosses_itself(const std::vector<Eigen::Vector2d>& ring);
+
+}  // namespace coupling::plausible

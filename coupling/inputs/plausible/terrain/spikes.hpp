@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "coupling/inputs/plausible/terrain/finding.hpp"
+#include "coupling/inputs/plausible/terrain/height_field.hpp"
+
+namespace coupling::plausible::terrain {
+
+/// Cells that stand above, or lie below, all their neighbours.
+struct Spikes {
+    std::size_t peaks = 0;
+    std::size_t pits = 0;
+    double highest_m = 0.0;  ///< of a peak over its neighbours
+    double deepest_m = 0.0;
+    std::size_t first_peak = 0;  ///< index of the cell, from the north-west
+    std::size_t first_pit = 0;
+};
+
+/// By more than 3 cells and 5 m, of cells with at least five known neighbours. Cells of exactly 0 are left to
+/// the rule on NODATA.
+Spikes spikes_of(const HeightField& field);
+
+/// Indices of these cells.
+std::vector<std::size_t> spike_cells(const HeightField& field);
+
+/// Single wrong cells: reflections and birds in a laser scan, damaged values.
+std::optional<Finding> judge_spikes(const HeightField& field);
+
+}  // namespace coupling::plausible::terrain

@@ -1,0 +1,123 @@
+#include "coupling/inputs/formats/file_kinds.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/meshes/mesh_file.hpp"
+#include "tests/coupling/inputs/formats/given_files.hpp"
+
+namespace coupling::file_kinds_test {
+namespace {
+
+using formats::FileKind;
+
+/// A small file of a kind.
+std::string sample_of(const FileKind& kind) {
+    std::string bytes(kind.at, ' ');
+    bytes += kind.begins;
+    if (!kind.root.empty()) {
+        bytes += "<?xml version=\"1.0\"?>\n<!-- made by hand -->\n<!DOCTYPE x>\n<a:" +
+                 std::string{kind.root == "*" ? "other" : kind.root} + " b=\"c\">\n</a>";
+    }
+    bytes += " 1.5 rest of it ";
+    bytes += kind.holds;
+    return bytes + " and more\n";
+}
+
+std::string name_of(const FileKind& kind) {
+    return "given" + std::string{kind.endings.front()};
+}
+
+// Wherever a file of the user is read, each kind of the table is called by its name, with one way out.
+TEST(FileKinds, AreNamedWhereverAFileIsRead) {
+    for (const FileKind& kind : formats::other_file_kinds()) {
+        const std::string bytes = sample_of(kind);
+        const std::string name = name_of(kind);
+        const std::string found = "found " + std::string{kind.name} + ", expected ";
+        for (const std::string& message :
+             {refusal_of([&] { formats::read_grid_file(bytes, name, nothing_beside()); }),
+              refusal_of([&] { formats::read_layer_file(bytes, "", name, nothing_beside()); }),
+              refusal_of([&] { meshes::read_mesh_file(bytes, name); })}) {
+            EXPECT_NE(message.find(found), std::string::npos) << name << ": " << message;
+            EXPECT_NE(message.find("; " + std::string{kind.way_out}), std::string::npos) << message;
+        }
+    }
+}
+
+TEST(FileKinds, AreKnownByAnyOfTheirEndingsInAnyCase) {
+    for (const FileKind& kind : formats::other_file_kinds()) {
+        for (const std::string_view ending : kind.endings) {
+            if (!ending.empty()) {
+                std::string name = "GIVEN" + std::string{ending};
+                name[6] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[6])));
+                EXPECT_NE(formats::other_file_kind(sample_of(kind), name), nullptr) << name;
+            }
+        }
+    }
+}
+
+TEST(FileKinds, LeaveAloneWhatIsRead) {
+    for (const char* name : {"layers.gpkg", "road.shp", "targets.geojson", "dem.tif"}) {
+        EXPECT_EQ(formats::other_file_kind(given_file(name), name), nullptr) << name;
+    }
+    const SampleProject project;
+    for (const char* name : {"dem.asc", "trees.csv", "targets.csv", "scenario.ini"}) {
+        EXPECT_EQ(formats::other_file_kind(project.read(name), name), nullptr) << name;
+    }
+    EXPECT_EQ(formats::other_file_kind("PAR1,PAR2\n1,2\n", "table.csv"), nullptr);
+    EXPECT_EQ(formats::other_file_kind("RDX;RDY\n1;2\n", "table.csv"), nullptr);
+    EXPECT_EQ(formats::other_file_kind("Version;x\n1;2\n", "table.csv"), nullptr);
+}
+
+TEST(FileKinds, NameMeshesAndPointsThatAreGivenAsGrids) {
+    const auto as_grid = [](const std::string& bytes, const std::string& name) {
+        return refusal_of([&] { formats::read_grid_file(bytes, name, nothing_beside()); });
+    };
+    EXPECT_EQ(
+        as_grid("ply\nformat ascii 1.0\n", "slope.ply"),
+        "slope.ply: found a mesh (PLY), expected a grid: GeoTIFF or ESRI ASCII; name it as terrain.mesh "
+        "instead");
+    EXPECT_NE(as_grid("solid s\nfacet normal 0 0 1\n", "slope").find("a mesh (STL)"), std::string::npos);
+    EXPECT_NE(as_grid("  0\nSECTION\n", "slope").find("a drawing (DXF)"), std::string::npos);
+    for (const char* points :
+         {"1 2 3\n2 2 3\n3 2 4\n", "x,y,z\n1,2,3\n2,2,3\n3,2,4\n", "1;2;3;9\r\n2;2;3;9\r\n3;2;4;9\r\n"}) {
+        EXPECT_EQ(
+            as_grid(points, "slope.xyz"),
+            "slope.xyz: found a list of points (x y z), expected a grid: GeoTIFF or ESRI ASCII; name it "
+            "as terrain.points instead");
+    }
+    EXPECT_EQ(
+        as_grid("1 2\n3 4\n", "slope.txt"),
+        "slope.txt: found a text without the header of a grid, expected an ESRI ASCII grid, which begins "
+        "with ncols; export it again, as GeoTIFF or ESRI ASCII");
+    EXPECT_NE(as_grid(std::string{"ab\0cd", 5}, "slope").find("a binary file of an unknown kind"),
+              std::string::npos);
+}
+
+TEST(FileKinds, NameGridsThatAreGivenAsPointsOrLayers) {
+    const SampleProject project;
+    EXPECT_NE(
+        refusal_of([&] { meshes::read_mesh_file(project.read("dem.asc"), "dem.asc"); })
+            .find("found a raster (ESRI ASCII grid), expected points as text: x y z in metres; name it as "
+                  "terrain.dem instead"),
+        std::string::npos);
+    EXPECT_NE(refusal_of([&] {
+                  formats::read_layer_file(project.read("dem.asc"), "", "dem.asc", nothing_beside());
+              }).find("found a raster (ESRI ASCII grid), expected a table or layer"),
+              std::string::npos);
+}
+
+TEST(FileKinds, NameFoldersThatStandForAFile) {
+    const SampleProject project;
+    std::filesystem::create_directory(project.file("Forest.GDB"));
+    EXPECT_NE(refusal_of([&] {
+                  open_file(project.file("Forest.GDB"), {}, "a layer");
+              }).find("found a file geodatabase of ESRI (.gdb), '"),
+              std::string::npos);
+    std::filesystem::create_directory(project.file("plain"));
+    EXPECT_NE(refusal_of([&] { open_file(project.file("plain"), {}, "a layer"); }).find("found a folder, '"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace coupling::file_kinds_test
