@@ -19,7 +19,7 @@ import numpy as np
 # What the rules say, as far as it names them (coupling/inputs/plausible/terrain).
 SAYINGS = ("in all cells", "runs through", "exactly level", "straight stripes", "all neighbours",
            "of their size from one cell", "steeper than", "closed hollows", "cells of", "heights from",
-           "heights up to", "stand up by")
+           "heights up to", "stand up by", "all heights")
 
 SCENARIO = """[run]
 seed = 1
@@ -83,6 +83,7 @@ def with_crowns(heights, cell, trees_per_ha=400, share=0.6):
         away = ((((c + 0.5) * cell - x)[None] ** 2 + ((r + 0.5) * cell - y)[:, None] ** 2) / radius ** 2)
         top = np.where(away < 1, heights[row, column] + height * (1 - 0.5 * away), -np.inf)
         surface[np.ix_(r, c)] = np.fmax(surface[np.ix_(r, c)], top)
+    surface[np.isnan(heights)] = np.nan
     return surface
 
 
@@ -162,6 +163,8 @@ def verdict(program, folder, heights, cell):
     said = [line for line in (run.stdout + run.stderr).splitlines()
             if "dem.asc" in line and "found" in line and any(words in line for words in SAYINGS)]
     if not said:
+        if run.returncode != 0:  # a refusal for another reason is no verdict on the heights
+            sys.exit(f"{program} check ended with {run.returncode}:\n{run.stderr}")
         return "missed", ""
     return ("error" if run.returncode == 4 else "warning"), said[0]
 

@@ -232,7 +232,7 @@ public:
         EXPECT_EQ(call(*this, "run scenario.ini --quiet").code, 0);
         EXPECT_EQ(call(*this, "pack out --quiet").code, 0);
     }
-    /// Packed anew with a text replaced in one entry.
+    /// Packed again with a text replaced in one entry.
     [[nodiscard]] Outcome verified(const std::string& entry, const std::string& from,
                                    const std::string& to) const {
         const pack::ZipReader honest{file("out.zip")};

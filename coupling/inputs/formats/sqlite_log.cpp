@@ -95,7 +95,7 @@ Pages committed_pages(std::string_view log, std::uint32_t page_bytes) {
     const std::size_t frame_bytes = frame_header_bytes + page_bytes;
     for (std::size_t at = log_header_bytes; at < log.size(); at += frame_bytes) {
         const std::string_view frame = log.substr(at, frame_bytes);
-        // SQLite begins a log anew over the old one: from the first frame of another salt on, nothing counts.
+        // SQLite restarts a log over the old one: from the first frame of another salt on, nothing counts.
         if (frame.size() >= 16 && frame.substr(8, 8) != salt) {
             break;
         }

@@ -341,14 +341,14 @@ std::optional<Contradiction> contradiction_of_heights(const formats::HeightUnit&
 
 void judge_scale(const std::string& text, const std::string& file, const Extent& extent, Reading& reading) {
     constexpr double refused = 0.01;
-    constexpr double doubtful = 0.003;
+    constexpr double warned = 0.003;
     const auto scale = formats::system_scale(text, 0.5 * (extent.west_m + extent.east_m),
                                              0.5 * (extent.south_m + extent.north_m));
     if (!scale) {
         return;
     }
     const double off = std::max(std::abs(scale->longest - 1.0), std::abs(scale->shortest - 1.0));
-    if (off < doubtful) {
+    if (off < warned) {
         return;
     }
     const double worst = off == std::abs(scale->longest - 1.0) ? scale->longest : scale->shortest;

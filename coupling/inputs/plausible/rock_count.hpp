@@ -12,8 +12,8 @@ namespace coupling::plausible {
 inline constexpr std::uint64_t least_rocks = 100;
 
 /// Diameters that are seldom meant: below, stones; above, a volume of 100 m3, from which on one speaks of
-/// rock masses that break up and no more of single blocks (Swiss recommendations on mass movements, 1997).
-/// [choice]
+/// rock masses that break up and no more of single blocks. [choice], after Swiss recommendations on mass
+/// movements of 1997 [mem: not read at the source].
 inline constexpr double smallest_usual_m = 0.05;
 inline constexpr double largest_usual_m = 5.76;
 

@@ -187,8 +187,8 @@ Findings prepare(config::Table& table, const std::string& role, bool has_own_sha
     std::vector<std::string> read_here = take_places(table, role, has_own_shapes, findings);
     leave_out_rows_without_shape(table, role, has_own_shapes, findings);
     number_what_has_no_id(table, role, has_own_shapes, findings);
-    for (config::Problem& doubt : formula_doubts(table)) {
-        findings.warnings.push_back(std::move(doubt));
+    for (config::Problem& warning : formula_doubts(table)) {
+        findings.warnings.push_back(std::move(warning));
     }
     table.forget_use();
     if (has_own_shapes) {

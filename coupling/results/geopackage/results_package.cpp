@@ -19,7 +19,7 @@ namespace {
 using config::j_per_kj;
 using config::joined;
 
-/// A table of the run, read anew for each pass: it may have more rows than memory.
+/// A table of the run, read again for each pass: it may have more rows than memory.
 struct TableFile {
     std::filesystem::path place;
     std::optional<TableEnd> end;

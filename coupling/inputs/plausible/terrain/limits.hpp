@@ -1,9 +1,10 @@
 #pragma once
 
-/// The limits of all rules on heights, each with what real ground was measured to have. Measured on 19 real
-/// terrains of 0.5 to 10 m and on what `tests/plausible/terrain_rates.py` makes of them; the table stands in
-/// README.md of this folder. "Real" below is the largest value of them, "wrong" the smallest of the wrong
-/// ones that the rule is for. All are choices between the two [choice].
+/// The limits of all rules on heights, each with what real ground was measured to have: on 16 real places and
+/// one interpolated survey of 0.5 to 10 m, and on the wrong terrains that `tests/plausible/terrain_rates.py`
+/// makes of them, with a prototype of the rules. What the program itself says of them stands in README.md of
+/// this folder. "Real" below is the largest value of them, "wrong" the smallest of the wrong ones that the
+/// rule is for. All are choices between the two [choice].
 namespace coupling::plausible::terrain::limits {
 
 /// A verdict from statistics needs so many known cells: 20 x 20.

@@ -51,7 +51,7 @@ TEST(WriteAheadLog, ThatWasFoldedInChangesNothing) {
     package.run("PRAGMA wal_checkpoint(PASSIVE)");
     EXPECT_EQ(species_of(package.main(), ""), package.species());
     EXPECT_EQ(species_of(package.main(), package.log()), package.species());
-    // The next change begins the log anew over the old one.
+    // The next change restarts the log over the old one.
     package.run("UPDATE trees SET species = 'Tanne' WHERE fid = 1");
     EXPECT_EQ(species_of(package.main(), package.log()), package.species());
 }

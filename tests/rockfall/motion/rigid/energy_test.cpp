@@ -126,7 +126,7 @@ public:
                  slope.terrain.locate(start.centre_m.x(), start.centre_m.y()).value(),
                  scratch_} {}
 
-    /// Runs until the block leaves the terrain or the time is up. False after a rise, told in `what`.
+    /// Runs until the block leaves the terrain or the time is up. False after a rise, described in `what`.
     bool run(std::string& what) {
         bool on_ground = false, inside = true;
         int airborne = 0;
