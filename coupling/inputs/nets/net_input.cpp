@@ -24,7 +24,7 @@ constexpr config::NumberRange height_range_m{.low = 0.0, .high = 50.0, .low_excl
 constexpr config::NumberRange gap_range_m{.low = 0.0, .high = 50.0};
 /// [choice] Of 66 nets that were approved by ETAG 027 the strongest held 10 400 kJ, in the open class above
 /// 4500 kJ (Geosciences 2019, 9(1), 49). Joules begin far beyond: 35 kJ are 35 000 J.
-constexpr double strongest_net_kj = 10'000.0;
+constexpr double strongest_net_kj = 10'400.0;
 constexpr double joules_from_kj = 35'000.0;
 constexpr config::NumberRange capacity_range_kj{.low = 0.0, .low_excluded = true};
 constexpr double shortest_net_m = 0.1;
