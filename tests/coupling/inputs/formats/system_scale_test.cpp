@@ -29,6 +29,9 @@ TEST(SystemScale, OfNationalSystemsIsNearlyOneInTheirCountry) {
     EXPECT_LT(off_by("EPSG:31254", 184'000.0, 190'000.0), 1e-3);
     EXPECT_LT(off_by("EPSG:2056", 2'700'000.0, 1'200'000.0), 1e-3);
     EXPECT_LT(off_by("EPSG:2154", 974'400.0, 6'581'650.0), 1.5e-3);
+    // Grads from the meridian of Paris, Chamonix.
+    EXPECT_LT(off_by("EPSG:27572", 952'000.0, 2'109'000.0), 1.5e-3);
+    EXPECT_GE(off_by("EPSG:27572", 952'000.0, 2'109'000.0), 0.0);
     EXPECT_LT(off_by("EPSG:3035", 4'400'000.0, 2'700'000.0), 1.5e-3);
     // UTM 450 km from the middle of its zone is still one of two per mille.
     EXPECT_LT(off_by("EPSG:32632", 950'000.0, 5'200'000.0), 3e-3);
