@@ -25,9 +25,16 @@ bool touch(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vect
            is_between(c, d, a) || is_between(c, d, b);
 }
 
-/// Length of the part of the piece c-d that lies beside a-b, no farther than `within_m`.
-double part_beside_m(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-                     const Eigen::Vector2d& d, double within_m) {
+/// A part of a line, by the way along it from its first corner.
+struct Stretch {
+    double first_m = 0.0;
+    double last_m = 0.0;
+};
+
+/// The part of the piece c-d that lies beside a-b, no farther than `within_m`; from c on. Ends before it
+/// begins where there is none.
+Stretch part_beside(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                    const Eigen::Vector2d& d, double within_m) {
     const double length_m = (b - a).norm();
     const Eigen::Vector2d along = (b - a) / length_m;
     const Eigen::Vector2d across{-along.y(), along.x()};
@@ -46,7 +53,25 @@ double part_beside_m(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const E
     };
     keep_between(along, 0.0, length_m);
     keep_between(across, -within_m, within_m);
-    return std::max(0.0, last - first) * (d - c).norm();
+    const double way_m = (d - c).norm();
+    return {first * way_m, last * way_m};
+}
+
+/// The sum of all stretches longer than `least_m`; those that overlap or follow each other within `gap_m` are
+/// one.
+double length_of_all_m(std::vector<Stretch> stretches, double gap_m, double least_m) {
+    std::sort(stretches.begin(), stretches.end(),
+              [](const Stretch& a, const Stretch& b) { return a.first_m < b.first_m; });
+    double sum_m = 0.0;
+    for (std::size_t i = 0; i < stretches.size();) {
+        Stretch joined = stretches[i];
+        for (++i; i < stretches.size() && stretches[i].first_m <= joined.last_m + gap_m; ++i) {
+            joined.last_m = std::max(joined.last_m, stretches[i].last_m);
+        }
+        const double length_m = joined.last_m - joined.first_m;
+        sum_m += length_m > least_m ? length_m : 0.0;
+    }
+    return sum_m;
 }
 
 }  // namespace
@@ -70,14 +95,19 @@ bool meets_itself(const PlanLine& line) {
 }
 
 double shared_length_m(const PlanLine& line, const PlanLine& other, double within_m, double least_m) {
-    double shared_m = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        for (std::size_t j = 1; j < other.size(); ++j) {
-            const double part_m = part_beside_m(line[i - 1], line[i], other[j - 1], other[j], within_m);
-            shared_m += part_m > least_m ? part_m : 0.0;
+    std::vector<Stretch> beside;
+    double way_m = 0.0;
+    for (std::size_t j = 1; j < other.size(); ++j) {
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const Stretch part = part_beside(line[i - 1], line[i], other[j - 1], other[j], within_m);
+            if (part.last_m > part.first_m) {
+                beside.push_back({way_m + part.first_m, way_m + part.last_m});
+            }
         }
+        way_m += (other[j] - other[j - 1]).norm();
     }
-    return shared_m;
+    // Between two pieces that meet at an angle a part as wide as both reach is beside neither.
+    return length_of_all_m(std::move(beside), 2.0 * within_m, least_m);
 }
 
 double length_in_one_place_m(const PlanLine& line, const PlanLine& other) {

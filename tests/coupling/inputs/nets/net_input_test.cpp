@@ -69,8 +69,9 @@ TEST(Nets, InOnePlaceAreRefusedWithBothNamesAndLines) {
               "from each other: where two stand in one place, rocks that break the first would miss the "
               "second");
     EXPECT_NE(errors_of(a + "b,5,900,,,\"LINESTRING (1080 2040, 1090 2050, 1090 2050.5, 1080 2060)\"\n")
-                  .find("over 0.5 m"),
-              std::string::npos);
+                  .find("over 0.53 m"),
+              std::string::npos)
+        << "half a metre, and 14 mm of each piece that runs into it";
 }
 
 TEST(Nets, MayCrossTouchAndFollowEachOther) {

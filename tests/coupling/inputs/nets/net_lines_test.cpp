@@ -28,6 +28,16 @@ TEST(LengthInOnePlace, TakesLinesOfRoundedCoordinatesAsOne) {
     EXPECT_NEAR(length_in_one_place_m(east, {{9.99, 0.0}, {20.0, 0.0}}), 0.01, 1e-9);
 }
 
+TEST(LengthInOnePlace, DoesNotDependOnTheNumberOfCorners) {
+    PlanLine corners;
+    for (int i = 0; i <= 200; ++i) {
+        corners.push_back({0.05 * i, i % 2 == 0 ? 0.001 : -0.001});  // as a drawing program rounds them
+    }
+    EXPECT_NEAR(length_in_one_place_m(east, corners), 10.0, 0.01);
+    EXPECT_NEAR(length_in_one_place_m(corners, east), 10.0, 0.01);
+    EXPECT_NEAR(length_in_one_place_m(corners, corners), 10.0, 0.01);
+}
+
 TEST(MeetsItself, TellsLinesThatCrossOrFoldBackFromThoseThatClose) {
     EXPECT_FALSE(meets_itself(east));
     EXPECT_FALSE(meets_itself({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 0.0}}));
