@@ -89,8 +89,11 @@ std::vector<config::Problem> formula_doubts(const config::Table& table) {
 }
 
 std::string meant_column(const std::string& name, const std::vector<std::string>& known) {
+    const std::string quantity = config::form_of(name).quantity;  // also of "r_n [%]"
     for (const std::string& column : known) {
-        if (letters_of(name) == letters_of(column) || quantity_of(name) == quantity_of(column)) {
+        // A name of ours may end like a unit: r_t has none, and r_t_percent has one more.
+        if (letters_of(name) == letters_of(column) || quantity_of(name) == quantity_of(column) ||
+            quantity == letters_of(column)) {
             return column;
         }
     }

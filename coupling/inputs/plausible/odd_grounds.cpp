@@ -9,13 +9,18 @@ using config::joined;
 
 void judge_restitutions(std::span<const rockfall::SurfaceType> types, const std::string& file,
                         Reading& reading) {
+    const auto excess = [](const rockfall::SurfaceType& type) {
+        return type.restitution.normal - type.restitution.tangential;
+    };
     std::size_t odd = 0;
-    std::string first;
+    const rockfall::SurfaceType* worst = nullptr;  // the same one in any order of the rows
     for (const rockfall::SurfaceType& type : types) {
-        if (type.restitution.normal > type.restitution.tangential && odd++ == 0) {
-            first =
-                joined("code ", std::to_string(type.code), " (r_n ", config::to_text(type.restitution.normal),
-                       ", r_t ", config::to_text(type.restitution.tangential), ")");
+        if (excess(type) > 0.0) {
+            ++odd;
+            if (worst == nullptr || excess(type) > excess(*worst) ||
+                (excess(type) == excess(*worst) && type.code < worst->code)) {
+                worst = &type;
+            }
         }
     }
     if (odd == 0) {
@@ -29,8 +34,11 @@ void judge_restitutions(std::span<const rockfall::SurfaceType> types, const std:
         reading.refuse({file}, joined(found, ": the columns look swapped"), expected,
                        "exchange the names of the columns r_n and r_t");
     } else {
-        reading.warn({file}, joined(found, ", such as ", first), expected,
-                     "check whether the two are swapped there", config::Effect::answer);
+        reading.warn({file},
+                     joined(found, ", such as code ", std::to_string(worst->code), " (r_n ",
+                            config::to_text(worst->restitution.normal), ", r_t ",
+                            config::to_text(worst->restitution.tangential), ")"),
+                     expected, "check whether the two are swapped there", config::Effect::answer);
     }
 }
 

@@ -33,6 +33,8 @@ TEST(MeantColumn, FindsTheQuantityWithoutItsUnitOrInAnother) {
 
 TEST(MeantColumn, FindsTheSameLettersAndLeavesOtherWordsAlone) {
     EXPECT_EQ(meant_column("rt", {"r_n", "r_t"}), "r_t");
+    EXPECT_EQ(meant_column("r_t_percent", {"r_n", "r_t"}), "r_t");
+    EXPECT_EQ(meant_column("r_t [%]", {"r_n", "r_t"}), "r_t");
     EXPECT_EQ(meant_column("treshold_deg", {"threshold_deg"}), "threshold_deg");
     EXPECT_EQ(meant_column("remarks", start_columns()), "");
     EXPECT_EQ(meant_column("id", start_columns()), "");
