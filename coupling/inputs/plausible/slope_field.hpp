@@ -24,6 +24,11 @@ public:
     [[nodiscard]] Eigen::Vector2d middle_m() const {
         return {0.5 * (frame_.x_west_m + frame_.x_east_m()), 0.5 * (frame_.y_south_m + frame_.y_north_m())};
     }
+    /// The cell on the other side of the middle, from west to east, from north to south, or both.
+    [[nodiscard]] config::Cell mirrored(const config::Cell& cell, bool west_east, bool north_south) const {
+        return {west_east ? frame_.columns - 1 - cell.column : cell.column,
+                north_south ? frame_.rows - 1 - cell.row : cell.row};
+    }
     /// A number of the cell; of all beyond the frame the same.
     [[nodiscard]] std::size_t place_of(const config::Cell& cell) const {
         return frame_.contains(cell) ? frame_.index(cell) : frame_.size();

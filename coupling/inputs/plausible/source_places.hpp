@@ -34,6 +34,11 @@ struct SourceSlopes {
     double best_mean_deg = 0.0;
     std::size_t places = 0;                                 ///< squares of 50 m with a source
     Eigen::Vector2d best_move_m = Eigen::Vector2d::Zero();  ///< with which they have it
+    /// The largest mean that they have on the same ground mirrored about its middle or turned by 180 degrees:
+    /// what rows or columns in the wrong order make of it.
+    double best_mirrored_deg = 0.0;
+    bool mirrored_west_east = false;  ///< with which they have it; both: turned
+    bool mirrored_north_south = false;
 };
 
 SourceSlopes source_slopes(const OnSlope& site);
@@ -55,7 +60,7 @@ double spacing_of(const HeightInput& heights);
 /// - An error where all sources lie below all targets.
 /// - Warnings: single targets and nets that lie above all sources; most rocks below every target; sources on
 ///   ground of less than 25 degrees; sources off the steep ground beside them, as a shift between two
-///   coordinate systems leaves them.
+///   coordinate systems leaves them, or as mirrored heights do.
 ///
 /// `file` names the sources in messages.
 void judge_source_places(const OnSlope& site, const std::string& file, Reading& reading);

@@ -136,6 +136,21 @@ TEST(SourceSlopes, FindTheWayBackToTheCliff) {
     }
 }
 
+TEST(SourceSlopes, FindTheMirrorThatPutsThemBackOnTheCliff) {
+    std::mt19937 random{7};
+    const Slope right = slope_of(random);
+    const SourceSlopes as_given = found_on(right).slopes;
+    EXPECT_LT(as_given.best_mirrored_deg, as_given.mean_deg + 1.0);  // north-south is the same slope
+    for (const Turn& turn : {Turn{0, true}, Turn{2, false}}) {
+        Slope wrong = right;
+        wrong.heights = turn.of(right.heights);  // and nothing else
+        const SourceSlopes found = found_on(wrong).slopes;
+        EXPECT_TRUE(found.mirrored_west_east);
+        EXPECT_NEAR(found.best_mirrored_deg, as_given.mean_deg, 1.0);
+        EXPECT_GT(found.best_mirrored_deg, found.mean_deg + 15.0);
+    }
+}
+
 TEST(SourcesBelow, AreThoseThatNoRockFallsFrom) {
     std::mt19937 random{6};
     Slope slope = slope_of(random);
@@ -167,6 +182,7 @@ TEST(SourceRules, AnswerTheSameForTurnedMirroredAndShuffledSites) {
             EXPECT_NEAR(other.slopes.median_deg, straight.slopes.median_deg, by_diagonals_deg);
             EXPECT_NEAR(other.slopes.mean_deg, straight.slopes.mean_deg, by_diagonals_deg);
             EXPECT_NEAR(other.slopes.best_mean_deg, straight.slopes.best_mean_deg, by_diagonals_deg);
+            EXPECT_NEAR(other.slopes.best_mirrored_deg, straight.slopes.best_mirrored_deg, by_diagonals_deg);
             EXPECT_EQ(other.below.targets.size(), straight.below.targets.size());
             EXPECT_EQ(other.below.nets, straight.below.nets);
             EXPECT_DOUBLE_EQ(other.below.rocks_below_all, straight.below.rocks_below_all);
@@ -201,6 +217,44 @@ TEST(SourcePlaces, BelowSomeTargetsAndNetsAreWarnedOf) {
             "sources above what is to be protected; check the place of the sources and of the targets",
             "nets.csv: found a net above all sources: 'high'; no rock can reach it, expected nets below "
             "the sources; check the place of the nets"}));
+}
+
+/// Heights of 600 m x 600 m with a cliff from north to south, in the west or in the east.
+std::string heights_with_cliff(bool in_the_east) {
+    std::string text = "ncols 60\nnrows 60\nxllcorner 1000\nyllcorner 2000\ncellsize 10\n";
+    for (int row = 0; row < 60; ++row) {
+        for (int column = 0; column < 60; ++column) {
+            const int from_west = in_the_east ? 59 - column : column;
+            const double cliff_m = 80.0 * std::clamp((12.0 - from_west) / 4.0, 0.0, 1.0);
+            text += std::to_string(900.0 - 4.5 * from_west + cliff_m + 3.0 * std::sin(0.4 * row)) + " ";
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+TEST(SourcePlaces, InMirroredHeightsAreWarnedOf) {
+    const SampleProject project;
+    std::string points = "x_m,y_m\n";
+    for (int i = 0; i < 50; ++i) {
+        points += "1105," + std::to_string(2050 + 10 * i) + "\n";
+    }
+    project.write("cliffs.csv", points);
+    project.write("targets.csv", "target_id,wkt\nroad,\"LINESTRING (1310 2050, 1310 2550)\"\n");
+    const std::vector<std::string> settings{
+        "terrain.surface=", "terrain.surface_types=",           "terrain.ground=solid_rock",
+        "release.source=",  "release.source_shapes=cliffs.csv", "trees.file="};
+    project.write("dem.asc", heights_with_cliff(false));
+    const Opened right = open(project, settings);
+    ASSERT_TRUE(right.site) << right.errors;
+    EXPECT_TRUE(right.warnings.empty()) << right.warnings.front();
+    project.write("dem.asc", heights_with_cliff(true));
+    const Opened wrong = open(project, settings);
+    const std::string wanted = "degrees steep on average, while with the heights mirrored from west to east";
+    EXPECT_TRUE(
+        std::any_of(wrong.warnings.begin(), wrong.warnings.end(),
+                    [&](const std::string& warning) { return warning.find(wanted) != std::string::npos; }))
+        << wrong.errors << (wrong.warnings.empty() ? "" : wrong.warnings.front());
 }
 
 TEST(SourcePlaces, OnAMeadowAreWarnedOf) {
