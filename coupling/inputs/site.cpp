@@ -15,6 +15,7 @@
 #include "coupling/inputs/observed_events_input.hpp"
 #include "coupling/inputs/observed_input.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
+#include "coupling/inputs/plausible/sampled_heights.hpp"
 #include "coupling/inputs/plausible/source_places.hpp"
 #include "coupling/inputs/reading.hpp"
 #include "coupling/inputs/release_input.hpp"
@@ -182,9 +183,7 @@ void check_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
         plausible::check_ground_at_trees(*heights.grid, listed, heights.file, reading);
         return;
     }
-    HeightInput cells;
-    cells.map_frame = frame_over(heights.points, 0.0);
-    const config::Raster<double> samples = heights_on_map(cells, terrain);
+    const config::Raster<double> samples = plausible::sampled_heights(heights, terrain);
     plausible::check_sampled_heights(samples, heights.file, reading);
     plausible::check_ground_at_trees(samples, listed, heights.file, reading);
 }

@@ -118,13 +118,15 @@ config::GridFrame extent_over(const std::vector<Eigen::Vector3d>& points) {
 }
 
 /// The frame of the maps over points, refused where their coordinates or the cells cannot be meant.
-config::GridFrame checked_frame_over(const std::vector<Eigen::Vector3d>& points, const std::string& file,
+config::GridFrame checked_frame_over(const std::vector<Eigen::Vector3d>& points,
+                                     const std::string& projection, const std::string& file,
                                      Reading& reading) {
     const config::GridFrame extent = extent_over(points);
     check_extent(extent.cell_width_m, extent.cell_height_m, file);
     const auto [low, high] = std::minmax_element(points.begin(), points.end(),
                                                  [](const auto& a, const auto& b) { return a.z() < b.z(); });
     plausible::check_height_range(low->z(), high->z(), file);
+    plausible::check_highest_of_system(high->z(), projection, file);
     const double cell_size_m = reading.scenario().cell_size_m;
     if (cell_size_m > 0.0) {
         check_map_size(extent, cell_size_m, reading.scenario());
@@ -149,7 +151,7 @@ HeightInput read_point_cloud(Reading& reading) {
     }
     input.projection =
         projection_beside(scenario.points, plausible::extent_of(extent_over(input.points)), reading);
-    input.map_frame = checked_frame_over(input.points, input.file, reading);
+    input.map_frame = checked_frame_over(input.points, input.projection, input.file, reading);
     return input;
 }
 
@@ -176,7 +178,7 @@ HeightInput read_given_mesh(Reading& reading) {
     }
     input.projection =
         projection_beside(mesh.first_file, plausible::extent_of(extent_over(input.points)), reading);
-    input.map_frame = checked_frame_over(input.points, input.file, reading);
+    input.map_frame = checked_frame_over(input.points, input.projection, input.file, reading);
     return input;
 }
 
