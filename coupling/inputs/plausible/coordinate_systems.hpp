@@ -79,7 +79,7 @@ std::optional<Contradiction> contradiction_of_heights(const formats::HeightUnit&
 /// A map on which lengths differ from those on the ground: by a per cent or more an error, as Web Mercator is
 /// no measure, from 0.3 % on a warning [both choices]. UTM has -0.04 to 0.1 % in its zone, national systems
 /// of the Alps less than 0.1 %, Europe's LAEA (EPSG 3035) less than 0.1 % in them. Judged by the scale
-/// factors of PROJ in the middle of the extent; other kinds of text are not judged.
+/// factors in the middle of the extent (formats/system_scale.hpp); other kinds of text are not judged.
 void judge_scale(const std::string& text, const std::string& file, const Extent& extent, Reading& reading);
 
 }  // namespace coupling::plausible

@@ -6,9 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <random>
-#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -77,24 +81,19 @@ HeightInput as_mesh(const Ground& ground, std::mt19937& random) {
     return input;
 }
 
-/// Contours of a grid, piece by piece through its triangles of either side of the diagonal.
+/// Contours of a grid, piece by piece through the four triangles between the corners of a square and its
+/// middle, which has their mean height.
 class Contours {
 public:
     Contours(const Ground& ground, double interval_m) : ground_{ground}, interval_m_{interval_m} {
-        for (int row = 0; row + 1 < ground.rows; ++row) {
-            for (int column = 0; column + 1 < ground.columns; ++column) {
-                // Cut from the side to which the ground of the square bends up, as turned grids are.
-                const double rising = ground.at(row, column) + ground.at(row + 1, column + 1);
-                const double falling = ground.at(row, column + 1) + ground.at(row + 1, column);
-                if (std::isnan(rising + falling)) {
-                    continue;
-                }
-                if (rising > falling) {
-                    cut({row, column}, {row, column + 1}, {row + 1, column + 1});
-                    cut({row, column}, {row + 1, column}, {row + 1, column + 1});
-                } else {
-                    cut({row, column + 1}, {row, column}, {row + 1, column});
-                    cut({row, column + 1}, {row + 1, column + 1}, {row + 1, column});
+        for (int row = 1; row < 2 * ground.rows - 1; row += 2) {
+            for (int column = 1; column < 2 * ground.columns - 1; column += 2) {
+                const Node middle{row, column};
+                if (!std::isnan(height_m(middle))) {
+                    cut(middle, {row - 1, column - 1}, {row - 1, column + 1});
+                    cut(middle, {row - 1, column + 1}, {row + 1, column + 1});
+                    cut(middle, {row + 1, column + 1}, {row + 1, column - 1});
+                    cut(middle, {row + 1, column - 1}, {row - 1, column - 1});
                 }
             }
         }
@@ -119,10 +118,28 @@ public:
     }
 
 private:
-    using Node = std::pair<int, int>;
+    using Node = std::pair<int, int>;  ///< row and column in half cells
+
+    [[nodiscard]] double height_m(Node node) const {
+        const int row = node.first / 2;
+        const int column = node.second / 2;
+        if (node.first % 2 == 0) {
+            return ground_.at(row, column);
+        }
+        std::array<double, 4> four{ground_.at(row, column), ground_.at(row + 1, column),
+                                   ground_.at(row, column + 1), ground_.at(row + 1, column + 1)};
+        if (std::any_of(four.begin(), four.end(), [](double height) { return std::isnan(height); })) {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+        std::sort(four.begin(), four.end());  // so that the sum is the same of a turned square
+        return 0.25 * (four[0] + four[1] + four[2] + four[3]);
+    }
+    [[nodiscard]] Eigen::Vector3d place_of(Node node) const {
+        return {west_m + 0.5 * ground_.cell_m * node.second,
+                south_m + ground_.cell_m * (ground_.rows - 1 - 0.5 * node.first), height_m(node)};
+    }
 
     void cut(Node a, Node b, Node c) {
-        const auto height_m = [&](Node node) { return ground_.at(node.first, node.second); };
         const double low_m = std::min({height_m(a), height_m(b), height_m(c)});
         const double high_m = std::max({height_m(a), height_m(b), height_m(c)});
         // A little off whole numbers, which whole heights lie on.
@@ -143,8 +160,8 @@ private:
     std::uint32_t crossing(Node from, Node to, double level_m) {
         const auto [at, is_new] = index_of_.try_emplace({from, to, level_m}, points_.size());
         if (is_new) {
-            const Eigen::Vector3d a = point_of(ground_, from.first, from.second);
-            const Eigen::Vector3d b = point_of(ground_, to.first, to.second);
+            const Eigen::Vector3d a = place_of(from);
+            const Eigen::Vector3d b = place_of(to);
             Eigen::Vector3d point = a + (level_m - a.z()) / (b.z() - a.z()) * (b - a);
             point.z() = level_m;
             points_.push_back(point);
@@ -245,23 +262,23 @@ TEST(HeightRules, SayOfContoursWhatContoursShow) {
                                                       {"nearest neighbour", "stripes (error)"},
                                                       {"terraces of 10 m", ""},
                                                       {"terraces of 5 m", ""},
-                                                      {"stripes of 4 m", ""},
+                                                      {"stripes of 4 m", "steps"},
                                                       {"stripes of 1 m", ""},
                                                       {"long stripes", ""},
                                                       {"oblique stripes", "stripes"},
-                                                      {"spikes", "spikes"},
-                                                      {"pits", ""},
-                                                      {"hillshade", "stripes (error)"},
-                                                      {"heights in 8 bits", "cell_size"},
+                                                      {"spikes", ""},
+                                                      {"pits", "upside_down"},
+                                                      {"hillshade", "steps (error)"},
+                                                      {"heights in 8 bits", ""},
                                                       {"speeds", "unevenness (error)"},
                                                       {"speeds in few known cells", "unevenness (error)"},
-                                                      {"upside down", "upside_down, cell_size"},
+                                                      {"upside down", "upside_down"},
                                                       {"cells of 30 m", "cell_size"},
                                                       {"ground", ""},
-                                                      {"hills", "cell_size"}};
+                                                      {"hills", ""}};
     std::mt19937 random{4};
     for (const Wrong& wrong : all_terrains()) {
-        for (const Ground& seen : seen_otherwise(wrong.ground)) {
+        for (const Ground& seen : {wrong.ground, wrong.ground.turned().mirrored()}) {
             EXPECT_EQ(said_of(Contours{seen, 10.0}.input(random)), expected.at(wrong.what)) << wrong.what;
         }
     }
