@@ -47,11 +47,18 @@ double median_gradient(const config::Raster<double>& grid) {
     return *middle;
 }
 
+/// Ground that comes down to 0, such as a shore, has other low cells too; a 0 that stands for "unknown" lies
+/// alone below the rest: by more than this [choice].
+constexpr double gap_above_zero_m = 10.0;
+
 void doubt_zeros(std::vector<double> heights, const std::string& file, Reading& reading) {
     const auto zeros = static_cast<std::size_t>(std::count(heights.begin(), heights.end(), 0.0));
     const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::nth_element(heights.begin(), middle, heights.end());
-    if (zeros > 0 && *middle > 100.0) {
+    const bool is_apart = std::none_of(heights.begin(), heights.end(), [](double height_m) {
+        return height_m != 0.0 && std::abs(height_m) < gap_above_zero_m;
+    });
+    if (zeros > 0 && *middle > 100.0 && is_apart) {
         reading.warn({file},
                      joined(counted(zeros, "cell"), " of height 0 where half of them lie above ",
                             config::to_text(*middle), " m"),

@@ -119,6 +119,16 @@ TEST(Heights, OfZeroAmongMountainsAreDoubted) {
     EXPECT_EQ(open(project, {"run.strict_inputs=yes"}).code, ExitCode::data);
 }
 
+TEST(Heights, OfGroundThatComesDownToZeroAreNone) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                 return column == 11 ? "0" : std::to_string(22 * (11 - column) - 14);
+                             }));
+    for (const std::string& warning : open(project).warnings) {
+        EXPECT_EQ(warning.find("of height 0"), std::string::npos) << warning;
+    }
+}
+
 TEST(Points, ReadInAnyCommonForm) {
     for (const std::string text :
          {"1 2 3\n4 5 6\n", "x,y,z\n1,2,3\n4,5,6", "# survey\n1;2;3\r\n\n\t4 5  6 # last\n"}) {
