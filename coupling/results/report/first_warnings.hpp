@@ -7,12 +7,12 @@
 
 namespace coupling::report {
 
-/// The warnings for the first screen of a page, above its heading, the largest effect first: of many of a
-/// kind the first one and how many more there are; beyond the first five lines folded. "" without any. Notes
-/// stand behind the results (`list_of_warnings`).
+/// The warnings for the first screen of a page, above its heading or below its question, the largest effect
+/// first: of many of a kind the first one and how many more there are; beyond the first five lines folded.
+/// "" without any. Notes stand behind the results (`list_of_warnings`).
 std::string first_warnings(const config::Warnings& warnings);
 
-/// The same for the sentences of several sources, as they are. `where` says where all of them stand.
+/// The same for the sentences of several runs, as they are. `where` says where all of them stand.
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where);
 
 }  // namespace coupling::report

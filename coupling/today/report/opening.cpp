@@ -149,9 +149,10 @@ std::string first_screen(const RunResults& results, const Figures& figures) {
     return joined(page_head(scenario.report, results.with_forest
                                                  ? page_text("today.opening.rockfall_with_and_without")
                                                  : page_text("today.opening.rockfall_over_the_bare_slope")),
-                  "<p class=\"lead question\">", question(results), "</p>\n<div class=\"first\"><div>",
-                  answers(results, figures), leaving(results), "<p class=\"soft\">", how, "</p></div>\n",
-                  first_maps(results), "</div>\n", what_decides(results), first_warnings(results.warnings));
+                  "<p class=\"lead question\">", question(results), "</p>\n",
+                  first_warnings(results.warnings), "<div class=\"first\"><div>", answers(results, figures),
+                  leaving(results), "<p class=\"soft\">", how, "</p></div>\n", first_maps(results),
+                  "</div>\n", what_decides(results));
 }
 
 }  // namespace coupling::report
