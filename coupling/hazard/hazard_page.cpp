@@ -317,9 +317,11 @@ std::string stopped_by_forest(const PeriodArrivals& arrivals) {
     if (too_few_for_protection(arrivals.bare_rocks)) {
         return too_few_in_words(arrivals.bare_rocks);
     }
-    return joined("<b>", report::fixed(arrivals.protection_percent, 1), " %</b> (",
-                  report::fixed(arrivals.protection_low_percent, 1), " to ",
-                  report::fixed(arrivals.protection_high_percent, 1), ")");
+    return joined("<b>", report::fixed(arrivals.protection_percent, 1), "\u00a0%</b> (",
+                  report::page_text("hazard_page.interval_to",
+                                    {{"low", report::fixed(arrivals.protection_low_percent, 1)},
+                                     {"high", report::fixed(arrivals.protection_high_percent, 1)}}),
+                  ")");
 }
 
 std::string arrivals_table(const HazardResults& results) {

@@ -175,16 +175,19 @@ public:
         const auto known = std::find_if(entries_.begin(), entries_.end(),
                                         [&](const Entry& entry) { return entry.sentence == sentence; });
         if (known == entries_.end()) {
-            entries_.push_back({sentence, config::to_text(years), effect});
+            entries_.push_back({sentence, config::to_text(years), 1, effect});
         } else {
             known->years += joined(", ", config::to_text(years));
+            ++known->periods;
         }
     }
     /// Calls `take` with each sentence and its effect.
     template <class Take>
     void hand_over(Take take) const {
         for (const Entry& entry : entries_) {
-            take(joined(entry.sentence, " (return periods: ", entry.years, ")"), entry.effect);
+            take(joined(entry.sentence,
+                        entry.periods == 1 ? " (return period: " : " (return periods: ", entry.years, ")"),
+                 entry.effect);
         }
     }
 
@@ -192,6 +195,7 @@ private:
     struct Entry {
         std::string sentence;
         std::string years;
+        std::size_t periods;
         config::Effect effect;
     };
     std::vector<Entry> entries_;

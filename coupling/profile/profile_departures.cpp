@@ -60,12 +60,12 @@ std::string departures_line(const ProfileTally& tally) {
     for (const End& end : ends_of(tally)) {
         if (end.rocks > 0) {
             ends += joined(
-                ends.empty() ? "" : "; ",
+                ends.empty() ? "" : report::page_text("departures.separator"),
                 report::page_text("departures.edge", {{"edge", report::page_text(end.on_page)},
                                                       {"share", report::percent(share(end.rocks, tally))}}));
         }
     }
-    return joined("<p class=\"departures\"><b>", report::page_text("departures.heading_of_profile"), ": ",
+    return joined("<p class=\"departures\"><b>", report::page_text("departures.heading_of_profile"), " ",
                   report::percent(share(left(tally), tally)), "</b> (", ends, "). ",
                   report::page_text("departures.what_it_means"), "</p>\n");
 }

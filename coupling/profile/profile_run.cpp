@@ -102,9 +102,13 @@ private:
 void print_summary(const ProfileResults& results, const std::filesystem::path& folder,
                    const std::vector<WrittenFile>& written, bool verbose) {
     const ProfileTally& tally = results.tally;
-    std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m of the %.1f %% that stop on it",
+    std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m",
                 static_cast<unsigned long long>(tally.rocks), results.site.last_m() - results.site.first_m(),
-                tally.run_out_m.mean(), 100.0 * share_of(tally.run_out_m.count(), tally.rocks).value);
+                tally.run_out_m.mean());
+    if (tally.run_out_m.count() < tally.rocks) {
+        std::printf(" of the %.1f %% that stop on it",
+                    100.0 * share_of(tally.run_out_m.count(), tally.rocks).value);
+    }
     if (tally.run_out_m.count() > 1) {
         std::printf(", standard deviation %.1f m", tally.run_out_m.deviation());
     }

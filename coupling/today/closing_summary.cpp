@@ -77,13 +77,14 @@ void print_run_out(const RunResults& results) {
             continue;
         }
         const SlopeFigures slope = figures_of(results.tally.runs[index_of(cover)]);
-        std::printf(
-            "  run-out %s: mean %s m of the %s %% of the rocks that stop on the terrain; of all rocks "
-            "at least %s m\n",
-            cover == Cover::bare ? "over the bare slope" : "with forest",
-            report::fixed(slope.run_out_m.mean, 1).c_str(),
-            report::fixed(100.0 * slope.stopped.value, 1).c_str(),
-            report::fixed(slope.run_out_at_least_m.mean, 1).c_str());
+        std::printf("  run-out %s: mean %s m", cover == Cover::bare ? "over the bare slope" : "with forest",
+                    report::fixed(slope.run_out_m.mean, 1).c_str());
+        if (slope.stopped.value < 1.0) {
+            std::printf(" of the %s %% of the rocks that stop on the terrain; of all rocks at least %s m",
+                        report::fixed(100.0 * slope.stopped.value, 1).c_str(),
+                        report::fixed(slope.run_out_at_least_m.mean, 1).c_str());
+        }
+        std::printf("\n");
     }
 }
 

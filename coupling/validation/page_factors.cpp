@@ -28,9 +28,14 @@ constexpr const char* protection = "protection_effect";
 constexpr const char* free_path = "free_path_m";
 constexpr const char* analytic = "analytic_free_path_m";
 
+std::string low_to_high(const Estimate& estimate) {
+    return report::page_text("validation.page_shared.to", {{"row_low", figure_text(estimate.low)},
+                                                           {"row_high", figure_text(estimate.high)}});
+}
+
 std::string with_interval(const Estimate& estimate) {
     return joined("<span class=\"line\">", figure_text(estimate.value), " <span class=\"interval\">(",
-                  figure_text(estimate.low), " to ", figure_text(estimate.high), ")</span></span>");
+                  low_to_high(estimate), ")</span></span>");
 }
 
 const Estimate* figure_of(const FactorRow& row, const std::string& figure) {
@@ -64,7 +69,7 @@ std::string verdict_cell(const DirectionRow* row) {
             : report::page_text("validation.page_factors.steps_against",
                                 {{"row_steps_against", std::to_string(row->steps_against)}});
     return joined(badge(row->verdict), "<small>", figure_text(row->change.value), "</small><small>",
-                  figure_text(row->change.low), " to ", figure_text(row->change.high), against, "</small>");
+                  low_to_high(row->change), against, "</small>");
 }
 
 std::string directions_table(const CaseResult& result) {

@@ -27,7 +27,7 @@ void judge_restitutions(std::span<const rockfall::SurfaceType> types, const std:
         return;
     }
     const std::string expected =
-        "r_n below r_t: rocks keep less of their speed across the ground than along it";
+        "r_n below r_t: rocks keep less of their speed normal to the ground than along it";
     const std::string found =
         joined("r_n above r_t in ", std::to_string(odd), " of ", counted(types.size(), "ground type"));
     if (odd == types.size()) {

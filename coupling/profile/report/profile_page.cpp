@@ -9,6 +9,7 @@
 #include "coupling/profile/profile_departures.hpp"
 #include "coupling/results/indicators.hpp"
 #include "coupling/results/report/deciding.hpp"
+#include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -34,30 +35,25 @@ using report::grouped;
 using report::HtmlTable;
 using report::three_digits;
 
-/// Of which rocks the run-out is, and what is known of all.
-std::string of_those_that_stop(const ProfileTally& tally) {
-    return report::page_text(
-        "departures.stopped_on_the_terrain",
-        {{"stopped", report::percent(share_of(tally.run_out_m.count(), tally.rocks).value)},
-         {"bound", fixed(tally.run_out_at_least_m.mean(), 1)}});
-}
-
 std::string opening(const ProfileResults& results) {
     const Scenario& scenario = results.scenario;
     const ProfileSite& site = results.site;
     const double length_m = site.last_m() - site.first_m();
     const double drop_m = site.corners.front().height_m - site.corners.back().height_m;
     constexpr double deg_per_rad = 57.295779513082321;
-    std::string html =
-        joined(report::page_head(scenario.report, report::page_text("profile_page.rockfall_along_a_profile")),
-               "<p class=\"lead\">",
-               report::page_text("profile_page.scenario_rocks_fell_along_one",
-                                 {{"file", escaped(scenario.file.filename().string())},
-                                  {"tally_rocks", grouped(results.tally.rocks)},
-                                  {"run_out_m_mean", fixed(results.tally.run_out_m.mean(), 1)},
-                                  {"run_out_m_deviation", fixed(results.tally.run_out_m.deviation(), 1)},
-                                  {"of_whom", of_those_that_stop(results.tally)}}),
-               "</p>\n", departures_line(results.tally), "<dl class=\"facts\">");
+    std::string html = joined(
+        report::page_head(scenario.report, report::page_text("profile_page.rockfall_along_a_profile")),
+        "<p class=\"lead\">",
+        report::page_text(
+            "profile_page.scenario_rocks_fell_along_one",
+            {{"file", escaped(scenario.file.filename().string())},
+             {"tally_rocks", grouped(results.tally.rocks)},
+             {"run_out_m_mean", fixed(results.tally.run_out_m.mean(), 1)},
+             {"run_out_m_deviation", fixed(results.tally.run_out_m.deviation(), 1)},
+             {"of_whom",
+              report::of_those_that_stop(share_of(results.tally.run_out_m.count(), results.tally.rocks).value,
+                                         fixed(results.tally.run_out_at_least_m.mean(), 1))}}),
+        "</p>\n", departures_line(results.tally), "<dl class=\"facts\">");
     html += fact(report::page_text("profile_page.profile"), escaped(scenario.profile));
     html += fact(report::page_text("profile_page.length_in_plan"), joined(fixed(length_m, 1), " m"));
     html +=

@@ -35,14 +35,15 @@ std::string share_by_edge(const Departures& departures) {
     }
     std::string edges;
     for (const Departure& one : named_parts(departures)) {
-        edges += joined(edges.empty() ? "" : "; ",
+        edges += joined(edges.empty() ? "" : page_text("departures.separator"),
                         page_text("departures.edge",
                                   {{"edge", edge_in_words(one)}, {"share", percent(departures.share(one))}}));
     }
     if (const std::uint64_t others = rocks_of_others(departures); others > 0) {
         const double share = static_cast<double>(others) / static_cast<double>(departures.rocks);
-        edges += joined("; ", page_text("departures.edge", {{"edge", page_text("departures.elsewhere")},
-                                                            {"share", percent(share)}}));
+        edges += joined(page_text("departures.separator"),
+                        page_text("departures.edge",
+                                  {{"edge", page_text("departures.elsewhere")}, {"share", percent(share)}}));
     }
     return joined("<b>", percent(departures.share()), "</b> (", edges, ")");
 }
@@ -56,18 +57,18 @@ std::string departures_line(const std::vector<DeparturesOfSlope>& slopes) {
     }
     std::string text;
     for (const DeparturesOfSlope& slope : slopes) {
-        text += joined(text.empty() ? "" : "; ",
+        text += joined(text.empty() ? "" : page_text("departures.separator"),
                        page_text("departures.slope_and_share",
                                  {{"slope", slope.slope}, {"share", share_by_edge(slope.departures)}}));
     }
-    return joined("<p class=\"departures\"><b>", page_text("departures.heading"), ":</b> ", text, ". ",
+    return joined("<p class=\"departures\"><b>", page_text("departures.heading"), "</b> ", text, ". ",
                   page_text("departures.what_it_means"), "</p>\n");
 }
 
-std::string of_those_that_stop(const SlopeFigures& slope) {
-    return page_text(
-        "departures.stopped_on_the_terrain",
-        {{"stopped", percent(slope.stopped.value)}, {"bound", three_digits(slope.run_out_at_least_m.mean)}});
+std::string of_those_that_stop(double stopped, const std::string& bound_m) {
+    return stopped == 1.0 ? page_text("departures.all_stopped")
+                          : page_text("departures.stopped_on_the_terrain",
+                                      {{"stopped", percent(stopped)}, {"bound", bound_m}});
 }
 
 }  // namespace coupling::report

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "coupling/results/departures.hpp"
-#include "coupling/results/figures.hpp"
 
 namespace coupling::report {
 
@@ -18,7 +17,7 @@ struct DeparturesOfSlope {
 /// for the other figures. A paragraph of HTML.
 std::string departures_line(const std::vector<DeparturesOfSlope>& slopes);
 
-/// Behind a run-out: of which rocks it is, and what is known of all of them.
-std::string of_those_that_stop(const SlopeFigures& slope);
+/// Behind a run-out: of which rocks it is, and its bound for all of them. `stopped`: their share [-].
+std::string of_those_that_stop(double stopped, const std::string& bound_m);
 
 }  // namespace coupling::report

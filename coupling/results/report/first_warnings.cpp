@@ -25,13 +25,8 @@ std::string items_of(const std::vector<config::BriefMessage>& lines, std::size_t
     return joined("<ul>", items, "</ul>");
 }
 
-}  // namespace
-
-std::string first_warnings(const config::Warnings& warnings) {
-    return first_warnings(warnings.warnings(), page_text("first_warnings.the_section_warnings_lists_all"));
-}
-
-std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where) {
+/// `heading` is the key of its text, which says what the warnings are about.
+std::string alert(const std::vector<std::string>& sentences, const char* heading, const std::string& where) {
     constexpr std::size_t most = 5;
     if (sentences.empty()) {
         return "";
@@ -40,11 +35,10 @@ std::string first_warnings(const std::vector<std::string>& sentences, const std:
     const std::size_t open = lines.size() == most + 1 ? lines.size() : std::min(most, lines.size());
     std::string html =
         joined("<section class=\"alert\" aria-label=\"", page_text("common.warnings"), "\">",
-               page_text("first_warnings.about_this_run",
-                         {{"sentences", std::to_string(sentences.size())},
-                          {"part", sentences.size() == 1 ? page_text("first_warnings.warning")
-                                                         : page_text("first_warnings.warnings")},
-                          {"lines_open", items_of(lines, 0, open, where)}}));
+               page_text(heading, {{"sentences", std::to_string(sentences.size())},
+                                   {"part", sentences.size() == 1 ? page_text("first_warnings.warning")
+                                                                  : page_text("first_warnings.warnings")},
+                                   {"lines_open", items_of(lines, 0, open, where)}}));
     if (open < lines.size()) {
         html +=
             joined("<details><summary>",
@@ -52,6 +46,17 @@ std::string first_warnings(const std::vector<std::string>& sentences, const std:
                    "</summary>", items_of(lines, open, lines.size(), where), "</details>");
     }
     return joined(html, "</section>\n");
+}
+
+}  // namespace
+
+std::string first_warnings(const config::Warnings& warnings) {
+    return alert(warnings.warnings(), "first_warnings.about_this_run",
+                 page_text("first_warnings.the_section_warnings_lists_all"));
+}
+
+std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where) {
+    return alert(sentences, "first_warnings.about_these_runs", where);
 }
 
 }  // namespace coupling::report

@@ -197,10 +197,12 @@ std::string name_of_target(const TargetFigures& target) {
 }
 
 std::string run_out_on(const SlopeFigures& slope, const std::string& name) {
-    return page_text("today.answers.mean_run_out", {{"slope", name},
-                                                    {"mean", three_digits(slope.run_out_m.mean)},
-                                                    {"p95", three_digits(slope.run_out_m.p95)},
-                                                    {"of_whom", of_those_that_stop(slope)}});
+    return page_text(
+        "today.answers.mean_run_out",
+        {{"slope", name},
+         {"mean", three_digits(slope.run_out_m.mean)},
+         {"p95", three_digits(slope.run_out_m.p95)},
+         {"of_whom", of_those_that_stop(slope.stopped.value, three_digits(slope.run_out_at_least_m.mean))}});
 }
 
 std::string without_targets(const RunResults& results, const Figures& figures) {
