@@ -26,7 +26,7 @@ TEST(OddGrounds, AreWarnedOfOneByOne) {
         opened.warnings,
         std::vector<std::string>{
             "surface_types.csv: found r_n above r_t in 1 of 2 ground types, such as code 3 (r_n 0.8, r_t "
-            "0.3), expected r_n below r_t: rocks keep less of their speed across the ground than along "
+            "0.3), expected r_n below r_t: rocks keep less of their speed normal to the ground than along "
             "it; check whether the two are swapped there"});
 }
 

@@ -64,6 +64,19 @@ TEST(Messages, WithPlaceFindingExpectationAndAdviceAreTranslatedPartByPart) {
         "Steine ausbrechen");
 }
 
+TEST(Messages, TranslateEachItemOfAList) {
+    EXPECT_EQ(in(config::Language::de,
+                 "rock face 0.11, 100 % of it steeper; soil 0.54, 98 % of it steeper; talus 0.25, 99 % of it "
+                 "steeper"),
+              "rock face 0,11, 100\u00a0% davon steiler; soil 0,54, 98\u00a0% davon steiler; talus 0,25, "
+              "99\u00a0% davon steiler");
+    EXPECT_EQ(
+        in(config::Language::fr,
+           "17.6 % over the west edge; 8.1 % into the hole at 177818, 377512; 0.14 % elsewhere"),
+        "17,6\u00a0% par le bord ouest\u202f; 8,1\u00a0% dans le trou à 177\u202f818 / 377\u202f512\u202f; "
+        "0,14\u00a0% ailleurs");
+}
+
 TEST(Messages, OfSeveralRunsAndPeriodsKeepTheirNames) {
     EXPECT_EQ(in(config::Language::de, "dense, thin: trees.csv: 3 trees below 1 cm diameter left out"),
               "dense, thin: trees.csv: 3 Bäume unter 1 cm Durchmesser weggelassen");
