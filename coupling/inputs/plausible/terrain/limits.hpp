@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 /// The limits of all rules on heights, each with what real ground was measured to have: on 16 real places and
 /// one interpolated survey of 0.5 to 10 m, and on the wrong terrains that `tests/plausible/terrain_rates.py`
 /// makes of them, with a prototype of the rules. What the program itself says of them stands in README.md of
@@ -70,6 +72,8 @@ inline constexpr int stripe_window = 500;
 /// In cells and metres; real 1.9 cells, 9.3 m at 5 m and 16 m at 10 m cells.
 inline constexpr double spike_cells = 3.0;
 inline constexpr double spike_m = 5.0;
+/// A bird, a mast or a damaged value fills up to 2 x 2 cells; larger ones are left to `unevenness`.
+inline constexpr std::size_t spike_group = 4;
 
 // --- upside down: mean depth of closed hollows ---
 /// Real hollows 0.015 m, where the same terrain upside down has 0.07 to 4 m (where it has summits at all).

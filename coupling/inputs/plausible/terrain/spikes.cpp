@@ -1,7 +1,9 @@
 #include "coupling/inputs/plausible/terrain/spikes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -12,25 +14,64 @@ namespace {
 
 using config::joined;
 
-struct Neighbours {
-    int known = 0;
+/// Connected cells that differ from each other by no more than the least height of a spike.
+struct Group {
+    std::vector<std::size_t> cells;
     double low_m = std::numeric_limits<double>::infinity();
     double high_m = -std::numeric_limits<double>::infinity();
+    int around = 0;  ///< known neighbours
+    double around_low_m = std::numeric_limits<double>::infinity();
+    double around_high_m = -std::numeric_limits<double>::infinity();
 };
 
-Neighbours neighbours_of(const HeightField& field, int row, int column) {
-    Neighbours around;
+/// Calls `visit(cell)` for the known neighbours of a cell.
+template <class Visit>
+void visit_neighbours(const HeightField& field, std::size_t cell, Visit visit) {
+    const auto columns = static_cast<std::size_t>(field.columns);
+    const int row = static_cast<int>(cell / columns);
+    const int column = static_cast<int>(cell % columns);
     for (int r = std::max(row - 1, 0); r <= std::min(row + 1, field.rows - 1); ++r) {
         for (int c = std::max(column - 1, 0); c <= std::min(column + 1, field.columns - 1); ++c) {
-            const double height_m = field.at(r, c);
-            if ((r != row || c != column) && !std::isnan(height_m)) {
-                ++around.known;
-                around.low_m = std::min(around.low_m, height_m);
-                around.high_m = std::max(around.high_m, height_m);
+            if ((r != row || c != column) && !std::isnan(field.at(r, c))) {
+                visit(static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c));
             }
         }
     }
-    return around;
+}
+
+/// The group of a cell; nothing where it is larger than a spike.
+std::optional<Group> group_of(const HeightField& field, std::size_t cell, double least_m) {
+    Group group;
+    group.cells.push_back(cell);
+    std::vector<std::size_t> around;
+    for (std::size_t i = 0; i < group.cells.size(); ++i) {
+        const double height_m = field.heights_m[group.cells[i]];
+        group.low_m = std::min(group.low_m, height_m);
+        group.high_m = std::max(group.high_m, height_m);
+        visit_neighbours(field, group.cells[i], [&](std::size_t other) {
+            if (std::find(group.cells.begin(), group.cells.end(), other) != group.cells.end()) {
+                return;
+            }
+            if (std::abs(field.heights_m[other] - height_m) <= least_m) {
+                group.cells.push_back(other);
+            } else {
+                around.push_back(other);
+            }
+        });
+        if (group.cells.size() > limits::spike_group) {
+            return std::nullopt;
+        }
+    }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    for (const std::size_t other : around) {
+        if (std::find(group.cells.begin(), group.cells.end(), other) == group.cells.end()) {
+            ++group.around;
+            group.around_low_m = std::min(group.around_low_m, field.heights_m[other]);
+            group.around_high_m = std::max(group.around_high_m, field.heights_m[other]);
+        }
+    }
+    return group;
 }
 
 std::string in_words(const char* beginning, double height_m, const HeightField& field, std::size_t cell) {
@@ -43,28 +84,37 @@ std::string cells(std::size_t count) {
     return joined(std::to_string(count), count == 1 ? " cell" : " cells");
 }
 
-/// Calls `visit(cell, metres above all neighbours, metres below all neighbours)` for every spike.
+/// Calls `visit(cell, metres above all neighbours, metres below all neighbours)` for every cell of a spike.
 template <class Visit>
 void visit_spikes(const HeightField& field, Visit visit) {
     if (field.rows < 3 || field.columns < 3) {
         return;
     }
     const double least_m = std::max(limits::spike_cells * field.cell_m(), limits::spike_m);
+    std::unordered_set<std::size_t> done;
     for (int row = 0; row < field.rows; ++row) {
         for (int column = 0; column < field.columns; ++column) {
             const double height_m = field.at(row, column);
-            // Most cells are done with one neighbour: a spike differs from it, too.
-            const double beside_m = field.at(row, column > 0 ? column - 1 : column + 1);
-            if (std::isnan(height_m) || std::abs(height_m - beside_m) <= least_m) {
+            // Most cells are done with one neighbour: the western cells of a spike differ from it.
+            if (std::isnan(height_m) ||
+                (column > 0 && std::abs(height_m - field.at(row, column - 1)) <= least_m)) {
                 continue;
             }
-            const Neighbours around = neighbours_of(field, row, column);
-            const double above_m = height_m - around.high_m;
-            const double below_m = around.low_m - height_m;
-            if (around.known >= 5 && (above_m > least_m || (below_m > least_m && height_m != 0.0))) {
-                visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(field.columns) +
-                          static_cast<std::size_t>(column),
-                      above_m, below_m);
+            const std::size_t cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(field.columns) +
+                                     static_cast<std::size_t>(column);
+            const std::optional<Group> group =
+                done.contains(cell) ? std::nullopt : group_of(field, cell, least_m);
+            if (!group || group->around < 5) {
+                continue;
+            }
+            const double above_m = group->low_m - group->around_high_m;
+            const double below_m = group->around_low_m - group->high_m;
+            const bool is_pit = below_m > least_m && (group->low_m != 0.0 || group->high_m != 0.0);
+            if (above_m > least_m || is_pit) {
+                for (const std::size_t member : group->cells) {
+                    done.insert(member);
+                    visit(member, above_m, below_m);
+                }
             }
         }
     }
@@ -90,6 +140,22 @@ std::vector<std::size_t> spike_cells(const HeightField& field) {
     std::vector<std::size_t> found;
     visit_spikes(field, [&](std::size_t cell, double, double) { found.push_back(cell); });
     return found;
+}
+
+WithoutSpikes::WithoutSpikes(const HeightField& whole, bool without_zeros) : field_{whole} {
+    const std::vector<std::size_t> cells = spike_cells(whole);
+    const double* const end = whole.heights_m + whole.size();
+    if (cells.empty() && !(without_zeros && std::find(whole.heights_m, end, 0.0) != end)) {
+        return;
+    }
+    heights_m_.assign(whole.heights_m, end);
+    for (const std::size_t cell : cells) {
+        heights_m_[cell] = not_known;
+    }
+    if (without_zeros) {
+        std::replace(heights_m_.begin(), heights_m_.end(), 0.0, not_known);
+    }
+    field_.heights_m = heights_m_.data();
 }
 
 std::optional<Finding> judge_spikes(const HeightField& field) {

@@ -9,7 +9,7 @@
 
 namespace coupling::plausible::terrain {
 
-/// Cells that stand above, or lie below, all their neighbours.
+/// Cells, or groups of up to four, that stand above, or lie below, all their neighbours.
 struct Spikes {
     std::size_t peaks = 0;
     std::size_t pits = 0;
@@ -19,12 +19,27 @@ struct Spikes {
     std::size_t first_pit = 0;
 };
 
-/// By more than 3 cells and 5 m, of cells with at least five known neighbours. Cells of exactly 0 are left to
+/// By more than 3 cells and 5 m, with at least five known neighbours. Cells of exactly 0 are left to
 /// the rule on NODATA.
 Spikes spikes_of(const HeightField& field);
 
 /// Indices of these cells.
 std::vector<std::size_t> spike_cells(const HeightField& field);
+
+/// A field without its spikes, which have a rule of their own, and on request without heights of exactly 0,
+/// which may stand for unknown ground. Requires that the field outlives it.
+class WithoutSpikes {
+public:
+    explicit WithoutSpikes(const HeightField& whole, bool without_zeros = false);
+    WithoutSpikes(const WithoutSpikes&) = delete;
+    WithoutSpikes& operator=(const WithoutSpikes&) = delete;
+
+    [[nodiscard]] const HeightField& field() const { return field_; }
+
+private:
+    std::vector<double> heights_m_;  ///< empty where nothing is left out
+    HeightField field_;
+};
 
 /// Single wrong cells: reflections and birds in a laser scan, damaged values.
 std::optional<Finding> judge_spikes(const HeightField& field);

@@ -70,23 +70,6 @@ Judged judged(const HeightField& field) {
     return worst;
 }
 
-/// A field without its single spikes, which have a rule of their own.
-struct WithoutSpikes {
-    std::vector<double> heights_m;
-    HeightField field;
-
-    explicit WithoutSpikes(const HeightField& whole) : field{whole} {
-        const std::vector<std::size_t> cells = spike_cells(whole);
-        if (!cells.empty()) {
-            heights_m.assign(whole.heights_m, whole.heights_m + whole.size());
-            for (const std::size_t cell : cells) {
-                heights_m[cell] = not_known;
-            }
-            field.heights_m = heights_m.data();
-        }
-    }
-};
-
 std::string advice_for(const Values& values) {
     const bool starts_at_zero = values.low_m > -1.0 && values.low_m < 1.0;
     return starts_at_zero ? "this looks like a raster of results or slopes, or a surface model with crowns: "
@@ -160,7 +143,7 @@ std::optional<Finding> judge_pictures(const HeightField& field) {
 
 std::optional<Finding> judge_unevenness(const HeightField& field) {
     const WithoutSpikes rest{field};
-    const Judged worst = judged(rest.field);
+    const Judged worst = judged(rest.field());
     if (!worst.is_warning) {
         return std::nullopt;
     }

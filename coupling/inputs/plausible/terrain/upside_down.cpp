@@ -8,6 +8,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/terrain/limits.hpp"
+#include "coupling/inputs/plausible/terrain/spikes.hpp"
 
 namespace coupling::plausible::terrain {
 namespace {
@@ -128,7 +129,9 @@ std::optional<Finding> judge_upside_down(const HeightField& field) {
     if (values.known < limits::fewest_hollow_cells || values.high_m - values.low_m < limits::least_relief_m) {
         return std::nullopt;
     }
-    const Hollows hollows = hollows_of(field);
+    // Cells that are damaged or stand for unknown ground make hollows of their own.
+    const WithoutSpikes cleaned{field, values.high_m > 100.0};
+    const Hollows hollows = hollows_of(cleaned.field());
     if (!(hollows.upright_m >= limits::hollows_m) ||
         hollows.upright_m < limits::hollows_ratio * hollows.inverted_m) {
         return std::nullopt;

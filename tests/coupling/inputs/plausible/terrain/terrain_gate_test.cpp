@@ -85,6 +85,16 @@ TEST(TerrainGate, SaysNothingOfEvenPlanesAndProfiles) {
     EXPECT_EQ(in_words(judge_heights(cliff.field())), "");
 }
 
+TEST(TerrainGate, DoesNotTakeCellsOfZeroForHollowsOfTheGround) {
+    const Ground real = hills();
+    const Ground zeros = real.changed(
+        [](double z, int row, int column) { return row % 11 == 5 && column % 13 == 6 ? 0.0 : z; });
+    const auto rule = std::find_if(all_rules().begin(), all_rules().end(),
+                                   [](const Rule& each) { return each.name == "upside_down"; });
+    ASSERT_NE(rule, all_rules().end());
+    EXPECT_FALSE(rule->judge(zeros.field())) << "the rule on NODATA names them";
+}
+
 TEST(TerrainGate, SaysNothingWhereFewCellsAreKnown) {
     const Ground small{9, 10, 5.0, [](int row, int column) { return node(1, row, column) * 300.0; }};
     EXPECT_EQ(in_words(judge_heights(small.field())), "");

@@ -161,6 +161,13 @@ inline std::vector<Wrong> wrong_terrains() {
         {"spikes", "spikes", false, real.changed(spike)},
         {"pits", "spikes", false,
          real.changed([&](double z, int row, int column) { return 2.0 * z - spike(z, row, column); })},
+        {"spikes of 2 x 2 cells", "spikes", false, real.changed([](double z, int row, int column) {
+             return row % 31 / 2 == 3 && column % 29 / 2 == 5 ? z + 80.0 : z;
+         })},
+        {"spikes at the corners", "spikes", false, real.changed([&](double z, int row, int column) {
+             const int from_row = std::min(row, real.rows - 1 - row);
+             return from_row < 2 && std::min(column, real.columns - 1 - column) < 2 ? z + 80.0 : z;
+         })},
         {"hillshade", "picture", true, real.changed(shade)},
         {"heights in 8 bits", "picture", true, high.changed([&](double z, int, int) {
              return std::clamp(std::round((z - low_m) / (high_m - low_m) * 255.0), 0.0, 255.0);
