@@ -38,6 +38,8 @@ public:
     [[nodiscard]] double steepest_deg(const config::Cell& cell) const {
         return frame_.contains(cell) ? steepest_deg_[frame_.index(cell)] : missing;
     }
+    /// Of all cells, in the order of place_of().
+    [[nodiscard]] const std::vector<double>& all_steepest_deg() const { return steepest_deg_; }
 
 private:
     static constexpr double missing = std::numeric_limits<double>::quiet_NaN();

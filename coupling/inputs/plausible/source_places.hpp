@@ -32,6 +32,10 @@ struct SourceSlopes {
     /// are moved by one and the same vector of 40 to 200 m.
     double mean_deg = 0.0;
     double best_mean_deg = 0.0;
+    /// Share of the ground on which sources lie, and how often the ground at a source is steeper than that of
+    /// a place without one [-].
+    double covered = 0.0;
+    double steeper_than_rest = 1.0;
     std::size_t places = 0;                                 ///< squares of 50 m with a source
     Eigen::Vector2d best_move_m = Eigen::Vector2d::Zero();  ///< with which they have it
     /// The largest mean that they have on the same ground mirrored about its middle or turned by 180 degrees:
@@ -45,7 +49,8 @@ SourceSlopes source_slopes(const OnSlope& site);
 
 /// Which targets or nets lie wholly above all sources: rocks only fall.
 struct BelowWhat {
-    double rocks_below_all = 0.0;      ///< share of the rocks that start below every target
+    double rocks_below_all = 0.0;      ///< share of the rocks that start below every target on the terrain
+    double rocks_inside = 0.0;         ///< share that start inside a target that is an area
     std::vector<std::size_t> targets;  ///< above all sources
     std::vector<std::size_t> nets;
 };
@@ -58,9 +63,10 @@ double spacing_of(const HeightInput& heights);
 /// Holds the sources against the slope and against what is to be protected.
 ///
 /// - An error where all sources lie below all targets.
-/// - Warnings: single targets and nets that lie above all sources; most rocks below every target; sources on
-///   ground of less than 25 degrees; sources off the steep ground beside them, as a shift between two
-///   coordinate systems leaves them, or as mirrored heights do.
+/// - Warnings: single targets and nets that lie above all sources; most rocks below every target, or inside
+///   one; sources on most of the terrain, or on its gentler parts, as a mask that is the wrong way round leaves
+///   them; sources on ground of less than 25 degrees; sources off the steep ground beside them, as a shift
+///   between two coordinate systems leaves them, or as mirrored heights do.
 ///
 /// `file` names the sources in messages.
 void judge_source_places(const OnSlope& site, const std::string& file, Reading& reading);

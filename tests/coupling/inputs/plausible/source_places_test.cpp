@@ -190,6 +190,38 @@ TEST(SourceRules, AnswerTheSameForTurnedMirroredAndShuffledSites) {
     }
 }
 
+TEST(SourceSlopes, AreThoseOfTheGentlerGroundWhereAMaskIsTheWrongWayRound) {
+    std::mt19937 random{7};
+    Slope slope = slope_of(random);
+    EXPECT_GT(found_on(slope).slopes.steeper_than_rest, 0.9);
+    EXPECT_LT(found_on(slope).slopes.covered, 0.05);
+    slope.sources.clear();
+    for (double x_m = -185.0; x_m < 190.0; x_m += 10.0) {
+        for (double y_m = -185.0; y_m < 190.0; y_m += 10.0) {
+            if (x_m < -140.0 || x_m > -60.0) {
+                slope.sources.push_back(point_at(x_m, y_m));
+            }
+        }
+    }
+    for (const Turn& turn : all_turns()) {
+        EXPECT_LT(found_on(turned(slope, turn)).slopes.steeper_than_rest, 0.5);
+    }
+}
+
+TEST(SourcesBelow, LeaveOutTargetsOffTheTerrainAndSourcesInsideThem) {
+    std::mt19937 random{8};
+    Slope slope = slope_of(random);
+    slope.targets = {line_at("elsewhere", 5000.0)};
+    EXPECT_DOUBLE_EQ(found_on(slope).below.rocks_below_all, 0.0);
+    slope.targets.front().is_area = true;
+    slope.targets.front().parts = {
+        {{-190.0, -190.0}, {-50.0, -190.0}, {-50.0, 190.0}, {-190.0, 190.0}, {-190.0, -190.0}}};
+    EXPECT_DOUBLE_EQ(found_on(slope).below.rocks_inside, 1.0);
+    EXPECT_DOUBLE_EQ(found_on(slope).below.rocks_below_all, 0.0);
+    move(slope, 100.0, 0.0);
+    EXPECT_DOUBLE_EQ(found_on(slope).below.rocks_inside, 0.0);
+}
+
 TEST(SourcePlaces, BelowAllTargetsAreRefused) {
     const SampleProject project;
     project.write("targets.csv", "target_id,wkt\nroad,\"LINESTRING (1012 2010, 1012 2090)\"\n");
