@@ -105,7 +105,9 @@ void warn_of_doubled_ids(const std::vector<ListedRow>& trees, const std::string&
         reading.warn({file},
                      counted(doubled.size(), "tree_id") + " used more than once, such as " +
                          config::in_quotes(*doubled.begin()),
-                     "one tree_id for each tree", "", config::Effect::detail);
+                     "one tree_id for each tree",
+                     "keep the rows of one census; with several plots write the plot before the number",
+                     config::Effect::detail);
     }
 }
 
@@ -227,6 +229,12 @@ void doubt_odd_trees(const config::Table& table, Reading& reading) {
                          " thicker than 200 cm, or less than 15 times as high as thick",
                      "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
     }
+    if (!odd.slender_lines.empty() && !odd.columns_look_swapped) {
+        reading.warn({table.file(), odd.slender_lines.front()},
+                     counted(odd.slender_lines.size(), "tree") + " more than 150 times as high as thick",
+                     "trees 60 to 130 times as high as thick",
+                     "check whether dbh_cm (cm) and height_m (m) are swapped there", config::Effect::answer);
+    }
     const bool has_slenderness = odd.girth_slenderness > 0.0;
     if (has_slenderness || odd.girth_median_cm > 0.0) {
         const auto whole = [](double value) { return std::to_string(std::lround(value)); };
@@ -273,6 +281,7 @@ std::vector<TreeRecord> read_tree_table(Reading& reading) {
 
 std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading,
                                         bool may_be_dead) {
+    plausible::refuse_girths_alone(table);
     config::Problems problems;
     if (!table.require({"x_m", "y_m", "species", "dbh_cm"}, problems)) {
         problems.throw_if_any();

@@ -11,6 +11,7 @@ namespace {
 constexpr double thickest_cm = 200.0;
 constexpr double squat_from_cm = 10.0;
 constexpr double least_slenderness = 15.0;
+constexpr double too_slender = 150.0;
 constexpr double slender_from_cm = 20.0;
 constexpr double most_slenderness = 110.0;
 constexpr std::size_t few_trees = 5;
@@ -59,6 +60,9 @@ OddTrees odd_trees(const config::Table& table) {
         if (*dbh_cm > thickest_cm ||
             (height_m > 0.0 && *dbh_cm >= squat_from_cm && slenderness < least_slenderness)) {
             found.lines.push_back(table.place(row, "dbh_cm").line);
+        }
+        if (*dbh_cm >= squat_from_cm && slenderness > too_slender) {
+            found.slender_lines.push_back(table.place(row, "height_m").line);
         }
         if (height_m > 0.0 && *dbh_cm >= slender_from_cm) {
             ++thick;

@@ -11,6 +11,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/plausible/close_trees.hpp"
 
 namespace coupling::plausible {
 namespace {
@@ -35,9 +36,10 @@ constexpr std::array<std::string_view, 22> census_words{
 constexpr std::array<std::string_view, 6> stem_words{"stem", "stamm", "shoot", "tige", "fusto", "pollone"};
 
 /// Columns that say with yes or no whether a tree is gone, and those that say it with a word.
-constexpr std::array<std::string_view, 16> gone_columns{
-    "removed",  "harvested", "cut", "felled", "dead",   "thinned", "entnommen", "entnahme",
-    "gefaellt", "gefällt",   "tot", "enleve", "enlevé", "coupe",   "mort",      "rimosso"};
+constexpr std::array<std::string_view, 18> gone_columns{
+    "removed",   "harvested", "cut",      "felled",  "dead",          "thinned",
+    "entnommen", "entnahme",  "gefaellt", "gefällt", "tot",           "enleve",
+    "enlevé",    "coupe",     "mort",     "rimosso", "ausgeschieden", "abgestorben"};
 constexpr std::array<std::string_view, 14> status_columns{
     "status", "statut", "stato", "condition",  "zustand", "treestatus", "tree_status",
     "etat",   "état",   "fate",  "baumstatus", "lebend",  "alive",      "living"};
@@ -201,6 +203,29 @@ void judge_gone(const RepeatedTrees& found, const config::Table& table, Reading&
     }
 }
 
+bool has_stems(const config::Table& table) {
+    const std::vector<std::string> columns = unread_columns(table);
+    return std::any_of(columns.begin(), columns.end(), [](const std::string& column) {
+        const std::string lower = config::in_lower_case(column);
+        return std::any_of(stem_words.begin(), stem_words.end(),
+                           [&](std::string_view word) { return lower.find(word) != std::string::npos; });
+    });
+}
+
+void warn_of_close_trees(const config::Table& table, Reading& reading) {
+    const CloseTrees close = close_trees(table);
+    if (are_too_close(close, table.rows())) {
+        reading.warn(
+            {table.file()},
+            joined(std::to_string(std::max(close.inside, close.twins)), " of ", counted(table.rows(), "tree"),
+                   " inside the stem of another, or within 0.5 m of one of the same species and dbh_cm"),
+            "each tree once, where it stands",
+            "keep the rows of one census; measure places to 0.1 m; number the stems of one tree in a column "
+            "stem",
+            config::Effect::answer);
+    }
+}
+
 }  // namespace
 
 RepeatedTrees repeated_trees(const config::Table& table) {
@@ -239,8 +264,13 @@ void judge_repeated_trees(const config::Table& table, Reading& reading) {
                        "each tree once",
                        "delete the repeated rows, such as those of earlier censuses; number the stems of one "
                        "tree in a column stem");
-    } else if (found.twice > 0) {
-        reading.warn({table.file()}, twice, "each tree once", "delete the repeated rows");
+    } else {
+        if (found.twice > 0) {
+            reading.warn({table.file()}, twice, "each tree once", "delete the repeated rows");
+        }
+        if (!found.are_stems && !has_stems(table)) {
+            warn_of_close_trees(table, reading);
+        }
     }
 }
 

@@ -1,13 +1,16 @@
 #include "coupling/inputs/plausible/units.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
 
 namespace coupling::plausible {
 namespace {
@@ -116,6 +119,24 @@ void refuse_too_slender(const config::Table& table, const Measured& trees) {
 
 }  // namespace
 
+void refuse_girths_alone(const config::Table& table) {
+    constexpr std::array<std::string_view, 6> words{"girth", "circumf", "umfang", "circonf", "c130", "gbh"};
+    if (table.has("dbh_cm")) {
+        return;
+    }
+    for (const std::string& column : table.columns()) {
+        const std::string lower = config::in_lower_case(column);
+        if (std::any_of(words.begin(), words.end(),
+                        [&](std::string_view word) { return lower.find(word) != std::string::npos; })) {
+            config::fail(
+                config::ExitCode::data, {table.file()},
+                joined("no column 'dbh_cm', but girths in the column ", config::in_quotes(column)),
+                "diameters at breast height",
+                joined("add a column dbh_cm: ", config::in_quotes(column), " in cm divided by 3.14159"));
+        }
+    }
+}
+
 void check_tree_units(const config::Table& table) {
     std::vector<double> diameters_cm;
     std::vector<double> heights_m;
@@ -145,7 +166,12 @@ void check_tree_units(const config::Table& table) {
     const double dbh_cm = median_of(diameters_cm);
     const double height_m = median_of(heights_m);
     const double ratio = median_of(slenderness);
-    const bool many_thick = share_below(diameters_cm, 0.95) > 150.0 && ratio < 15.0;
+    const double thick_cm = share_below(diameters_cm, 0.95);
+    const bool many_thick = thick_cm > 150.0 && ratio < 15.0;
+    if (many_thick && dbh_cm <= thickest_median_cm && ratio == 0.0 && thick_cm < 150.0 * M_PI) {
+        refuse_unit(table, "dbh_cm", dbh_cm, "diameters in centimetres", "girths or millimetres",
+                    "divide the column dbh_cm by 3.14159 if it holds girths, by 10 if millimetres");
+    }
     if (dbh_cm > thickest_median_cm || many_thick) {
         refuse_unit(table, "dbh_cm", dbh_cm, "centimetres", "millimetres", times("0.1", "dbh_cm"));
     }

@@ -4,6 +4,10 @@
 
 namespace coupling::plausible {
 
+/// Throws config::InputError (data) for a list of trees with girths in the place of diameters, by the name of
+/// the column.
+void refuse_girths_alone(const config::Table& table);
+
 /// Holds a list of trees against what trees look like: throws config::InputError (data) where the medians of
 /// `dbh_cm` and `height_m` of the living trees show another unit.
 ///

@@ -166,9 +166,10 @@ TEST(Trees, InAnotherUnitAreRefused) {
 TEST(Trees, WithTheSameIdentityAreTold) {
     const Opened opened = with_trees("7,1060,2050,ABAL,30,25\n7,1061,2050,ABAL,30,25\n");
     ASSERT_TRUE(opened.site);
-    EXPECT_EQ(opened.warnings,
-              std::vector<std::string>{"trees.csv: found 1 tree_id used more than once, such as '7', "
-                                       "expected one tree_id for each tree"});
+    EXPECT_EQ(opened.warnings, std::vector<std::string>{
+                                   "trees.csv: found 1 tree_id used more than once, such as '7', "
+                                   "expected one tree_id for each tree; keep the rows of one census; with "
+                                   "several plots write the plot before the number"});
 }
 
 TEST(Trees, MayComeWithoutIdentity) {

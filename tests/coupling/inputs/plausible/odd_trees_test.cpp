@@ -34,6 +34,15 @@ TEST(OddTrees, ShowThatColumnsAreSwapped) {
     EXPECT_TRUE(found_in("height_m,dbh_cm" + trees).columns_look_swapped);
 }
 
+TEST(OddTrees, AreThoseWithSwappedFieldsAmongOthers) {
+    // Each third row exchanged: the list as a whole looks like a stand.
+    const std::string trees = "\n38,24\n22,32\n45,29\n52,31\n14,28\n61,33\n40,26\n";
+    const OddTrees found = found_in("dbh_cm,height_m" + trees);
+    EXPECT_FALSE(found.columns_look_swapped);
+    EXPECT_EQ(found.slender_lines, std::vector<std::size_t>{6}) << "28 m high and 14 cm thick";
+    EXPECT_TRUE(found_in("dbh_cm,height_m\n12,17.5\n8,14\n").slender_lines.empty()) << "poles";
+}
+
 TEST(OddTrees, ShowThatDiametersAreGirths) {
     std::string stand = "dbh_cm,height_m\n";
     std::string girths = stand;

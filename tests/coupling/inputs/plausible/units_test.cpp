@@ -45,9 +45,24 @@ TEST(TreeUnits, FindMetresAndMillimetresOfDiameters) {
               std::string::npos);
     EXPECT_NE(unit_fault("dbh_cm\n376\n157\n342\n").find("looks like millimetres"), std::string::npos);
     // A thicket: its median says nothing yet, but nowhere is one tree in twenty thicker than 1.5 m.
-    EXPECT_NE(unit_fault("dbh_cm\n76\n57\n80\n190\n").find("looks like millimetres"), std::string::npos);
+    EXPECT_NE(unit_fault("dbh_cm\n76\n57\n80\n190\n").find("looks like girths or millimetres"),
+              std::string::npos);
     EXPECT_NE(unit_fault("dbh_cm,height_m\n150,11\n140,10\n160,12\n").find("looks like millimetres"),
               std::string::npos);
+}
+
+TEST(TreeUnits, FindGirthsByTheNameOfTheirColumn) {
+    for (const char* name : {"Umfang (cm)", "girth_cm", "circonference", "C130", "circumference"}) {
+        std::istringstream in{std::string{"species,"} + name + "\nPIAB,90\n"};
+        try {
+            refuse_girths_alone(config::Table::read(in, "trees.csv"));
+            ADD_FAILURE() << name;
+        } catch (const config::InputError& error) {
+            EXPECT_NE(std::string{error.what()}.find("in cm divided by 3.14159"), std::string::npos) << name;
+        }
+    }
+    std::istringstream both{"species,girth_cm,dbh_cm\nPIAB,90,28.6\n"};
+    EXPECT_NO_THROW(refuse_girths_alone(config::Table::read(both, "trees.csv")));
 }
 
 TEST(TreeUnits, FindOtherUnitsOfHeights) {
