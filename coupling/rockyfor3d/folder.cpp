@@ -1,8 +1,10 @@
 #include "coupling/rockyfor3d/folder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "config/errors/input_error.hpp"
@@ -75,7 +77,7 @@ public:
 
     /// A raster that has to be there, on the frame of the DEM, each value in its range or NODATA.
     Raster<double> on(const Raster<double>& dem, const std::string& name, NumberRange range,
-                      bool whole = false) {
+                      bool whole = false, const std::string& advice = "") {
         const std::optional<Raster<double>> raster = grid(name);
         if (!raster) {
             return Raster<double>{dem.frame, std::nan("")};
@@ -85,7 +87,7 @@ public:
                           joined("the frame of the DEM: ", size_of(dem.frame)));
             return Raster<double>{dem.frame, std::nan("")};
         }
-        check_values(*raster, name, range, whole);
+        check_values(*raster, name, range, whole, advice);
         return {*raster};
     }
 
@@ -105,7 +107,8 @@ public:
     void mark_read(const std::string& name) { read_.push_back(path_of(name).filename().string()); }
 
 private:
-    void check_values(const Raster<double>& raster, const std::string& name, NumberRange range, bool whole) {
+    void check_values(const Raster<double>& raster, const std::string& name, NumberRange range, bool whole,
+                      const std::string& advice) {
         std::size_t faults = 0;
         std::size_t first = 0;
         for (std::size_t i = 0; i < raster.values.size(); ++i) {
@@ -120,7 +123,7 @@ private:
                           joined(std::to_string(faults), " cells out of range, such as ",
                                  config::to_text(raster.values[first]), " in row ",
                                  std::to_string(cell.row + 1), ", column ", std::to_string(cell.column + 1)),
-                          config::describe(whole ? "whole numbers" : "numbers", range));
+                          config::describe(whole ? "whole numbers" : "numbers", range), advice);
         }
     }
 
@@ -156,6 +159,7 @@ std::vector<FileTree> Reader::tree_file(const std::string& name) {
     const std::string_view text = bytes.text();
     std::size_t faults = 0;
     std::size_t number = 0;
+    std::size_t most_numbers = 3;
     for (std::size_t at = 0; at < text.size() && faults < most_told;) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         const std::string_view line = text.substr(at, end - at);
@@ -174,7 +178,13 @@ std::vector<FileTree> Reader::tree_file(const std::string& name) {
             ++faults;
             continue;
         }
+        most_numbers = std::max(most_numbers, values->size());
         trees.push_back({(*values)[0], (*values)[1], (*values)[2]});
+    }
+    if (most_numbers > 3) {
+        remarks_.push_back(joined(path.filename().string(), ": x, y and DBH are read, not the other ",
+                                  std::to_string(most_numbers - 3),
+                                  most_numbers == 4 ? " column." : " columns."));
     }
     return trees;
 }
@@ -226,10 +236,59 @@ void check_cells(const Folder& folder, Reader& reader) {
     }
 }
 
+/// The median of the values above 0 and below `below`; 0 without any.
+double median_within(const std::vector<double>& values, double below) {
+    std::vector<double> within;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(within),
+                 [&](double value) { return value > 0.0 && value < below; });
+    if (within.empty()) {
+        return 0.0;
+    }
+    const auto middle = within.begin() + static_cast<std::ptrdiff_t>(within.size() / 2);
+    std::nth_element(within.begin(), middle, within.end());
+    return *middle;
+}
+
+/// Obstacles that most of a slope has are no higher than a man [choice]: coarse block fields have 1 m. 100 m
+/// is the height where every rock stops.
+void check_roughness(const Folder& folder, Reader& reader) {
+    constexpr double highest_median_m = 2.5;
+    constexpr double stops_all_m = 100.0;
+    constexpr std::array<const char*, 3> names{"rg70.asc", "rg20.asc", "rg10.asc"};
+    const std::array<const Raster<double>*, 3> rasters{&folder.rg70, &folder.rg20, &folder.rg10};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const double median_m = median_within(rasters[i]->values, stops_all_m);
+        if (median_m > highest_median_m) {
+            reader.problems().add(
+                ExitCode::data, {.file = reader.path_of(names[i]).string()},
+                joined("obstacles of ", config::to_text(median_m), " m on half of the ground"),
+                "heights of obstacles in m, seldom above 1", "divide by 100 if they are centimetres");
+        }
+    }
+}
+
+/// Whether on most of the rough ground the height met in 70 % of the contacts is above that met in 10 %.
+bool roughness_looks_reversed(const Folder& folder) {
+    std::size_t rising = 0;
+    std::size_t falling = 0;
+    for (std::size_t i = 0; i < folder.rg70.values.size(); ++i) {
+        rising += folder.rg70.values[i] < folder.rg10.values[i] ? 1 : 0;
+        falling += folder.rg70.values[i] > folder.rg10.values[i] ? 1 : 0;
+    }
+    return falling > rising;
+}
+
 /// Diameters scatter around their mean by less than a multiple of it: a smaller mean cannot be meant.
 void check_diameters(const Folder& folder, Reader& reader) {
     constexpr double most_of_mean = 5.0;
     const std::vector<double>& means_cm = folder.mean_dbh_cm->values;
+    constexpr double thinnest_median_cm = 1.5;  // as in lists of trees
+    const double median_cm = median_within(means_cm, 251.0);
+    if (median_cm > 0.0 && median_cm < thinnest_median_cm) {
+        reader.problems().add(ExitCode::data, {.file = reader.path_of("dbhmean.asc").string()},
+                              joined("a median of ", config::to_text(median_cm), ", which looks like metres"),
+                              "diameters of trees in cm", "multiply dbhmean and dbhstd by 100");
+    }
     std::size_t faults = 0;
     std::size_t first = 0;
     for (std::size_t i = 0; i < means_cm.size(); ++i) {
@@ -274,7 +333,8 @@ void read_rocky_nets(Folder& folder, Reader& reader) {
         return;
     }
     folder.net_number = reader.on(folder.dem, "net_number.asc", {.low = 0.0, .high = 1e6}, true);
-    folder.net_energy = reader.on(folder.dem, "net_energy.asc", {.low = 0.0, .high = 1e5});
+    folder.net_energy = reader.on(folder.dem, "net_energy.asc", {.low = 0.0, .high = 1e5}, false,
+                                  "write kJ: divide joules by 1000");
     folder.net_height = reader.on(folder.dem, "net_height.asc", {.low = 0.0, .high = 50.0});
     std::size_t unknown = 0;
     for (std::size_t i = 0; i < folder.net_number->values.size(); ++i) {
@@ -302,23 +362,31 @@ Folder read_folder(const fs::path& path) {
         reader.mark_read("dem.prj");
     }
     const NumberRange metres{.low = 0.0, .high = 20.0};
+    const std::string in_metres = "write metres: divide centimetres by 100";
     const NumberRange roughness{.low = 0.0, .high = 100.0};
     folder.rock_density = reader.on(folder.dem, "rockdensity.asc", {.low = 0.0, .high = 5000.0});
-    folder.d1 = reader.on(folder.dem, "d1.asc", metres);
-    folder.d2 = reader.on(folder.dem, "d2.asc", metres);
-    folder.d3 = reader.on(folder.dem, "d3.asc", metres);
+    folder.d1 = reader.on(folder.dem, "d1.asc", metres, false, in_metres);
+    folder.d2 = reader.on(folder.dem, "d2.asc", metres, false, in_metres);
+    folder.d3 = reader.on(folder.dem, "d3.asc", metres, false, in_metres);
     folder.shape = reader.on(folder.dem, "blshape.asc", {.low = 0.0, .high = 4.0}, true);
     folder.soil_type = reader.on(folder.dem, "soiltype.asc", {.low = 0.0, .high = 7.0}, true);
-    folder.rg70 = reader.on(folder.dem, "rg70.asc", roughness);
-    folder.rg20 = reader.on(folder.dem, "rg20.asc", roughness);
-    folder.rg10 = reader.on(folder.dem, "rg10.asc", roughness);
+    folder.rg70 = reader.on(folder.dem, "rg70.asc", roughness, false, in_metres);
+    folder.rg20 = reader.on(folder.dem, "rg20.asc", roughness, false, in_metres);
+    folder.rg10 = reader.on(folder.dem, "rg10.asc", roughness, false, in_metres);
     read_forest(folder, reader);
     read_rocky_nets(folder, reader);
     reader.problems().throw_if_any();
     check_cells(folder, reader);
+    check_roughness(folder, reader);
     reader.problems().throw_if_any();
     folder.files = reader.files_read();
     folder.remarks = reader.remarks();
+    if (roughness_looks_reversed(folder)) {
+        folder.remarks.emplace_back(
+            "Check rg70 and rg10: on most cells rg70, met in 70 % of the contacts, is higher than rg10, met "
+            "in "
+            "10 %. They look exchanged.");
+    }
     folder.not_read = reader.others();
     std::erase_if(folder.not_read, [&](const std::string& name) {
         return std::find(folder.behind_trees.begin(), folder.behind_trees.end(), name) !=

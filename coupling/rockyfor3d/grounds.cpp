@@ -20,7 +20,7 @@ struct SoilType {
 
 /// Labels and numbers of Dorren (2016) as cited by others; the shipped types are a choice.
 constexpr std::array soil_types{
-    SoilType{0.0, "", ""},                                            // river, swamp: the rock sinks in
+    SoilType{0.0, "forest_soil_deep", "forest_soil_deep"},            // river, swamp: the rock sinks in
     SoilType{0.23, "forest_soil_deep", "forest_soil_coarse_debris"},  // fine soil, deep
     SoilType{0.28, "forest_soil_shallow",
              "forest_soil_coarse_debris"},                // fine soil, shallow; sand and gravel
@@ -105,8 +105,12 @@ Grounds grounds_of(const Folder& folder, double rock_radius_m, std::size_t most_
         ground.r_n = soil_types.at(static_cast<std::size_t>(ground.soil_type)).r_n;
         ground.r_t = std::min(tangential_share(ground.rg70_m, ground.rg20_m, ground.rg10_m, rock_radius_m),
                               rockfall::largest_restitution);
-        const bool stops_all = ground.rg70_m >= stops_all_m;
-        ground.like = stops_all ? "" : like_ground(ground.soil_type, mean_roughness_m(ground));
+        ground.stops_all = ground.soil_type == 0 || ground.rg70_m >= stops_all_m;
+        if (ground.stops_all) {
+            ground.r_n = 0.0;
+            ground.r_t = 0.0;
+        }
+        ground.like = like_ground(ground.soil_type, mean_roughness_m(ground));
         ground.cells = cells.size();
         for (const std::size_t i : cells) {
             grounds.codes.values[i] = ground.code;

@@ -14,7 +14,10 @@ struct Ground {
     double rg70_m = 0.0, rg20_m = 0.0, rg10_m = 0.0;
     double r_n = 0.0;  ///< [-]
     double r_t = 0.0;  ///< [-]; at most the largest that ground types may have, 0.99
-    std::string like;  ///< shipped ground type that lends the stopping probabilities; empty: stops every rock
+    /// Soil type 0, in which rocks sink, and a roughness of 100 m: each contact stops the rock, with r_n =
+    /// r_t = 0.
+    bool stops_all = false;
+    std::string like;  ///< shipped ground type that lends its soil, and its stopping where not all stop
     std::size_t cells = 0;
 };
 
@@ -33,7 +36,8 @@ struct Grounds {
 /// as summarised by others; the step to a share of speed is a choice).
 double tangential_share(double rg70_m, double rg20_m, double rg10_m, double rock_radius_m);
 
-/// The shipped ground type of like origin and roughness [choice]; empty for soil type 0, in which rocks sink.
+/// The shipped ground type of like origin and roughness [choice]; for soil type 0, in which rocks sink, the
+/// softest.
 std::string like_ground(int soil_type, double mean_roughness_m);
 
 /// Every soil type and roughness that occurs. `rock_radius_m` is that of a middling rock.

@@ -1,5 +1,6 @@
 #include "coupling/rockyfor3d/project.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -65,7 +66,7 @@ std::string surface_types(const Grounds& grounds) {
                         two_digits(ground.rg70_m), " ", two_digits(ground.rg20_m), " ",
                         two_digits(ground.rg10_m), " m"));
         row.text(ground.like).number<3>(ground.r_n).number<3>(ground.r_t);
-        ground.like.empty() ? row.number<0>(1.0) : row.empty();
+        ground.stops_all ? row.number<0>(1.0) : row.empty();
         row.whole(static_cast<std::uint32_t>(ground.soil_type));
         row.number<2>(ground.rg70_m).number<2>(ground.rg20_m).number<2>(ground.rg10_m).whole(ground.cells);
         row.end();
@@ -186,6 +187,13 @@ void remark_grounds(const Grounds& grounds, double rock_radius_m, std::vector<st
         "roughness (`like` in "
         "surface_types.csv), a choice. Soil type 0 and rg70 = 100 stop every rock. `bannwald stopping-table` "
         "makes your own.");
+    const bool any_stops_all = std::any_of(grounds.types.begin(), grounds.types.end(),
+                                           [](const Ground& ground) { return ground.stops_all; });
+    if (any_stops_all) {
+        remarks.push_back(
+            "Soil type 0 and roughness of 100 m stop every rock: r_n = r_t = 0 and p_stop = 1. Models of "
+            "motion that use the column soil or rigid_ground in their place do not stop rocks there.");
+    }
 }
 
 void remark_forest(const Folder& folder, const Forest& forest, std::vector<std::string>& remarks) {

@@ -255,6 +255,44 @@ TEST(FromRockyfor3d, RefusesDiametersThatScatterByMoreThanTheyAre) {
     EXPECT_EQ(call(project, "init made --from-rockyfor3d rocky --quiet").code, 0);
 }
 
+TEST(FromRockyfor3d, RefusesOtherUnitsWithWhatToDo) {
+    const RockyFolder project;
+    project.add_forest_rasters();
+    project.save("rg10.asc", Raster<double>{project.frame(), 20.0});
+    project.save("dbhmean.asc", Raster<double>{project.frame(), 0.3});
+    project.save("dbhstd.asc", Raster<double>{project.frame(), 0.05});
+    const Outcome of_diameters = call(project, "init made --from-rockyfor3d rocky");
+    EXPECT_EQ(of_diameters.code, 4);
+    EXPECT_NE(of_diameters.err.find("dbhmean.asc: found a median of 0.3, which looks like metres"),
+              std::string::npos)
+        << of_diameters.err;
+    project.save("dbhmean.asc", Raster<double>{project.frame(), 30.0});
+    const Outcome of_roughness = call(project, "init made --from-rockyfor3d rocky");
+    EXPECT_EQ(of_roughness.code, 4);
+    EXPECT_NE(of_roughness.err.find("rg10.asc: found obstacles of 20 m on half of the ground"),
+              std::string::npos)
+        << of_roughness.err;
+}
+
+/// pir3d asks every ground for a soil: soil type 0 and a roughness of 100 m have one.
+TEST(FromRockyfor3d, GivesEachGroundWhatEveryModelAsksFor) {
+    const RockyFolder project;
+    Raster<double> soil = project.grid_of("rocky/soiltype.asc");
+    Raster<double> rough = project.grid_of("rocky/rg70.asc");
+    std::fill_n(soil.values.begin(), soil.values.size() / 4, 0.0);
+    std::fill_n(rough.values.rbegin(), rough.values.size() / 4, 100.0);
+    project.save("soiltype.asc", soil);
+    project.save("rg70.asc", rough);
+    const Outcome made = call(project, "init made --from-rockyfor3d rocky");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.out.find("stop every rock"), std::string::npos) << made.out;
+    for (const char* motion : {"picus", "pir3d", "classical", "rigid"}) {
+        const Outcome checked =
+            call(project, std::string{"check made/scenario.ini --set rockfall.motion="} + motion);
+        EXPECT_EQ(checked.code, 0) << motion << ": " << checked.err;
+    }
+}
+
 TEST(FromRockyfor3d, TellsEveryFileThatIsMissingAndEveryValueOutOfRange) {
     const RockyFolder project;
     project.remove("rocky/rg10.asc");

@@ -184,7 +184,10 @@ TEST(Grounds, AreOneForEachSoilAndRoughness) {
     };
     EXPECT_EQ(at(0, 0).like, "coarse_debris");
     EXPECT_EQ(at(0, 9).like, "fine_debris");
-    EXPECT_EQ(at(9, 0).like, "");  // rocks sink into soil type 0
+    EXPECT_TRUE(at(9, 0).stops_all);  // rocks sink into soil type 0
+    EXPECT_EQ(at(9, 0).r_t, 0.0);
+    EXPECT_EQ(at(9, 0).like, "forest_soil_deep") << "a soil for the model that asks for one";
+    EXPECT_FALSE(at(0, 0).stops_all);
     EXPECT_DOUBLE_EQ(at(0, 0).r_n, 0.38);
     EXPECT_EQ(at(0, 0).cells, 25U);
     EXPECT_EQ(grounds_of(folder, 0.5, 2).types.size(), 2U);  // rounded until they fit
