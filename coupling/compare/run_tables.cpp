@@ -77,6 +77,7 @@ config::Table read_table(const std::filesystem::path& folder, const std::string&
 }
 
 bool has_table(const std::filesystem::path& folder, const std::string& name) {
+    refuse_changed(folder, joined("tables/", name));
     std::error_code error;
     return std::filesystem::exists(folder / "tables" / name, error);
 }

@@ -93,6 +93,14 @@ void refuse_changed(const fs::path& folder, const std::string& name) {
     }
     const std::map<std::string, std::string> marks = listed_marks(folder);
     const auto mark = marks.find(name);
+    if (!is_there(folder / name)) {
+        if (mark != marks.end()) {
+            config::fail(config::ExitCode::data, {(folder / name).string()},
+                         "a file missing that its run wrote", "the results as the run wrote them",
+                         "put the file back, or run the scenario again with --overwrite");
+        }
+        return;
+    }
     if (mark == marks.end() || mark_of(folder / name) != mark->second) {
         config::fail(config::ExitCode::data, {(folder / name).string()}, "a file that changed since its run",
                      "the results as the run wrote them",

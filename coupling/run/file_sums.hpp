@@ -17,8 +17,8 @@ void write_sums(const std::filesystem::path& folder);
 std::string changed_file(const std::filesystem::path& folder);
 
 /// Throws config::InputError (data) for a file of finished results, named from their folder, that is no
-/// longer as `.checksums` has it. Results without `.checksums`, such as those of an archive, are taken as
-/// they are.
+/// longer as `.checksums` has it, or no longer there; nothing for one that the run did not write. Results
+/// without `.checksums`, such as those of an archive, are taken as they are.
 void refuse_changed(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace coupling

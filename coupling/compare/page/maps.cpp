@@ -30,10 +30,10 @@ constexpr int most_cells = 400;
 
 std::optional<Raster<float>> raster_of(const FinishedRun& run, const std::string& cover, const char* stem) {
     const std::filesystem::path path = run.folder / "rasters" / cover / joined(stem, ".asc");
+    refuse_changed(run.folder, joined("rasters/", cover, "/", stem, ".asc"));
     if (!path_exists(path)) {
         return std::nullopt;
     }
-    refuse_changed(run.folder, joined("rasters/", cover, "/", stem, ".asc"));
     return report::without_zeros(read_raster(path));
 }
 

@@ -41,6 +41,8 @@ TEST(FileSums, NoticeEachChangedBitAndEachMissingFile) {
     EXPECT_EQ(changed_file(test.path()), "");
     fs::remove(test.path() / "tables/a name with blanks.csv");
     EXPECT_EQ(changed_file(test.path()), "tables/a name with blanks.csv is missing");
+    EXPECT_THROW(refuse_changed(test.path(), "tables/a name with blanks.csv"), config::InputError);
+    EXPECT_NO_THROW(refuse_changed(test.path(), "tables/never written.csv"));
 }
 
 TEST(FileSums, AreNotAskedForOfResultsWithoutThem) {
