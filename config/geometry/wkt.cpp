@@ -107,6 +107,10 @@ private:
         const std::size_t suffix = at_;
         const std::string dimensions = read_word();
         if (!dimensions.empty() && dimensions != "Z" && dimensions != "M" && dimensions != "ZM") {
+            if (dimensions == "EMPTY") {
+                fail(ExitCode::data, place(suffix), "an empty shape", "coordinates in brackets",
+                     "draw the shape, or delete the row");
+            }
             refuse(suffix, "Z, M or an opening bracket");
         }
         return known->type;

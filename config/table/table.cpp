@@ -290,6 +290,13 @@ void Table::add_problem(std::size_t row, std::string_view column, std::string_vi
     } else if (field.starts_with("\u2212") || field.starts_with("\u2013")) {
         advice = "write the minus sign of the keyboard, -, right before the number";
     }
+    constexpr double least_percent = 5.0;  // 1.4 is a slip of another kind
+    constexpr double most_percent = 100.0;
+    const double value = parse_number(field).value_or(0.0);
+    if (advice.empty() && range.low >= 0.0 && range.high <= 1.0 && value >= least_percent &&
+        value <= most_percent) {
+        advice = "write a share of 1: divide percents by 100";
+    }
     if (!plain && field.find(',') != std::string::npos) {
         expected += ", with a decimal point";
     }

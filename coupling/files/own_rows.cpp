@@ -107,7 +107,10 @@ OwnRows::Read OwnRows::parse_row() {
             }
             breaks += static_cast<std::uint64_t>(std::count(inside->begin(), inside->end(), '\n'));
             fields_.push_back(*inside);
-            at += text_[at] == '\r' && at + 1 < text_.size() && text_[at + 1] == '\n' ? 1U : 0U;
+            if (text_[at] == '\r' && at + 1 == text_.size()) {
+                return Read::cut_off;  // its line feed is the first byte of the next block
+            }
+            at += text_[at] == '\r' && text_[at + 1] == '\n' ? 1U : 0U;
             if (text_[at] != separator_ && text_[at] != '\n') {
                 refuse("text behind a closing quote");
             }

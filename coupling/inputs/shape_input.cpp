@@ -22,6 +22,12 @@ std::string in_words(const std::vector<config::Shape::Kind>& kinds) {
     return text;
 }
 
+std::string advice_for(config::Shape::Kind kind) {
+    return kind == config::Shape::Kind::point
+               ? "make areas of the points (QGIS: Buffer), or draw lines"
+               : "name a layer of the right kind, or convert it (QGIS: Polygons to lines; Lines to polygons)";
+}
+
 }  // namespace
 
 std::optional<config::Shape> shape_of(const config::Table& table, std::size_t row,
@@ -35,7 +41,8 @@ std::optional<config::Shape> shape_of(const config::Table& table, std::size_t ro
         if (std::find(allowed.begin(), allowed.end(), shape.kind) != allowed.end()) {
             return shape;
         }
-        problems.add(config::ExitCode::data, start, config::in_quotes(text), in_words(allowed));
+        problems.add(config::ExitCode::data, start, config::in_quotes(text), in_words(allowed),
+                     advice_for(shape.kind));
     } catch (const config::InputError& error) {
         problems.add(error);
     }

@@ -87,6 +87,18 @@ const Mistake mistakes[] = {
      "release.rocks = '2'000', expected a whole number", "; write 2000 without separators of thousands"},
     {"RocksWithABlankForThousands", "sed -i 's/^rocks_per_source.*/rocks = 2 000/' scenario.ini\n", 2,
      "release.rocks = '2 000', expected a whole number", "; write 2000 without separators of thousands"},
+    {"HeightsWithTheWrongSign",
+     "awk 'NR <= 6 {print; next} {for (i = 1; i <= NF; ++i) if ($i > 0) $i = -$i; print}' dem.asc > d && mv "
+     "d dem.asc\n",
+     4, "expected metres above sea level, -500 to 9000", "; change the sign of the heights"},
+    {"RestitutionsInPercent", "sed -i 's/,0.40,0.90,/,40,90,/' surface_types.csv\n", 4,
+     "found r_n '40', expected a number in [0, 0.99]", "; write a share of 1: divide percents by 100"},
+    {"GirthsInTheirOwnColumn", "sed -i '1s/dbh_cm/Umfang (cm)/' trees.csv\n", 4,
+     "no column 'dbh_cm', but girths in the column 'Umfang (cm)'", "; add a column dbh_cm"},
+    {"ATargetThatIsAPoint", "printf 'target_id;wkt\\nhouse;POINT (177711 377859)\\n' > targets.csv\n", 4,
+     "expected lines or polygons", "; make areas of the points"},
+    {"ATargetWithoutShape", "printf 'target_id;wkt\\nhouse;LINESTRING EMPTY\\n' > targets.csv\n", 4,
+     "found an empty shape", "; draw the shape, or delete the row"},
     {"TheProjectionFileOfAnotherMap", utm, 4,
      "dem.prj: found coordinates of 177 198 to 178 298 east, 376 898 to 378 102 north with the projection "
      "'WGS_1984_UTM_Zone_32N', expected for UTM zone 32N about",

@@ -30,9 +30,10 @@ constexpr config::NumberRange capacity_range_kj{.low = 0.0, .low_excluded = true
 constexpr double shortest_net_m = 0.1;
 /// So far apart lie the places at which a net is looked at for ground below it.
 constexpr double ground_step_m = 1.0;
-/// Below these a figure is likely to be meant in another unit [choice]: nets on offer begin at 1.5 m and
-/// 35 kJ.
+/// Outside of these a figure is likely to be meant in another unit [choice]: nets on offer begin at 1.5 m and
+/// 35 kJ, and the highest are 10 m high.
 constexpr double low_net_m = 0.5;
+constexpr double highest_net_m = 12.0;
 constexpr double weak_net_kj = 10.0;
 
 const std::vector<std::string>& net_columns() {
@@ -170,8 +171,10 @@ private:
             }
         }
         if (length_m < shortest_net_m) {
-            refuse(row, "wkt", joined("a net of length ", config::metres_in_words(length_m), " m"),
-                   joined("at least ", config::to_text(shortest_net_m), " m"));
+            problems_.add(config::ExitCode::data, table_.place(row, "wkt"),
+                          joined("a net of length ", config::metres_in_words(length_m), " m"),
+                          joined("at least ", config::to_text(shortest_net_m), " m"),
+                          "check whether its corners are metres, not degrees or kilometres");
         } else if (meets_itself(line)) {
             refuse(row, "wkt", joined("net ", config::in_quotes(record.name), " crosses or touches itself"),
                    "a line that does not");
@@ -246,8 +249,10 @@ GivenNets nets_of(const config::Table& table, Standing standing) {
 
 std::vector<config::Problem> doubts_about(const config::Table& table, const std::vector<NetRecord>& nets) {
     std::vector<config::Problem> doubts;
-    const auto warn = [&](config::Place place, std::string found, std::string expected) {
-        doubts.push_back({config::ExitCode::data, std::move(place), std::move(found), std::move(expected)});
+    const auto warn = [&](config::Place place, std::string found, std::string expected,
+                          std::string advice = "") {
+        doubts.push_back({config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
+                          std::move(advice)});
     };
     for (const std::string& column : table.columns_beside(net_columns())) {
         const std::string like = meant_column(column, net_columns());
@@ -261,13 +266,17 @@ std::vector<config::Problem> doubts_about(const config::Table& table, const std:
     for (std::size_t row = 0; row < nets.size(); ++row) {
         const NetRecord& record = nets[row];
         const double capacity_kj = record.net.capacity_j / j_per_kj;
-        if (record.net.height_m < low_net_m) {
+        if (record.net.height_m < low_net_m || record.net.height_m > highest_net_m) {
             warn(table.place(row, "height_m"),
-                 joined("a net of ", config::to_text(record.net.height_m), " m"), "a height in metres");
+                 joined("a net of ", config::to_text(record.net.height_m), " m"),
+                 "a height in metres: nets are 1.5 to 10 m high",
+                 record.net.height_m < low_net_m ? "check the unit of the column height_m"
+                                                 : "multiply feet by 0.3048, divide decimetres by 10");
         }
         if (record.energy_class.empty() && capacity_kj < weak_net_kj) {
             warn(table.place(row, "capacity_kj"),
-                 joined("a net that takes ", config::to_text(capacity_kj), " kJ"), "kilojoules");
+                 joined("a net that takes ", config::to_text(capacity_kj), " kJ"),
+                 "kilojoules: the weakest nets on offer take 35 kJ", "multiply megajoules by 1000");
         }
         if (capacity_kj > strongest_net_kj) {
             warn(table.place(row, "capacity_kj"),

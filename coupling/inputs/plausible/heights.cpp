@@ -87,11 +87,13 @@ void check_height_range(double low_m, double high_m, const std::string& file) {
         return;
     }
     const bool nodata = stands_for_nodata(low_m) || stands_for_nodata(high_m);
+    const bool turned = high_m < lowest_ground_m && -low_m <= highest_ground_m;
     config::fail(config::ExitCode::data, {file},
                  joined("heights from ", config::to_text(low_m), " to ", config::to_text(high_m)),
                  "metres above sea level, -500 to 9000",
-                 nodata
-                     ? "declare the value of unknown ground as NODATA_value"
+                 nodata ? "declare the value of unknown ground as NODATA_value"
+                 : turned
+                     ? "change the sign of the heights: these are depths, or upside down"
                      : "write the heights in metres (these may be decimetres, centimetres or millimetres)");
 }
 
@@ -149,10 +151,23 @@ void check_highest_of_system(double high_m, const std::string& projection, const
     }
 }
 
+/// Degrees and feet make every slope wrong: they are said before any slope is judged.
+void refuse_system_without_metres(const config::GridFrame& frame, const std::string& projection,
+                                  const std::string& file) {
+    std::optional<Contradiction> wrong = contradiction_of(projection, extent_of(frame), file);
+    if (const auto unit = wrong ? std::nullopt : height_unit_in(projection)) {
+        wrong = contradiction_of_heights(*unit);
+    }
+    if (wrong) {
+        config::fail(config::ExitCode::data, {file}, wrong->found, wrong->expected, wrong->advice);
+    }
+}
+
 void refuse_wrong_heights(const config::Raster<double>& grid, const std::string& projection,
                           const std::string& file) {
     const terrain::Values values = terrain::values_of(terrain::field_of(grid));
     if (values.known > 0) {
+        refuse_system_without_metres(grid.frame, projection, file);
         refuse_impossible_heights(grid, file);
         check_highest_of_system(values.high_m, projection, file);
     }

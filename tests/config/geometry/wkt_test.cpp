@@ -64,7 +64,8 @@ TEST(ReadWkt, NamesPlaceFoundAndExpected) {
     EXPECT_EQ(message_of("POINT (1 2) x"),
               "targets.csv:3:22: found 'x', expected nothing after the last bracket");
     EXPECT_EQ(message_of("POINT EMPTY"),
-              "targets.csv:3:16: found 'EMPTY', expected Z, M or an opening bracket");
+              "targets.csv:3:16: found an empty shape, expected coordinates in brackets; draw the shape, or "
+              "delete the row");
     EXPECT_EQ(message_of("LINESTRING (1 2)"), "targets.csv:3:21: found 1 point, expected at least 2");
     EXPECT_EQ(message_of("POLYGON ((0 0, 1 0, 0 1, 1 1))"),
               "targets.csv:3:19: found a ring that is not closed, expected the first point again as last");

@@ -117,6 +117,11 @@ TEST(Heights, OfZeroAmongMountainsAreDoubted) {
     ASSERT_EQ(doubtful.warnings.size(), 1U);
     EXPECT_NE(doubtful.warnings[0].find("found 1 cell of height 0"), std::string::npos);
     EXPECT_EQ(open(project, {"run.strict_inputs=yes"}).code, ExitCode::data);
+    project.replace("dem.asc", "330", "3");
+    for (const std::string& warning : open(project).warnings) {
+        EXPECT_EQ(warning.find("of height 0"), std::string::npos)
+            << "the ground reaches down to 0: " << warning;
+    }
 }
 
 TEST(Heights, OfGroundThatComesDownToZeroAreNone) {

@@ -57,7 +57,8 @@ TEST(StoppingRecipe, TellsEveryFaultWithItsPlace) {
                           "meadow,0.2,0.4,0.4,0.2,0\n"),
               "recipe.csv:2:1: found 'talus/2', expected letters, digits, _ and -\n"
               "recipe.csv:3:11: found block_high_m 0.4, expected at least block_low_m, 0.8\n"
-              "recipe.csv:3:15: found cover '30', expected a number in [0, 0.55]\n"
+              "recipe.csv:3:15: found cover '30', expected a number in [0, 0.55]; write a share of 1: divide "
+              "percents by 100\n"
               "recipe.csv:3:18: found burial '0.7', expected a number in [0, 0.5]\n"
               "recipe.csv:4:8: found block_low_m '0', expected a number in (0, 5]\n"
               "recipe.csv:4:22: found gathering 'x', expected a number in [0, 1]\n"

@@ -96,8 +96,12 @@ TEST(Nets, ThatLookLikeASlipAreDoubted) {
     ASSERT_EQ(opened.warnings.size(), 4U);
     EXPECT_EQ(opened.warnings[0],
               "nets.csv: found column 'gap', which is passed over, expected gap_m, if that is what is meant");
-    EXPECT_EQ(opened.warnings[1], "nets.csv:2:7: found a net of 0.3 m, expected a height in metres");
-    EXPECT_EQ(opened.warnings[2], "nets.csv:3:9: found a net that takes 5 kJ, expected kilojoules");
+    EXPECT_EQ(opened.warnings[1],
+              "nets.csv:2:7: found a net of 0.3 m, expected a height in metres: nets are 1.5 to "
+              "10 m high; check the unit of the column height_m");
+    EXPECT_EQ(opened.warnings[2],
+              "nets.csv:3:9: found a net that takes 5 kJ, expected kilojoules: the weakest "
+              "nets on offer take 35 kJ; multiply megajoules by 1000");
     EXPECT_EQ(opened.warnings[3],
               "nets.csv:3:1: found name 'a Net' beside 'A net', expected names that differ by more than "
               "capitals and blanks");
