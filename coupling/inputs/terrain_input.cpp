@@ -14,6 +14,7 @@
 #include "coupling/inputs/plausible/extent.hpp"
 #include "coupling/inputs/plausible/ground_share.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
+#include "coupling/inputs/plausible/repeated_points.hpp"
 #include "coupling/inputs/tables/point_file.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
@@ -149,6 +150,7 @@ HeightInput read_point_cloud(Reading& reading) {
         config::fail(config::ExitCode::data, {input.file}, counted(input.points.size(), "point"),
                      "at least three");
     }
+    plausible::judge_repeated_points(input.points, input.file, reading);
     input.projection =
         projection_beside(scenario.points, plausible::extent_of(extent_over(input.points)), reading);
     input.map_frame = checked_frame_over(input.points, input.projection, input.file, reading);
