@@ -82,6 +82,22 @@ TEST(OwnRows, ReadTablesOfManyBlocksWithRowsAcrossTheirEnds) {
     EXPECT_EQ(rows.share(), 1.0);
 }
 
+/// As a spreadsheet saves a table: the carriage return behind a quote may be the last byte of a block.
+TEST(OwnRows, ReadLineEndsOfSpreadsheetsAcrossTheEndOfABlock) {
+    constexpr std::size_t block_bytes = std::size_t{1} << 20U;
+    const TestFolder folder;
+    for (std::size_t short_by = 0; short_by < 6; ++short_by) {
+        std::string table = "name,next\r\n\"";
+        table += std::string(block_bytes - table.size() - 6 + short_by, 'x') + "\",\"y\"\r\nz,\"w\"\r\n";
+        std::ofstream{folder.path() / "table.csv", std::ios::binary} << table;
+        OwnRows rows{folder.path() / "table.csv"};
+        const std::vector<std::vector<std::string>> all = all_of(rows);
+        ASSERT_EQ(all.size(), 2U);
+        EXPECT_EQ(all.front().back(), "y");
+        EXPECT_EQ(all.back(), (std::vector<std::string>{"z", "w"}));
+    }
+}
+
 TEST(OwnRows, RefuseEveryTableThatIsCutOff) {
     const TestFolder folder;
     const std::string whole = "rock,target\n1,\"Gasthof \"\"Post\"\"\"\n22,\"two\nlines\"\n333,road\n";
