@@ -95,7 +95,7 @@ void refuse_changed(const fs::path& folder, const std::string& name) {
     const auto mark = marks.find(name);
     if (!is_there(folder / name)) {
         if (mark != marks.end()) {
-            config::fail(config::ExitCode::data, {(folder / name).string()},
+            config::fail(config::ExitCode::file, {(folder / name).string()},
                          "a file missing that its run wrote", "the results as the run wrote them",
                          "put the file back, or run the scenario again with --overwrite");
         }

@@ -16,8 +16,8 @@ void write_sums(const std::filesystem::path& folder);
 /// there is none. Throws config::InputError (file) for a file that cannot be read.
 std::string changed_file(const std::filesystem::path& folder);
 
-/// Throws config::InputError (data) for a file of finished results, named from their folder, that is no
-/// longer as `.checksums` has it, or no longer there; nothing for one that the run did not write. Results
+/// Throws config::InputError for a file of finished results, named from their folder, that is no longer as
+/// `.checksums` has it (data) or no longer there (file); nothing for one that the run did not write. Results
 /// without `.checksums`, such as those of an archive, are taken as they are.
 void refuse_changed(const std::filesystem::path& folder, const std::string& name);
 

@@ -285,7 +285,7 @@ TEST(FromRockyfor3d, GivesEachGroundWhatEveryModelAsksFor) {
     project.save("rg70.asc", rough);
     const Outcome made = call(project, "init made --from-rockyfor3d rocky");
     ASSERT_EQ(made.code, 0) << made.err;
-    EXPECT_NE(made.out.find("stop every rock"), std::string::npos) << made.out;
+    EXPECT_NE(made.err.find("stop every rock"), std::string::npos) << made.err;
     for (const char* motion : {"picus", "pir3d", "classical", "rigid"}) {
         const Outcome checked =
             call(project, std::string{"check made/scenario.ini --set rockfall.motion="} + motion);
